@@ -1,8 +1,7 @@
 """Forward kinematics derived anew, by means that the package does not use.
 
-Rotations are exponentials of skew matrices, summed as power series in 50-digit arithmetic; links are products
-of four elementary 4×4 matrices; Jacobians are central differences of poses. Slow, plain, and not shared with
-what it judges.
+Sines and cosines are power series summed in 50-digit arithmetic; links are products of four elementary 4×4
+matrices; Jacobians are central differences of poses. Slow, plain, and not shared with what it judges.
 """
 
 from __future__ import annotations
@@ -16,24 +15,26 @@ from numpy.typing import NDArray
 from kinematics.table import Convention, JointType, NumericTable
 
 Floats = NDArray[np.float64]
+Exact = NDArray[np.object_]
+"""A 4×4 matrix of `mpmath.mpf`."""
 
 DIGITS = 50
 
 
-def elementary(axis: str, angle: object, length: object) -> mpmath.matrix:
+def elementary(axis: str, angle: object, length: object) -> Exact:
     """Rotation about an axis by `angle` and translation along it by `length`."""
     with mpmath.workdps(DIGITS):
         i, j = {"x": (1, 2), "z": (0, 1)}[axis]
         k = {"x": 0, "z": 2}[axis]
-        generator = mpmath.zeros(4)
-        generator[j, i], generator[i, j] = mpmath.mpf(1), mpmath.mpf(-1)
         cosine, sine = _cosine_sine(mpmath.mpf(angle))
-        rotation = mpmath.eye(4) + sine * generator + (1 - cosine) * (generator * generator)
+        rotation = _identity()
+        rotation[i, i] = rotation[j, j] = cosine
+        rotation[j, i], rotation[i, j] = sine, -sine
         rotation[k, 3] = mpmath.mpf(length)
         return rotation
 
 
-def link(row: object, convention: Convention, q: float) -> mpmath.matrix:
+def link(row: object, convention: Convention, q: object) -> Exact:
     """The four elementary matrices of a row, multiplied."""
     with mpmath.workdps(DIGITS):
         theta, d = mpmath.mpf(row.theta), mpmath.mpf(row.d)
@@ -44,11 +45,11 @@ def link(row: object, convention: Convention, q: float) -> mpmath.matrix:
         turn, slide = elementary("z", theta, 0), elementary("z", 0, d)
         reach, twist = elementary("x", 0, row.a), elementary("x", row.alpha, 0)
         if convention is Convention.STANDARD:
-            return turn * slide * reach * twist
-        return twist * reach * turn * slide
+            return turn @ slide @ reach @ twist
+        return twist @ reach @ turn @ slide
 
 
-def links(table: NumericTable, joints: Sequence[float]) -> list[mpmath.matrix]:
+def links(table: NumericTable, joints: Sequence[float]) -> list[Exact]:
     """Every link transform."""
     values = dict(zip(table.joint_rows, joints, strict=True))
     return [link(row, table.convention, values.get(i, 0.0)) for i, row in enumerate(table.rows)]
@@ -75,42 +76,40 @@ def jacobian(
     with mpmath.workdps(DIGITS):
         step = mpmath.mpf(10) ** -15
         columns = []
-        here = _product([_exactly(base), *links(table, joints), _exactly(tool)])
-        for i in range(len(joints)):
-            plus, minus = (_moved(table, joints, i, sign * step, base, tool) for sign in (1, -1))
+        chain = [_exactly(base), *links(table, joints), _exactly(tool)]
+        here = _product(chain)
+        for row, q in zip(table.joint_rows, joints, strict=True):
+            before, after = _product(chain[: row + 1]), _product(chain[row + 2 :])
+            plus, minus = (
+                before @ link(table.rows[row], table.convention, mpmath.mpf(q) + sign * step) @ after
+                for sign in (1, -1)
+            )
             rate = (plus - minus) / (2 * step)
-            spin = rate[:3, :3] * here[:3, :3].T
+            spin = rate[:3, :3] @ here[:3, :3].T
             columns.append([rate[0, 3], rate[1, 3], rate[2, 3], spin[2, 1], spin[0, 2], spin[1, 0]])
         return np.array([[float(x) for x in column] for column in columns]).reshape(-1, 6).T
 
 
-def as_array(matrix: mpmath.matrix) -> Floats:
+def as_array(matrix: Exact) -> Floats:
     """Correctly rounded doubles."""
-    return np.array([[float(matrix[i, j]) for j in range(matrix.cols)] for i in range(matrix.rows)])
+    return np.array([[float(x) for x in row] for row in matrix.tolist()])
 
 
-def _moved(
-    table: NumericTable,
-    joints: Sequence[float],
-    i: int,
-    step: object,
-    base: Floats | None,
-    tool: Floats | None,
-) -> mpmath.matrix:
-    moved = [mpmath.mpf(q) + (step if j == i else 0) for j, q in enumerate(joints)]
-    return _product([_exactly(base), *links(table, moved), _exactly(tool)])
-
-
-def _product(factors: list[mpmath.matrix]) -> mpmath.matrix:
+def _product(factors: list[Exact]) -> Exact:
     with mpmath.workdps(DIGITS):
-        product = mpmath.eye(4)
+        product = _identity()
         for factor in factors:
-            product = product * factor
+            product = product @ factor
         return product
 
 
-def _exactly(transform: Floats | None) -> mpmath.matrix:
-    return mpmath.eye(4) if transform is None else mpmath.matrix(np.asarray(transform).tolist())
+def _identity() -> Exact:
+    return np.array([[mpmath.mpf(i == j) for j in range(4)] for i in range(4)])
+
+
+def _exactly(transform: Floats | None) -> Exact:
+    given = np.eye(4) if transform is None else np.asarray(transform)
+    return np.array([[mpmath.mpf(float(x)) for x in row] for row in given])
 
 
 def _cosine_sine(angle: mpmath.mpf) -> tuple[mpmath.mpf, mpmath.mpf]:
@@ -118,7 +117,7 @@ def _cosine_sine(angle: mpmath.mpf) -> tuple[mpmath.mpf, mpmath.mpf]:
     with mpmath.workdps(2 * DIGITS):
         rest = angle - 2 * mpmath.pi * mpmath.nint(angle / (2 * mpmath.pi))
     term, cosine, sine = mpmath.mpf(1), mpmath.mpf(0), mpmath.mpf(0)
-    for n in range(80):
+    for n in range(80 if rest else 1):
         if n % 2 == 0:
             cosine += term if n % 4 == 0 else -term
         else:

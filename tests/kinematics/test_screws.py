@@ -37,13 +37,12 @@ def series(screw, q):
     """The matrix exponential by its power series, in 60 digits."""
     with mpmath.workdps(60):
         (vx, vy, vz), (wx, wy, wz) = screw
-        twist = mpmath.matrix(
-            [[0, -wz, wy, vx], [wz, 0, -wx, vy], [-wy, wx, 0, vz], [0, 0, 0, 0]]
-        ) * mpmath.mpf(q)
-        term = total = mpmath.eye(4)
+        rates = [[0, -wz, wy, vx], [wz, 0, -wx, vy], [-wy, wx, 0, vz], [0, 0, 0, 0]]
+        twist = np.array([[mpmath.mpf(x) * mpmath.mpf(q) for x in row] for row in rates])
+        term = total = np.eye(4, dtype=object)
         for n in range(1, 90):
-            term = term * twist / n
-            total += term
+            term = term @ twist / n
+            total = total + term
         return oracle.as_array(total)
 
 
