@@ -69,6 +69,11 @@ class WorkerProcess:
         """Return whether it is running."""
         return self._process.poll() is None
 
+    @property
+    def is_open(self) -> bool:
+        """Return whether its connection is still held."""
+        return not self._connection.closed
+
     def perform(self, task: bytes, timeout: float) -> bytes:
         """Send a task, and wait for its reply.
 
@@ -92,6 +97,6 @@ class WorkerProcess:
         self._process.wait()
 
     def close(self) -> None:
-        """End the process, and let go of it."""
+        """End the process, and let go of it; no other thread may be in `perform`."""
         self.kill()
         self._connection.close()

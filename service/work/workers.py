@@ -170,7 +170,9 @@ class LaneProcesses:
             reply = await asyncio.wrap_future(doing)
         except BaseException:
             self._busy.discard(process)
-            process.close()
+            process.kill()
+            # Its thread may still hold the connection: closed now, its number would go to the next process's.
+            doing.add_done_callback(lambda _: process.close())
             self.heal()
             raise
         self._busy.discard(process)

@@ -7,6 +7,7 @@ import os
 import signal
 import subprocess
 import sys
+import threading
 from collections.abc import AsyncIterator, Callable, Coroutine
 from contextlib import asynccontextmanager
 from pathlib import Path
@@ -18,6 +19,7 @@ from kinematics.errors import FormSizeError
 from service.http.problems import BusyError, RequestError, UnavailableError
 from service.settings import Settings
 from service.work.fair_queue import current_client
+from service.work.processes import WorkerProcess
 from service.work.workers import Lane, Workers
 from tests.service.tasks import (
     asleep,
@@ -226,6 +228,36 @@ def test_a_caller_who_goes_away_frees_the_process() -> None:
             with pytest.raises(asyncio.CancelledError):
                 await task
             assert await asyncio.wait_for(pool.run(Lane.SLOW, double, 7), 15) == 14
+
+    run(test)
+
+
+def test_a_connection_stays_open_until_its_thread_has_left_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    entered, proceed = threading.Event(), threading.Event()
+    held: list[WorkerProcess] = []
+    was_open: list[bool] = []
+    perform = WorkerProcess.perform
+
+    def late(process: WorkerProcess, task: bytes, timeout: float) -> bytes:
+        held.append(process)
+        entered.set()
+        assert proceed.wait(30)
+        was_open.append(process.is_open)
+        return perform(process, task, timeout)
+
+    async def test() -> None:
+        async with workers(symbolic_seconds=30.0) as pool:
+            monkeypatch.setattr(WorkerProcess, "perform", late)
+            task = asyncio.create_task(pool.run(Lane.SLOW, endless))
+            assert await asyncio.to_thread(entered.wait, 30)
+            monkeypatch.setattr(WorkerProcess, "perform", perform)
+            task.cancel()
+            with pytest.raises(asyncio.CancelledError):
+                await task
+            proceed.set()
+            assert await asyncio.wait_for(pool.run(Lane.SLOW, double, 7), 60) == 14
+        assert was_open == [True]
+        assert not held[0].is_open
 
     run(test)
 
