@@ -1,7 +1,8 @@
-r"""Functions as they are printed: sin θ1, cos²(q2), \sin^{2}{\left(q_{2} \right)}.
+r"""Functions as they are printed: sin θ1, cos²(q2), \sin^{2}{\left(q_{2} \right)}, \frac12.
 
 What is read in one way only is put into brackets, and the power behind them. What follows may make it
-ambiguous: sin θ1 L1, sin θ1/2 and sin θ1² are left as they are, and refused.
+ambiguous: sin θ1 L1, sin θ1/2 and sin θ1² are left as they are, and refused. What LaTeX takes for the parts
+of a fraction without braces is one digit or π each.
 """
 
 from __future__ import annotations
@@ -12,6 +13,35 @@ _PRINTED = {"sin", "cos", "tan"}
 _SQUARED = (("POW", "NUMBER"), ("POW", "LBRACE", "NUMBER", "RBRACE"), ("SUPERSCRIPT",))
 _CLOSING = {"LPAR": "RPAR", "LBRACE": "RBRACE"}
 _ENDS = {"PLUS", "MINUS", "STAR", "RPAR", "RBRACE", "COMMA", "FUNCTION"}
+
+
+def with_braces(tokens: list[Token]) -> list[Token]:
+    """The tokens with braces about the bare digits, and π, that are parts of a fraction."""
+    found: list[Token] = []
+    awaited = [0]  # parts of a fraction that are still to come, in each brace that is open
+    rest = tokens[::-1]
+    while rest:
+        token = rest.pop()
+        if awaited[-1] and (token.type == "PI" or token.isdecimal()):
+            awaited[-1] -= 1
+            if token.type == "NUMBER" and len(token) > 1:
+                rest.append(Token("NUMBER", token[1:], column=(token.column or 0) + 1))
+                token = Token("NUMBER", token[0], column=token.column)
+            found += [
+                Token("LBRACE", "{", column=token.column),
+                token,
+                Token("RBRACE", "}", column=token.column),
+            ]
+            continue
+        found.append(token)
+        if token.type == "LBRACE":
+            awaited[-1] = max(awaited[-1] - 1, 0)
+            awaited.append(0)
+        elif token.type == "RBRACE":
+            awaited[1:] = awaited[1:-1]
+        else:
+            awaited[-1] = 2 if token.type == "FRACTION" else 0
+    return found
 
 
 def with_brackets(tokens: list[Token]) -> list[Token]:

@@ -51,13 +51,18 @@ _GRAMMAR = r"""
 ?marked: atom | atom DEGREE -> degrees
 ?atom: NUMBER -> number | NAME -> name | PI -> half_turn | ROOT atom -> root
      | LPAR sum RPAR -> group
+     | RADIANS LPAR sum RPAR -> radians
      | FUNCTION LPAR arguments RPAR -> application
      | FUNCTION LBRACE sum RBRACE -> command
      | FRACTION LBRACE sum RBRACE LBRACE sum RBRACE -> fraction
 arguments: sum (COMMA sum)*
-%declare NUMBER NAME PI ROOT FUNCTION FRACTION PLUS MINUS STAR SLASH POW SUPERSCRIPT DEGREE
+%declare NUMBER NAME PI ROOT RADIANS FUNCTION FRACTION PLUS MINUS STAR SLASH POW SUPERSCRIPT DEGREE
 %declare LPAR RPAR LBRACE RBRACE COMMA
 """
+
+
+LARGEST_EXPONENT = 400
+"""More than any double has: the range proper is checked with the value."""
 
 
 def _deepest(nodes: Iterable[Node]) -> int:
@@ -72,8 +77,8 @@ def _column(token: Token) -> int:
 class _Builder(Transformer[Token, Node]):
     def number(self, token: Token) -> Node:
         mantissa, _, exponent = token.lower().partition("e")
-        if exponent and abs(int(exponent)) > 400:  # the range proper is checked with the value
-            exponent = "400" if int(exponent) > 0 else "-400"
+        if exponent and abs(int(exponent)) > LARGEST_EXPONENT:
+            exponent = f"{LARGEST_EXPONENT if int(exponent) > 0 else -LARGEST_EXPONENT}"
         value = Fraction(mantissa.rstrip(".") or "0") * Fraction(10) ** int(exponent or 0)
         return Literal(column=_column(token), value=value)
 
@@ -116,12 +121,14 @@ class _Builder(Transformer[Token, Node]):
         return Parenthesized(column=_column(sign), depth=operand.depth + 1, operand=operand)
 
     def raised(self, base: Node, _: Token, exponent: Node) -> Node:
+        power = _power_of_ten(base, exponent)
+        if power is not None:
+            return Literal(column=base.column, value=power)
         depth = _deepest((base, exponent)) + 1
         return Raised(column=base.column, depth=depth, operand=base, exponent=exponent)
 
     def superscript(self, base: Node, token: Token) -> Node:
-        exponent = Literal(column=_column(token), value=Fraction(str(token)))
-        return Raised(column=base.column, depth=base.depth + 1, operand=base, exponent=exponent)
+        return self.raised(base, token, Literal(column=_column(token), value=Fraction(str(token))))
 
     def braced(self, _: Token, value: Node, __: Token) -> Node:
         return value
@@ -131,6 +138,10 @@ class _Builder(Transformer[Token, Node]):
 
     def degrees(self, operand: Node, _: Token) -> Node:
         return Degrees(column=operand.column, depth=operand.depth, operand=operand)
+
+    def radians(self, name: Token, _: Token, operand: Node, __: Token) -> Node:
+        group = Parenthesized(column=_column(name), depth=operand.depth + 1, operand=operand)
+        return self.degrees(group, name)
 
     def root(self, sign: Token, operand: Node) -> Node:
         return Application(
@@ -165,6 +176,22 @@ class _Builder(Transformer[Token, Node]):
             column=_column(command), depth=_deepest((top, bottom)) + 1, factors=(top, divisor)
         )
         return Parenthesized(column=product.column, depth=product.depth, operand=product)
+
+
+def _power_of_ten(base: Node, exponent: Node) -> Fraction | None:
+    """The value of 10^-33 as in 1.3*10^-33: a way to write an exponent, whatever powers may be computed."""
+    if not isinstance(base, Literal) or base.value != 10:
+        return None
+    sign = 1
+    while isinstance(exponent, Negation | Parenthesized):
+        sign, exponent = -sign if isinstance(exponent, Negation) else sign, exponent.operand
+    if (
+        not isinstance(exponent, Literal)
+        or exponent.value.denominator != 1
+        or exponent.value > LARGEST_EXPONENT
+    ):
+        return None
+    return Fraction(10) ** (sign * exponent.value.numerator)
 
 
 _PARSER = Lark(_GRAMMAR, parser="lalr", lexer="basic", transformer=_Builder())

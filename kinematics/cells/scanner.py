@@ -13,7 +13,7 @@ from itertools import pairwise
 
 from lark import Token
 
-from kinematics.cells.bare_arguments import with_brackets
+from kinematics.cells.bare_arguments import with_braces, with_brackets
 from kinematics.cells.characters import (
     DOT_ABOVE,
     GREEK,
@@ -87,6 +87,8 @@ _SEGMENT = re.compile(_SUBSCRIPT)
 _COMMAND = re.compile(r"\\([A-Za-z]+|.?)", re.DOTALL)
 _RATE = re.compile(rf"\\dot *(?:\{{ *(?:q|\\theta|θ) *\}}|q|\\theta|θ)([0-9]*)((?: *(?:{_SUBSCRIPT}))*)")
 _DOTTED = re.compile(rf"[qθ]{DOT_ABOVE}([0-9]*)((?: *(?:{_SUBSCRIPT}))*)")
+_FROM_DEGREES = re.compile(r"(?:radians|deg2rad)(?= *\()")
+"""What programs call the function whose argument is in degrees."""
 _DEGREE_POWER = re.compile(r"\^ *(?:\{ *(?:\\circ|°) *\}|\\circ(?![A-Za-z])|°)")
 _SUPERSCRIPT = re.compile(f"{SUPERSCRIPT_MINUS}?[{''.join(SUPERSCRIPTS)}]+")
 _ALIEN_NUMBER = re.compile(r"0[xXbBoO][0-9A-Fa-f]+|[0-9.]+_[0-9_.]*|[0-9]*\.[0-9]*\.[0-9.]*")
@@ -118,7 +120,7 @@ def scan(text: str, limits: Limits = DEFAULT) -> list[Token]:
         tokens.extend(scanned)
     if not tokens:
         raise CellRefusal("cell_empty")
-    tokens = with_brackets(without_marks(tokens))
+    tokens = with_brackets(with_braces(without_marks(tokens)))
     _refuse_calls(tokens)
     return tokens
 
@@ -181,6 +183,9 @@ def _name(plain: str, start: int, limits: Limits) -> Scanned:
         name = _spelled("dq", dotted.group(1), dotted.group(2), start)
         return [_token("NAME", name, start)], dotted.end()
     match = _NAME.match(plain, start)
+    radians = _FROM_DEGREES.match(plain, start)
+    if radians:
+        return [_token("RADIANS", radians.group(), start)], radians.end()
     assert match is not None
     word, digits, scripts = match.groups()
     _refuse_what_runs_on(plain, match.group(), start, match.end())
