@@ -15,7 +15,6 @@ from exercises.definition import Exercise
 from exercises.draws import Picker
 from exercises.grading import accept
 from exercises.instance import Instance
-from exercises.names import table_faults, without_aliases
 from exercises.parts.context import Context
 from exercises.parts.found_mistakes import FoundStep, MistakePart, MistakeType, MistakeWords
 from exercises.parts.given_table import columns_of, given_table
@@ -169,16 +168,10 @@ def _mended(
     whole: RawTable = replace(raw, rows=(*raw.rows[:row], changed, *raw.rows[row + 1 :]))
     before = len(reading.faults)
     found = reading.keep(FindMistakeType.kind, lambda: read_table(whole, reading.limits))
-    if found is not None:
-        exercise = reading.instance.exercise
-        reading.faults.extend(fault.within(FindMistakeType.kind) for fault in table_faults(found, exercise))
+    own = None if found is None else reading.own_table(FindMistakeType.kind, found)
     placed = [_placed(fault, names) for fault in reading.faults[before:]]
     reading.faults[before:] = sorted(placed, key=lambda fault: [str(step) for step in fault.where])
-    return (
-        None
-        if len(reading.faults) > before or found is None
-        else without_aliases(found, reading.instance.exercise)
-    )
+    return own
 
 
 def _same_links(key: SymbolicTable, table: SymbolicTable, values: Mapping[str, float]) -> bool:

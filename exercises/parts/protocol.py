@@ -8,6 +8,7 @@ exercises derives the wire schema and its documentation from it.
 
 from __future__ import annotations
 
+import math
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
@@ -20,12 +21,13 @@ from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeVar
 from exercises.definition import Exercise, Part
 from exercises.draws import Picker
 from exercises.grading import HelpLevel
+from exercises.names import table_faults, without_aliases
 from exercises.parts.definition_keys import DefinitionKey, Start
 from exercises.parts.report import Disclosure, PartReport, shown
 from exercises.reading import Reader
 from kinematics.cells import AngleUnit, LengthUnit, Limits, ParameterKind, ReadTable
 from kinematics.errors import Fault, KinematicsError
-from kinematics.table import JointType
+from kinematics.table import JointType, bind
 
 if TYPE_CHECKING:
     from exercises.instance import Instance
@@ -231,6 +233,25 @@ class Reading:
         if len(row) != count:
             self.fault(code, *where, expected=count, given=len(row))
         return len(row) == count
+
+    def own_table(self, part: str, read: ReadTable) -> ReadTable | None:
+        """Return a table in the exercise's own names, or None.
+
+        Faults are kept: names that the exercise does not know, and cells that have no value for the student's
+        dimensions, as `sqrt(L2 - L1)` where L1 is the longer one.
+        """
+        exercise = self.instance.exercise
+        unknown = table_faults(read, exercise)
+        self.faults.extend(fault.within(part) for fault in unknown)
+        if unknown:
+            return None
+        own = without_aliases(read, exercise)
+        kinds, values = exercise.reference.parameters, values_in_unit(self.instance, own.length_unit)
+        in_degrees = exercise.angle_unit is AngleUnit.DEG
+        for name, kind in kinds.items():
+            if kind is ParameterKind.ANGLE and in_degrees:
+                values[name] = math.radians(values[name])
+        return None if self.keep(part, lambda: bind(own.table, values)) is None else own
 
     def keep(self, part: str, read: Callable[[], Kept]) -> Kept | None:
         """Return what a function reads, or None; its faults are kept, seen from the whole answer."""

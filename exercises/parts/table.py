@@ -9,7 +9,6 @@ from typing import ClassVar
 from exercises.definition import Part
 from exercises.grading import HelpLevel
 from exercises.instance import Instance
-from exercises.names import table_faults, without_aliases
 from exercises.parts.context import Context
 from exercises.parts.protocol import TABLE, PartTask, PartType, Reading
 from exercises.parts.report import Credit, PartReport, judged
@@ -33,11 +32,7 @@ class DHTablePart(PartType[Part, RawTable, ReadTable]):
     def read(self, raw: RawTable, reading: Reading) -> ReadTable | None:
         """Return the table in exact expressions and in the exercise's own names."""
         read = reading.keep(self.kind, lambda: read_table(raw, reading.limits))
-        if read is None:
-            return None
-        faults = table_faults(read, reading.instance.exercise)
-        reading.faults.extend(fault.within(self.kind) for fault in faults)
-        return None if faults else without_aliases(read, reading.instance.exercise)
+        return None if read is None else reading.own_table(self.kind, read)
 
     def grade(self, part: Part, answer: ReadTable, context: Context) -> PartReport:
         """Return the verdict's score; what there is to tell stands in the verdict."""

@@ -140,6 +140,15 @@ def test_an_unknown_name_is_no_attempt_and_is_told_the_nearest_known_one(typed: 
     assert (fault.params["close"], fault.params["known"]) == (close, ("a2", "a3"))
 
 
+@pytest.mark.parametrize("turned", ["sqrt(a3-a2)", "acos(3*a2/a3)"])
+def test_a_table_without_a_value_for_this_student_is_no_attempt(turned: str) -> None:
+    """Other lengths, with which there is a value, are not those of the question."""
+    rows = [(0, "a2", 0, f"q1 + {turned}"), (180, "a3", 0, "q2"), (0, 0, "q3", 0), (0, 0, 0, "q4")]
+    assert refused(table=table("standard", *rows)) == {"table.rows.0.theta": "value_undefined"}
+    rows[0] = (0, "a2", 0, "q1 + sqrt(a2-a3)")
+    assert judged("scara", table=table("standard", *rows)).verdict.correct
+
+
 def test_an_alias_means_its_dimension() -> None:
     found = replace(exercise("scara"), aliases={"L1": "a2", "L2": "a3"})
     rows = [(0, "L1", 0, "q1"), (180, "L2", 0, "q2"), (0, 0, "q3", 0), (0, 0, 0, "q4")]
