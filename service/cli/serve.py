@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import argparse
+import gc
 import shutil
+from typing import TYPE_CHECKING
 
 import uvicorn
 
@@ -12,6 +14,10 @@ from service.http.connections import server_options
 from service.logs import log_configuration
 from service.metrics import share_metrics
 from service.secret import share_secret
+from service.settings import Settings
+
+if TYPE_CHECKING:
+    from fastapi import FastAPI
 
 _LARGEST_PORT = 65535
 
@@ -38,18 +44,27 @@ def _serve(options: argparse.Namespace) -> int:
         share_secret()
         figures = share_metrics()
         try:
-            uvicorn.run("service.app:create_app", factory=True, workers=workers, **chosen)  # type: ignore[arg-type]
+            uvicorn.run("service.cli.serve:application", factory=True, workers=workers, **chosen)  # type: ignore[arg-type]
         finally:
             shutil.rmtree(figures, ignore_errors=True)
         return 0
-    from service.app import create_app  # a process that only looks after others does without all of it
-
-    app = create_app(settings)
+    app = application(settings)
     try:
         uvicorn.run(app, **chosen)  # type: ignore[arg-type]
     finally:
         app.state.resources.close()  # or they would outlive a server that could not start
     return 0
+
+
+def application(settings: Settings | None = None) -> FastAPI:
+    """Return the service; garbage is not looked for before it serves.
+
+    Nearly all that is loaded stays: each collection would go over it for nothing.
+    """
+    gc.disable()
+    from service.app import create_app  # a process that only looks after others does without all of it
+
+    return create_app(settings)
 
 
 def _port(text: str) -> int:

@@ -56,13 +56,14 @@ class Collection:
 
 @contextmanager
 def new_objects_alone() -> Iterator[Collection]:
-    """Have the collector look at new objects alone, while an application runs."""
+    """Have the collector look at new objects alone, while an application runs; switch it on if it is off."""
     found, thresholds = Collection(), gc.get_threshold()
     if not gc.get_freeze_count():
         gc.collect()
     gc.freeze()
     gc.set_threshold(YOUNG, ROUNDS, _NEVER)
     gc.callbacks.append(found)
+    gc.enable()
     try:
         yield found
     finally:

@@ -68,7 +68,9 @@ def test_a_quiet_process_looks_at_all_after_a_time(
 
 def test_an_application_leaves_the_collector_as_it_found_it() -> None:
     before = gc.get_threshold()
+    gc.disable()  # as while the application is loaded
     with new_objects_alone() as found:
+        assert gc.isenabled()
         assert found in gc.callbacks
         assert gc.get_threshold()[0] == YOUNG
         assert gc.get_freeze_count() > 0
