@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from random import Random
 
 from exercises.grading import ConventionRule, Policy, grade
-from exercises.parts.compare_tables import ComparisonReason, true_reasons
+from exercises.parts.mistakes.compare_tables import ComparisonReason, true_reasons
 from exercises.selftest.variants import key_as_asked, small_changes, some_lengths
 from exercises.written_table import written_table
 from kinematics.cells import RawTable, ReadTable

@@ -1,11 +1,11 @@
-"""The kinds of part that there are: every module of this package that defines `PART`."""
+"""The kinds of part that there are: every module of this package and its rooms that defines `PART`."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from functools import cache
 from importlib import import_module
-from pkgutil import iter_modules
+from pkgutil import walk_packages
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
@@ -18,9 +18,8 @@ PACKAGE = "exercises.parts"
 @cache
 def part_types() -> Mapping[str, PartType[Any, Any, Any]]:
     """Return every part type by its kind, in alphabetical order."""
-    modules = (
-        import_module(f"{PACKAGE}.{found.name}") for found in iter_modules(import_module(PACKAGE).__path__)
-    )
+    path = import_module(PACKAGE).__path__
+    modules = (import_module(found.name) for found in walk_packages(path, f"{PACKAGE}."))
     types: list[PartType[Any, Any, Any]] = [module.PART for module in modules if hasattr(module, "PART")]
     return MappingProxyType({found.kind: found for found in sorted(types, key=lambda found: found.kind)})
 

@@ -17,10 +17,10 @@ from exercises.errors import DefinitionError
 from exercises.grading import HelpLevel, Verdict
 from exercises.instance import Instance, generate
 from exercises.needs import unneeded_dimensions
+from exercises.parts.forward.schematic import schematic_of
 from exercises.parts.protocol import TABLE, values_in_unit
 from exercises.parts.registry import part_type
 from exercises.parts.report import Credit
-from exercises.parts.schematic import schematic_of
 from exercises.selftest.answers import answer_from, context_of, is_refused, judged_answer, other_frames
 from exercises.selftest.findings import Findings
 from exercises.selftest.mistakes import MISTAKES

@@ -8,7 +8,7 @@ from typing import Annotated, Any
 
 from fastapi import Body
 
-from exercises.parts.conditions import read_conditions
+from exercises.parts.motion.conditions import read_conditions
 from kinematics.answers.singular_arms import SingularArm, arm_of
 from kinematics.answers.singularity_answers import (
     ConditionStatus,

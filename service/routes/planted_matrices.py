@@ -7,8 +7,8 @@ from typing import Annotated, Any
 
 from fastapi import Body
 
-from exercises.parts.matrix_cells import write_matrix
-from exercises.parts.planted_matrices import MATRIX_MISTAKES, PlantedMatrix, plantable_in
+from exercises.parts.cells.matrix_cells import write_matrix
+from exercises.parts.mistakes.planted_matrices import MATRIX_MISTAKES, PlantedMatrix, plantable_in
 from kinematics.cells import Limits, ReadTable, read_table
 from kinematics.symbolic import Matrix
 from service.http.languages import language_of

@@ -10,8 +10,8 @@ from fastapi import Body
 
 from exercises.alternatives import other_tables
 from exercises.grading import Policy, ToolRule, grade
-from exercises.parts.compare_tables import true_reasons
-from exercises.parts.planting import Planted, plantable
+from exercises.parts.mistakes.compare_tables import true_reasons
+from exercises.parts.mistakes.planting import Planted, plantable
 from kinematics.cells import Limits, ReadTable, read_table
 from service.http.languages import language_of
 from service.http.openapi import problems

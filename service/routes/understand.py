@@ -15,7 +15,7 @@ from exercises.definition import Exercise
 from exercises.errors import UnknownExerciseError
 from exercises.loader import Library
 from exercises.names import table_faults
-from exercises.parts.matrix_cells import read_entries
+from exercises.parts.cells.matrix_cells import read_entries
 from kinematics.cells import (
     AngleUnit,
     Limits,

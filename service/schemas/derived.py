@@ -20,7 +20,7 @@ from pydantic import Field, create_model
 
 from exercises.grading import Edit, Feedback
 from exercises.grading.verdict import Matrix4 as DomainMatrix4
-from exercises.parts.matrix_cells import CellMatrix as DomainCellMatrix
+from exercises.parts.cells.matrix_cells import CellMatrix as DomainCellMatrix
 from exercises.parts.protocol import Length
 from kinematics.cells import Cell as DomainCell
 from kinematics.cells import RawTable

@@ -6,7 +6,7 @@ from typing import Annotated
 
 from pydantic import Field
 
-from exercises.parts.planted_matrices import MatrixKind
+from exercises.parts.mistakes.planted_matrices import MatrixKind
 from service.schemas.base import Wire
 from service.schemas.exercises import Seed
 from service.schemas.tables import Table

@@ -6,8 +6,8 @@ from typing import Annotated, Literal
 
 from pydantic import Field
 
-from exercises.parts.compare_tables import ComparisonReason
-from exercises.parts.planting import PLANTABLE
+from exercises.parts.mistakes.compare_tables import ComparisonReason
+from exercises.parts.mistakes.planting import PLANTABLE
 from service.schemas.base import WHOLE, Wire
 from service.schemas.exercises import Seed
 from service.schemas.spoken import SpokenFeedback

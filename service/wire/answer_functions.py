@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from typing import Any
 
-from exercises.parts.matrix_cells import read_functions
+from exercises.parts.cells.matrix_cells import read_functions
 from kinematics.cells import ReadTable
 from kinematics.errors import CellError, Fault, JointValueError
 from kinematics.expressions import Expression, parameters_in

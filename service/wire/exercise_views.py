@@ -14,7 +14,7 @@ from exercises.grading import ConventionRule, HelpLevel
 from exercises.instance import Instance, kept_instance
 from exercises.loader import Library
 from exercises.needs import unneeded_dimensions
-from exercises.parts.frame_mistake import frames_shown
+from exercises.parts.mistakes.frame_mistake import frames_shown
 from exercises.parts.protocol import TABLE, FormField, GivenNumbers
 from exercises.parts.registry import part_type
 from exercises.statements import first_sentence, to_html

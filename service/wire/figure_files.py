@@ -18,7 +18,7 @@ from exercises.definition import Exercise
 from exercises.drawings import drawn_values, figure_drawing
 from exercises.figures.svg import SvgDrawing, document
 from exercises.instance import Instance
-from exercises.parts.frame_mistake import frames_shown
+from exercises.parts.mistakes.frame_mistake import frames_shown
 from service.messages import sentence
 from service.revision import revision
 from service.wire.exercise_views import figure_description

@@ -7,7 +7,7 @@ from contextlib import suppress
 import numpy as np
 
 from exercises.grading import Feedback, Policy, ToolRule
-from exercises.parts.joint_feedback import joint_feedback
+from exercises.parts.inverse.joint_feedback import joint_feedback
 from kinematics.answers.joint_answers import in_other_frames, judge_joints
 from kinematics.answers.joint_questions import joint_question
 from kinematics.answers.joint_verdicts import JointAnswer

@@ -20,7 +20,7 @@ from exercises.definition import Exercise
 from exercises.errors import ExerciseError
 from exercises.instance import Instance, possible_instances
 from exercises.loader import Library
-from exercises.parts.frame_mistake import FrameMistakeType
+from exercises.parts.mistakes.frame_mistake import FrameMistakeType
 from kinematics.errors import KinematicsError
 from service.course_resources import now
 from service.messages import languages

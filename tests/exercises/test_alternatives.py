@@ -11,7 +11,7 @@ from exercises.answers import RawAnswer, parse
 from exercises.grader import grade
 from exercises.grading import ConventionRule, Policy
 from exercises.instance import generate
-from exercises.parts.compare_tables import ComparisonReason
+from exercises.parts.mistakes.compare_tables import ComparisonReason
 from exercises.selftest.robustness import strictest_policy
 from exercises.selftest.variants import key_as_asked
 from exercises.written_table import written_table

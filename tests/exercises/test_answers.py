@@ -14,10 +14,10 @@ from exercises.grader import allowed_help, grade
 from exercises.grading import HelpLevel
 from exercises.grading.facts import Weights
 from exercises.instance import generate
-from exercises.parts.joint_solutions import JointAnswerCells
-from exercises.parts.schematic import AxisRelation, Schematic
-from exercises.parts.singularities import SingularityCells
-from exercises.parts.workspace import RadiiCells
+from exercises.parts.forward.schematic import AxisRelation, Schematic
+from exercises.parts.forward.workspace import RadiiCells
+from exercises.parts.inverse.joint_solutions import JointAnswerCells
+from exercises.parts.motion.singularities import SingularityCells
 from kinematics.answers.joint_verdicts import JointClaim
 from kinematics.table import JointType
 from tests.exercises.answering import SCARA, SCARA_MATRICES, SCARA_TRANSFORM, edited, judged, table

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from exercises.draws import Draw, pick
 from exercises.errors import AnswerError
 from exercises.instance import generate
-from exercises.parts.pose import PosePart
+from exercises.parts.forward.pose import PosePart
 from tests.exercises.packaged import exercise, exercise_ids
 
 

@@ -12,8 +12,8 @@ from exercises.definition import Exercise
 from exercises.errors import DefinitionError, UnknownExerciseError
 from exercises.grading import BaseRule, HelpLevel, ToolRule
 from exercises.loader import Library, load_exercise
-from exercises.parts.pose import PosePart
-from exercises.parts.workspace import ReachFrom, WorkspacePart
+from exercises.parts.forward.pose import PosePart
+from exercises.parts.forward.workspace import ReachFrom, WorkspacePart
 from kinematics.errors import Fault
 from tests.exercises.folders import TWO_LINKS, changed, folder, with_part
 from tests.exercises.packaged import exercise

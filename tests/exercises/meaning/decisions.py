@@ -12,10 +12,10 @@ import numpy as np
 from exercises.answers import RawAnswer, parse
 from exercises.grader import grade
 from exercises.instance import Instance, generate
-from exercises.parts.compare_tables import ComparisonCells, SameRobot
-from exercises.parts.find_mistake import PART as FIND_MISTAKE
 from exercises.parts.joint_draws import key_numbers
-from exercises.parts.matrix_mistake import FoundMatrixMistakeCells
+from exercises.parts.mistakes.compare_tables import ComparisonCells, SameRobot
+from exercises.parts.mistakes.find_mistake import PART as FIND_MISTAKE
+from exercises.parts.mistakes.matrix_mistake import FoundMatrixMistakeCells
 from kinematics.answers.jacobian_forms import judge_jacobian_form
 from kinematics.answers.singularity_answers import judge_singularities
 from kinematics.cells import read_table

@@ -8,9 +8,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from exercises.parts.jacobian_cells import JacobianAsk, JacobianCells
-from exercises.parts.jacobians import JacobianPart
 from exercises.parts.joint_draws import key_numbers
+from exercises.parts.motion.jacobian_cells import JacobianAsk, JacobianCells
+from exercises.parts.motion.jacobians import JacobianPart
 from kinematics.answers.screw_answers import ScrewOrder
 from kinematics.jacobian import JacobianFrame
 from kinematics.rotations.sequences import SEQUENCES, EulerSequence

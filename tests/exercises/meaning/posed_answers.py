@@ -13,8 +13,8 @@ import numpy as np
 
 from exercises.definition import Part
 from exercises.instance import Instance, generate
-from exercises.parts.frame_chain import FrameChainPart, path_between
 from exercises.parts.joint_draws import key_numbers
+from exercises.parts.rotations.frame_chain import FrameChainPart, path_between
 from kinematics.cells import RawTable
 from kinematics.table import JointType
 from tests.exercises.meaning.answers_known import KnownAnswer, known, typed, typed_rows
@@ -85,7 +85,7 @@ def frame_chains(rng: random.Random) -> Iterator[KnownAnswer]:
 
 
 def _cells(rows: list[list[float | str]]) -> object:
-    from exercises.parts.frame_chain import FrameChainCells
+    from exercises.parts.rotations.frame_chain import FrameChainCells
 
     return FrameChainCells(pose=rows)
 

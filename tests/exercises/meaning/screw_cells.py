@@ -8,7 +8,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from exercises.parts.joint_draws import key_numbers
-from exercises.parts.screws import ScrewsCells
+from exercises.parts.motion.screws import ScrewsCells
 from kinematics.answers.screw_answers import ScrewAnswer, ScrewFrame, ScrewOrder
 from tests.exercises.meaning.answers_known import KnownAnswer, known, typed_rows
 from tests.exercises.meaning.posed_answers import student

@@ -17,8 +17,8 @@ import numpy as np
 from exercises.answers import RawAnswer, parse
 from exercises.grader import grade
 from exercises.instance import Instance
+from exercises.parts.inverse.joint_solutions import DrawnPose, InverseKinematicsPart, JointAnswerCells
 from exercises.parts.joint_draws import PoseCase, key_numbers
-from exercises.parts.joint_solutions import DrawnPose, InverseKinematicsPart, JointAnswerCells
 from exercises.written_table import written_table
 from kinematics.answers.joint_verdicts import JointClaim
 from tests.exercises.meaning.answers_known import KnownAnswer, other_than, typed, typed_angle

@@ -7,10 +7,10 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from exercises.instance import Instance, generate
+from exercises.parts.cells.matrix_cells import CELL_LIMITS
 from exercises.parts.context import Context
-from exercises.parts.matrix_cells import CELL_LIMITS
-from exercises.parts.matrix_mistake import PART, FoundMatrixMistakeCells, MatrixMistakePart
-from exercises.parts.planted_matrices import PlantedMatrix
+from exercises.parts.mistakes.matrix_mistake import PART, FoundMatrixMistakeCells, MatrixMistakePart
+from exercises.parts.mistakes.planted_matrices import PlantedMatrix
 from exercises.parts.protocol import Answer, RawAnswer, Reading
 from exercises.parts.report import PartReport
 from exercises.written_table import written_table

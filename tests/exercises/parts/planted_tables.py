@@ -13,10 +13,10 @@ from fractions import Fraction
 from exercises.definition import Exercise
 from exercises.grading import Policy, ToolRule
 from exercises.instance import Instance
-from exercises.parts.find_mistake import FoundMistakeCells
-from exercises.parts.found_mistakes import MistakePart
 from exercises.parts.given_table import columns_of
-from exercises.parts.planting import PLANTABLE, Planted
+from exercises.parts.mistakes.find_mistake import FoundMistakeCells
+from exercises.parts.mistakes.found_mistakes import MistakePart
+from exercises.parts.mistakes.planting import PLANTABLE, Planted
 from exercises.written_table import written_table
 from tests.exercises.packaged import exercise
 

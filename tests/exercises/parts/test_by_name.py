@@ -8,11 +8,11 @@ import pytest
 
 from exercises.errors import AnswerError
 from exercises.instance import generate
-from exercises.parts.by_name import exactness
-from exercises.parts.frames import FrameCells, FramesCells
+from exercises.parts.cells.by_name import exactness
+from exercises.parts.forward.frames import FrameCells, FramesCells
+from exercises.parts.forward.workspace import RadiiCells
+from exercises.parts.motion.screws import ScrewsCells
 from exercises.parts.report import PartReport
-from exercises.parts.screws import ScrewsCells
-from exercises.parts.workspace import RadiiCells
 from kinematics.answers.screw_answers import ScrewFrame, ScrewOrder
 from kinematics.table import Convention
 from tests.exercises.answering import codes, judged, part

@@ -10,9 +10,9 @@ from exercises.answers import RawAnswer, parse
 from exercises.errors import AnswerError
 from exercises.grader import grade
 from exercises.instance import generate
-from exercises.parts.compare_tables import ComparisonCells, ComparisonReason, SameRobot
-from exercises.parts.find_mistake import PART, FoundMistakeCells
-from exercises.parts.planting import Planted
+from exercises.parts.mistakes.compare_tables import ComparisonCells, ComparisonReason, SameRobot
+from exercises.parts.mistakes.find_mistake import PART, FoundMistakeCells
+from exercises.parts.mistakes.planting import Planted
 from exercises.selftest.answers import context_of
 from tests.exercises.packaged import exercise
 from tests.exercises.parts.planted_tables import asked

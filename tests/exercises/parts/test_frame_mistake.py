@@ -10,15 +10,15 @@ from exercises.answers import Answer
 from exercises.drawings import figure_geometry, figure_svg
 from exercises.grading import Finding
 from exercises.instance import Instance, generate
+from exercises.parts.cells.matrix_cells import CELL_LIMITS
 from exercises.parts.context import Context
-from exercises.parts.found_mistakes import MistakePart
-from exercises.parts.frame_mistake import (
+from exercises.parts.mistakes.found_mistakes import MistakePart
+from exercises.parts.mistakes.frame_mistake import (
     PART,
     FoundFrameMistakeCells,
     frames_shown,
     planted_in,
 )
-from exercises.parts.matrix_cells import CELL_LIMITS
 from exercises.parts.protocol import RawAnswer, Reading
 from exercises.parts.report import PartReport
 from kinematics.errors import Fault

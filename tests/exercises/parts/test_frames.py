@@ -15,8 +15,8 @@ from exercises.errors import AnswerError
 from exercises.grader import grade
 from exercises.grading import Finding, HelpLevel, ToolRule
 from exercises.instance import generate
-from exercises.parts.figure_frames import figure_axes
-from exercises.parts.frames import PART, FrameCells, FramesCells
+from exercises.parts.forward.figure_frames import figure_axes
+from exercises.parts.forward.frames import PART, FrameCells, FramesCells
 from exercises.parts.report import PartReport
 from exercises.selftest.answers import context_of
 from exercises.selftest.checks import check
@@ -75,7 +75,7 @@ def test_the_frames_of_every_key_are_right(exercise_id: str) -> None:
 def test_the_procedure_in_either_convention_is_right(exercise_id: str, convention: Convention) -> None:
     found = with_frames(exercise_id)
     found = replace(found, policy=replace(found.policy, tool=ToolRule.FREE))
-    from exercises.parts.frames import _cells
+    from exercises.parts.forward.frames import _cells
 
     assigned = assign_frames(figure_axes(generate(found, "5")), convention)
     raw = FramesCells(

@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from exercises.grading import Finding, HelpLevel
-from exercises.parts.matrix_cells import read_functions, read_matrix
+from exercises.parts.cells.matrix_cells import read_functions, read_matrix
 from exercises.parts.report import Credit
 from kinematics.cells import AngleUnit
 from kinematics.errors import CellError, Fault

@@ -12,11 +12,11 @@ from hypothesis import strategies as st
 
 from exercises.grading import Finding, HelpLevel
 from exercises.instance import generate
-from exercises.parts.reach import reach
+from exercises.parts.forward.reach import reach
+from exercises.parts.forward.schematic import AxisRelation, Schematic, schematic_of
+from exercises.parts.forward.workspace import RadiiCells
+from exercises.parts.motion.screws import ScrewsCells
 from exercises.parts.report import Credit
-from exercises.parts.schematic import AxisRelation, Schematic, schematic_of
-from exercises.parts.screws import ScrewsCells
-from exercises.parts.workspace import RadiiCells
 from kinematics import catalogue
 from kinematics.answers.screw_answers import ScrewFrame, ScrewOrder
 from kinematics.cells import bind_parameters

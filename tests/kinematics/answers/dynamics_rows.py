@@ -13,7 +13,7 @@ from functools import cache
 
 import sympy
 
-from exercises.parts.matrix_cells import read_functions
+from exercises.parts.cells.matrix_cells import read_functions
 from kinematics.answers.dynamics_answers import DynamicsQuestion, EquationsAnswer, judge_dynamics
 from kinematics.cells import AngleUnit
 from kinematics.expressions import Expression

@@ -9,7 +9,7 @@ from __future__ import annotations
 import random
 from collections.abc import Iterator
 
-from exercises.parts.conditions import read_conditions
+from exercises.parts.motion.conditions import read_conditions
 from kinematics import catalogue
 from kinematics.answers.singular_arms import SingularArm, arm_of
 from kinematics.cells import AngleUnit

@@ -7,7 +7,7 @@ import random
 import numpy as np
 import pytest
 
-from exercises.parts.conditions import read_conditions
+from exercises.parts.motion.conditions import read_conditions
 from kinematics.answers.singular_arms import arm_of
 from kinematics.answers.singularity_answers import (
     ConditionStatus,

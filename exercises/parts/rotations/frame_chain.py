@@ -18,7 +18,8 @@ from exercises.definition import Exercise, Part
 from exercises.draws import Draw, Picker
 from exercises.grading import Feedback, HelpLevel
 from exercises.instance import Instance
-from exercises.parts.comparison import Matrices
+from exercises.parts.cells.comparison import Matrices
+from exercises.parts.cells.matrix_cells import CellMatrix, read_numbers
 from exercises.parts.context import Context
 from exercises.parts.definition_keys import (
     TOLERANCE,
@@ -29,7 +30,6 @@ from exercises.parts.definition_keys import (
     usual_joints,
 )
 from exercises.parts.joint_draws import drawn_joints, key_frames, read_joints
-from exercises.parts.matrix_cells import CellMatrix, read_numbers
 from exercises.parts.protocol import (
     FieldShape,
     FormField,

@@ -17,6 +17,7 @@ import numpy as np
 from exercises.definition import Exercise
 from exercises.draws import Draw, Picker
 from exercises.instance import Instance
+from exercises.parts.cells.number_cells import read_numbers_of
 from exercises.parts.context import Context
 from exercises.parts.definition_keys import (
     COMPONENTS,
@@ -31,8 +32,16 @@ from exercises.parts.definition_keys import (
     sequence_keys,
     usual_joints,
 )
+from exercises.parts.forward.pose import joints_at
 from exercises.parts.given_table import given_table
-from exercises.parts.jacobian_cells import (
+from exercises.parts.joint_draws import (
+    drawn_joints,
+    in_radians,
+    joint_labels,
+    key_numbers,
+    read_joints,
+)
+from exercises.parts.motion.jacobian_cells import (
     DISCLOSURES,
     JacobianAsk,
     JacobianCells,
@@ -49,15 +58,6 @@ from exercises.parts.jacobian_cells import (
     report,
     told_question,
 )
-from exercises.parts.joint_draws import (
-    drawn_joints,
-    in_radians,
-    joint_labels,
-    key_numbers,
-    read_joints,
-)
-from exercises.parts.number_cells import read_numbers_of
-from exercises.parts.pose import joints_at
 from exercises.parts.protocol import TABLE, GivenNumbers, PartTask, PartType, Reading, RobotFacts
 from exercises.parts.report import PartReport
 from exercises.reading import Reader

@@ -17,7 +17,7 @@ from exercises.grading import Feedback, Finding, HelpLevel
 from exercises.instance import Instance
 from exercises.parts.context import Context
 from exercises.parts.definition_keys import DefinitionKey, choices
-from exercises.parts.planting import read_mistakes
+from exercises.parts.mistakes.planting import read_mistakes
 from exercises.parts.protocol import FormField, PartType, Raw, Read, Reading, RobotFacts, choice_field
 from exercises.parts.report import Credit, Disclosure, Fact, PartReport, fact, judged, told_from
 from exercises.reading import Reader

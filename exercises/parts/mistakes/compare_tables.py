@@ -20,7 +20,7 @@ from exercises.grading import Feedback, Finding, HelpLevel, Policy, Verdict, gra
 from exercises.instance import Instance
 from exercises.parts.context import Context
 from exercises.parts.given_table import given_table
-from exercises.parts.planting import FACTS, PLANTABLE, plantable
+from exercises.parts.mistakes.planting import FACTS, PLANTABLE, plantable
 from exercises.parts.protocol import PartTask, PartType, Reading, choice_field
 from exercises.parts.report import Credit, PartReport, fact, judged, told_from
 from exercises.selftest.variants import some_lengths, variant

@@ -9,8 +9,8 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from exercises.parts.cells.matrix_cells import CellMatrix, SymbolicMatrix
 from exercises.parts.context import Context, Points
-from exercises.parts.matrix_cells import CellMatrix, SymbolicMatrix
 from exercises.parts.report import Fact, fact
 from kinematics.cells import Cell
 from kinematics.equivalence import Tolerance

@@ -16,10 +16,10 @@ from exercises.definition import Exercise
 from exercises.draws import Picker
 from exercises.errors import DefinitionError
 from exercises.instance import Instance, generate
+from exercises.parts.cells.number_cells import number_of
 from exercises.parts.context import Context
-from exercises.parts.figure_frames import figure_axes, key_frames
-from exercises.parts.found_mistakes import FoundStep, MistakePart, MistakeType, MistakeWords
-from exercises.parts.number_cells import number_of
+from exercises.parts.forward.figure_frames import figure_axes, key_frames
+from exercises.parts.mistakes.found_mistakes import FoundStep, MistakePart, MistakeType, MistakeWords
 from exercises.parts.protocol import (
     FieldShape,
     FormField,

@@ -22,8 +22,10 @@ from exercises.draws import Draw, Picker
 from exercises.grading import BaseRule, Feedback, Finding, HelpLevel, ToolRule, accept
 from exercises.instance import Instance
 from exercises.parts import definition_keys as defined
+from exercises.parts.cells.number_cells import read_numbers_of
 from exercises.parts.context import Context
 from exercises.parts.given_table import given_table
+from exercises.parts.inverse.joint_feedback import joint_feedback
 from exercises.parts.joint_draws import (
     PoseCase,
     SolutionsAsked,
@@ -33,8 +35,6 @@ from exercises.parts.joint_draws import (
     key_numbers,
     read_joints,
 )
-from exercises.parts.joint_feedback import joint_feedback
-from exercises.parts.number_cells import read_numbers_of
 from exercises.parts.protocol import (
     TABLE,
     FieldShape,

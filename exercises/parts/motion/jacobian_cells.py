@@ -12,9 +12,9 @@ import numpy as np
 from exercises.definition import Part
 from exercises.grading import Feedback, Finding, HelpLevel
 from exercises.parts.context import Context
-from exercises.parts.drawn_orientations import read_sequence
 from exercises.parts.protocol import TABLE, FieldShape, FormField, Length, Reading, choice_field
 from exercises.parts.report import Credit, Disclosure, Fact, PartReport, fact, judged, share_earned, told_from
+from exercises.parts.rotations.drawn_orientations import read_sequence
 from exercises.reading import Reader
 from kinematics.answers.jacobian_answers import JacobianMistake, JacobianVerdict
 from kinematics.answers.screw_answers import ScrewOrder

@@ -16,9 +16,9 @@ from exercises.draws import Picker
 from exercises.grading import accept
 from exercises.instance import Instance
 from exercises.parts.context import Context
-from exercises.parts.found_mistakes import FoundStep, MistakePart, MistakeType, MistakeWords
 from exercises.parts.given_table import columns_of, given_table
-from exercises.parts.planting import (
+from exercises.parts.mistakes.found_mistakes import FoundStep, MistakePart, MistakeType, MistakeWords
+from exercises.parts.mistakes.planting import (
     PLANTABLE,
     REPAIRS,
     Planted,

@@ -17,19 +17,19 @@ import numpy as np
 from exercises.definition import Exercise
 from exercises.draws import Picker
 from exercises.instance import Instance
+from exercises.parts.cells.matrix_cells import CellMatrix, SymbolicMatrix, read_known_matrix, write_matrix
 from exercises.parts.context import Context
 from exercises.parts.definition_keys import DefinitionKey, choice
-from exercises.parts.found_mistakes import FoundStep, MistakePart, MistakeType, MistakeWords
 from exercises.parts.given_table import given_table
-from exercises.parts.matrix_cells import CellMatrix, SymbolicMatrix, read_known_matrix, write_matrix
-from exercises.parts.planted_matrices import (
+from exercises.parts.mistakes.found_mistakes import FoundStep, MistakePart, MistakeType, MistakeWords
+from exercises.parts.mistakes.planted_matrices import (
     MATRIX_MISTAKES,
     MatrixKind,
     PlantedMatrix,
     differing,
     plantable_in,
 )
-from exercises.parts.planting import read_mistakes
+from exercises.parts.mistakes.planting import read_mistakes
 from exercises.parts.protocol import (
     FieldShape,
     FormField,

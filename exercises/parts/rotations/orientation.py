@@ -19,6 +19,7 @@ from exercises.definition import Exercise, Part
 from exercises.draws import Draw, Picker, read_draw
 from exercises.grading import Feedback, Finding, HelpLevel
 from exercises.instance import Instance
+from exercises.parts.cells.number_cells import number_of, read_numbers_of
 from exercises.parts.context import Context
 from exercises.parts.definition_keys import (
     DEGREES,
@@ -31,9 +32,6 @@ from exercises.parts.definition_keys import (
     choices,
     sequence_keys,
 )
-from exercises.parts.drawn_orientations import drawn_triple, read_sequence, read_triple
-from exercises.parts.number_cells import number_of, read_numbers_of
-from exercises.parts.orientation_cells import OrientationAnswer, OrientationCells, OrientationNotation
 from exercises.parts.protocol import (
     FieldShape,
     FormField,
@@ -45,6 +43,12 @@ from exercises.parts.protocol import (
     choice_field,
 )
 from exercises.parts.report import Credit, Fact, PartReport, judged, told_from
+from exercises.parts.rotations.drawn_orientations import drawn_triple, read_sequence, read_triple
+from exercises.parts.rotations.orientation_cells import (
+    OrientationAnswer,
+    OrientationCells,
+    OrientationNotation,
+)
 from exercises.reading import Reader
 from kinematics.cells import AngleUnit, Cell
 from kinematics.cells.meaning import Position

@@ -13,7 +13,7 @@ import numpy as np
 from exercises.definition import Part
 from exercises.grading import Feedback, HelpLevel
 from exercises.instance import Instance
-from exercises.parts.comparison import (
+from exercises.parts.cells.comparison import (
     Compared,
     Expected,
     Matrices,
@@ -26,11 +26,11 @@ from exercises.parts.comparison import (
     transposed_cells,
     transposed_rotation,
 )
+from exercises.parts.cells.matrix_cells import CellMatrix, SymbolicMatrix, read_known_matrix, write_matrix
 from exercises.parts.context import Context
-from exercises.parts.matrix_cells import CellMatrix, SymbolicMatrix, read_known_matrix, write_matrix
+from exercises.parts.forward.value import is_robot
 from exercises.parts.protocol import PartTask, PartType, Reading
 from exercises.parts.report import Credit, PartReport, judged, told_from
-from exercises.parts.value import is_robot
 from kinematics.chain import chain_of_table
 from kinematics.errors import ParameterError
 

@@ -15,12 +15,12 @@ from exercises.grading import Feedback, Finding, HelpLevel
 from exercises.grading.verdict import ParamValue
 from exercises.instance import Instance
 from exercises.names import renamed, unknown_name
-from exercises.parts.conditions import read_conditions
+from exercises.parts.cells.number_cells import read_numbers_of
 from exercises.parts.context import Context
 from exercises.parts.definition_keys import DefinitionKey, Start, choice, joint_keys
 from exercises.parts.given_table import given_table
 from exercises.parts.joint_draws import drawn_joints, in_radians, read_joints
-from exercises.parts.number_cells import read_numbers_of
+from exercises.parts.motion.conditions import read_conditions
 from exercises.parts.protocol import (
     TABLE,
     FieldShape,

@@ -13,7 +13,7 @@ from exercises.definition import Part
 from exercises.grading import Feedback, Finding, HelpLevel
 from exercises.grading.verdict import ParamValue
 from exercises.instance import Instance
-from exercises.parts.comparison import (
+from exercises.parts.cells.comparison import (
     Compared,
     Expected,
     Matrices,
@@ -25,11 +25,11 @@ from exercises.parts.comparison import (
     transposed_cells,
     transposed_rotation,
 )
+from exercises.parts.cells.matrix_cells import CellMatrix, SymbolicMatrix, read_known_matrix, write_matrix
 from exercises.parts.context import Context
-from exercises.parts.matrix_cells import CellMatrix, SymbolicMatrix, read_known_matrix, write_matrix
+from exercises.parts.forward.value import is_robot
 from exercises.parts.protocol import TABLE, Length, PartTask, PartType, Reading
 from exercises.parts.report import Credit, Fact, PartReport, fact, judged, told_from
-from exercises.parts.value import is_robot
 from kinematics.dh import link_transforms
 from kinematics.table import Convention
 

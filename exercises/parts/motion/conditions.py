@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 from fractions import Fraction
 from math import gcd
 
-from exercises.parts.matrix_cells import Where, read_functions
+from exercises.parts.cells.matrix_cells import Where, read_functions
 from kinematics.cells import AngleUnit, Cell
 from kinematics.cells.meaning import Position
 from kinematics.errors import Fault

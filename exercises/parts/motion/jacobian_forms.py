@@ -15,6 +15,7 @@ from typing import ClassVar
 
 from exercises.definition import Exercise
 from exercises.instance import Instance
+from exercises.parts.cells.matrix_cells import read_row, write_matrix
 from exercises.parts.context import Context
 from exercises.parts.definition_keys import (
     COMPONENTS,
@@ -27,7 +28,7 @@ from exercises.parts.definition_keys import (
     sequence_keys,
 )
 from exercises.parts.given_table import given_table
-from exercises.parts.jacobian_cells import (
+from exercises.parts.motion.jacobian_cells import (
     DISCLOSURES,
     JacobianAsk,
     JacobianCells,
@@ -44,7 +45,6 @@ from exercises.parts.jacobian_cells import (
     report,
     told_question,
 )
-from exercises.parts.matrix_cells import read_row, write_matrix
 from exercises.parts.protocol import TABLE, GivenNumbers, PartTask, PartType, Reading, RobotFacts
 from exercises.parts.report import PartReport
 from exercises.reading import Reader

@@ -20,10 +20,10 @@ from exercises.definition import Part
 from exercises.errors import DefinitionError
 from exercises.grading import ConventionRule, Feedback, Finding, HelpLevel, Policy, ToolRule, accept
 from exercises.instance import Instance
-from exercises.parts.by_name import ByName, read_by_name
+from exercises.parts.cells.by_name import ByName, read_by_name
+from exercises.parts.cells.number_cells import number_of
 from exercises.parts.context import Context
-from exercises.parts.figure_frames import figure_axes, key_frames
-from exercises.parts.number_cells import number_of
+from exercises.parts.forward.figure_frames import figure_axes, key_frames
 from exercises.parts.protocol import Length, PartTask, PartType, Reading
 from exercises.parts.report import Credit, Disclosure, Fact, PartReport, fact, judged, told_from
 from kinematics.cells import Cell, ReadTable

@@ -14,7 +14,7 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from exercises.parts.comparison import agreeing, inverse, is_doubled, is_rigid
+from exercises.parts.cells.comparison import agreeing, inverse, is_doubled, is_rigid
 from exercises.parts.context import Context
 from kinematics.chain import Axis, Chain, chain_of_axes
 from kinematics.equivalence import Tolerance

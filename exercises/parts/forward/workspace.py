@@ -21,12 +21,12 @@ from exercises.figures.points import Points
 from exercises.grading import Feedback, HelpLevel
 from exercises.instance import Instance
 from exercises.names import renamed, unknown_name
-from exercises.parts.by_name import ByName, read_by_name
-from exercises.parts.comparison import inverse
+from exercises.parts.cells.by_name import ByName, read_by_name
+from exercises.parts.cells.comparison import inverse
 from exercises.parts.context import Context
 from exercises.parts.definition_keys import TOLERANCE, DefinitionKey, KeyShape, Start, joint_names
+from exercises.parts.forward.reach import Interval, Reach, reach
 from exercises.parts.protocol import PartTask, PartType, Reading, RobotFacts
-from exercises.parts.reach import Interval, Reach, reach
 from exercises.parts.report import Credit, PartReport, fact, judged, told_from
 from exercises.reading import Reader
 from kinematics.cells import AngleUnit, Cell, ParameterKind, read_cell

@@ -18,10 +18,10 @@ from exercises.definition import DrawnParameter, Exercise, Part
 from exercises.draws import Picker, read_draw
 from exercises.grading import Feedback, Finding, HelpLevel
 from exercises.instance import Instance
+from exercises.parts.cells.matrix_cells import read_row, write_matrix
 from exercises.parts.context import Context
 from exercises.parts.definition_keys import TOLERANCE, DefinitionKey, KeyShape, Start, choices, joint_names
 from exercises.parts.given_table import given_table
-from exercises.parts.matrix_cells import read_row, write_matrix
 from exercises.parts.protocol import (
     FieldShape,
     FormField,

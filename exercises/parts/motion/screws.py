@@ -15,11 +15,11 @@ import numpy as np
 from exercises.definition import Part
 from exercises.grading import Feedback, HelpLevel
 from exercises.instance import Instance
-from exercises.parts.by_name import ByName, read_by_name
+from exercises.parts.cells.by_name import ByName, read_by_name
+from exercises.parts.cells.matrix_cells import CellMatrix, read_numbers
+from exercises.parts.cells.number_cells import read_numbers_of
 from exercises.parts.context import Context
 from exercises.parts.joint_draws import key_numbers
-from exercises.parts.matrix_cells import CellMatrix, read_numbers
-from exercises.parts.number_cells import read_numbers_of
 from exercises.parts.protocol import FieldShape, FormField, Length, PartTask, PartType, Reading, choice_field
 from exercises.parts.report import Credit, PartReport, fact, judged, share_earned, told_from
 from kinematics.answers.screw_answers import (

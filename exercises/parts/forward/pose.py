@@ -22,7 +22,7 @@ from exercises.definition import Exercise, Part
 from exercises.draws import Draw, Picker
 from exercises.grading import BaseRule, DirectionRule, Feedback, HelpLevel, Policy, ToolRule, ZeroRule
 from exercises.instance import Instance
-from exercises.parts.comparison import (
+from exercises.parts.cells.comparison import (
     Matrices,
     agreeing,
     cell_facts,
@@ -30,13 +30,13 @@ from exercises.parts.comparison import (
     transposed_cells,
     transposed_rotation,
 )
+from exercises.parts.cells.matrix_cells import CellMatrix, SymbolicMatrix, read_numbers
 from exercises.parts.context import Context
 from exercises.parts.definition_keys import TOLERANCE, DefinitionKey, Start, joint_keys, usual_joints
+from exercises.parts.forward.transform import transform_is_robot
 from exercises.parts.joint_draws import drawn_joints, read_joints
-from exercises.parts.matrix_cells import CellMatrix, SymbolicMatrix, read_numbers
 from exercises.parts.protocol import TABLE, PartTask, PartType, Reading, RobotFacts
 from exercises.parts.report import Credit, PartReport, judged, told_from
-from exercises.parts.transform import transform_is_robot
 from exercises.reading import Reader
 from kinematics.cells import AngleUnit
 from kinematics.equivalence import Tolerance

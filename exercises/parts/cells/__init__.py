@@ -1,0 +1,1 @@
+"""What students write in several kinds of question: numbers, matrices, names; how entries are compared."""
