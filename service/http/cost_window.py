@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 import time
 from collections import OrderedDict
+from collections.abc import Hashable
 from typing import NamedTuple
 
 MINUTE = 60.0
@@ -28,9 +29,9 @@ class CostWindow:
     """Counts cost."""
 
     def __init__(self) -> None:
-        self._counts: OrderedDict[str, tuple[int, int, int]] = OrderedDict()
+        self._counts: OrderedDict[Hashable, tuple[int, int, int]] = OrderedDict()
 
-    def charge(self, caller: str, cost: int, most: int) -> Charged:
+    def charge(self, caller: Hashable, cost: int, most: int) -> Charged:
         """Count a call, unless it would cost more than is left of `most` in a minute."""
         minute, passed = divmod(time.monotonic() / MINUTE, 1.0)
         began, current, before = self._counts.get(caller, (int(minute), 0, 0))

@@ -25,7 +25,7 @@ from service.http.problems import (
     UnauthorizedError,
 )
 from service.settings import Settings
-from service.work.fair_queue import Proven, proven
+from service.work.fair_queue import Name, Proven, current_client, proven
 
 _COSTS = {
     "symbolic": 20,
@@ -89,7 +89,7 @@ class MeteringMiddleware:
             if key is not None:
                 proven(Proven("key", key.id))
             most = (key.cost_per_minute if key else None) or self._settings.cost_per_minute
-            caller = key.id if key else (scope.get("client") or ("",))[0]
+            caller = current_client.get()[0]
             if most:
                 told = self._charge(caller, _cost(scope, _said_size(scope) or 0), most)
         except ServiceError as error:
@@ -142,7 +142,7 @@ class MeteringMiddleware:
             raise ForbiddenError(fault, part=RequestPart.HEADER)
         return key
 
-    def _charge(self, caller: str, cost: int, most: int) -> list[tuple[bytes, bytes]]:
+    def _charge(self, caller: Name, cost: int, most: int) -> list[tuple[bytes, bytes]]:
         """Count what a call costs; return the headers that say what is left.
 
         Raises:

@@ -87,6 +87,28 @@ def test_a_student_waits_for_nobody_else_behind_the_same_address(course: FastAPI
     assert len(answered) == 2 * MANY + 1
 
 
+def test_students_behind_one_address_have_a_limit_each(tmp_path: Path) -> None:
+    """Those whom nobody knows share the one of their address, whatever sessions they make up."""
+    app = create_app(Settings(storage="on", data_folder=tmp_path, cost_per_minute=MANY))
+    one, other = session(app, "one"), session(app, "other")
+
+    async def statuses(count: int, token: str | None) -> list[int]:
+        return [await asked(app, (CAMPUS, n), POSE, pose(n), token) for n in range(count)]
+
+    async def scene() -> None:
+        for token in (one, other):
+            assert await asked(app, (CAMPUS, 1), SESSION, b"", token) == 200
+        assert await statuses(MANY + 1, one) == [200] * MANY + [429]
+        assert await statuses(MANY, other) == [200] * MANY
+        strangers = [await asked(app, (CAMPUS, n), POSE, pose(n), f"made up {n}") for n in range(MANY)]
+        assert strangers == [200] * (MANY - 2) + [429] * 2  # the first visit of each student was theirs, too
+
+    try:
+        asyncio.run(scene())
+    finally:
+        app.state.resources.close()
+
+
 def test_remembered_sessions_are_bounded(course: FastAPI) -> None:
     courses = course.state.resources.courses
 
