@@ -175,7 +175,9 @@ class Settings(BaseSettings):
         None, description="file of the keys that programs call with (framewise keys); with none, all may call"
     )
     cost_per_minute: NonNegativeInt = Field(
-        0, description="cost of the calls of one key, person of a course or address in a minute; a pose is 1; 0: no limit"
+        0,
+        description="cost of the calls of one key, person of a course or address in a minute; a pose is 1; "
+        "0: no limit",
     )
     callback_hosts: Names = Field(
         (), description="hosts (host or host:port) to which feedback may be sent that is asked for later"
