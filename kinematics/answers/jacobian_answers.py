@@ -42,7 +42,7 @@ class JacobianMistake(StrEnum):
     rows have changed places. SPATIAL: the velocity of the point at frame 0's origin. SIGN: every joint force
     has the wrong sign. OTHER_POINT: the velocities of some other point of the last link. REVERSED: a column
     of the opposite sign. GEOMETRIC: with the angular velocity where rates of angles are asked. PER_DEGREE:
-    the columns of revolute joints are per degree.
+    the columns of revolute joints are per degree. OTHER_UNIT: lengths are in another unit.
     """
 
     NEXT_AXIS = "next_axis"
@@ -53,6 +53,7 @@ class JacobianMistake(StrEnum):
     SPATIAL = "spatial"
     GEOMETRIC = "geometric"
     PER_DEGREE = "per_degree"
+    OTHER_UNIT = "other_unit"
     SIGN = "sign"
     OTHER_POINT = "other_point"
     REVERSED = "reversed"
@@ -150,6 +151,8 @@ def judge_jacobian(
     for mistake, matrix in whole:
         if close(matrix).all():
             return JacobianVerdict(entries=entries, mistakes=((mistake, None),))
+    if any((np.abs(given / unit - expected) <= limit).all() for unit in _other_units(chain)):
+        return JacobianVerdict(entries=entries, mistakes=((JacobianMistake.OTHER_UNIT, None),))
     if angles is not None:
         return JacobianVerdict(entries=entries)
     wrong = [int(i) for i in np.flatnonzero(~entries.all(axis=0))]
@@ -217,6 +220,19 @@ def entry_limits(chain: Chain, tolerance: float) -> Floats:
         if not axis.prismatic:
             limit[:3, i] *= size
     return limit
+
+
+def _other_units(chain: Chain) -> Iterator[Floats]:
+    """Yield how many times as large every entry is with lengths in mm or cm where m are asked, and back.
+
+    The travel of sliders may be in that unit, too, or not.
+    """
+    turning = [not axis.prismatic for axis in chain.axes]
+    for columns in (turning, [True] * len(turning)):
+        for ratio in (1000.0, 100.0, 0.01, 0.001):
+            unit = np.ones((6, len(turning)))
+            unit[:3, columns] = ratio
+            yield unit
 
 
 def _turned(chain: Chain, joints: Sequence[float]) -> Floats:

@@ -173,9 +173,15 @@ def matrix_mark(found: JacobianVerdict) -> JacobianMark:
     if found.right:
         return JacobianMark(1.0)
     wrong = np.argwhere(~found.entries).tolist()
+    columns: dict[JacobianMistake, list[int]] = {}
+    for mistake, joint in found.mistakes:
+        columns.setdefault(mistake, []).extend([] if joint is None else [joint])
     mistakes = [
-        Feedback(code=f"jacobian_{mistake.value}", params={"joint": joint or 0})
-        for mistake, joint in found.mistakes
+        Feedback(
+            code=f"jacobian_{mistake.value}",
+            params={"joint": next(iter(joints), 0), "joints": tuple(map(str, joints)), "count": len(joints)},
+        )
+        for mistake, joints in columns.items()
     ]
     return JacobianMark(
         min(found.share, 0.8),

@@ -324,13 +324,26 @@ feedback-jacobian_missing =
     }
 feedback-jacobian_wrong = Not every column of the Jacobian is right.
 feedback-forces_wrong = Not every joint torque or force is right.
-feedback-jacobian_next_axis = Column { $joint } uses the axis of a neighbouring joint: mind which z belongs to which joint in your convention.
-feedback-jacobian_point_swapped = Column { $joint }: the linear part is z × (pₙ − p), not z × (p − pₙ).
-feedback-jacobian_prismatic = Column { $joint }: a slider gives (z, 0), a revolute joint (z × (pₙ − p), z).
+feedback-jacobian_next_axis =
+    { $count ->
+        [1] Column { $joint } uses the axis of a neighbouring joint: mind which z belongs to which joint in your convention.
+       *[other] Columns { $joints } use the axis of a neighbouring joint: mind which z belongs to which joint in your convention.
+    }
+feedback-jacobian_point_swapped =
+    { $count ->
+        [1] Column { $joint }: the linear part is z × (pₙ − p), not z × (p − pₙ).
+       *[other] Columns { $joints }: the linear part is z × (pₙ − p), not z × (p − pₙ).
+    }
+feedback-jacobian_prismatic =
+    { $count ->
+        [1] Column { $joint }: a slider gives (z, 0), a revolute joint (z × (pₙ − p), z).
+       *[other] Columns { $joints }: a slider gives (z, 0), a revolute joint (z × (pₙ − p), z).
+    }
 feedback-jacobian_other_frame =
-    { $joint ->
+    { $count ->
         [0] This is the Jacobian in the axes of the other frame.
-       *[other] Column { $joint } is in the axes of the other frame.
+        [1] Column { $joint } is in the axes of the other frame.
+       *[other] Columns { $joints } are in the axes of the other frame.
     }
 feedback-jacobian_rows_exchanged = Linear and angular rows have changed places.
 feedback-jacobian_spatial = This is the velocity of the point at the origin of frame 0; the origin of the last frame is asked for.

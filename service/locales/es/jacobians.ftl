@@ -31,7 +31,12 @@ task-jacobian-form-analytic =
 
 feedback-jacobian_geometric = Las tres últimas filas son las de la velocidad angular; se piden las derivadas de los ángulos.
 feedback-jacobian_other_point = Estas son las velocidades de otro punto; se pide la del origen del último sistema.
-feedback-jacobian_reversed = La columna { $joint } tiene el signo opuesto: fíjese hacia dónde apunta z.
+feedback-jacobian_reversed =
+    { $count ->
+        [1] La columna { $joint } tiene el signo opuesto: fíjese hacia dónde apunta z.
+       *[other] Las columnas { $joints } tienen el signo opuesto: fíjese hacia dónde apunta z.
+    }
 feedback-jacobian_per_degree = Las columnas de las articulaciones de rotación son por grado; se piden por radián.
+feedback-jacobian_other_unit = Las longitudes están en una unidad distinta de la pedida.
 feedback-jacobian_angles_locked = En esta configuración, el primer y el último ángulo giran en torno a la misma recta: los ángulos no tienen derivadas y no hay jacobiana analítica.
 error-angles_locked = El primero y el último de los ángulos { $axes } giran aquí en torno a la misma recta: no hay jacobiana analítica. Elija otros ángulos.

@@ -324,13 +324,26 @@ feedback-jacobian_missing =
     }
 feedback-jacobian_wrong = No todas las columnas de la jacobiana son correctas.
 feedback-forces_wrong = No todos los pares y fuerzas articulares son correctos.
-feedback-jacobian_next_axis = La columna { $joint } usa el eje de una articulación vecina: fíjese en qué z corresponde a cada articulación en su convención.
-feedback-jacobian_point_swapped = Columna { $joint }: la parte lineal es z × (pₙ − p), no z × (p − pₙ).
-feedback-jacobian_prismatic = Columna { $joint }: una prismática da (z, 0); una de rotación, (z × (pₙ − p), z).
+feedback-jacobian_next_axis =
+    { $count ->
+        [1] La columna { $joint } usa el eje de una articulación vecina: fíjese en qué z corresponde a cada articulación en su convención.
+       *[other] Las columnas { $joints } usan el eje de una articulación vecina: fíjese en qué z corresponde a cada articulación en su convención.
+    }
+feedback-jacobian_point_swapped =
+    { $count ->
+        [1] Columna { $joint }: la parte lineal es z × (pₙ − p), no z × (p − pₙ).
+       *[other] Columnas { $joints }: la parte lineal es z × (pₙ − p), no z × (p − pₙ).
+    }
+feedback-jacobian_prismatic =
+    { $count ->
+        [1] Columna { $joint }: una prismática da (z, 0); una de rotación, (z × (pₙ − p), z).
+       *[other] Columnas { $joints }: una prismática da (z, 0); una de rotación, (z × (pₙ − p), z).
+    }
 feedback-jacobian_other_frame =
-    { $joint ->
+    { $count ->
         [0] Esta es la jacobiana en los ejes del otro sistema.
-       *[other] La columna { $joint } está en los ejes del otro sistema.
+        [1] La columna { $joint } está en los ejes del otro sistema.
+       *[other] Las columnas { $joints } están en los ejes del otro sistema.
     }
 feedback-jacobian_rows_exchanged = Las filas lineales y angulares están intercambiadas.
 feedback-jacobian_spatial = Esta es la velocidad del punto en el origen del sistema 0; se pide el origen del último sistema.

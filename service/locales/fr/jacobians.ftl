@@ -31,7 +31,12 @@ task-jacobian-form-analytic =
 
 feedback-jacobian_geometric = Les trois dernières lignes sont celles de la vitesse angulaire ; ce sont les dérivées des angles qui sont demandées.
 feedback-jacobian_other_point = Ce sont les vitesses d’un autre point ; il faut celle de l’origine du dernier repère.
-feedback-jacobian_reversed = La colonne { $joint } est de signe opposé : voyez dans quel sens pointe z.
+feedback-jacobian_reversed =
+    { $count ->
+        [1] La colonne { $joint } est de signe opposé : voyez dans quel sens pointe z.
+       *[other] Les colonnes { $joints } sont de signe opposé : voyez dans quel sens pointe z.
+    }
 feedback-jacobian_per_degree = Les colonnes des articulations rotoïdes sont par degré ; elles sont demandées par radian.
+feedback-jacobian_other_unit = Les longueurs sont dans une autre unité que celle demandée.
 feedback-jacobian_angles_locked = Dans cette configuration, le premier et le dernier angle tournent autour de la même droite : les angles n’ont pas de dérivées, il n’y a pas de jacobienne analytique.
 error-angles_locked = Le premier et le dernier des angles { $axes } tournent ici autour de la même droite : il n’y a pas de jacobienne analytique. Choisissez d’autres angles.

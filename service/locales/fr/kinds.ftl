@@ -324,13 +324,26 @@ feedback-jacobian_missing =
     }
 feedback-jacobian_wrong = Les colonnes de la jacobienne ne sont pas toutes justes.
 feedback-forces_wrong = Les couples et forces articulaires ne sont pas tous justes.
-feedback-jacobian_next_axis = La colonne { $joint } utilise l’axe d’une articulation voisine : voyez quel z appartient à quelle articulation dans votre convention.
-feedback-jacobian_point_swapped = Colonne { $joint } : la partie linéaire est z × (pₙ − p), et non z × (p − pₙ).
-feedback-jacobian_prismatic = Colonne { $joint } : une prismatique donne (z, 0), une rotoïde (z × (pₙ − p), z).
+feedback-jacobian_next_axis =
+    { $count ->
+        [1] La colonne { $joint } utilise l’axe d’une articulation voisine : voyez quel z appartient à quelle articulation dans votre convention.
+       *[other] Les colonnes { $joints } utilisent chacune l’axe d’une articulation voisine : voyez quel z appartient à quelle articulation dans votre convention.
+    }
+feedback-jacobian_point_swapped =
+    { $count ->
+        [1] Colonne { $joint } : la partie linéaire est z × (pₙ − p), et non z × (p − pₙ).
+       *[other] Colonnes { $joints } : la partie linéaire est z × (pₙ − p), et non z × (p − pₙ).
+    }
+feedback-jacobian_prismatic =
+    { $count ->
+        [1] Colonne { $joint } : une prismatique donne (z, 0), une rotoïde (z × (pₙ − p), z).
+       *[other] Colonnes { $joints } : une prismatique donne (z, 0), une rotoïde (z × (pₙ − p), z).
+    }
 feedback-jacobian_other_frame =
-    { $joint ->
+    { $count ->
         [0] C’est la jacobienne dans les axes de l’autre repère.
-       *[other] La colonne { $joint } est dans les axes de l’autre repère.
+        [1] La colonne { $joint } est dans les axes de l’autre repère.
+       *[other] Les colonnes { $joints } sont dans les axes de l’autre repère.
     }
 feedback-jacobian_rows_exchanged = Les lignes linéaires et angulaires ont été échangées.
 feedback-jacobian_spatial = C’est la vitesse du point situé à l’origine du repère 0 ; il faut l’origine du dernier repère.

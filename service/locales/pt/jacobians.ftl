@@ -31,7 +31,12 @@ task-jacobian-form-analytic =
 
 feedback-jacobian_geometric = As três últimas linhas são as da velocidade angular; pedem-se as derivadas dos ângulos.
 feedback-jacobian_other_point = Estas são as velocidades de outro ponto; pede-se a da origem do último referencial.
-feedback-jacobian_reversed = A coluna { $joint } tem o sinal oposto: veja para onde aponta z.
+feedback-jacobian_reversed =
+    { $count ->
+        [1] A coluna { $joint } tem o sinal oposto: veja para onde aponta z.
+       *[other] As colunas { $joints } têm o sinal oposto: veja para onde aponta z.
+    }
 feedback-jacobian_per_degree = As colunas das juntas de rotação são por grau; pedem-se por radiano.
+feedback-jacobian_other_unit = Os comprimentos estão em uma unidade diferente da pedida.
 feedback-jacobian_angles_locked = Nesta configuração, o primeiro e o último ângulo giram em torno da mesma reta: os ângulos não têm derivadas, e não há jacobiana analítica.
 error-angles_locked = O primeiro e o último dos ângulos { $axes } giram aqui em torno da mesma reta: não há jacobiana analítica. Escolha outros ângulos.

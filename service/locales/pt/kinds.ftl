@@ -324,13 +324,26 @@ feedback-jacobian_missing =
     }
 feedback-jacobian_wrong = Nem todas as colunas da jacobiana estão certas.
 feedback-forces_wrong = Nem todos os binários e forças nas juntas estão certos.
-feedback-jacobian_next_axis = A coluna { $joint } usa o eixo de uma junta vizinha: veja que z pertence a cada junta na sua convenção.
-feedback-jacobian_point_swapped = Coluna { $joint }: a parte linear é z × (pₙ − p), e não z × (p − pₙ).
-feedback-jacobian_prismatic = Coluna { $joint }: uma prismática dá (z, 0); uma rotativa, (z × (pₙ − p), z).
+feedback-jacobian_next_axis =
+    { $count ->
+        [1] A coluna { $joint } usa o eixo de uma junta vizinha: veja que z pertence a cada junta na sua convenção.
+       *[other] As colunas { $joints } usam o eixo de uma junta vizinha: veja que z pertence a cada junta na sua convenção.
+    }
+feedback-jacobian_point_swapped =
+    { $count ->
+        [1] Coluna { $joint }: a parte linear é z × (pₙ − p), e não z × (p − pₙ).
+       *[other] Colunas { $joints }: a parte linear é z × (pₙ − p), e não z × (p − pₙ).
+    }
+feedback-jacobian_prismatic =
+    { $count ->
+        [1] Coluna { $joint }: uma prismática dá (z, 0); uma rotativa, (z × (pₙ − p), z).
+       *[other] Colunas { $joints }: uma prismática dá (z, 0); uma rotativa, (z × (pₙ − p), z).
+    }
 feedback-jacobian_other_frame =
-    { $joint ->
+    { $count ->
         [0] Esta é a jacobiana nos eixos do outro referencial.
-       *[other] A coluna { $joint } está nos eixos do outro referencial.
+        [1] A coluna { $joint } está nos eixos do outro referencial.
+       *[other] As colunas { $joints } estão nos eixos do outro referencial.
     }
 feedback-jacobian_rows_exchanged = As linhas lineares e angulares foram trocadas.
 feedback-jacobian_spatial = Esta é a velocidade do ponto na origem do referencial 0; pede-se a origem do último referencial.

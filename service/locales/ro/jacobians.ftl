@@ -31,7 +31,12 @@ task-jacobian-form-analytic =
 
 feedback-jacobian_geometric = Ultimele trei rânduri sunt cele ale vitezei unghiulare; se cer derivatele unghiurilor.
 feedback-jacobian_other_point = Acestea sunt vitezele altui punct; se cere cea a originii ultimului sistem.
-feedback-jacobian_reversed = Coloana { $joint } are semnul opus: urmăriți în ce sens este îndreptată axa z.
+feedback-jacobian_reversed =
+    { $count ->
+        [1] Coloana { $joint } are semnul opus: urmăriți în ce sens este îndreptată axa z.
+       *[other] Coloanele { $joints } au semnul opus: urmăriți în ce sens este îndreptată axa z.
+    }
 feedback-jacobian_per_degree = Coloanele cuplelor de rotație sunt pe grad; se cer pe radian.
+feedback-jacobian_other_unit = Lungimile sunt în altă unitate decât cea cerută.
 feedback-jacobian_angles_locked = În această configurație, primul și ultimul unghi se rotesc în jurul aceleiași drepte: unghiurile nu au derivate și nu există jacobian analitic.
 error-angles_locked = Primul și ultimul dintre unghiurile { $axes } se rotesc aici în jurul aceleiași drepte: nu există jacobian analitic. Alegeți alte unghiuri.

@@ -325,13 +325,26 @@ feedback-jacobian_missing =
     }
 feedback-jacobian_wrong = Nu toate coloanele jacobianului sunt corecte.
 feedback-forces_wrong = Nu toate momentele și forțele din cuple sunt corecte.
-feedback-jacobian_next_axis = Coloana { $joint } folosește axa unei cuple vecine: vedeți ce z aparține fiecărei cuple în convenția dumneavoastră.
-feedback-jacobian_point_swapped = Coloana { $joint }: partea liniară este z × (pₙ − p), nu z × (p − pₙ).
-feedback-jacobian_prismatic = Coloana { $joint }: una de translație dă (z, 0), una de rotație (z × (pₙ − p), z).
+feedback-jacobian_next_axis =
+    { $count ->
+        [1] Coloana { $joint } folosește axa unei cuple vecine: vedeți ce z aparține fiecărei cuple în convenția dumneavoastră.
+       *[other] Coloanele { $joints } folosesc axa unei cuple vecine: vedeți ce z aparține fiecărei cuple în convenția dumneavoastră.
+    }
+feedback-jacobian_point_swapped =
+    { $count ->
+        [1] Coloana { $joint }: partea liniară este z × (pₙ − p), nu z × (p − pₙ).
+       *[other] Coloanele { $joints }: partea liniară este z × (pₙ − p), nu z × (p − pₙ).
+    }
+feedback-jacobian_prismatic =
+    { $count ->
+        [1] Coloana { $joint }: una de translație dă (z, 0), una de rotație (z × (pₙ − p), z).
+       *[other] Coloanele { $joints }: una de translație dă (z, 0), una de rotație (z × (pₙ − p), z).
+    }
 feedback-jacobian_other_frame =
-    { $joint ->
+    { $count ->
         [0] Acesta este jacobianul în axele celuilalt sistem.
-       *[other] Coloana { $joint } este în axele celuilalt sistem.
+        [1] Coloana { $joint } este în axele celuilalt sistem.
+       *[other] Coloanele { $joints } sunt în axele celuilalt sistem.
     }
 feedback-jacobian_rows_exchanged = Rândurile liniare și cele unghiulare au fost schimbate între ele.
 feedback-jacobian_spatial = Aceasta este viteza punctului din originea sistemului 0; se cere originea ultimului sistem.

@@ -324,13 +324,26 @@ feedback-jacobian_missing =
     }
 feedback-jacobian_wrong = Не всі стовпці якобіана правильні.
 feedback-forces_wrong = Не всі моменти й сили у зчленуваннях правильні.
-feedback-jacobian_next_axis = У стовпці { $joint } взято вісь сусіднього зчленування: зважайте, яка z належить якому зчленуванню у вашій угоді.
-feedback-jacobian_point_swapped = Стовпець { $joint }: лінійна частина — z × (pₙ − p), а не z × (p − pₙ).
-feedback-jacobian_prismatic = Стовпець { $joint }: поступальне зчленування дає (z, 0), обертальне — (z × (pₙ − p), z).
+feedback-jacobian_next_axis =
+    { $count ->
+        [1] У стовпці { $joint } взято вісь сусіднього зчленування: зважайте, яка z належить якому зчленуванню у вашій угоді.
+       *[other] У стовпцях { $joints } взято вісь сусіднього зчленування: зважайте, яка z належить якому зчленуванню у вашій угоді.
+    }
+feedback-jacobian_point_swapped =
+    { $count ->
+        [1] Стовпець { $joint }: лінійна частина — z × (pₙ − p), а не z × (p − pₙ).
+       *[other] Стовпці { $joints }: лінійна частина — z × (pₙ − p), а не z × (p − pₙ).
+    }
+feedback-jacobian_prismatic =
+    { $count ->
+        [1] Стовпець { $joint }: поступальне зчленування дає (z, 0), обертальне — (z × (pₙ − p), z).
+       *[other] Стовпці { $joints }: поступальне зчленування дає (z, 0), обертальне — (z × (pₙ − p), z).
+    }
 feedback-jacobian_other_frame =
-    { $joint ->
+    { $count ->
         [0] Це якобіан в осях іншої системи.
-       *[other] Стовпець { $joint } записано в осях іншої системи.
+        [1] Стовпець { $joint } записано в осях іншої системи.
+       *[other] Стовпці { $joints } записано в осях іншої системи.
     }
 feedback-jacobian_rows_exchanged = Лінійні й кутові рядки поміняно місцями.
 feedback-jacobian_spatial = Це швидкість точки в початку системи 0; потрібен початок останньої системи.

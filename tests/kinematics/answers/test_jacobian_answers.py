@@ -106,6 +106,13 @@ def test_slips_are_told(name) -> None:
         assert told(both) == ((JacobianMistake.PRISMATIC, 3),)
     degrees = right * np.radians([180 / np.pi if name == "stanford" and i == 2 else 1 for i in range(6)])
     assert told(degrees) == ((JacobianMistake.PER_DEGREE, None),)
+    for ratio in (1000, 0.001, 100, 0.01):
+        lengths = right.copy()
+        lengths[:3, [not axis.prismatic for axis in chain.axes]] *= ratio
+        assert told(lengths) == ((JacobianMistake.OTHER_UNIT, None),)
+        lengths[:3, 0] *= 2
+        assert told(lengths) == ()
+        assert told(right * np.array([[ratio]] * 3 + [[1]] * 3)) == ((JacobianMistake.OTHER_UNIT, None),)
     opposite = right.copy()
     opposite[:, 1] *= -1
     assert told(opposite) == ((JacobianMistake.REVERSED, 2),)
