@@ -11,6 +11,7 @@ import math
 import re
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, fields, is_dataclass, replace
+from enum import Enum
 from fractions import Fraction
 from functools import lru_cache
 from types import MappingProxyType
@@ -70,6 +71,8 @@ def read_by_name(
     here = read(reading)
     if here is None:
         return None
+    if not any(map(str.isalpha, "".join(_cells(raw)))):  # what has no name in it is the same at any values
+        return ByName(here=here)
     exact = exactness(raw)
     twice, other = (
         read(_at(reading, instance))
@@ -91,7 +94,9 @@ def exactness(raw: Any) -> float:
 
 
 def _cells(raw: Any) -> Iterator[str]:
-    """Yield the cells of an answer as they were typed."""
+    """Yield the cells of an answer as they were typed; what was chosen from a list is none."""
+    if isinstance(raw, Enum):
+        return
     if is_dataclass(raw):
         for entry in fields(raw):
             yield from _cells(getattr(raw, entry.name))

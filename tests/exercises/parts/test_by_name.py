@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import pytest
 
+from exercises.answers import RawAnswer
 from exercises.errors import AnswerError
 from exercises.instance import generate
-from exercises.parts.cells.by_name import exactness
+from exercises.parts.cells.by_name import exactness, read_by_name
+from exercises.parts.cells.matrix_cells import CELL_LIMITS
 from exercises.parts.forward.frames import FrameCells, FramesCells
 from exercises.parts.forward.workspace import RadiiCells
 from exercises.parts.motion.screws import ScrewsCells
+from exercises.parts.protocol import Reading
 from exercises.parts.report import PartReport
 from kinematics.answers.screw_answers import ScrewFrame, ScrewOrder
 from kinematics.table import Convention
@@ -94,3 +98,30 @@ def test_a_joint_variable_in_a_radius_is_told_as_such(cell: str) -> None:
         radii(None, cell, "a2 + a3")
     (fault,) = error.value.faults
     assert (fault.code, fault.where) == ("joint_variable_in_number", ("workspace", "inner"))
+
+
+SCREW = ScrewsCells(
+    frame=ScrewFrame.SPACE, order=ScrewOrder.LINEAR_FIRST, screws=((0.0, 0, 0, 0, 0, "1.0"),), home=()
+)
+
+
+@pytest.mark.parametrize(
+    ("raw", "times"),
+    [
+        (RadiiCells(inner=0.1, outer="1.5"), 1),
+        (RadiiCells(inner="0", outer="a2+a3"), 3),
+        (SCREW, 1),  # what is chosen from a list is no name
+        (replace(SCREW, screws=((0, "-a2", 0, 0, 0, 1),)), 3),
+    ],
+)
+def test_only_an_answer_that_may_hold_names_is_read_at_other_lengths(raw: Any, times: int) -> None:
+    instance = generate(exercise("scara"), "ana")
+    here = Reading(instance=instance, raw=RawAnswer(), table=None, limits=CELL_LIMITS, faults=[])
+    lengths: list[float] = []
+
+    def read(at: Reading) -> list[float]:
+        lengths.append(at.instance.parameters["a2"])
+        return lengths[-1:]
+
+    read_by_name(raw, here, read, lambda found: found)
+    assert len(set(lengths)) == len(lengths) == times
