@@ -68,16 +68,16 @@ def link_transforms(row: NumericRow, convention: Convention, q: Floats) -> Float
     Raises:
         TableError: an entry of the row is NaN or infinite.
     """
-    constant, after = around_joint(row, convention)
+    constant = link_transform(row, convention)
     moved = np.zeros((len(q), 4, 4))
-    moved[:] = np.eye(4)
+    moved[:, 0, 0] = moved[:, 1, 1] = moved[:, 2, 2] = moved[:, 3, 3] = 1.0
     if row.joint is JointType.REVOLUTE:
         moved[:, 0, 0] = moved[:, 1, 1] = np.cos(q)
         moved[:, 1, 0] = row.sign * np.sin(q)
         moved[:, 0, 1] = -moved[:, 1, 0]
     elif row.joint is JointType.PRISMATIC:
         moved[:, 2, 3] = row.sign * q
-    return np.asarray(constant @ moved @ after)
+    return np.asarray(moved @ constant if _joint_leads(row, convention) else constant @ moved)
 
 
 def around_joint(row: NumericRow, convention: Convention) -> tuple[Transform, Transform]:
@@ -89,8 +89,12 @@ def around_joint(row: NumericRow, convention: Convention) -> tuple[Transform, Tr
         TableError: an entry of the row is NaN or infinite.
     """
     constant = link_transform(row, convention)
-    leads = convention is Convention.STANDARD and row.joint is not JointType.FIXED
-    return (np.eye(4), constant) if leads else (constant, np.eye(4))
+    return (np.eye(4), constant) if _joint_leads(row, convention) else (constant, np.eye(4))
+
+
+def _joint_leads(row: NumericRow, convention: Convention) -> bool:
+    """Whether the joint of a row moves all of its constant motions."""
+    return convention is Convention.STANDARD and row.joint is not JointType.FIXED
 
 
 Row: TypeAlias = tuple[Scalar, Scalar, Scalar, Scalar]

@@ -47,6 +47,8 @@ def values_at(
     Raises:
         KeyError: a parameter has no value.
     """
+    if type(expression) is Number:  # what most cells of a matrix hold
+        return np.full(joints.shape[1:], _value(expression, parameters, joints), dtype=np.float64)
     with np.errstate(all="ignore"):
         value = _value(expression, parameters, joints)
     if type(value) is np.ndarray and value.shape == joints.shape[1:]:

@@ -78,8 +78,7 @@ class SymbolicMatrix:
         joints = np.concatenate([q for _, q in points]).T
         counts = [len(q) for _, q in points]
         parameters = {
-            name: np.repeat([values[name] for values, _ in points], counts) if len(points) > 1 else value
-            for name, value in points[0][0].items()
+            name: np.repeat([values[name] for values, _ in points], counts) for name in self.names()
         }
         found = np.empty((joints.shape[1], len(self.entries), len(self.entries[0])))
         for r, row in enumerate(self.entries):
