@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from itertools import cycle
+from typing import Any
 
 API = "/api/v1"
 JOINT = {"alpha": 0, "a": 0, "d": 0, "theta": "q1"}
@@ -96,6 +98,56 @@ def batches(count: int) -> Iterator[tuple[str, bytes]]:
     yield "rows of texts", b"[" + b'["x"],' * count + b'["x"]]'
     yield "one long row", b"[[" + b"0," * count + b"0]]"
     yield "one long configuration", b"[" + b"0," * count + b"0]"
+
+
+FIELDS: Mapping[str, object] = {
+    "objects": [{}] * 50_000,
+    "rows": [[0] * 6] * 10_000,
+    "matrices": [[[0, 0, 0, 1]] * 4] * 3_000,
+    "tables": [{"convention": "standard", "rows": [JOINT] * 64}] * 60,
+    "cells": ["cos(q1)*L1+sqrt(2)"] * 10_000,
+    "numbers": [1e300] * 30_000,
+    "fields": {f"k{i}": i for i in range(20_000)},
+    "text": "x" * 300_000,
+    "brackets": "(" * 300_000,
+    "terms": "+".join(["L1"] * 100_000),
+    "large number": 10**4_000,
+}
+"""What may stand in a field in the place of a little."""
+
+
+def in_each_field(document: Mapping[str, Any], *, every: bool) -> Iterator[Attack]:
+    """Each field of each call of an OpenAPI document in turn, in an example that is otherwise right.
+
+    Args:
+        document: the OpenAPI document.
+        every: with each of the values there are; else the values go round.
+    """
+    turns = cycle(FIELDS)
+    for path, call, body in _examples(document):
+        for field in _fields(document, call["schema"]):
+            for name in FIELDS if every else (next(turns),):
+                yield Attack(f"{path} {field}: {name}", path, _written({**body, field: FIELDS[name]}))
+
+
+def _examples(document: Mapping[str, Any]) -> Iterator[tuple[str, Mapping[str, Any], dict[str, Any]]]:
+    """Yield the address of each call that takes JSON, what it takes, and the first example of it."""
+    for path, methods in document["paths"].items():
+        content = methods.get("post", {}).get("requestBody", {}).get("content", {})
+        if call := content.get("application/json"):
+            example = next(iter(call.get("examples", {}).values()), {})
+            yield path.replace("{exercise_id}", "puma560"), call, example.get("value", {})
+
+
+def _fields(document: Mapping[str, Any], schema: Mapping[str, Any]) -> Iterator[str]:
+    """Yield the names of a body's fields, those of alternatives included."""
+    if "$ref" in schema:
+        schema = document["components"]["schemas"][schema["$ref"].rpartition("/")[2]]
+    names = dict.fromkeys(schema.get("properties", {}))
+    for way in ("oneOf", "anyOf", "allOf"):
+        for alternative in schema.get(way, ()):
+            names |= dict.fromkeys(_fields(document, alternative))
+    yield from names
 
 
 def _written(body: object) -> bytes:

@@ -18,7 +18,9 @@ import pytest
 
 from service.app import create_app
 from service.settings import Settings
-from tests.service.attacks.corpus import Attack, attacks
+from tests.conftest import EXPLORE
+from tests.document import DOCUMENT
+from tests.service.attacks.corpus import Attack, attacks, in_each_field
 
 CALLS = 70_000
 """Python calls that answering may take in the event loop: about 25 ms."""
@@ -86,6 +88,17 @@ def test_no_attack_takes_much_work_of_the_event_loop_or_memory(app: Any, corpus:
         if len(attack.body) <= LARGE and grown > MEMORY:
             expensive.append(f"{attack.name}: {grown} bytes")
     assert not expensive
+
+
+def test_no_field_of_any_call_takes_much_work_of_the_event_loop(app: Any) -> None:
+    expensive, fields = [], list(in_each_field(DOCUMENT, every=EXPLORE))
+    for attack in fields:
+        response, calls = counted(app, attack)
+        assert response.status_code in (200, 400, 413, 415, 422), (attack.name, response.text[:200])
+        if calls > CALLS:
+            expensive.append(f"{attack.name}: {calls} calls")
+    assert not expensive
+    assert len(fields) > 300
 
 
 @pytest.mark.skipif(not Path("/proc/self/clear_refs").exists(), reason="needs Linux's peak of memory")
