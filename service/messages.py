@@ -75,15 +75,21 @@ def has_sentence(language: str, identifier: str) -> bool:
     return identifier in _sources(language)
 
 
-def _read(language: str, identifier: str) -> FluentBundle | None:
-    """The language's messages with this one, and those that it refers to, among them; None if it has none."""
-    messages, source = _bundle(language), _sources(language).get(identifier)
-    if source is None:
-        return None
-    if not messages.has_message(identifier):
-        for other in _REFERENCE.findall(source):
-            _read(language, other)
-        messages.add_resource(FluentResource(source))
+@lru_cache(maxsize=SENTENCES)
+def _read(language: str, identifier: str) -> ast.Message | None:
+    """The message of a language as Fluent reads it; None if it has none."""
+    source = _sources(language).get(identifier)
+    entry = None if source is None else FluentResource(source).body[0]
+    return entry if isinstance(entry, ast.Message) else None
+
+
+def _bundle_with(language: str, identifier: str) -> FluentBundle:
+    """The language's messages with this one, and those that it refers to, among them."""
+    messages, read = _bundle(language), _read(language, identifier)
+    if read is not None and not messages.has_message(identifier):
+        for other in _REFERENCE.findall(_sources(language)[identifier]):
+            _bundle_with(language, other)
+        messages.add_resource(ast.Resource([read]))
     return messages
 
 
@@ -98,16 +104,16 @@ def sentence(language: str, identifier: str, params: Mapping[str, object] | None
 @lru_cache(maxsize=SENTENCES)
 def _formatted(language: str, identifier: str, arguments: tuple[tuple[str, str | int], ...]) -> str | None:
     for candidate in dict.fromkeys((language, DEFAULT_LANGUAGE)):
-        messages = _read(candidate, identifier)
-        if messages is None:
-            continue
-        pattern = messages.get_message(identifier).value
-        if pattern is None:
+        read = _read(candidate, identifier)
+        if read is None or read.value is None:
             continue
         values = dict(arguments)
-        plain = plainly_written(pattern, values)
-        if plain is not None:
+        plain = plainly_written(read.value, values)
+        if plain is not None:  # without what Babel knows of the language, which takes a megabyte
             return plain
+        messages = _bundle_with(candidate, identifier)
+        pattern = messages.get_message(identifier).value
+        assert pattern is not None
         text, faults = messages.format_pattern(pattern, values)
         for fault in faults:
             _log.warning("message %s in %s: %s", identifier, candidate, fault)

@@ -7,6 +7,7 @@ from fluent.runtime import FluentBundle, FluentResource
 from fluent.syntax import FluentParser, ast
 
 from kinematics.keys import ValueKind
+from service import messages
 from service.http.languages import language_for
 from service.messages import FUNCTIONS, LOCALES, has_sentence, languages, sentence, template
 from service.plain_sentences import plainly_written
@@ -102,12 +103,26 @@ def test_what_is_written_plainly_is_what_fluent_writes(language: str) -> None:
     plain = tried = 0
     for source in re.split(r"^(?=[a-zA-Z][\w-]* *=)", text, flags=re.MULTILINE)[1:]:
         pattern = whole.get_message(source.partition("=")[0].strip()).value
+        (read, *_) = FluentParser().parse(source).body
+        assert isinstance(read, ast.Message)
         names = set(re.findall(r"\$(\w+)", source))
         for value in ("{ $x }", 7, 1000, -1, *re.findall(r"^\s*\*?\[(\w+)\]", source, re.MULTILINE)):
             given = dict.fromkeys(names, value)
-            written = plainly_written(pattern, given) if pattern else None
+            written = plainly_written(read.value, given) if read.value else None
             tried += 1
             if pattern and written is not None:
                 plain += 1
                 assert written == whole.format_pattern(pattern, given)[0]
     assert plain > 0.4 * tried
+
+
+@pytest.mark.parametrize("language", languages())
+def test_a_plain_sentence_needs_nothing_that_is_known_of_the_language(
+    monkeypatch: pytest.MonkeyPatch, language: str
+) -> None:
+    def refuse(language: str) -> None:
+        raise AssertionError(language)
+
+    monkeypatch.setattr(messages, "_bundle", refuse)
+    messages._formatted.cache_clear()
+    assert sentence(language, "language-name")
