@@ -4,6 +4,10 @@ A queue that is first come, first served gives everything to whoever asks most. 
 after at most one task of every other client, however many requests those have waiting. A client is who has
 proved who they are, wherever they ask from: a class behind one address are as many clients as they are
 people. All others at an address are one. Use is counted by client first and by connection second.
+
+Who begins to ask counts as having used little less than those who are being served, as in start-time fair
+queueing (Goyal, Vin and Cheng, 1997): otherwise whoever worked while nobody waited would stand still until
+a stranger had used as much.
 """
 
 from __future__ import annotations
@@ -16,7 +20,7 @@ from collections.abc import Callable
 from contextvars import ContextVar
 from dataclasses import dataclass, field
 from heapq import heappop, heappush, heapreplace
-from typing import Literal, TypeAlias
+from typing import Literal, TypeAlias, TypeVar
 
 from service.http.problems import busy
 
@@ -36,6 +40,8 @@ Client: TypeAlias = tuple[Name, int]
 
 HALF_LIFE = 10.0
 """Seconds after which use counts half: long beside one task, short beside a lecture."""
+AHEAD = 0.02
+"""Seconds of use by which a newcomer is ahead of those who are being served: the cost of some answers."""
 CLIENTS = 4096
 """Clients whose use is remembered; the one that was idle longest is forgotten first."""
 
@@ -90,6 +96,7 @@ class FairQueue:
         self._timeout = timeout
         self._line = _Line(self._use)
         self._used: OrderedDict[Name | Client, float] = OrderedDict()
+        self._served: OrderedDict[Name | None, float] = OrderedDict()
         self.running = 0
 
     @property
@@ -106,10 +113,12 @@ class FairQueue:
         client = current_client.get()
         if self.running < self._slots:
             self.running += 1
+            self._serve(client)
             return Slot(self, client)
         if len(self._line) >= self._capacity:
             raise busy()
         waiting = _Waiting(client, asyncio.get_running_loop())
+        self._catch_up(client)
         self._line.join(waiting)
         try:
             async with asyncio.timeout(self._timeout):
@@ -138,15 +147,27 @@ class FairQueue:
         """Give a slot back that the client used for so long, and hand it to the next."""
         used = math.log2(seconds) + time.monotonic() / HALF_LIFE if seconds > 0.0 else -math.inf
         for key in (client[0], client):
-            self._used[key] = _sum_of_powers(self._use(key), used)
-            self._used.move_to_end(key)
-        while len(self._used) > CLIENTS:
-            self._used.popitem(last=False)
+            _remember(self._used, key, _sum_of_powers(self._use(key), used))
         following = self._line.next()
         if following is not None:
+            self._serve(following.client)
             following.grant()
         else:
             self.running -= 1
+
+    def _serve(self, client: Client) -> None:
+        """Note how much was used by who is served next: of all names, and of the connections of one."""
+        for among, key in _levels(client):
+            _remember(self._served, among, max(self._served.get(among, -math.inf), self._use(key)))
+
+    def _catch_up(self, client: Client) -> None:
+        """Count a newcomer's use as at most `AHEAD` less than that of those who are being served."""
+        ahead = math.log2(AHEAD) + time.monotonic() / HALF_LIFE
+        for among, key in _levels(client):
+            served = self._served.get(among, -math.inf)
+            if served > ahead:
+                least = served + math.log2(-math.expm1((ahead - served) * math.log(2.0)))
+                _remember(self._used, key, max(self._use(key), least))
 
     def _use(self, key: Name | Client) -> float:
         """How much a client has used, log2 of seconds as they would count at time 0.
@@ -154,6 +175,22 @@ class FairQueue:
         All use fades alike, so who has used less is the same at every time, and these numbers only grow.
         """
         return self._used.get(key, -math.inf)
+
+
+_Key = TypeVar("_Key")
+
+
+def _remember(values: OrderedDict[_Key, float], key: _Key, value: float) -> None:
+    """Keep a value by its key, and forget what was not touched for longest."""
+    values[key] = value
+    values.move_to_end(key)
+    if len(values) > CLIENTS:
+        values.popitem(last=False)
+
+
+def _levels(client: Client) -> tuple[tuple[None, Name], tuple[Name, Client]]:
+    """Return among whom use is compared, and whose: a name among all names, a connection among its name's."""
+    return (None, client[0]), (client[0], client)
 
 
 def _sum_of_powers(a: float, b: float) -> float:

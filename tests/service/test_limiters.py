@@ -22,7 +22,7 @@ from service.http.problems import BusyError
 from service.settings import Settings
 from service.wire import exercise_views
 from service.work import fair_queue
-from service.work.fair_queue import CLIENTS, Client, FairQueue, Name, Proven, current_client
+from service.work.fair_queue import AHEAD, CLIENTS, Client, FairQueue, Name, Proven, current_client
 from service.work.limiters import DONE, LIGHT, TRIED, Limiter, WorkKind, limiters
 from service.work.thread_switching import SWITCH_SECONDS
 
@@ -127,6 +127,52 @@ def test_a_line_that_is_never_empty_does_not_grow() -> None:
 def test_a_server_has_its_threads_take_short_turns(base_url: str) -> None:
     assert base_url
     assert sys.getswitchinterval() <= SWITCH_SECONDS * 1.01
+
+
+@pytest.mark.parametrize(
+    ("worker", "stranger"),
+    [(("person", 1), ("stranger", 2)), (("one address", 1), ("one address", 2))],
+    ids=["names", "connections of one name"],
+)
+def test_who_used_much_while_nobody_waited_does_not_stand_still_for_a_stranger(
+    worker: Client, stranger: Client
+) -> None:
+    """A stranger comes first, as having used less, and from then on the two take turns."""
+
+    async def scene() -> list[Client]:
+        clock = SimpleNamespace(now=1000.0, monotonic=lambda: clock.now)
+        with patch.object(fair_queue, "time", clock):
+            queue = FairQueue(slots=1, capacity=100, timeout=60)
+
+            def wait(client: Client) -> asyncio.Task[fair_queue.Slot]:
+                current_client.set(client)
+                return asyncio.create_task(queue.acquire())
+
+            for seconds in (100.0, 0.0):
+                slot = await wait(worker)
+                clock.now += seconds
+                slot.release()
+            slot = await wait(worker)
+            waiting = {client: wait(client) for client in (worker, stranger)}
+            await asyncio.sleep(0)
+            served = []
+            for _ in range(20):
+                clock.now += AHEAD / 2
+                slot.release()
+                await asyncio.wait(waiting.values(), return_when=asyncio.FIRST_COMPLETED)
+                (client,) = (client for client, task in waiting.items() if task.done())
+                served.append(client)
+                slot = waiting[client].result()
+                waiting[client] = wait(client)
+                await asyncio.sleep(0)
+            for task in waiting.values():
+                task.cancel()
+            return served
+
+    served = asyncio.run(scene())
+    assert served[0] == stranger
+    assert 8 <= served.count(worker) <= 10
+    assert all(worker in served[i : i + 4] for i in range(17))
 
 
 @given(
