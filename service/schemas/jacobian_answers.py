@@ -57,7 +57,12 @@ def jacobian_mistake(
     what: str, mistake: JacobianMistake, joint: int | None, language: str
 ) -> JacobianMistakeModel:
     """Return a mistake in a Jacobian or in joint forces (`what`), with its sentence."""
-    told = feedback_sentence(f"{what}_{mistake.value}", language, {"joint": joint or 0})
+    columns = () if joint is None else (str(joint),)
+    told = feedback_sentence(
+        f"{what}_{mistake.value}",
+        language,
+        {"joint": joint or 0, "joints": columns, "count": len(columns)},
+    )
     return JacobianMistakeModel(code=mistake, joint=joint, message=told)
 
 
