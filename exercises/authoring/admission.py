@@ -14,7 +14,7 @@ from fractions import Fraction
 from itertools import product
 
 from exercises.definition import Exercise
-from exercises.grading import accept
+from exercises.grading import is_accepted
 from exercises.selftest.variants import modified_rows, some_lengths, standard_table
 from kinematics.cells import ReadTable
 from kinematics.chain import chain_of_table, size_of
@@ -57,7 +57,7 @@ def policy_admission(exercise: Exercise, values: Mapping[str, float]) -> PolicyA
     for changed, other in textbook_choices(table, by):
         if other not in admitted:
             read: ReadTable = replace(exercise.reference, table=other)
-            accepted = accept(exercise.reference, read, exercise.policy) is not None
+            accepted = is_accepted(exercise.reference, read, exercise.policy)
             admitted[other] = (changed, accepted)
     verdicts = dict(admitted.values())
     free = tuple(name for k, name in enumerate(HABITS) if _is_free(k, verdicts))

@@ -23,7 +23,7 @@ What is wrong?
   facts, score   which facts of the robot are right, and what they earn
 """
 
-from exercises.grading.grade import accept, grade
+from exercises.grading.grade import accept, grade, is_accepted
 from exercises.grading.verdict import (
     Basis,
     CertificateReport,
@@ -66,4 +66,5 @@ __all__ = [
     "ZeroRule",
     "accept",
     "grade",
+    "is_accepted",
 ]

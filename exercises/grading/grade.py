@@ -72,6 +72,20 @@ def accept(
     return decided if isinstance(decided, Verdict) else None
 
 
+def is_accepted(
+    reference: ReadTable,
+    submission: ReadTable,
+    policy: Policy,
+    parameters: Mapping[str, float] | None = None,
+) -> bool:
+    """Whether `accept` has a verdict, without the proof in symbols that stands in one.
+
+    Args and raises as in `grade`.
+    """
+    ways = comparisons(reference, submission, dict(parameters or {}))
+    return any(judged(way, policy).accepted for way in ways)
+
+
 @lru_cache(maxsize=REMEMBERED)
 def _grade(
     reference: ReadTable,

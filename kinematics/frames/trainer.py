@@ -131,14 +131,13 @@ def check_frames(
         PoseError: base or tool is not a rigid motion.
     """
     lines, _ = straighten(read_axes(axes), PARALLEL_TOLERANCE)
-    frames = _read_frames(chosen, len(lines))
+    read = _read_frames(chosen, len(lines))
     first = None if base is None else pose_of(base, "base")
     end = gripper_frame(tool) if isinstance(tool, Gripper) else tool
     last = None if end is None else pose_of(end, "tool")
     size = robot_size(lines, first, last)
-    frames, places = _settled(frames, lines, convention, size, rounding)
-    broken = [broken_rules(frame, place) for frame, place in zip(frames, places, strict=True)]
-    sound = [None if faults else _whole(frame) for frame, faults in zip(frames, broken, strict=True)]
+    frames, places, broken = _against_rules(read, lines, convention, size, rounding)
+    sound = _sound(frames, broken)
     shown = _shown_lines(lines, _drawn_lines(lines, frames, convention), size)
     prescribed = {0: first, len(lines): last}
     judged = tuple(
@@ -150,8 +149,7 @@ def check_frames(
         )
         for i in range(len(frames))
     )
-    rows = tuple(_row(i, lines[i - 1], sound, convention, size) for i in range(1, len(frames)))
-    return _judged(judged, rows, sound, last, convention)
+    return _judged(judged, _rows(lines, sound, convention, size), sound, last, convention)
 
 
 def rules_broken(
@@ -162,10 +160,43 @@ def rules_broken(
     rounding: float = 0.0,
 ) -> list[list[FrameFinding]]:
     """The rules that each of the chosen frames breaks; arguments and errors as in `check_frames`."""
+    return rules_and_table(axes, convention, chosen, rounding=rounding)[0]
+
+
+def rules_and_table(
+    axes: Sequence[JointAxis],
+    convention: Convention,
+    chosen: Sequence[ChosenFrame | None],
+    *,
+    rounding: float = 0.0,
+) -> tuple[list[list[FrameFinding]], NumericTable | None]:
+    """The rules that each of the chosen frames breaks, and the table that follows; None while there is none.
+
+    It is what `check_frames` finds, without advice and without what to choose from; arguments and errors as
+    there.
+    """
     lines, _ = straighten(read_axes(axes), PARALLEL_TOLERANCE)
     size = robot_size(lines, None, None)
-    frames, places = _settled(_read_frames(chosen, len(lines)), lines, convention, size, rounding)
-    return [broken_rules(frame, place) for frame, place in zip(frames, places, strict=True)]
+    frames, _, broken = _against_rules(_read_frames(chosen, len(lines)), lines, convention, size, rounding)
+    sound = _sound(frames, broken)
+    return broken, _table(_rows(lines, sound, convention, size), sound, convention)
+
+
+def _against_rules(
+    frames: Sequence[PartialPose],
+    lines: Sequence[AxisLine],
+    convention: Convention,
+    size: float,
+    rounding: float,
+) -> tuple[list[PartialPose], list[FramePlace], list[list[FrameFinding]]]:
+    """The frames as they are meant, what they are judged by, and the rules that each of them breaks."""
+    meant, places = _settled(frames, lines, convention, size, rounding)
+    return meant, places, [broken_rules(frame, place) for frame, place in zip(meant, places, strict=True)]
+
+
+def _sound(frames: Sequence[PartialPose], broken: Sequence[Sequence[FrameFinding]]) -> list[Pose | None]:
+    """The frames that are whole and break no rule."""
+    return [None if faults else _whole(frame) for frame, faults in zip(frames, broken, strict=True)]
 
 
 def _settled(
@@ -318,6 +349,22 @@ def _row(
     )
 
 
+def _rows(
+    lines: Sequence[AxisLine], sound: Sequence[Pose | None], convention: Convention, size: float
+) -> tuple[NumericRow | None, ...]:
+    return tuple(_row(i, lines[i - 1], sound, convention, size) for i in range(1, len(sound)))
+
+
+def _table(
+    rows: Sequence[NumericRow | None], sound: Sequence[Pose | None], convention: Convention
+) -> NumericTable | None:
+    """The table, once every row and frame 0 are there."""
+    whole = tuple(row for row in rows if row is not None)
+    if len(whole) < len(rows) or sound[0] is None:
+        return None
+    return DHTable(convention=convention, rows=whole)
+
+
 def _judged(
     judged: tuple[JudgedFrame, ...],
     rows: tuple[NumericRow | None, ...],
@@ -325,11 +372,9 @@ def _judged(
     last: Pose | None,
     convention: Convention,
 ) -> JudgedFrames:
-    whole = tuple(row for row in rows if row is not None)
-    first = sound[0]
-    if len(whole) < len(rows) or first is None:
+    first, table = sound[0], _table(rows, sound, convention)
+    if first is None or table is None:
         return JudgedFrames(frames=judged, rows=rows, table=None, base=None, tool=None)
-    table: NumericTable = DHTable(convention=convention, rows=whole)
     T_w_0 = matrix(first)
     tool = np.eye(4)
     if last is not None:

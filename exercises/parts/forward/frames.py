@@ -18,7 +18,7 @@ from typing import Annotated, ClassVar
 
 from exercises.definition import Part
 from exercises.errors import DefinitionError
-from exercises.grading import ConventionRule, Feedback, Finding, HelpLevel, Policy, ToolRule, accept
+from exercises.grading import ConventionRule, Feedback, Finding, HelpLevel, Policy, ToolRule, is_accepted
 from exercises.instance import Instance
 from exercises.parts.cells.by_name import ByName, read_by_name
 from exercises.parts.cells.number_cells import number_of
@@ -30,8 +30,8 @@ from kinematics.cells import Cell, ReadTable
 from kinematics.cells.meaning import Position
 from kinematics.expressions import Number, pi_times
 from kinematics.frames.axes import JointAxis, read_direction, read_point
-from kinematics.frames.rules import RuleCode, Severity
-from kinematics.frames.trainer import ChosenFrame, JudgedFrames, check_frames
+from kinematics.frames.rules import FrameFinding, RuleCode
+from kinematics.frames.trainer import ChosenFrame, rules_and_table
 from kinematics.table import Convention, DHRow, DHTable, NumericTable
 
 PARTS = ("z", "origin", "x")
@@ -128,17 +128,16 @@ class FramesPart(PartType[Part, FramesCells, ByName[FramesAnswer]]):
     def _judged(self, part: Part, answer: FramesAnswer, context: Context) -> PartReport:
         """Judge frame by frame: z, origin and x count the same, and so does what the policy asks for."""
         axes = figure_axes(context.instance)
-        found = _checked(context, axes, answer)
+        found, table = _checked(context, axes, answer)
         facts: list[Fact] = []
         feedback: list[Feedback] = []
-        for frame, chosen in zip(found.frames, answer.frames, strict=True):
-            broken = [entry for entry in frame.findings if entry.severity is Severity.BROKEN]
+        for i, (broken, chosen) in enumerate(zip(found, answer.frames, strict=True)):
             wrong = {entry.part.value for entry in broken}
             for name in PARTS:
                 finding = Finding.MISSING if chosen is None else Finding.OK
                 finding = Finding.WRONG if name in wrong else finding
-                facts.append(Fact(where=("frames", frame.index, name), finding=finding))
-            number = {"frame": frame.index}
+                facts.append(Fact(where=("frames", i, name), finding=finding))
+            number = {"frame": i}
             if chosen is None:
                 feedback.append(Feedback(code="frame_missing", params=number))
             feedback += [
@@ -148,7 +147,7 @@ class FramesPart(PartType[Part, FramesCells, ByName[FramesAnswer]]):
         if feedback and _follows_other_convention(context, axes, answer):
             feedback.insert(0, Feedback(code="frames_other_convention"))
         if not feedback:
-            kept = _keeps_policy(context, found.table)
+            kept = _keeps_policy(context, table)
             facts.append(fact(kept, "policy"))
             feedback.append(Feedback(code="frames_right" if kept else "frames_not_as_asked"))
         else:
@@ -213,20 +212,20 @@ def _read_frame(frame: FrameCells, reading: Reading, where: tuple[str | int, ...
     return ChosenFrame(**found) if len(found) == len(PARTS) else None
 
 
-def _checked(context: Context, axes: Sequence[JointAxis], answer: FramesAnswer) -> JudgedFrames:
+def _checked(
+    context: Context, axes: Sequence[JointAxis], answer: FramesAnswer
+) -> tuple[list[list[FrameFinding]], NumericTable | None]:
+    """Return the rules that each frame breaks, and the table that follows."""
     tolerance = context.policy.tolerance
     rounding = min(tolerance.length, tolerance.angle)
-    return check_frames(axes, answer.convention, answer.frames, rounding=rounding)
+    return rules_and_table(axes, answer.convention, answer.frames, rounding=rounding)
 
 
 def _right_for_nothing(context: Context, axes: Sequence[JointAxis], answer: FramesAnswer) -> int:
     """Return how many facts are right if every frame is put where the figure's coordinates begin."""
     untouched = ChosenFrame(origin=(0.0, 0.0, 0.0), x=(1.0, 0.0, 0.0), z=(0.0, 0.0, 1.0))
-    found = _checked(context, axes, replace(answer, frames=(untouched,) * len(answer.frames)))
-    return sum(
-        len(PARTS) - len({entry.part for entry in frame.findings if entry.severity is Severity.BROKEN})
-        for frame in found.frames
-    )
+    found, _ = _checked(context, axes, replace(answer, frames=(untouched,) * len(answer.frames)))
+    return sum(len(PARTS) - len({entry.part for entry in broken}) for broken in found)
 
 
 def _follows_other_convention(context: Context, axes: Sequence[JointAxis], answer: FramesAnswer) -> bool:
@@ -234,8 +233,7 @@ def _follows_other_convention(context: Context, axes: Sequence[JointAxis], answe
     other = Convention.MODIFIED if answer.convention is Convention.STANDARD else Convention.STANDARD
     if any(frame is None for frame in answer.frames):
         return False
-    found = _checked(context, axes, replace(answer, convention=other))
-    return not any(entry.severity is Severity.BROKEN for frame in found.frames for entry in frame.findings)
+    return not any(_checked(context, axes, replace(answer, convention=other))[0])
 
 
 def _keeps_policy(context: Context, table: NumericTable | None) -> bool:
@@ -260,7 +258,7 @@ def _keeps_policy(context: Context, table: NumericTable | None) -> bool:
         length_unit=reference.length_unit,
         parameters={},
     )
-    return accept(reference, read, _policy(context), context.parameters) is not None
+    return is_accepted(reference, read, _policy(context), context.parameters)
 
 
 def _policy(context: Context) -> Policy:

@@ -13,7 +13,7 @@ from typing import Any, ClassVar
 
 from exercises.definition import Exercise
 from exercises.draws import Picker
-from exercises.grading import accept
+from exercises.grading import is_accepted
 from exercises.instance import Instance
 from exercises.parts.context import Context
 from exercises.parts.given_table import columns_of, given_table
@@ -131,7 +131,7 @@ class FindMistakeType(MistakeType[MistakePart, FoundMistakeCells, FoundMistake])
             names |= {REPAIRS[edit.code] for edit in single if edit.code in REPAIRS}
         mended = answer.mended is not None and (
             _same_links(key.table, answer.mended.table, values)
-            or accept(key, answer.mended, policy, values) is not None
+            or is_accepted(key, answer.mended, policy, values)
         )
         return self.report(
             part,

@@ -12,7 +12,7 @@ import numpy as np
 
 from exercises.definition import Exercise
 from exercises.draws import Picker
-from exercises.grading import ConventionRule, Policy, Verdict, accept, grade
+from exercises.grading import ConventionRule, Policy, Verdict, grade, is_accepted
 from exercises.reading import Reader
 from exercises.selftest.mistakes import MISTAKES
 from kinematics.cells import ReadTable
@@ -106,7 +106,7 @@ def plantable(read: ReadTable, code: str, policy: Policy, parameters: Mapping[st
 def _refused(read: ReadTable, table: ReadTable, policy: Policy, parameters: Mapping[str, float]) -> bool:
     """Return whether a table is refused; one that cannot be decided for its tiny numbers is not planted."""
     with np.errstate(all="ignore"), suppress(np.linalg.LinAlgError):
-        return accept(read, table, as_given(policy), parameters) is None
+        return not is_accepted(read, table, as_given(policy), parameters)
     return False
 
 
