@@ -207,6 +207,8 @@ def renumbered(told: Explanation, kept: Sequence[int], rows: int) -> Explanation
         kept: the number of each row in the whole table, from 0.
         rows: how many rows that has.
     """
+    if len(kept) == rows:
+        return told
 
     def number(row: int) -> int:
         return kept[row - 1] + 1 if row <= len(kept) else rows + row - len(kept)
