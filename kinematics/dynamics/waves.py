@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
-from functools import cache, lru_cache
+from functools import lru_cache
 from math import lcm
 from typing import NamedTuple, TypeAlias
 
@@ -224,7 +224,7 @@ _quotient = lru_cache(maxsize=4096)(quotient)
 """Shared numbers: they are looked up and compared all the time, and one fraction is itself at a glance."""
 
 
-@cache
+@lru_cache(maxsize=4096)
 def _steps(turn: Fraction) -> Rational:
     return plain(turn * ORDER)
 
