@@ -2,19 +2,25 @@
 
 from __future__ import annotations
 
+import math
 import time
 from collections import Counter
 from collections.abc import Iterator
+from dataclasses import replace
 from fractions import Fraction
 from functools import cache
-from itertools import islice
+from itertools import islice, pairwise
 from random import Random
 
-from exercises.grading import HelpLevel, Policy, ToolRule, accept, grade
+import numpy as np
+
+from exercises.grading import HelpLevel, Policy, ToolRule, grade
+from exercises.grading.comparison import comparisons
+from exercises.grading.judgement import judged
 from exercises.selftest.variants import some_lengths, variant
 from kinematics.catalogue import robots
 from kinematics.cells import RawRow, RawTable, ReadTable, read_table
-from kinematics.equivalence import decide, rounding_tolerance
+from kinematics.equivalence import Certificate, decide, rounding_tolerance
 from kinematics.expressions import ZERO, Expression, Number, Parameter, multiply, pi_times
 from kinematics.table import Convention, DHRow, DHTable, JointType, NumericTable, SymbolicTable, bind
 from tests.exercises.grading.campaign import lost_explanations
@@ -24,11 +30,18 @@ from tests.kinematics.equivalence.campaign import (
     TABLES_PER_BLOCK,
     Outcome,
     catalogue,
+    confirm,
     random_rules,
     references,
 )
-from tests.kinematics.equivalence.generators import random_valid_table
-from tests.kinematics.equivalence.mutations import mutations
+from tests.kinematics.equivalence.generators import (
+    cross,
+    length_of,
+    random_valid_table,
+    robot_at,
+    rounded,
+)
+from tests.kinematics.equivalence.mutations import mutations, with_rows
 from tests.kinematics.equivalence.strict_generator import strict_table
 
 SEEDS = 20
@@ -37,6 +50,17 @@ MOST_SECONDS = 0.5
 """Of processor time, on the machine of the campaign."""
 JUNK = 58
 SIX_JOINTS = 6
+EVALUATED_AGAIN = 20
+"""One certificate in so many is evaluated again."""
+WITH_A_SLIP = 4
+"""One table in so many is handed in once more with a slip."""
+PER_CENT = 0.01
+"""What an exercise allows of an angle or a length."""
+SECOND_ORDER = 1.5
+"""What rounding does is bounded to first order; the rest has half as much again."""
+NOTHING = 1e-7
+NEARLY_PARALLEL = 0.1
+"""Sine of an angle below which rounding moves the common normal too far to compare distances."""
 
 
 @cache
@@ -83,6 +107,8 @@ def rounded_answers(block: int, tables: int = TABLES_PER_BLOCK) -> Outcome:
     """Valid answers rounded to three, four or five decimals, under any rules, are accepted.
 
     Left out are those whose rounding may do more than the tolerance, by the bound of `rounding_tolerance`.
+    Some are handed in once more with one length or twist slightly wrong: whatever is accepted then has a
+    certificate that stands, and angles and distances of neighbouring axes that its digits explain (`beyond`).
     """
     rng = Random(f"rounded answers {block}")
     outcome = Outcome()
@@ -104,11 +130,78 @@ def rounded_answers(block: int, tables: int = TABLES_PER_BLOCK) -> Outcome:
             continue
         outcome.tables += 1
         outcome.kinds[f"{policy.tool.value}, {decimals} decimals"] += 1
-        if accept(written(reference), as_typed(table, decimals), policy) is None:
-            outcome.failures.append(f"rejected: {name}, block {block}, {policy}, {decimals} decimals")
+        place = f"{name}, block {block}, table {outcome.tables}, {policy}, {decimals} decimals"
+        known = written(reference)
+        if (certificate := certificate_of(known, as_typed(table, decimals), policy)) is None:
+            outcome.failures.append(f"rejected: {place}")
         else:
             outcome.accepted += 1
+            if outcome.tables % EVALUATED_AGAIN == 0:
+                confirm(outcome, reference, rounded(table, decimals), certificate, policy.tolerance, place)
+        if outcome.tables % WITH_A_SLIP:
+            continue
+        wrong = slightly_wrong(table, step, rng)
+        if (certificate := certificate_of(known, as_typed(wrong, decimals), policy)) is not None:
+            outcome.kinds["accepted with a slip"] += 1
+            wrong = rounded(wrong, decimals)
+            if outcome.tables % EVALUATED_AGAIN == 0:
+                confirm(outcome, reference, wrong, certificate, policy.tolerance, f"{place}, with a slip")
+            outcome.failures += [f"{what} accepted: {place}" for what in beyond(reference, wrong, step / 2)]
     return outcome
+
+
+def certificate_of(key: ReadTable, answer: ReadTable, policy: Policy) -> Certificate | None:
+    """What an answer in numbers is accepted for, without the explanations that `accept` adds."""
+    (way,) = comparisons(key, answer, None)
+    return judged(way, policy).certificate
+
+
+def slightly_wrong(table: NumericTable, step: float, rng: Random) -> NumericTable:
+    """The table with one length or twist off by one to ten per cent, or by some units of its last place."""
+    i = rng.randrange(len(table.rows))
+    row = table.rows[i]
+    cell = rng.choice(("a", "alpha") if row.joint is JointType.PRISMATIC else ("a", "d", "alpha"))
+    here = getattr(row, cell)
+    off = rng.choice((-1, 1)) * rng.choice((here * rng.uniform(0.01, 0.1), step * rng.uniform(1.0, 50.0)))
+    return with_rows(table, [*table.rows[:i], replace(row, **{cell: here + off}), *table.rows[i + 1 :]])
+
+
+def beyond(reference: NumericTable, table: NumericTable, half: float) -> list[str]:
+    """Which angles and distances of neighbouring axes are off by more than a per cent and the digits.
+
+    Args:
+        reference: the key.
+        table: an answer, rounded.
+        half: half a unit of its last place.
+    """
+    wanted, here = neighbours(reference), neighbours(table)
+    off = np.abs(here - wanted) - NOTHING
+    if (off <= PER_CENT * wanted).all():
+        return []
+    room = np.zeros_like(here)
+    for i, row in enumerate(table.rows):
+        for cell in ("alpha", "a", "d", "theta"):
+            either = [
+                neighbours(with_rows(table, [*table.rows[:i], changed, *table.rows[i + 1 :]]))
+                for changed in (replace(row, **{cell: getattr(row, cell) + s * half}) for s in (-1, 1))
+            ]
+            room += np.abs(np.array(either) - here).max(axis=0)
+    far = off > np.maximum(PER_CENT * wanted, SECOND_ORDER * room)
+    return [f"{here[k]:.6g} for {wanted[k]:.6g}" for k in np.flatnonzero(far)]
+
+
+def neighbours(table: NumericTable) -> np.ndarray:
+    """Return angles between neighbouring axes, and distances of those that nothing slides along."""
+    found: list[float] = []
+    for one, two in pairwise(robot_at(table, (0.0,) * table.n_joints).joints):
+        normal = cross(one.direction, two.direction)
+        sine, apart = length_of(normal), two.point - one.point
+        found.append(math.atan2(sine, abs(float(one.direction @ two.direction))))
+        if JointType.PRISMATIC not in (one.type, two.type) and sine > NEARLY_PARALLEL:
+            found.append(abs(float(apart @ normal)) / sine)
+        else:
+            found.append(0.0)
+    return np.array(found)
 
 
 def wrong_names(block: int, tables: int = TABLES_PER_BLOCK) -> Outcome:

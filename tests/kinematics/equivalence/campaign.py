@@ -121,7 +121,7 @@ def valid_tables(block: int) -> Outcome:
         outcome.residual = max(outcome.residual, decision.certificate.residual)
         if i % 10 == 0:
             place = f"{name}, block {block}, table {i}"
-            _confirm(outcome, reference, table, decision.certificate, EXACT, place)
+            confirm(outcome, reference, table, decision.certificate, EXACT, place)
     return outcome
 
 
@@ -161,7 +161,7 @@ def strict_tables(block: int) -> Outcome:
         else:
             outcome.accepted += 1
             outcome.residual = max(outcome.residual, certificate.residual)
-            _confirm(outcome, reference, table, certificate, EXACT, place)
+            confirm(outcome, reference, table, certificate, EXACT, place)
             broken = rules_broken(certificate, policy, reference)
             outcome.failures += [f"certificate breaks {rule}: {place}" for rule in broken]
         drawn = strict_table(reference, NOTHING_FREE, rng)
@@ -240,7 +240,7 @@ def rounded_tables(block: int) -> Outcome:
         outcome.accepted += 1
         outcome.residual = max(outcome.residual, decision.certificate.residual)
         if i % 10 == 0:
-            _confirm(outcome, reference, table, decision.certificate, tolerance, place)
+            confirm(outcome, reference, table, decision.certificate, tolerance, place)
     return outcome
 
 
@@ -261,11 +261,11 @@ def wrong_tables(block: int) -> Outcome:
                 outcome.accepted += 1
                 outcome.residual = max(outcome.residual, decision.certificate.residual)
                 place = f"{name}, block {block}, {mutation.kind}"
-                _confirm(outcome, reference, mutation.table, decision.certificate, policy.tolerance, place)
+                confirm(outcome, reference, mutation.table, decision.certificate, policy.tolerance, place)
     return outcome
 
 
-def _confirm(
+def confirm(
     outcome: Outcome,
     reference: NumericTable,
     table: NumericTable,
