@@ -23,8 +23,9 @@ from service.http import openapi
 from service.http.idempotency import IdempotencyMiddleware
 from service.http.languages import language_for
 from service.http.link_guard import LinkGuard
-from service.http.metering import MeteringMiddleware
+from service.http.metering import MeteringMiddleware, path_of
 from service.http.middleware import REQUEST_ID, OuterMiddleware
+from service.http.negotiation import preferred_media_type
 from service.http.problems import (
     PROBLEM_JSON,
     BodyError,
@@ -43,6 +44,7 @@ from service.resources import Resources, resources_of
 from service.routes import routers
 from service.secret import installation_secret
 from service.settings import Settings
+from service.web.responses import missing_page
 from service.work.background import BackgroundThread
 from service.work.collection import Collection, new_objects_alone
 from service.work.drawing_ahead import DrawingAhead
@@ -256,6 +258,8 @@ async def _refuse_http(request: Request, error: Exception) -> Response:
         )
         return await _refuse(request, MethodError(fault, headers={"Allow": allow}))
     if error.status_code == 404:
+        if _is_for_a_reader(request):
+            return missing_page(request)
         fault = Fault(
             code="address_unknown",
             params={"path": request.url.path},
@@ -264,6 +268,14 @@ async def _refuse_http(request: Request, error: Exception) -> Response:
     if error.status_code == 400:
         return await _refuse(request, BodyError(Fault(code="body_invalid")))
     raise error
+
+
+def _is_for_a_reader(request: Request) -> bool:
+    """Whether a browser asks for a page, and not a program or a page's script for data."""
+    if request.method not in {"GET", "HEAD"} or path_of(request.scope).startswith("/api/"):
+        return False
+    accept = request.headers.get("accept", "")
+    return preferred_media_type(accept, ("application/json", "text/html")) == "text/html"
 
 
 def _methods_at(request: Request) -> tuple[str, ...]:

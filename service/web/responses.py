@@ -12,6 +12,7 @@ from fastapi import Request, Response
 from exercises.access import Tool
 from service.http.languages import language_for
 from service.http.link_guard import context_of, may_open
+from service.http.metering import path_of
 from service.http.negotiation import weighted
 from service.messages import languages
 from service.resources import resources_of
@@ -116,8 +117,9 @@ def _rooms_open(request: Request, off: frozenset[Tool]) -> list[str]:
 
 
 def missing_page(request: Request) -> Response:
-    """The page that says that there is no such page, for an address one folder below the root."""
-    return page_response(request, Page(name="missing", title="form-missing-title", depth=1), status=404)
+    """The page that says that there is no such page, whatever its address."""
+    depth = path_of(request.scope).count("/") - 1
+    return page_response(request, Page(name="missing", title="form-missing-title", depth=depth), status=404)
 
 
 def text_response(

@@ -169,6 +169,19 @@ def test_small_answers_and_arrays_are_not_compressed(client: httpx.Client) -> No
     assert "content-encoding" not in array.headers
 
 
+@pytest.mark.parametrize(("path", "root"), [("/nothing", "./"), ("/nothing/here/at/all", "../../../")])
+def test_a_browser_is_shown_a_page_where_there_is_none(client: httpx.Client, path: str, root: str) -> None:
+    headers = {"Accept": "text/html,application/xhtml+xml,*/*;q=0.8", "Accept-Language": "fr"}
+    page = client.get(path, headers=headers)
+    assert page.status_code == 404
+    assert page.headers["content-type"].startswith("text/html")
+    assert '<html lang="fr"' in page.text
+    assert f'src="{root}static/' in page.text
+    check_problem(client.get(path), 404, "address_unknown")
+    check_problem(client.get("/api/v1/nothing", headers=headers), 404, "address_unknown")
+    check_problem(client.post(path, headers=headers), 404, "address_unknown")
+
+
 @pytest.mark.parametrize(
     ("path", "media_type", "status", "code"),
     [
