@@ -152,17 +152,6 @@ def check_frames(
     return _judged(judged, _rows(lines, sound, convention, size), sound, last, convention)
 
 
-def rules_broken(
-    axes: Sequence[JointAxis],
-    convention: Convention,
-    chosen: Sequence[ChosenFrame | None],
-    *,
-    rounding: float = 0.0,
-) -> list[list[FrameFinding]]:
-    """The rules that each of the chosen frames breaks; arguments and errors as in `check_frames`."""
-    return rules_and_table(axes, convention, chosen, rounding=rounding)[0]
-
-
 def rules_and_table(
     axes: Sequence[JointAxis],
     convention: Convention,

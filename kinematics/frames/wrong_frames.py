@@ -12,7 +12,7 @@ from dataclasses import dataclass, replace
 
 from kinematics.frames.axes import JointAxis
 from kinematics.frames.rules import ANGLE_TOLERANCE, FrameFinding, RuleCode, Severity
-from kinematics.frames.trainer import ChosenFrame, rules_broken
+from kinematics.frames.trainer import ChosenFrame, rules_and_table
 from kinematics.se3 import Vector, along, cross, dot, norm, scale, subtract, unit
 from kinematics.table import Convention
 
@@ -84,7 +84,7 @@ def frame_mistakes(
         DescriptionError: malformed axes or frames, or more than N+1 frames.
     """
     chosen = [ChosenFrame(origin=frame.origin, x=frame.x, z=frame.z) for frame in frames]
-    broken = rules_broken(axes, convention, chosen, rounding=rounding)
+    broken, _ = rules_and_table(axes, convention, chosen, rounding=rounding)
     return [
         _named(findings) | _handedness(frame, max(2.0 * rounding, ANGLE_TOLERANCE))
         for frame, findings in zip(frames, broken, strict=False)

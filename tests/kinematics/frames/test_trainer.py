@@ -82,7 +82,8 @@ def test_rules_and_table_alone_are_those_of_the_whole_judgement(convention):
             wrong = {"x": frame.z, "z": frame.x, "origin": [v + 0.1 for v in frame.origin]}
             part = rng.choice([*wrong, *["right"] * 20])
             if part in wrong:
-                frames[i] = dataclasses.replace(frame, **{part: rng.choice([None, 1]) and wrong[part]})
+                value = None if rng.random() < 0.5 else wrong[part]
+                frames[i] = dataclasses.replace(frame, **{part: value})
             elif rng.random() < 0.03:
                 frames[i] = None
         judged = check_frames(chain, convention, frames)
