@@ -4,21 +4,23 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import lru_cache
+from importlib import import_module
 from typing import Any
 
 import sqlalchemy as sa
-from sqlalchemy.dialects import postgresql, sqlite
 
 
 def insert_once(connection: sa.Connection, table: sa.Table, values: Mapping[str, Any]) -> bool:
     """Insert a row unless one with its key is there; return whether it was inserted."""
-    statement = _insert(connection, table).values(values).on_conflict_do_nothing()
+    statement = _insert(connection.dialect.name, table).values(values).on_conflict_do_nothing()
     return connection.execute(statement.returning(sa.literal(1))).first() is not None
 
 
 def insert_all_once(connection: sa.Connection, table: sa.Table, rows: Sequence[Mapping[str, Any]]) -> None:
     """Insert the rows whose keys are not there yet."""
-    connection.execute(_insert(connection, table).on_conflict_do_nothing(), [dict(row) for row in rows])
+    connection.execute(
+        _insert(connection.dialect.name, table).on_conflict_do_nothing(), [dict(row) for row in rows]
+    )
 
 
 def upsert(
@@ -37,7 +39,7 @@ def upsert(
         values: what it holds from now on.
         otherwise: what a new row holds besides.
     """
-    statement = _insert(connection, table).values({**(otherwise or {}), **values, **key})
+    statement = _insert(connection.dialect.name, table).values({**(otherwise or {}), **values, **key})
     if values:
         statement = statement.on_conflict_do_update(index_elements=list(key), set_=dict(values))
     else:
@@ -78,20 +80,15 @@ def _upserting(
     changed: Callable[[Any], Mapping[str, Any]],
 ) -> Any:
     """What `upsert_all` carries out: to write it takes ten times as long as to carry it out."""
-    statement = _MAKERS[dialect](table)
+    statement = _insert(dialect, table)
     new = {name: statement.excluded[name] for name in columns if name not in key}
     values = {**new, **changed(statement.excluded)}
     return statement.on_conflict_do_update(index_elements=list(key), set_=values)
 
 
-_MAKERS: Mapping[str, Callable[[sa.Table], Any]] = {
-    "postgresql": postgresql.insert,
-    "sqlite": sqlite.insert,
-}
-
-
-def _insert(connection: sa.Connection, table: sa.Table) -> Any:
-    return _MAKERS[connection.dialect.name](table)
+def _insert(dialect: str, table: sa.Table) -> Any:
+    """Start an INSERT of the database that is used; what the other one needs is not loaded."""
+    return import_module(f"sqlalchemy.dialects.{dialect}").insert(table)
 
 
 def record_of(row: Any) -> dict[str, Any]:
