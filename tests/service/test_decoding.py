@@ -1,13 +1,15 @@
 from __future__ import annotations
 
 import json
+import sys
+import tracemalloc
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from service.http.decoding import decode_json
-from service.http.problems import BodyError
+from service.http.decoding import JsonLimits, decode_json
+from service.http.problems import BodyError, BodySizeError
 
 VALUES = st.recursive(
     st.none()
@@ -64,9 +66,65 @@ def test_a_repeated_key_is_named_with_its_place() -> None:
     assert [fault.where for fault in refusal.value.faults] == [("table", "rows", 1, "a")]
 
 
+def test_a_repeated_key_beside_a_list_too_deep_for_pythons_reader_is_told() -> None:
+    """It raised: what the long fields hold is only walked, and may be as deep as orjson nests."""
+    body = b'{"a": 1, "a": 2, "joints": ' + b"[" * 1000 + b"]" * 1000 + b"}"
+    with pytest.raises(BodyError) as refusal:
+        decode_json(body, JsonLimits(long=frozenset({"joints"})))
+    assert [fault.code for fault in refusal.value.faults] == ["json_duplicate_key"]
+
+
+@pytest.mark.parametrize(
+    ("items", "places"),
+    [(b"NaN, [1, {}, 2e999], -Infinity", [(0,), (1, 2), (2,)]), (b'{}, {"a": 1, "a": {}}', [(1, "a")])],
+)
+def test_places_in_a_deep_body_of_many_lists_are_found_in_little_memory(
+    items: bytes, places: list[tuple[str | int, ...]]
+) -> None:
+    """They took 8 kB a list, a quarter of a gigabyte in all."""
+    body = b"[" * 200 + items + b", []" * 10_000 + b"]" * 200
+    tracemalloc.start()
+    with pytest.raises(BodyError) as refusal:
+        decode_json(body)
+    _, most = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert [fault.where for fault in refusal.value.faults] == [(0,) * 199 + place for place in places]
+    assert most < 10 * 1024 * 1024
+
+
 def test_a_byte_order_mark_is_ignored() -> None:
     assert decode_json(b'\xef\xbb\xbf{"a": 1}') == {"a": 1}
 
 
 def test_integers_of_any_length_are_numbers() -> None:
     assert decode_json(b"1" + b"0" * 300) == 1e300
+
+
+def test_many_lists_are_not_walked_where_there_are_few_fields() -> None:
+    """That took the event loop ten times as long as to read them."""
+    body = b'{"rows": [' + b"[0], " * 10_000 + b"[0]]}"
+    calls = 0
+
+    def count(_frame: object, event: str, _argument: object) -> None:
+        nonlocal calls
+        calls += event == "call"
+
+    sys.setprofile(count)
+    try:
+        decode_json(body)
+    finally:
+        sys.setprofile(None)
+    assert calls < 100
+
+
+@pytest.mark.parametrize("between", ["", ", ", " \n:"])
+def test_an_object_of_more_fields_than_any_call_knows_is_refused(between: str) -> None:
+    most = JsonLimits().fields
+    for number in (most, most + 1):
+        body = json.dumps([{"a": [{f"{i}{between}": i for i in range(number)}]}]).encode()
+        if number <= most:
+            decode_json(body)
+            continue
+        with pytest.raises(BodySizeError) as refused:
+            decode_json(body)
+        assert refused.value.faults[0].params == {"given": number, "limit": most}
