@@ -113,13 +113,15 @@ class KeyFile:
             stamp = self._path.stat().st_mtime_ns
         except FileNotFoundError:
             return {}
+        except OSError as error:
+            raise key_file_unreadable(self._path, error) from error
         if stamp != self._stamp:
             try:
                 document = json.loads(self._path.read_text(encoding="utf-8"))
                 found = [
                     ApiKey(**{**entry, "scopes": tuple(map(KeyScope, entry["scopes"]))}) for entry in document
                 ]
-            except (ValueError, TypeError, KeyError) as error:
+            except (OSError, ValueError, TypeError, KeyError) as error:
                 raise key_file_unreadable(self._path, error) from error
             self._keys = {key.digest: key for key in found}
             self._stamp = stamp

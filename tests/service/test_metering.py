@@ -182,6 +182,14 @@ def test_a_page_of_another_origin_can_read_what_is_left() -> None:
         )
 
 
+def test_a_key_file_that_cannot_be_read_lets_nobody_in(tmp_path: Path) -> None:
+    """Such as a folder: it was answered with 500."""
+    with running(Settings(api_keys=tmp_path)) as url:
+        refused = httpx.post(f"{url}/api/v1/forward-kinematics", json=FORWARD, timeout=120)
+    assert refused.status_code == 503
+    assert refused.json()["code"] == "key_file_unreadable"
+
+
 def test_a_key_file_that_cannot_be_understood_lets_nobody_in(key_file: Path) -> None:
     key_file.write_text("{")
     with running(Settings(api_keys=key_file)) as url:
