@@ -30,8 +30,14 @@ _ORIGIN = re.compile(rf"\*|null|https?://({_HOST}|\[[0-9A-Fa-f:.]+\])(:\d{{1,5}}
 _ANCESTOR = re.compile(
     rf"'self'|'none'|\*|https?:|(https?://)?({_HOST}|\[[0-9A-Fa-f:.]+\])(:(\d{{1,5}}|\*))?/?"
 )
-PREFIX = re.compile(r"(/[A-Za-z0-9._~-]+)+")
-"""A path under which a proxy may serve: nothing in it needs an escape."""
+PREFIX = re.compile(r"(/(?!\.{1,2}(/|$))[A-Za-z0-9._~-]+)+")
+"""A path under which a proxy may serve: nothing in it needs an escape, or is resolved by who calls."""
+_NAMED = r"([A-Za-z0-9_-]+(\.[A-Za-z0-9_-]+)*|\[[0-9A-Fa-f:.]+\])(:\d{1,5})?"
+_CALLED = re.compile(_NAMED)
+_PLATFORM = re.compile(f"https?://{_NAMED}/?")
+_PUBLIC = re.compile(f"https?://{_NAMED}({PREFIX.pattern})?/?")
+LONGEST_DAYS = 36_500
+"""A hundred years: what is kept longer is kept for ever."""
 
 Names = Annotated[tuple[str, ...], NoDecode]
 
@@ -137,10 +143,15 @@ class Settings(BaseSettings):
     lti_trusted_origins: Names = Field(
         (), description="origins of platforms that are asked though they are not public or not https"
     )
-    people_days: PositiveInt = Field(
-        400, description="how long what belongs to a person is kept after their last visit [day]"
+    people_days: int = Field(
+        400,
+        ge=1,
+        le=LONGEST_DAYS,
+        description="how long what belongs to a person is kept after their last visit [day]",
     )
-    access_days: PositiveInt = Field(400, description="how long lines of the audit log are kept [day]")
+    access_days: int = Field(
+        400, ge=1, le=LONGEST_DAYS, description="how long lines of the audit log are kept [day]"
+    )
 
     purge: Literal["daily", "by_hand"] = Field(
         "daily", description="when what is older than that is removed; by_hand: by framewise people purge"
@@ -241,6 +252,23 @@ class Settings(BaseSettings):
         return tuple(
             _matching(_ORIGIN, one, "*, null, or an origin such as https://a.example") for one in value
         )
+
+    @field_validator("lti_trusted_origins")
+    @classmethod
+    def _platforms(cls, value: tuple[str, ...]) -> tuple[str, ...]:
+        return tuple(_matching(_PLATFORM, one, "an origin such as https://lms.example") for one in value)
+
+    @field_validator("callback_hosts")
+    @classmethod
+    def _called(cls, value: tuple[str, ...]) -> tuple[str, ...]:
+        return tuple(
+            _matching(_CALLED, one, "a host such as lms.example, or lms.example:8443") for one in value
+        )
+
+    @field_validator("public_url")
+    @classmethod
+    def _an_address(cls, value: str) -> str:
+        return _matching(_PUBLIC, value, "an address such as https://a.example/dh") if value else ""
 
     @field_validator("static_directory")
     @classmethod

@@ -76,7 +76,7 @@ class Fetcher:
     """Sends requests to platforms."""
 
     def __init__(self, trusted: frozenset[str] = frozenset(), resolve: Resolve | None = None) -> None:
-        self._trusted = trusted
+        self._trusted = frozenset(map(origin_of, trusted))
         self._resolve = resolve or _resolve
 
     @cached_property

@@ -17,6 +17,7 @@ _TRIES = 3
 _TIMEOUT_SECONDS = 10.0
 """Callbacks at a time, tries for each and seconds for a try: a host that is down costs half a minute, and
 no more than 64 wait for it."""
+_LOOPBACK = ("127.0.0.1", "[::1]", "localhost")
 
 _log = logging.getLogger("framewise")
 
@@ -38,11 +39,12 @@ class Callbacks:
         """Return whether an address may be called."""
         try:
             parts = urlsplit(address)
-            name = (parts.hostname or "").lower()
+            name = parts.hostname or ""
+            name = f"[{name}]" if ":" in name else name
             host = f"{name}:{parts.port}" if parts.port else name
         except ValueError:
             return False
-        secure = parts.scheme == "https" or (parts.scheme == "http" and name in ("127.0.0.1", "localhost"))
+        secure = parts.scheme == "https" or (parts.scheme == "http" and name in _LOOPBACK)
         return secure and host in self._hosts and parts.username is None
 
     def has_room(self) -> bool:

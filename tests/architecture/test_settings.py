@@ -40,7 +40,24 @@ def test_every_setting_is_explained() -> None:
 
 
 @pytest.mark.parametrize(
-    ("name", "value"), [("PORT", "many"), ("BODY_LIMIT", "-1"), ("PROT", "8000"), ("WORKERS", "0")]
+    ("name", "value"),
+    [
+        ("PORT", "many"),
+        ("BODY_LIMIT", "-1"),
+        ("PROT", "8000"),
+        ("WORKERS", "0"),
+        ("PREFIX", "/dh/.."),
+        ("PREFIX", "./dh"),
+        ("PUBLIC_URL", "https://a b"),
+        ("PUBLIC_URL", "ftp://a.example"),
+        ("PUBLIC_URL", "a.example"),
+        ("LTI_TRUSTED_ORIGINS", "lms.example"),
+        ("LTI_TRUSTED_ORIGINS", "https://lms.example/lti"),
+        ("CALLBACK_HOSTS", "https://lms.example"),
+        ("CALLBACK_HOSTS", "*"),
+        ("PEOPLE_DAYS", "99999999999"),
+        ("ACCESS_DAYS", "99999999999"),
+    ],
 )
 def test_a_setting_that_is_wrong_stops_the_service_and_is_named(
     monkeypatch: pytest.MonkeyPatch, name: str, value: str
@@ -48,6 +65,21 @@ def test_a_setting_that_is_wrong_stops_the_service_and_is_named(
     monkeypatch.setenv(f"FRAMEWISE_{name}", value)
     with pytest.raises(SystemExit, match=f"FRAMEWISE_{name}"):
         main(["--port", "0"])
+
+
+@pytest.mark.parametrize(
+    ("name", "value"),
+    [
+        ("PREFIX", "/dh/v1.2"),
+        ("PUBLIC_URL", "https://a.example:8443/dh/"),
+        ("PUBLIC_URL", "http://[::1]:8000"),
+        ("LTI_TRUSTED_ORIGINS", "http://127.0.0.1:8080, http://lms_web:8000/"),
+        ("CALLBACK_HOSTS", "lms.example 127.0.0.1:80 [::1]:80"),
+    ],
+)
+def test_a_setting_that_is_right_is_taken(monkeypatch: pytest.MonkeyPatch, name: str, value: str) -> None:
+    monkeypatch.setenv(f"FRAMEWISE_{name}", value)
+    assert main(["config"]) in (0, None)
 
 
 def test_a_port_that_is_taken_ends_the_program() -> None:

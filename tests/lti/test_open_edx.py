@@ -131,7 +131,7 @@ def register(open_edx: OpenEdx, shown: dict[str, Any], settings: Settings) -> No
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("FRAMEWISE_STORAGE", "on")
         patch.setenv("FRAMEWISE_DATA_FOLDER", str(settings.data_folder))
-        patch.setenv("FRAMEWISE_LTI_TRUSTED_ORIGINS", json.dumps([open_edx.root]))
+        patch.setenv("FRAMEWISE_LTI_TRUSTED_ORIGINS", open_edx.root)
         assert main(shlex.split(command)) in (0, None)
 
 

@@ -15,6 +15,7 @@ from joserfc.jwk import OKPKey
 
 from service.receipts.keys import REGISTRY
 from service.settings import Settings
+from service.work.callbacks import Callbacks
 from tests.live_service import running
 
 ROWS = [{"theta": "q1", "d": 0, "a": "L1", "alpha": 0}, {"theta": "q2", "d": 0, "a": "L2", "alpha": 0}]
@@ -228,6 +229,21 @@ def receiver() -> Iterator[http.server.ThreadingHTTPServer]:
     yield server
     server.shutdown()
     server.server_close()
+
+
+@pytest.mark.parametrize(
+    ("host", "address", "allowed"),
+    [
+        ("lms.example", "https://LMS.example/x", True),
+        ("lms.example", "http://lms.example/x", False),
+        ("lms.example", "https://user@lms.example/x", False),
+        ("lms.example:8443", "https://lms.example/x", False),
+        ("[::1]:80", "http://[::1]:80/x", True),
+        ("[2001:DB8::1]", "https://[2001:db8::1]/x", True),
+    ],
+)
+def test_the_hosts_that_feedback_is_sent_to(host: str, address: str, allowed: bool) -> None:
+    assert Callbacks((host,), lambda _body: "").allows(address) is allowed
 
 
 def test_feedback_is_sent_to_an_allowed_host_and_signed(receiver: http.server.ThreadingHTTPServer) -> None:

@@ -1,0 +1,63 @@
+"""Which addresses of platforms are asked: public ones over https, and those that the operator names."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+
+import pytest
+
+from service.lti.fetching import Fetcher
+from service.lti.launch_errors import PlatformError
+from tests.lti.key_server import KeyServer
+
+NAMES: Mapping[str, list[str]] = {
+    "private.example": ["10.0.0.1"],
+    "loopback.example": ["127.0.0.1"],
+    "link-local.example": ["fe80::1%eth0"],
+    "mapped.example": ["::ffff:10.0.0.1"],
+    "metadata.example": ["169.254.169.254"],
+    "mixed.example": ["8.8.8.8", "192.168.1.1"],
+    "nowhere.example": [],
+}
+
+
+def resolve(host: str, _port: int) -> list[str]:
+    """What a hostile name server answers; an address stands for itself."""
+    return NAMES.get(host, [host])
+
+
+@pytest.mark.parametrize(
+    "address",
+    [
+        *(f"https://{name}/jwks" for name in NAMES),
+        "https://127.0.0.1/jwks",
+        "https://[::1]/jwks",
+        "http://8.8.8.8/jwks",
+        "https://user@8.8.8.8/jwks",
+        "https:///jwks",
+        "ftp://8.8.8.8/jwks",
+        "file:///etc/passwd",
+        "https://8.8.8.8:port/jwks",
+    ],
+)
+def test_what_is_not_public_https_is_not_asked(address: str) -> None:
+    fetcher = Fetcher(frozenset({"https://lms.example"}), resolve)
+    with pytest.raises(PlatformError) as refused:
+        fetcher.get_json(address)
+    assert [fault.code for fault in refused.value.faults] == ["lti_address_refused"]
+
+
+@pytest.fixture(scope="module")
+def server() -> Iterator[KeyServer]:
+    with KeyServer() as found:
+        yield found
+
+
+@pytest.mark.parametrize("written", ["http://{}", "http://{}/", "HTTP://{}"])
+def test_a_trusted_origin_is_asked_however_it_is_written(server: KeyServer, written: str) -> None:
+    """With a slash at its end, capitals or the usual port it was never found again."""
+    trusted = written.format(server.root.removeprefix("http://"))
+    fetcher = Fetcher(frozenset({trusted}))
+    document, _ = fetcher.get_json(f"{server.root}/jwks")
+    assert document["keys"]
+    fetcher.close()
