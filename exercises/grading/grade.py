@@ -100,7 +100,7 @@ def _grade(
         return decided
     found, way, kept = decided
     told = renumbered(explanation(found, policy, help_level), kept, len(submission.table.rows))
-    shared = in_common(told.repairs)
+    shared = None if any(entry.code == "one_of_these" for entry in told.feedback) else in_common(told.repairs)
     return Verdict(
         correct=False,
         score=told.score,

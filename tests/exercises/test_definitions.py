@@ -91,3 +91,11 @@ def test_statements_are_written_in_their_language(exercise_id: str) -> None:
     assert re.search(r"\b(axe|articulation|segment)s?\b", found.statements["fr"])
     assert re.search(r"\b(eje|articulación|articulaciones|eslabón)s?\b", found.statements["es"])
     assert not re.search("[ţşŢŞ]", found.statements["ro"])  # the cedilla is not Romanian
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_titles_call_a_robot_by_one_name(language: str) -> None:
+    """What stands before the colon is the robot's name, as in the title of the exercise on its table."""
+    names = {robot: exercise(robot).title(language).split(":")[0].strip() for robot in ROBOTS}
+    for found in map(exercise, ALL):
+        assert found.robot is None or found.title(language).startswith(names[found.robot])

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import re
+from typing import Any
 
 import pytest
 from playwright.sync_api import Locator, Page, Request, expect
@@ -11,6 +12,7 @@ from playwright.sync_api import Locator, Page, Request, expect
 from tests.web.conftest import OpenPage, Watch
 from tests.web.driving import (
     PUMA,
+    RX90,
     SCARA,
     Held,
     all_right,
@@ -29,6 +31,16 @@ TIP_AND_POINT = """async (scene) => {
   const found = poses(scene.model, scene.joints);
   const point = scene.model.items.find((item) => item.kind === "ball");
   return [found.at(-1).slice(0, 3).map((row) => row[3]), position(found, point.at)];
+}"""
+
+
+LABELS_OUTSIDE = """(scene) => {
+  const view = scene.viewport.getBoundingClientRect();
+  const isOutside = ({ width, left, right, top, bottom }) =>
+    width > 0 && (left < view.left || right > view.right || top < view.top || bottom > view.bottom);
+  return [...scene.querySelectorAll(".scene-labels > *")]
+    .filter((label) => isOutside(label.getBoundingClientRect()))
+    .map((label) => label.textContent);
 }"""
 
 
@@ -92,6 +104,33 @@ def test_a_right_answer_says_how_its_frames_differ_and_shows_both_robots(open_pa
         assert tip[:2] == pytest.approx(point[:2], abs=1e-6)
     assert len(seen) == 3
     expect(verdict.get_by_role("button", name="Play")).to_be_visible()
+
+
+@pytest.mark.parametrize(("table", "width"), [(SCARA, 360), (RX90, 1280)])
+def test_a_moving_robot_stays_in_the_picture(open_page: OpenPage, table: Any, width: int) -> None:
+    page = open_page("/exercises/scara" if table is SCARA else "/exercises/rx90", width=width)
+    put_table(page, wrong(table, 1, alpha="45"))
+    verdict = submit(page)
+    scene = verdict.locator("robot-scene")
+    scene.scroll_into_view_if_needed()
+    slider = verdict.get_by_label("Point of the motion")
+    for step in range(21):
+        drawn = int(scene.get_attribute("data-drawn") or 0)
+        slider.fill(str(step / 20))
+        expect(scene).not_to_have_attribute("data-drawn", str(drawn))
+        assert scene.evaluate(LABELS_OUTSIDE) == []
+
+
+def test_a_missing_row_has_its_place_and_no_link(open_page: OpenPage) -> None:
+    page = open_page("/exercises/puma560", lang="fr", width=360)
+    put_table(page, {**PUMA, "rows": PUMA["rows"][:-1]})
+    verdict = submit(page)
+    table = verdict.locator(".links-table")
+    headings = table.locator("tbody th").all_text_contents()
+    assert headings == ["1", "2", "3", "4", "après la 4", "5", "après la 5"]
+    assert table.locator("a").count() == 5
+    assert verdict.locator(".feedback a").count() == 0
+    assert table.evaluate("({ parentElement: box }) => box.scrollWidth <= box.clientWidth")
 
 
 def test_motion_starts_by_itself_only_where_it_is_welcome(open_page: OpenPage) -> None:

@@ -45,3 +45,10 @@ def test_books_and_their_numberings_are_named(open_page: OpenPage, language: str
     for author in ("Craig", "Spong", "Siciliano", "Khalil"):
         expect(books.filter(has_text=author)).to_contain_text("₂" if author == "Khalil" else "₁")
     assert "lesson-" not in page.locator("main").inner_text()
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_the_table_of_books_fits_a_phone(open_page: OpenPage, language: str) -> None:
+    page = open_page("/lesson", lang=language, width=360)
+    table = page.locator("#books .scroller")
+    assert table.evaluate("box => box.scrollWidth <= box.clientWidth")

@@ -150,6 +150,11 @@ form-choose-missing = Choose one.
 form-points = { $points } of { $total } points
 form-row-go = Go to row { $row }
 form-row-heading = Row
+form-row-missing =
+    { $after ->
+        [0] before 1
+       *[other] after { $after }
+    }
 form-submit = Check my answer
 form-submitting = Checking …
 form-submit-hint = Ctrl+Enter does the same.

@@ -150,6 +150,11 @@ form-choose-missing = Elija una opción.
 form-points = { $points } de { $total } puntos
 form-row-go = Ir a la fila { $row }
 form-row-heading = Fila
+form-row-missing =
+    { $after ->
+        [0] antes de la 1
+       *[other] tras la { $after }
+    }
 form-submit = Comprobar mi respuesta
 form-submitting = Comprobando …
 form-submit-hint = Ctrl+Intro hace lo mismo.

@@ -150,6 +150,11 @@ form-choose-missing = Choisissez une option.
 form-points = { $points } points sur { $total }
 form-row-go = Voir la ligne { $row }
 form-row-heading = Ligne
+form-row-missing =
+    { $after ->
+        [0] avant la 1
+       *[other] après la { $after }
+    }
 form-submit = Vérifier ma réponse
 form-submitting = Vérification …
 form-submit-hint = Ctrl+Entrée fait de même.

@@ -150,6 +150,11 @@ form-choose-missing = Escolha uma opção.
 form-points = { $points } de { $total } pontos
 form-row-go = Ir para a linha { $row }
 form-row-heading = Linha
+form-row-missing =
+    { $after ->
+        [0] antes da 1
+       *[other] após a { $after }
+    }
 form-submit = Verificar a resposta
 form-submitting = A verificar …
 form-submit-hint = Ctrl+Enter faz o mesmo.

@@ -155,6 +155,11 @@ form-choose-missing = Alegeți una dintre variante.
 form-points = { $points } din { $total } puncte
 form-row-go = La rândul { $row }
 form-row-heading = Rând
+form-row-missing =
+    { $after ->
+        [0] înainte de 1
+       *[other] după { $after }
+    }
 form-submit = Verifică răspunsul
 form-submitting = Se verifică …
 form-submit-hint = Ctrl+Enter face același lucru.

@@ -160,6 +160,11 @@ form-choose-missing = Виберіть один із варіантів.
 form-points = { $points } з { $total } балів
 form-row-go = До рядка { $row }
 form-row-heading = Рядок
+form-row-missing =
+    { $after ->
+        [0] перед 1
+       *[other] після { $after }
+    }
 form-submit = Перевірити відповідь
 form-submitting = Перевірка …
 form-submit-hint = Ctrl+Enter робить те саме.

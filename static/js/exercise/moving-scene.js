@@ -4,6 +4,9 @@ import { el, icon } from "../dom.js";
 import { t } from "../i18n.js";
 import { Player } from "../scene/player.js";
 
+/** How many poses of the motion the picture is fitted to. */
+const SAMPLES = 60;
+
 /**
  * @param {{model: import("../scene/model.js").Model, joints: (change: number[]) => number[], types: string[],
  *   reach: number, label: string, text: string, description: string}} given
@@ -11,11 +14,10 @@ import { Player } from "../scene/player.js";
  */
 export function movingScene({ model, joints, types, reach, label, text, description }) {
   const scene = /** @type {any} */ (el("robot-scene", { label }));
-  /** @param {number} phase */
-  const pose = (phase) => {
-    const range = (/** @type {string} */ type) => (type === "prismatic" ? reach * 0.12 : 0.9);
-    scene.joints = joints(types.map((type, i) => wave(phase, i) * range(type)));
-  };
+  const range = (/** @type {string} */ type) => (type === "prismatic" ? reach * 0.12 : 0.9);
+  const at = (/** @type {number} */ phase) => joints(types.map((type, i) => wave(phase, i) * range(type)));
+  const pose = (/** @type {number} */ phase) => (scene.joints = at(phase));
+  scene.motion = Array.from({ length: SAMPLES }, (_, k) => at(k / SAMPLES));
   scene.model = model;
   pose(0);
   const player = new Player(pose);

@@ -46,7 +46,7 @@ export class VerdictCard {
     if (drawn && graded.certificate) void addReasons(reasons, access, exercise, table, drawn);
     fill(
       this.place,
-      verdictView(graded, { convention, focusRow }),
+      verdictView(graded, { convention, rows: table?.rows.length ?? 0, focusRow }),
       further,
       this.#moving?.element,
       reasons,

@@ -14,11 +14,13 @@ const MARKS = { ok: "check", wrong: "cross", missing: "cross" };
 /**
  * What is said of the table, and of the answer as a whole.
  * @param {any} graded as the API gave it
- * @param {{convention: string, focusRow: ((row: number, cell?: string) => void) | null}} answer
+ * @param {{convention: string, rows: number, focusRow: ((row: number, cell?: string) => void) | null}} answer the table's
+ *   convention and number of rows; what leads to a row, if something does
  * @returns {HTMLElement}
  */
-export function verdictView(graded, { convention, focusRow }) {
+export function verdictView(graded, answer) {
   const tone = toneOf(graded);
+  const linked = rowLinks(answer);
   return el(
     "div",
     { class: "stack" },
@@ -34,9 +36,9 @@ export function verdictView(graded, { convention, focusRow }) {
       ),
     ),
     totalLines(graded),
-    feedbackList(graded.feedback, focusRow),
-    !graded.correct && graded.links.some(hasNews) ? linkTable(graded.links, focusRow) : null,
-    repairList(graded.repairs, convention, focusRow),
+    feedbackList(graded.feedback, linked),
+    !graded.correct && graded.links.some(hasNews) ? linkTable(graded.links, linked) : null,
+    repairList(graded.repairs, answer.convention, linked),
     (graded.remarks ?? []).map((/** @type {string} */ text) => el("p", { class: "notice lecturer-remark", text })),
   );
 }
@@ -93,46 +95,60 @@ function scoreRing({ points, max_points: most }) {
   return ring;
 }
 
-/** @param {any} row @param {string} text @param {any} focusRow @param {any} cell */
-function rowLink(row, text, focusRow, cell = undefined) {
-  if (!focusRow) return el("span", { text });
-  return el("a", {
-    class: "row-link",
-    href: `#row-${row}`,
-    text,
-    onclick: (event) => {
-      event.preventDefault();
-      focusRow(row - 1, cell);
-    },
-  });
+/**
+ * A link to a row of the table that was handed in, or to one of its cells; null where there is none to go to.
+ * @typedef {(row: number, text: string, cell?: string) => HTMLElement | null} RowLink
+ */
+
+/** @param {{rows: number, focusRow: ((row: number, cell?: string) => void) | null}} answer @returns {RowLink} */
+function rowLinks({ rows, focusRow }) {
+  return (row, text, cell) => {
+    if (!focusRow || row > rows) return null;
+    return el("a", {
+      class: "row-link",
+      href: `#row-${row}`,
+      text,
+      onclick: (event) => {
+        event.preventDefault();
+        focusRow(row - 1, cell);
+      },
+    });
+  };
 }
 
-/** @param {any} feedback @param {any} focusRow */
-function feedbackList(feedback, focusRow) {
+/** @param {string} code of a finding or an edit; some speak of a row that the table does not have yet */
+const isOfMissingRow = (code) => code.endsWith("row_missing");
+
+/** A finding or an edit, with a link to its row. @param {any} said @param {RowLink} linked @param {string} [cell] @param {string} [name] of the cell */
+function lineOf({ row, message, code }, linked, cell, name = "") {
+  const link = row && !isOfMissingRow(code) ? linked(row, t("form-row-go", { row }) + name, cell) : null;
+  return el("li", { dataset: { code } }, message, link ? [" ", link] : null);
+}
+
+/** @param {any[]} feedback @param {RowLink} linked */
+function feedbackList(feedback, linked) {
   if (!feedback.length) return null;
   return el(
     "ul",
     { class: "feedback" },
-    feedback.map((/** @type {any} */ { row, message, code }) =>
-      el(
-        "li",
-        { dataset: { code } },
-        message,
-        row && focusRow ? [" ", rowLink(row, t("form-row-go", { row }), focusRow)] : null,
-      ),
-    ),
+    feedback.map((said) => lineOf(said, linked)),
   );
 }
 
-/** @param {any} links @param {any} focusRow */
-function linkTable(links, focusRow) {
+/** Row by row; a missing row stands where it belongs. @param {any[]} links @param {RowLink} linked */
+function linkTable(links, linked) {
+  const isMissing = (/** @type {any} */ { joint }) => joint === "missing";
+  const placed = links.toSorted(
+    (one, other) => one.row - other.row || Number(isMissing(other)) - Number(isMissing(one)),
+  );
+  const heading = (/** @type {any} */ link) => {
+    if (isMissing(link)) return t("form-row-missing", { after: link.row - 1 });
+    return linked(link.row, String(link.row)) ?? String(link.row);
+  };
   return dataTable(
     t("form-links-caption"),
     [t("form-row-heading"), ...FACTS.map((fact) => t(`form-fact-${fact}`))],
-    links.map((/** @type {any} */ link) => [
-      rowLink(link.row, String(link.row), focusRow),
-      ...FACTS.map((fact) => finding(link[fact])),
-    ]),
+    placed.map((link) => [heading(link), ...FACTS.map((fact) => finding(link[fact]))]),
     { kind: "links-table" },
   );
 }
@@ -148,26 +164,20 @@ function finding(found) {
   );
 }
 
-/** @param {any} repairs @param {string} convention @param {any} focusRow */
-function repairList(repairs, convention, focusRow) {
+/** @param {any[]} repairs @param {string} convention @param {RowLink} linked */
+function repairList(repairs, convention, linked) {
   if (!repairs.length) return null;
-  /** @param {any} options */
-  const edit = ({ row, cell, message, code }) => {
-    const name = cell && cell !== "joint" ? `, ${columnText(cell, convention)}` : "";
-    return el(
-      "li",
-      { dataset: { code } },
-      message,
-      row ? [" ", rowLink(row, t("form-row-go", { row }) + name, focusRow, cell)] : null,
-    );
+  const line = (/** @type {any} */ edit) => {
+    const name = edit.cell && edit.cell !== "joint" ? `, ${columnText(edit.cell, convention)}` : "";
+    return lineOf(edit, linked, edit.cell, name);
   };
   return el(
     "div",
     {},
     el("h3", { text: t("form-repairs") }),
-    repairs.map((/** @type {any} */ repair, /** @type {number} */ i) => [
+    repairs.map((repair, i) => [
       i > 0 ? el("p", { class: "hint", text: t("form-repair-or") }) : null,
-      el("ul", { class: "feedback repairs" }, repair.edits.map(edit)),
+      el("ul", { class: "feedback repairs" }, repair.edits.map(line)),
     ]),
   );
 }
@@ -205,7 +215,7 @@ export function partView(report, name, { placeOf, goTo }) {
     "section",
     { class: "part-report", "aria-label": name, dataset: { kind: report.kind } },
     el("h3", {}, name, " ", el("span", { class: `badge ${tone}`, text: pointsText(report.points, report.max_points) })),
-    feedbackList(report.feedback, null),
+    feedbackList(report.feedback, () => null),
     wrong.size ? el("p", { class: "hint" }, t("form-part-wrong"), places) : null,
   );
 }

@@ -44,7 +44,11 @@ export async function showAttempt(api, card, place, attempt) {
           },
         )
       : null,
-    verdictView(report, { convention: answer.table?.convention ?? "standard", focusRow: null }),
+    verdictView(report, {
+      convention: answer.table?.convention ?? "standard",
+      rows: answer.table?.rows.length ?? 0,
+      focusRow: null,
+    }),
     Object.values(others).map((/** @type {any} */ part) =>
       partView(part, partName(part.kind), {
         placeOf: (where) =>

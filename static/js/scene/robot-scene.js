@@ -2,7 +2,8 @@
  * `<robot-scene label="…">`: a robot in space, to be turned, zoomed and moved.
  *
  * Properties: `model` (see model.js), `overlay` (a model without joints that is drawn over it, and does not change
- * what the view shows), `joints` (values in radians and lengths). Methods: `layer(name, model)`, `describe(text)`,
+ * what the view shows), `joints` (values in radians and lengths), `motion` (joint values it will take, all of which the
+ * view has room for). Methods: `layer(name, model)`, `describe(text)`,
  * `picture()`, `enlarge()`.
  * Attributes: `label` (its name for screen readers), `renderer="svg"` (never use WebGL), `grabs` (items with a `pick` can
  * be dragged from one to another).
@@ -30,6 +31,8 @@ export class RobotScene extends HTMLElement {
   #whole = emptyModel();
   /** @type {number[]} */
   #joints = [];
+  /** @type {number[][]} */
+  motion = [];
   #camera = {
     ...VIEWS.corner,
     scale: 1,
@@ -103,7 +106,8 @@ export class RobotScene extends HTMLElement {
   /** Every point that is to be in the picture: the robot's, and those of clouds around it. */
   #points() {
     const clouds = [...this.#layers.values()].filter(isWide).flatMap((layer) => drawnPoints(layer, []));
-    return [...drawnPoints(this.#model, this.#joints), ...clouds];
+    const robot = [this.#joints, ...this.motion].flatMap((joints) => drawnPoints(this.#model, joints));
+    return [...robot, ...clouds];
   }
 
   #compose() {

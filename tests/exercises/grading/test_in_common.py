@@ -39,3 +39,14 @@ def test_a_verdict_with_several_repairs_tells_it_at_the_highest_help_alone() -> 
         shared = [entry.code for entry in verdict.feedback if entry.code.startswith("repairs_one")]
         expected = in_common(verdict.repairs)
         assert shared == ([expected.code] if expected else [])
+
+
+def test_several_repairs_are_announced_once() -> None:
+    """Without its first row or its second one the PUMA's table is the same: either may be the missing one."""
+    wrist = [(-90, "a3", "d4", "q3"), (90, 0, 0, "q4"), (-90, 0, 0, "q5")]
+    rest = table("modified", (-90, 0, 0, "q1"), (0, "a2", "d3", "q2"), *wrist)
+    verdict = judged("puma560", table=rest).verdict
+    assert verdict is not None
+    codes = [entry.code for entry in verdict.feedback]
+    assert codes == ["not_equivalent", "joint_count_wrong", "one_of_these", "row_missing", "row_missing"]
+    assert in_common(verdict.repairs) is not None
