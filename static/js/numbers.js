@@ -1,4 +1,7 @@
-/** Numbers as people read them. The decimal sign is a point everywhere: these are things to copy into programs. */
+/**
+ * Numbers as people read them. The decimal sign is a point: these are things to copy into programs. Points that an answer
+ * earned are not, and have the page's own.
+ */
 
 const MINUS = "\u2212";
 
@@ -19,9 +22,14 @@ export function plain(value, decimals = 4) {
   return trimmed === "-0" ? "0" : trimmed;
 }
 
+const POINTS = new Intl.NumberFormat(globalThis.document?.documentElement?.lang || "en", {
+  maximumFractionDigits: 1,
+  useGrouping: false,
+});
+
 /** Points, to a tenth: the same text however they were added up. @param {number} value */
 export function asPoints(value) {
-  return plain(Math.round(value * 10 + 1e-6) / 10, 1);
+  return POINTS.format(Math.round(value * 10 + 1e-6) / 10);
 }
 
 /** A number with all its digits, for programs. @param {number} value */

@@ -130,7 +130,19 @@ def test_a_missing_row_has_its_place_and_no_link(open_page: OpenPage) -> None:
     assert headings == ["1", "2", "3", "4", "après la 4", "5", "après la 5"]
     assert table.locator("a").count() == 5
     assert verdict.locator(".feedback a").count() == 0
+    expect(verdict.locator(".total")).to_have_text("27,3 points sur 100")
     assert table.evaluate("({ parentElement: box }) => box.scrollWidth <= box.clientWidth")
+
+
+def test_long_links_to_fields_wrap_on_phones(open_page: OpenPage) -> None:
+    page = open_page("/exercises/twolink-inverse", lang="ro", width=360)
+    part = page.locator("#part-inverse_kinematics")
+    part.locator("select").select_option("infinite")
+    for field in part.locator("input").all():
+        field.fill("1")
+    expect(submit(page).locator(".part-report .row-link").last).to_be_visible()
+    assert page.evaluate("document.documentElement.scrollWidth") == 360
+    assert page.locator(".progress ul").evaluate("list => list.scrollWidth <= list.clientWidth")
 
 
 def test_motion_starts_by_itself_only_where_it_is_welcome(open_page: OpenPage) -> None:

@@ -121,7 +121,7 @@ export class AnswerCard {
     const name = named(label, partName(kind));
     return el(
       "p",
-      { class: "no-print" },
+      { class: "no-print check-part" },
       el("button", { type: "button", "aria-label": name, onclick: press, text: label }),
     );
   }

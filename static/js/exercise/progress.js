@@ -54,6 +54,7 @@ export class Progress {
     const found = [...judged].map((kind) => /** @type {{points: number}} */ (this.#found.get(kind)));
     const points = found.reduce((sum, entry) => sum + entry.points, 0);
     this.sum.textContent = pointsText(points, this.exercise.points);
+    this.sum.hidden = states.length === 1;
     fill(
       this.list,
       states.map((state) => el("li", {}, this.#entry(state, judged.has(state.kind)))),

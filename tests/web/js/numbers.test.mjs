@@ -11,4 +11,5 @@ test("points read the same, earned or worked out again from the share of all poi
   }
   assert.equal(asPoints(31.15), asPoints(31.150000000000002));
   assert.equal(asPoints(35), "35");
+  assert.equal(asPoints(1250), "1250");
 });
