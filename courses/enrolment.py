@@ -11,7 +11,8 @@ import sqlalchemy as sa
 
 from courses import records
 from courses.link_settings import LinkSettingsError, read, written
-from courses.model import Course, CourseSession, Link, LinkSettings, Person, Platform, Role
+from courses.links import link_of
+from courses.model import Course, CourseSession, LinkSettings, Person, Platform, Role
 from courses.policies import Allowance
 from courses.refusals import SessionError
 from courses.secrets import hashed, new_token, pseudonym
@@ -247,16 +248,7 @@ def _session(row: Any) -> CourseSession:
             title=row.course_title,
             memberships_url=row.memberships_url,
         ),
-        link=Link(
-            id=row.link_id,
-            course_id=row.course_id,
-            resource=row.resource,
-            title=row.link_title,
-            settings=read(row.exercise_id, row.settings),
-            line_item=row.line_item,
-            line_items=row.line_items,
-            released_at=row.released_at,
-        ),
+        link=link_of(row, row.link_id, row.link_title),
         allowance=Allowance(
             extra_time=timedelta(seconds=row.extra_seconds), extra_attempts=row.extra_attempts
         ),

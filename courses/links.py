@@ -34,15 +34,16 @@ def link_in(store: Store, course_id: int, link_id: int) -> Link:
         ).first()
     if row is None:
         raise unknown_record("link")
-    return _link(row)
+    return link_of(row, row.id, row.title)
 
 
-def _link(row: Any) -> Link:
+def link_of(row: Any, link_id: int, title: str) -> Link:
+    """A link, from a row with the columns of one that are in no other table."""
     return Link(
-        id=row.id,
+        id=link_id,
         course_id=row.course_id,
         resource=row.resource,
-        title=row.title,
+        title=title,
         settings=read(row.exercise_id, row.settings),
         line_item=row.line_item,
         line_items=row.line_items,
@@ -61,7 +62,7 @@ def links_of_course(store: Store, called: str) -> list[tuple[LinkSettings, tuple
         records.person, records.person.c.id == _PART.c.person_id
     )
     with store.reading() as connection:
-        found = [_link(row) for row in connection.execute(links.order_by(_LINK.c.id))]
+        found = [link_of(row, row.id, row.title) for row in connection.execute(links.order_by(_LINK.c.id))]
         there = people.where(_PART.c.link_id.in_([link.id for link in found]))
         keys = [(row.link_id, row.key) for row in connection.execute(there.order_by(records.person.c.id))]
     return [(link.settings, tuple(key for own, key in keys if own == link.id)) for link in found]
@@ -114,7 +115,8 @@ def regrade_people(
     connection: sa.Connection, link_id: int, people: Iterator[int] | list[int] | None, now: datetime
 ) -> None:
     """Derive the grades of some people of a link anew, of all if none are named."""
-    link = _link(connection.execute(sa.select(_LINK).where(_LINK.c.id == link_id)).one())
+    row = connection.execute(sa.select(_LINK).where(_LINK.c.id == link_id)).one()
+    link = link_of(row, row.id, row.title)
     wanted = (
         sa.select(_PART, records.person.c.subject)
         .join(records.person, records.person.c.id == _PART.c.person_id)

@@ -235,16 +235,20 @@ def invitations(store: Store) -> list[Registration]:
         ]
 
 
+def _usable(secret: str, now: datetime) -> sa.ColumnElement[bool]:
+    own = records.registration.c
+    return sa.and_(own.secret_hash == hashed(secret), own.used_at.is_(None), own.expires > now)
+
+
 def check_invitation(store: Store, secret: str, now: datetime) -> None:
     """Make sure that an invitation may still be used.
 
     Raises:
         SessionError: it was used, is too old, or was never given out.
     """
-    table = records.registration
-    open_ = sa.and_(table.c.secret_hash == hashed(secret), table.c.used_at.is_(None), table.c.expires > now)
+    wanted = sa.select(records.registration.c.id).where(_usable(secret, now))
     with store.reading() as connection:
-        if connection.execute(sa.select(table.c.id).where(open_)).first() is None:
+        if connection.execute(wanted).first() is None:
             raise SessionError(Fault(code="invitation_used"))
 
 
@@ -254,8 +258,7 @@ def use_invitation(store: Store, secret: str, now: datetime) -> None:
     Raises:
         SessionError: it was used, is too old, or was never given out.
     """
-    table = records.registration
-    open_ = sa.and_(table.c.secret_hash == hashed(secret), table.c.used_at.is_(None), table.c.expires > now)
+    used = sa.update(records.registration).where(_usable(secret, now)).values(used_at=now)
     with store.writing() as connection:
-        if connection.execute(sa.update(table).where(open_).values(used_at=now)).rowcount != 1:
+        if connection.execute(used).rowcount != 1:
             raise SessionError(Fault(code="invitation_used"))

@@ -60,19 +60,6 @@ class _Standing:
     submitted: datetime | None = None
 
 
-def store_submission(store: Store, submission: JudgedSubmission, now: datetime) -> Attempt:
-    """Store one submission; return its attempt, or the one that has its key.
-
-    Raises:
-        AttemptError: the policy takes no more: another one came in between.
-        UnknownRecordError: the student has been erased.
-    """
-    (found,) = store_submissions(store, [submission], now)
-    if isinstance(found, Exception):
-        raise found
-    return found
-
-
 def store_submissions(
     store: Store, submissions: Sequence[JudgedSubmission], now: datetime
 ) -> list[Attempt | Exception]:

@@ -22,9 +22,11 @@ from kinematics.errors import Fault
 LARGEST_ARCHIVE = 256 * 1024
 """Bytes; the largest that is shipped has four thousand."""
 MOST_FILES = 64
+"""Entries of an archive: the folder, a definition, a statement in each language, and what archivers add."""
 LARGEST_FILE = 128 * 1024
 """Bytes of a file as it is unpacked; a statement has at most 20,000 characters."""
 _LONG_AGO = (1980, 1, 1, 0, 0, 0)
+"""The first moment that a zip archive can tell: the same draft gives the same bytes."""
 _FOLDER = "folder"
 _NAME = re.compile(r"(?:(?P<folder>[^/\\:\0]{1,100})/)?(?P<file>exercise\.toml|statement\.[a-z]{2}\.md)")
 _BESIDE = re.compile(r"__MACOSX/.*|(?:.*/)?\.DS_Store")

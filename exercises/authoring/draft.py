@@ -5,13 +5,12 @@ from __future__ import annotations
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
-from importlib.resources.abc import Traversable
 from typing import Any
 
 from exercises.authoring.toml_text import toml_text
 from exercises.consistency import FILE
 from exercises.definition import Exercise
-from exercises.definition_files import files_of_folder, read_definition, read_statements, statement_file
+from exercises.definition_files import read_definition, read_statements, statement_file
 from exercises.errors import DefinitionError
 from exercises.loader import read_exercise
 from kinematics.errors import Fault
@@ -62,15 +61,6 @@ def draft_of_files(exercise_id: str, files: Mapping[str, bytes]) -> ExerciseDraf
         DefinitionError: exercise.toml is missing or no TOML, or a statement no text.
     """
     return ExerciseDraft(id=exercise_id, definition=read_definition(files), statements=read_statements(files))
-
-
-def draft_of_folder(folder: Traversable) -> ExerciseDraft:
-    """The draft that a folder holds.
-
-    Raises:
-        DefinitionError: exercise.toml is missing or no TOML, or a statement no text.
-    """
-    return draft_of_files(folder.name, files_of_folder(folder))
 
 
 def files_of_draft(draft: ExerciseDraft) -> dict[str, bytes]:

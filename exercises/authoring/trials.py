@@ -19,6 +19,7 @@ from kinematics.errors import Fault
 MOST_ROWS = 16
 """Of a draft's table: twice those of the longest arm in the documents. A folder may have more."""
 MOST_ANSWERS = 20
+"""Right answers in one rehearsal: as many as somebody reads through."""
 SOME_MISTAKES = 6
 """So many of the listed mistakes are made for each seed: a round stays below some seconds."""
 

@@ -20,6 +20,7 @@ SHORTER = 0.12
 HEAD, WING = 8.0, 3.4
 """Length and half width of an arrow's head [unit of the paper]."""
 WIDTH = 2.2
+"""Width of an arrow's line [unit of the paper]: thinner than links, thicker than dimension lines."""
 
 
 class Arrow(NamedTuple):

@@ -17,6 +17,7 @@ from kinematics.table import JointType
 RIGHT_ANGLES = (0.0, math.pi / 2, -math.pi / 2, math.pi)
 # A share of the robot: the arithmetic’s errors.
 SAME = 1e-9
+# Parts of the robot's size: a length beyond them may stand in another unit; what comes of that is judged.
 TOO_LONG, TOO_SHORT = 2.0, 0.02
 
 

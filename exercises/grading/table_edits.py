@@ -17,7 +17,9 @@ from kinematics.expressions import Expression, evaluate
 from kinematics.table import Convention, DHTable, JointType, NumericRow
 
 ALONG_X = ("alpha", "a")
+# Metres, decimetres, centimetres and millimetres for one another, the likeliest first.
 LENGTH_RATIOS = (1000.0, 0.001, 100.0, 0.01, 10.0, 0.1)
+# Parts of the robot's size, a sieve: what all lengths of a table come to, if it may be this robot at all.
 SMALLEST_EXTENT, LARGEST_EXTENT = 0.05, 300.0
 # [rad] Nobody types more than a turn in radians.
 CLEARLY_DEGREES = 2 * math.pi

@@ -10,7 +10,6 @@ equations  M, C and g in closed form
 
 from kinematics.dynamics.equations import Derivation, EquationsOfMotion, rate_name, reading_order
 from kinematics.dynamics.links import (
-    MASSLESS,
     NumericBody,
     RigidBody,
     SymbolicBody,
@@ -21,7 +20,6 @@ from kinematics.dynamics.recursion import EARTH, MovingRobot
 
 __all__ = [
     "EARTH",
-    "MASSLESS",
     "Derivation",
     "EquationsOfMotion",
     "MovingRobot",

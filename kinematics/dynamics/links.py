@@ -9,7 +9,7 @@ from typing import Generic, TypeAlias, TypeVar
 import numpy as np
 
 from kinematics.errors import DescriptionError, Fault, ParameterError
-from kinematics.expressions import ZERO, Expression, evaluate
+from kinematics.expressions import Expression, evaluate
 
 Entry = TypeVar("Entry")
 
@@ -43,9 +43,6 @@ class RigidBody(Generic[Entry]):
 
 NumericBody: TypeAlias = RigidBody[float]
 SymbolicBody: TypeAlias = RigidBody[Expression]
-
-MASSLESS = RigidBody(mass=ZERO, centre=(ZERO,) * 3, inertia=((ZERO,) * 3,) * 3)
-"""A link that weighs nothing."""
 
 
 def bind_links(links: Sequence[SymbolicBody], parameters: Mapping[str, float]) -> tuple[NumericBody, ...]:

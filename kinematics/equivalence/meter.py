@@ -12,12 +12,12 @@ PER_ROW = 3
 PER_ALIGNMENT = 60
 PER_CERTIFICATE = 150
 PER_FURTHER_JOINT = 30
-USUAL_JOINTS = 7
+USUAL_JOINTS = 7  # a certificate of so many or fewer costs the same
 PER_ROUND = 1500
 PER_DESCENT = 3000
 PER_BATCH = 400
 PER_TABLE = 4
-ROWS_TOGETHER = 16
+ROWS_TOGETHER = 16  # rows of a batch that cost one unit
 OVERDRAFT = 20_000
 """What one step may cost beyond what is left: more than any step on a table with the rows of a robot."""
 # No robot needs more rows. Arrays of longer tables outgrow the processor's cache, and every row has edits.

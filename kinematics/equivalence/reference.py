@@ -25,7 +25,8 @@ SAMPLES = 64
 EXACTLY = 1e-9
 # In units of the tolerance: two axes of a key may each be off by one.
 LOOSELY = 2.0
-SLIDING = (0.0, 0.4, 2.0)
+# In units of the tolerance: displacements that may slide an axis; none, a small one, and that of two axes.
+SLIDING = (0.0, 0.4, LOOSELY)
 
 _PRIMES = [p for p in range(2, 400) if all(p % k for k in range(2, int(p**0.5) + 1))]
 

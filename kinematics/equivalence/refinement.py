@@ -59,6 +59,7 @@ CLOSE = 1.03
 DAMPING = 1e-6
 # Where nothing was rounded: axes that are parallel but for 1e-4 change the errors ten thousand times less.
 EXACT_DAMPING = 1e-13
+# [rad], and a share of the robot: tolerances below it are asked of tables that nobody rounded.
 UNROUNDED = 1e-7
 # [rad], and a share of the robot: beyond it the errors are no linear function.
 LONGEST_STEP = 0.5

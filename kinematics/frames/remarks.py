@@ -53,27 +53,17 @@ def tilt_remarks(
 
 def unfit_base(convention: Convention) -> Fault:
     """The warning that a given frame cannot be frame 0."""
-    if convention is Convention.STANDARD:
-        return Fault(
-            code="base_not_frame_zero_standard",
-            where=("base",),
-        )
+    standard = convention is Convention.STANDARD
     return Fault(
-        code="base_not_frame_zero_modified",
-        where=("base",),
+        code="base_not_frame_zero_standard" if standard else "base_not_frame_zero_modified", where=("base",)
     )
 
 
 def unfit_tool(convention: Convention) -> Fault:
     """The warning that a given frame cannot be frame N."""
-    if convention is Convention.STANDARD:
-        return Fault(
-            code="tool_not_last_frame_standard",
-            where=("tool",),
-        )
+    standard = convention is Convention.STANDARD
     return Fault(
-        code="tool_not_last_frame_modified",
-        where=("tool",),
+        code="tool_not_last_frame_standard" if standard else "tool_not_last_frame_modified", where=("tool",)
     )
 
 

@@ -68,6 +68,7 @@ LONGEST_STEP = 0.3
 """Longest Newton step [rad, or parts of the size]: from candidates it is a correction."""
 
 _DAMPING = (1e-9, 1e4)
+"""Bounds of the damping of a descent: below the least a step is Gauss-Newton, above the greatest none."""
 
 
 class Bounds(StrEnum):

@@ -163,8 +163,15 @@ def _two_turns(
     c, s = circular(Function.COS, phi), circular(Function.SIN, phi)
     x, y = _turned(c, s, F)
     W = _named(write, "k_x", "k_y", (add((lx, x)), add((ly, y))))
-    angle = add((atan2(U[1], U[0]), negate(atan2(W[1], W[0]))))
-    write.joint(first, angle, determined(U[0], U[1]), sense=plane.sense(first))
+    _turn_onto(write, plane, first, W, U)
+
+
+def _turn_onto(
+    write: InverseDerivation, plane: JointPlane, joint: SignedJoint, start: Point, target: Point
+) -> None:
+    """Write down the joint that turns one direction onto another; both are seen from its axis."""
+    angle = add((atan2(target[1], target[0]), negate(atan2(start[1], start[0]))))
+    write.joint(joint, angle, determined(*target), sense=plane.sense(joint))
 
 
 def _turn_and_slide(
@@ -185,8 +192,7 @@ def _turn_and_slide(
     length = add((times(sign, root(radicand)), negate(k)))
     d = write.joint(second, length, reachable(radicand), branch=sign)
     W = add((W[0], signed(way[0], d))), add((W[1], signed(way[1], d)))
-    angle = add((atan2(U[1], U[0]), negate(atan2(W[1], W[0]))))
-    write.joint(first, angle, determined(U[0], U[1]), sense=plane.sense(first))
+    _turn_onto(write, plane, first, W, U)
 
 
 def _slide_and_turn(

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from enum import StrEnum
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 from kinematics.expressions import Expression, Function, walk
 from kinematics.printing.latex import LatexWriter, parameter
@@ -15,9 +15,6 @@ from kinematics.printing.program import Program, ProgramStep, Purpose, SourceAto
 from kinematics.printing.text import TextWriter
 from kinematics.printing.trees import TreeWriter
 from kinematics.symbolic.interchange import SympyNodes
-
-if TYPE_CHECKING:
-    from kinematics.printing.language import Language
 
 
 class EquationFormat(StrEnum):
@@ -89,7 +86,20 @@ def source_of(
     from kinematics.printing.languages import LANGUAGES  # this imports SymPy
 
     language = LANGUAGES[chosen.value](_program(equations, tuple(arguments), n_joints))
-    return "\n".join([*_SOURCES[chosen](language), ""])
+    template = _TEMPLATES[chosen]
+    steps = language.steps(template.step)
+    rows = [row[0] for row in language.rows()]
+    words = {
+        "imports": "".join(f"{line}\n" for line in language.imports()),
+        "function": language.function,
+        "arguments": language.signature(template.argument).removeprefix(", "),
+        "meaning": language.purpose.meaning,
+        "result": language.result,
+        "count": len(rows),
+        "joints": ", ".join(rows),
+        "assigned": "\n".join(f"    {language.result}[{i}] = {row};" for i, row in enumerate(rows)),
+    }
+    return "\n".join([template.opening.format(**words), *steps, template.closing.format(**words), ""])
 
 
 def _program(equations: Sequence[NamedValue], arguments: tuple[str, ...], n_joints: int) -> Program:
@@ -130,92 +140,53 @@ def _program(equations: Sequence[NamedValue], arguments: tuple[str, ...], n_join
     )
 
 
-def _python(language: Language) -> list[str]:
-    steps = language.steps("    {} = {}")
-    used = set(language.module_imports["math"]) | ({"pi"} if "o:pi" in language.names else set())
-    return [
-        *([f"from math import {', '.join(sorted(used))}", "", ""] if used else []),
-        f"def {language.function}({_arguments(language)}):",
-        f'    """{language.purpose.meaning}"""',
-        *steps,
-        f"    return [{_joints(language)}]",
-    ]
+class _Template(NamedTuple):
+    """What stands around the equations in a language.
+
+    Attributes:
+        opening: the lines before.
+        step: an equation.
+        closing: the lines after.
+        argument: one argument of the function.
+    """
+
+    opening: str
+    step: str
+    closing: str
+    argument: str = "{}"
 
 
-def _numpy(language: Language) -> list[str]:
-    return [
-        "import numpy as np",
-        "",
-        "",
-        f"def {language.function}({_arguments(language)}):",
-        f'    """{language.purpose.meaning}"""',
-        *language.steps("    {} = {}"),
-        f"    return np.stack(np.broadcast_arrays({_joints(language)}), axis=-1)",
-    ]
-
-
-def _c(language: Language) -> list[str]:
-    arguments = _arguments(language, "double {}")
-    return [
-        "#include <math.h>",
-        "",
-        f"/* {language.purpose.meaning} */",
-        f"void {language.function}({arguments}, double {language.result}[{len(language.rows())}])",
-        "{",
-        *language.steps("    const double {} = {};"),
-        *(f"    {language.result}[{i}] = {row[0]};" for i, row in enumerate(language.rows())),
-        "}",
-    ]
-
-
-def _matlab(language: Language) -> list[str]:
-    return [
-        f"function {language.result} = {language.function}({_arguments(language)})",
-        f"% {language.purpose.meaning}",
-        *language.steps("    {} = {};"),
-        f"    {language.result} = [{_joints(language)}];",
-        "end",
-    ]
-
-
-def _javascript(language: Language) -> list[str]:
-    return [
-        f"// {language.purpose.meaning}",
-        f"export function {language.function}({_arguments(language)}) {{",
-        *language.steps("  const {} = {};"),
-        f"  return [{_joints(language)}];",
-        "}",
-    ]
-
-
-def _julia(language: Language) -> list[str]:
-    return [
-        f"# {language.purpose.meaning}",
-        f"function {language.function}({_arguments(language)})",
-        *language.steps("    {} = {}"),
-        f"    return [{_joints(language)}]",
-        "end",
-    ]
-
-
-_SOURCES = {
-    EquationFormat.PYTHON: _python,
-    EquationFormat.NUMPY: _numpy,
-    EquationFormat.C: _c,
-    EquationFormat.MATLAB: _matlab,
-    EquationFormat.JAVASCRIPT: _javascript,
-    EquationFormat.JULIA: _julia,
+_TEMPLATES = {
+    EquationFormat.PYTHON: _Template(
+        '{imports}def {function}({arguments}):\n    """{meaning}"""', "    {} = {}", "    return [{joints}]"
+    ),
+    EquationFormat.NUMPY: _Template(
+        'import numpy as np\n\n\ndef {function}({arguments}):\n    """{meaning}"""',
+        "    {} = {}",
+        "    return np.stack(np.broadcast_arrays({joints}), axis=-1)",
+    ),
+    EquationFormat.C: _Template(
+        "#include <math.h>\n\n/* {meaning} */\nvoid {function}({arguments}, double {result}[{count}])\n{{",
+        "    const double {} = {};",
+        "{assigned}\n}}",
+        "double {}",
+    ),
+    EquationFormat.MATLAB: _Template(
+        "function {result} = {function}({arguments})\n% {meaning}",
+        "    {} = {};",
+        "    {result} = [{joints}];\nend",
+    ),
+    EquationFormat.JAVASCRIPT: _Template(
+        "// {meaning}\nexport function {function}({arguments}) {{",
+        "  const {} = {};",
+        "  return [{joints}];\n}}",
+    ),
+    EquationFormat.JULIA: _Template(
+        "# {meaning}\nfunction {function}({arguments})", "    {} = {}", "    return [{joints}]\nend"
+    ),
 }
-SOURCE_FORMATS = frozenset(_SOURCES)
+SOURCE_FORMATS = frozenset(_TEMPLATES)
 """The formats that are source code."""
-
-
-def _arguments(language: Language, argument: str = "{}") -> str:
-    return language.signature(argument).removeprefix(", ")
-
-
-def _joints(language: Language) -> str:
-    return ", ".join(row[0] for row in language.rows())
 
 
 def symbols_of(names: Names, expressions: Iterable[Expression]) -> dict[str, str]:

@@ -100,6 +100,10 @@ class Language(Printer):
             lines.append(f"Renamed: {', '.join(renamed)}.")
         return [prefix + line for line in lines]
 
+    def imports(self) -> list[str]:
+        """What the function needs before it, known once everything is written."""
+        return []
+
     def wrong_length(self) -> str:
         """What is said when q does not have one element for each joint."""
         return f"q holds {self.program.n_joints} joint variables"

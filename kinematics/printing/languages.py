@@ -41,8 +41,12 @@ class Python(Language, PythonCodePrinter):
             lines += [f"    if len(q) != {self.program.n_joints}:"]
             lines += [f'        raise ValueError("{self.wrong_length()}")']
         lines += [*steps, "    return [", *rows, "    ]"]
+        return [*self.imports(), *lines]
+
+    def imports(self) -> list[str]:
+        """What is used of the module math."""
         used = set(self.module_imports["math"]) | ({"pi"} if "o:pi" in self.names else set())
-        return [f"from math import {', '.join(sorted(used))}", "", "", *lines] if used else lines
+        return [f"from math import {', '.join(sorted(used))}", "", ""] if used else []
 
     def docstring(self, *more: str) -> list[str]:
         """The comments as a docstring."""

@@ -31,9 +31,7 @@ All work on the expression trees of `kinematics.expressions`. The method is expl
 
 from kinematics.symbolic.canonical import (
     Canonical,
-    CanonicalMatrix,
     canonical,
-    canonical_transform,
     compare,
     same_function,
 )
@@ -46,14 +44,12 @@ from kinematics.symbolic.writing import Matrix
 
 __all__ = [
     "Canonical",
-    "CanonicalMatrix",
     "ClosedForm",
     "Matrix",
     "Proof",
     "ProofStatus",
     "Workings",
     "canonical",
-    "canonical_transform",
     "closed_form",
     "compare",
     "count_operations",

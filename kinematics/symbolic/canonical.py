@@ -2,16 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from itertools import chain
 from typing import TypeAlias, cast
 
 from kinematics.expressions import (
     Expression,
     Function,
-    JointVariable,
     Number,
     add,
     call,
@@ -23,11 +20,8 @@ from kinematics.expressions import (
 from kinematics.symbolic.angles import angle_of, cosine_and_sine
 from kinematics.symbolic.elements import Form, Monomial, RingSymbol
 from kinematics.symbolic.form_reader import FormReader
-from kinematics.symbolic.motions import Motion, motions_of
-from kinematics.symbolic.poses import ExactPose, read_matrix
 from kinematics.symbolic.proof_status import ProofStatus
 from kinematics.symbolic.ring import Ring
-from kinematics.table import SymbolicTable
 
 LIMIT = 2_000_000
 """Products of terms that may be formed for one canonical form."""
@@ -55,9 +49,6 @@ class Canonical:
         return _real_sum(self.terms)
 
 
-CanonicalMatrix: TypeAlias = tuple[tuple[Canonical, ...], ...]
-
-
 def canonical(expression: Expression, *, limit: int = LIMIT) -> Canonical:
     """The normal form of an expression.
 
@@ -67,32 +58,6 @@ def canonical(expression: Expression, *, limit: int = LIMIT) -> Canonical:
     """
     reader = FormReader(Ring(limit=limit))
     return _export(reader, reader.form(expression))
-
-
-def canonical_transform(
-    table: SymbolicTable,
-    *,
-    base: Sequence[Sequence[Expression]] | None = None,
-    tool: Sequence[Sequence[Expression]] | None = None,
-    limit: int = LIMIT,
-) -> CanonicalMatrix:
-    """The normal forms of the upper three rows of base · A_1 ⋯ A_N · tool.
-
-    Raises:
-        FormSizeError: the expansion needs more products of terms than `limit`: it doubles with each general
-            twist.
-    """
-    reader = FormReader(Ring(limit=limit))
-    pose = ExactPose(reader, read_matrix(reader, base))
-    for motion in chain.from_iterable(motions_of(table)):
-        if motion.joint:
-            amount = multiply((number(motion.sign), JointVariable(motion.joint)))
-            motion = Motion(motion.kind, amount)
-        pose.then(motion)
-        pose.tidy()
-    if tool is not None:
-        pose.multiply(read_matrix(reader, tool))
-    return tuple(tuple(_export(reader, entry) for entry in row) for row in pose.m)
 
 
 def compare(a: Expression, b: Expression, *, limit: int = LIMIT) -> ProofStatus:

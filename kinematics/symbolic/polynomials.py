@@ -39,6 +39,8 @@ _BITS = 12
 _FIELD = (1 << _BITS) - 1
 _LARGEST_POWER = 64
 _LARGEST_MULTIPLE = 24
+"""Bits of an exponent; the largest power, and multiple of an angle, that are read: far below half a field,
+so that products of what is read have room."""
 _NOTHING: Polynomial = {}
 ONE: Polynomial = {0: 1}
 _QUARTERS: tuple[tuple[Polynomial, Polynomial], ...] = (

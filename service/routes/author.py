@@ -121,10 +121,7 @@ async def right_answers_of_draft(
     body: Annotated[wire.RightAnswersRequest, Body(openapi_examples=examples.DRAFT)], request: ApiRequest
 ) -> Response:
     """Tables with other frames, signs, zeros and conventions, as far as the policy allows."""
-    language = language_of(request)
-    with draft_refused():
-        answers = await _in_worker(request, rehearsed_right, body.draft.draft(), body.count)
-    return _json(rehearsal_body(answers, language), language)
+    return await _rehearsed(request, rehearsed_right, body.draft, body.count)
 
 
 @router.post(
@@ -137,10 +134,7 @@ async def mistakes_of_draft(
     body: Annotated[wire.DraftRequest, Body(openapi_examples=examples.DRAFT)], request: ApiRequest
 ) -> Response:
     """Every misconception about the draft's robot, made in the key: what it earns, what a student is told."""
-    language = language_of(request)
-    with draft_refused():
-        answers = await _in_worker(request, rehearsed_mistakes, body.draft.draft())
-    return _json(rehearsal_body(answers, language), language)
+    return await _rehearsed(request, rehearsed_mistakes, body.draft)
 
 
 @router.post(
@@ -217,6 +211,13 @@ async def import_draft(request: ApiRequest) -> Response:
 async def _in_worker(request: ApiRequest, work: Any, *arguments: Any) -> Any:
     """Do what costs time with a draft, in a process that may only take so much of it."""
     return await resources_of(request).workers.run(Lane.SLOW, work, *arguments)
+
+
+async def _rehearsed(request: ApiRequest, work: Any, draft: wire.DraftModel, *arguments: Any) -> Response:
+    language = language_of(request)
+    with draft_refused():
+        answers = await _in_worker(request, work, draft.draft(), *arguments)
+    return _json(rehearsal_body(answers, language), language)
 
 
 async def _drawn(request: ApiRequest, work: Any) -> Any:

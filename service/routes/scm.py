@@ -17,6 +17,7 @@ from kinematics.jacobian import JacobianFrame
 from kinematics.poses import pose_notations
 from kinematics.scm import (
     ScmChain,
+    ScmKinematics,
     default_limits,
     forward_kinematics_scm,
     inverse_kinematics_scm,
@@ -62,8 +63,7 @@ async def forward_kinematics(
     """
     if body.joints is None:
         return await _closed(body, Wanted.FORWARD_KINEMATICS, request)
-    prepared = await request.in_turn(partial(prepared_chain, body, request.settings.cell_limits))
-    motion = forward_kinematics_scm(prepared.chain, prepared.joints(body.joints), prepared.values)
+    prepared, motion = await _moved(body, body.joints, request)
     return wire.ScmForwardKinematicsAnswer(
         **prepared.units,
         transform=_listed(motion.transform),
@@ -91,8 +91,7 @@ async def inverse_of_transform(
     """
     if body.joints is None:
         return await _closed(body, Wanted.INVERSE_TRANSFORM, request)
-    prepared = await request.in_turn(partial(prepared_chain, body, request.settings.cell_limits))
-    motion = forward_kinematics_scm(prepared.chain, prepared.joints(body.joints), prepared.values)
+    prepared, motion = await _moved(body, body.joints, request)
     inverse = inverse_transform(motion.transform)
     return wire.ScmInverseTransformAnswer(**prepared.units, transform=_listed(inverse))
 
@@ -115,7 +114,7 @@ async def jacobian(
     wanted = Wanted.INSPECTED_JACOBIANS if inspected else Wanted.DIFFERENTIATED_JACOBIANS
     if body.joints is None:
         return await _closed(body, wanted, request)
-    prepared = await request.in_turn(partial(prepared_chain, body, request.settings.cell_limits))
+    prepared = await _prepared(body, request)
     joints = prepared.joints(body.joints)
     if inspected:
         base = jacobian_base_by_inspection(prepared.chain, joints, prepared.values)
@@ -142,7 +141,7 @@ async def inverse_kinematics(
 
     All solutions where there is a closed form; joint values in the chain's angle unit.
     """
-    prepared = await request.in_turn(partial(prepared_chain, body, request.settings.cell_limits))
+    prepared = await _prepared(body, request)
     start = None if body.start is None else prepared.joints(body.start, "start")
     limits = None if body.limits is None else _scaled(body.limits, prepared)
     question = (prepared.chain, pose_matrix(body.target, prepared.angle, "target"), prepared.values, limits)
@@ -166,7 +165,7 @@ async def random_configuration(
     request: ApiRequest,
 ) -> wire.RandomConfigurationAnswer:
     """Joint values drawn evenly within limits: qrand of the toolbox."""
-    prepared = await request.in_turn(partial(prepared_chain, body, request.settings.cell_limits))
+    prepared = await _prepared(body, request)
     default = default_limits(prepared.chain, prepared.values)
     low, high = (prepared.answered([pair[end] for pair in default]) for end in (0, 1))
     given = [None] * len(default) if body.limits is None else body.limits
@@ -208,6 +207,18 @@ async def _closed(body: wire.ClosedFormQuestion, wanted: Wanted, request: ApiReq
     task = ChainTask.of(read, wanted, body.formats, body.notation)
     lane = Lane.QUICK if is_quick(read.chain) else Lane.SLOW
     return BytesResponse(await request.resources.workers.run(lane, written_chain, task))
+
+
+async def _prepared(body: wire.ChainQuestion, request: ApiRequest) -> PreparedChain:
+    return await request.in_turn(partial(prepared_chain, body, request.settings.cell_limits))
+
+
+async def _moved(
+    body: wire.ClosedFormQuestion, joints: list[float], request: ApiRequest
+) -> tuple[PreparedChain, ScmKinematics]:
+    """The chain, and its forward kinematics in numbers."""
+    prepared = await _prepared(body, request)
+    return prepared, forward_kinematics_scm(prepared.chain, prepared.joints(joints), prepared.values)
 
 
 def _listed(array: NDArray[np.float64]) -> list[Any]:

@@ -12,6 +12,7 @@ from service.schemas.robot_question import RobotQuestion
 from service.schemas.tables import Units
 
 MOST_INSTANTS = 1000
+"""Instants of one motion: finer than a plot or an animation of some seconds shows."""
 
 JointRows = list[list[Real]]
 

@@ -15,6 +15,7 @@ from service.schemas.robot_question import NO_ROBOT, RobotQuestion
 from service.schemas.tables import Units
 
 MOST_POINTS = 20_000
+"""Points of a cloud: more than a plot of the page can tell apart."""
 
 
 class PlaneModel(Wire):

@@ -27,6 +27,7 @@ GROWN = 1.25
 FULL_SECONDS = 600.0
 """Time after which all objects are looked at again if any were put aside [s]."""
 _NEVER = 1_000_000_000
+"""Collections after which all objects would be looked at unasked: more than a process lives to see."""
 
 
 class Collection:

@@ -13,7 +13,7 @@ from courses.enrolment import Arrival, arrive, session_of
 from courses.model import Attempt, CourseSession, Platform, PlatformStatus, Role
 from courses.platforms import add_platform
 from courses.storage import Store
-from courses.submissions import JudgedSubmission, store_submission
+from courses.submissions import JudgedSubmission, store_submissions
 
 NOW = datetime(2027, 3, 1, 12, 0, tzinfo=UTC)
 
@@ -63,6 +63,14 @@ def attempts_of(store: Store, session: CourseSession) -> list[Attempt]:
         return [attempt_of(row) for row in connection.execute(wanted.order_by(table.c.number))]
 
 
+def handed_in(store: Store, submission: JudgedSubmission, at: datetime) -> Attempt:
+    """One submission, stored by itself; its attempt, or the one that has its key."""
+    (found,) = store_submissions(store, [submission], at)
+    if isinstance(found, Exception):
+        raise found
+    return found
+
+
 def submitted(
     store: Store,
     session: CourseSession,
@@ -90,4 +98,4 @@ def submitted(
         correct=score == 1.0,
     )
     judged = JudgedSubmission(session=session, attempt=attempt, analysis=report)
-    return store_submission(store, judged, at)
+    return handed_in(store, judged, at)

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from importlib.resources.abc import Traversable
 from pathlib import Path
 
+from exercises.authoring.draft import ExerciseDraft, draft_of_files
 from exercises.definition import LANGUAGES
+from exercises.definition_files import files_of_folder
 
 TWO_LINKS = """
 version = 1
@@ -47,6 +50,11 @@ def folder(
     for language in LANGUAGES:
         (made / f"statement.{language}.md").write_text(statement, encoding="utf-8")
     return made
+
+
+def draft_of(folder: Traversable) -> ExerciseDraft:
+    """The draft that a folder holds."""
+    return draft_of_files(folder.name, files_of_folder(folder))
 
 
 def changed(old: str, new: str, text: str = TWO_LINKS) -> str:

@@ -9,11 +9,10 @@ from typing import Any
 import pytest
 
 from exercises.authoring.archive import archive_of_draft
-from exercises.authoring.draft import draft_of_folder
 from exercises.authoring.scaffold import nice_range
 from exercises.loader import load_exercise
 from service.cli import commands
-from tests.exercises.folders import TWO_LINKS, folder
+from tests.exercises.folders import TWO_LINKS, draft_of, folder
 from tests.exercises.packaged import exercise_ids
 
 AXES = {
@@ -158,7 +157,7 @@ def test_ids_and_folders_are_guarded(tmp_path: Path, capsys: pytest.CaptureFixtu
 
 def test_check_takes_the_zip_file_of_a_folder(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     archive = tmp_path / "two.zip"
-    archive.write_bytes(archive_of_draft(draft_of_folder(folder(tmp_path))))
+    archive.write_bytes(archive_of_draft(draft_of(folder(tmp_path))))
     assert main(["check", str(archive), "--seeds", "1"]) == 0
     assert capsys.readouterr().out.startswith("two: ")
 

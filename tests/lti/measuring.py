@@ -22,7 +22,6 @@ from courses.model import CourseSession, LinkSettings, Role
 from courses.regrading import Scope, apply, begin, changes, rejudge
 from courses.statistics import link_statistics, misconceptions, unexplained
 from courses.storage import Store, open_store
-from courses.submissions import store_submission
 from exercises.loader import packaged
 from kinematics.cells import DEFAULT
 from service.course_resources import now
@@ -30,7 +29,7 @@ from service.schemas.exercises import ExerciseAnswer
 from service.settings import Settings
 from service.work.regrading_processes import RegradingProcesses
 from service.work.session_grading import Grader, judged_submission
-from tests.courses.classroom import platform
+from tests.courses.classroom import handed_in, platform
 from tests.web.driving import PUMA
 
 ROWS = PUMA["rows"]
@@ -117,7 +116,7 @@ def filled(
         typed = answer(mistake)
         wire = ExerciseAnswer.model_validate(typed)
         judged, _ = judged_submission(grader, session, wire, typed, f"k{number}", "en")
-        made.append(store_submission(store, judged, now()))
+        made.append(handed_in(store, judged, now()))
     at = now()
     with store.writing() as connection:
         findings = list(connection.execute(sa.select(records.finding)))

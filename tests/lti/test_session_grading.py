@@ -15,7 +15,6 @@ from courses.model import Attempt, CourseSession, LinkSettings
 from courses.policies import AttemptPolicy
 from courses.refusals import AttemptError
 from courses.storage import Store, open_store
-from courses.submissions import store_submission
 from exercises.grading import HelpLevel
 from exercises.instance import generate, kept_instance
 from exercises.loader import Library
@@ -24,7 +23,7 @@ from service.course_resources import CourseResources, now
 from service.schemas.exercises import ExerciseAnswer
 from service.settings import Settings
 from service.work.session_grading import Grader, judged_submission, with_exercise_rules
-from tests.courses.classroom import attempts_of, joined
+from tests.courses.classroom import attempts_of, handed_in, joined
 from tests.exercises.folders import TWO_LINKS, changed, folder
 
 RULES = """
@@ -61,7 +60,7 @@ def wrong(store: Store, grader: Grader, session: CourseSession, **more: Any) -> 
     typed = {**WRONG, **more}
     wire = ExerciseAnswer.model_validate(typed)
     judged, found = judged_submission(grader, session, wire, typed, None, "en")
-    store_submission(store, judged, now())
+    handed_in(store, judged, now())
     assert not found.correct
     return found.help_level
 
@@ -166,7 +165,7 @@ def test_a_mended_exercise_is_another_version_and_the_old_one_stays(tmp_path: Pa
         judged, _ = judged_submission(
             grader, session, ExerciseAnswer.model_validate(typed), typed, None, "en"
         )
-        versions.append(store_submission(courses.store, judged, now()).version)
+        versions.append(handed_in(courses.store, judged, now()).version)
     first, same, mended = versions
     assert first == same != mended
     values = [generate(library.exercise(version), None).parameters["L1"] for version in (first, mended)]

@@ -30,6 +30,7 @@ EXACT = 1e-6
 UNITS = 3.0
 """Of the last place: what half a unit in each of several cells comes to."""
 SAME = 1e-9
+"""A share, and in the exercise's unit: what rounding leaves of lengths that have doubled."""
 _DECIMALS = re.compile(r"\.([0-9]+)")
 
 

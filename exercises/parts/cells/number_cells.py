@@ -6,6 +6,8 @@ import math
 from collections.abc import Sequence
 from functools import partial
 
+import numpy as np
+
 from exercises.consistency import values_in_radians
 from exercises.instance import Instance
 from exercises.names import renamed, unknown_name
@@ -17,6 +19,16 @@ from kinematics.cells.refusals import CellRefusal
 from kinematics.cells.variables import variable_index
 from kinematics.errors import CellError, Fault, KinematicsError
 from kinematics.expressions import evaluate, parameters_in
+from kinematics.se3 import Floats
+
+DECIMALS = 4
+"""Decimals of what is given and of what a student writes, as textbooks print them."""
+
+
+def on_paper(values: Floats, decimals: int = DECIMALS) -> Floats:
+    """Return numbers as they are written, none of them −0."""
+    rounded: Floats = np.round(values, decimals) + 0.0
+    return rounded
 
 
 def number_of(

@@ -31,6 +31,7 @@ from exercises.parts.cells.comparison import (
     transposed_rotation,
 )
 from exercises.parts.cells.matrix_cells import CellMatrix, SymbolicMatrix, read_numbers
+from exercises.parts.cells.number_cells import on_paper
 from exercises.parts.context import Context
 from exercises.parts.definition_keys import TOLERANCE, DefinitionKey, Start, joint_keys, usual_joints
 from exercises.parts.forward.transform import transform_is_robot
@@ -47,8 +48,6 @@ from kinematics.table import JointType
 USUAL_TURNS = Draw(start=Fraction(-120), stop=Fraction(120), step=Fraction(15), without=(Fraction(0),))
 """From where the angles of a numeric pose are drawn, in degrees."""
 
-DECIMALS = 4
-"""Decimals that a student writes of a pose."""
 ScoredPose: TypeAlias = tuple[float, Matrices, Matrices, Credit]
 """What an answer earns beside a pose, the answer in its unit, the pose, and on what the marks rest."""
 
@@ -162,7 +161,7 @@ class PosePartType(PartType[PosePart, CellMatrix, Matrices]):
         """Return the pose of the student's own table, rounded as on paper."""
         joints = joints_at(context, context.instance.drawn[self.kind])
         pose = context.own_poses(context.values(context.own_names()), joints).transform
-        rounded: CellMatrix = np.round(pose, DECIMALS).tolist()
+        rounded: CellMatrix = on_paper(pose).tolist()
         return rounded
 
     def wrong(self, part: PosePart, context: Context, rng: Random) -> Iterator[tuple[str, CellMatrix]]:

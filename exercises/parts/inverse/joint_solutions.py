@@ -22,7 +22,7 @@ from exercises.draws import Draw, Picker
 from exercises.grading import BaseRule, Feedback, Finding, HelpLevel, ToolRule, accept
 from exercises.instance import Instance
 from exercises.parts import definition_keys as defined
-from exercises.parts.cells.number_cells import read_numbers_of
+from exercises.parts.cells.number_cells import DECIMALS, on_paper, read_numbers_of
 from exercises.parts.context import Context
 from exercises.parts.given_table import given_table
 from exercises.parts.inverse.joint_feedback import joint_feedback
@@ -60,7 +60,6 @@ from kinematics.inverse import ArmReach, solver_of
 from kinematics.se3 import Transform
 from kinematics.table import JointType
 
-DECIMALS = 4
 MOST_ROWS = 20
 """Configurations in an answer: an arm of six joints has sixteen at most."""
 OUT = 3.0
@@ -184,7 +183,7 @@ class InverseKinematicsType(PartType[InverseKinematicsPart, JointAnswerCells, Jo
         """Show the pose, and the key if no table is asked; ask for joint values."""
         exercise = instance.exercise
         labels = joint_labels(exercise)
-        pose = np.round(_target(part, instance), DECIMALS) + 0.0
+        pose = on_paper(_target(part, instance))
         position = part.reach is ArmReach.POSITION
         shown = [tuple(row) for row in pose.tolist()]
         numbers = GivenNumbers(

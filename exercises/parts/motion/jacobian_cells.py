@@ -2,23 +2,44 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from abc import abstractmethod
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
 from enum import StrEnum
-from typing import Annotated
+from random import Random
+from typing import Annotated, Any, ClassVar, TypeVar
 
 import numpy as np
 
 from exercises.definition import Part
 from exercises.grading import Feedback, Finding, HelpLevel
 from exercises.parts.context import Context
-from exercises.parts.protocol import TABLE, FieldShape, FormField, Length, Reading, choice_field
+from exercises.parts.definition_keys import (
+    COMPONENTS,
+    TOLERANCE,
+    DefinitionKey,
+    KeyShape,
+    choice,
+    choices,
+    sequence_keys,
+)
+from exercises.parts.protocol import (
+    TABLE,
+    FieldShape,
+    FormField,
+    Length,
+    PartType,
+    Reading,
+    RobotFacts,
+    choice_field,
+)
 from exercises.parts.report import Credit, Disclosure, Fact, PartReport, fact, judged, share_earned, told_from
 from exercises.parts.rotations.drawn_orientations import read_sequence
 from exercises.reading import Reader
 from kinematics.answers.jacobian_answers import JacobianMistake, JacobianVerdict
 from kinematics.answers.screw_answers import ScrewOrder
 from kinematics.cells import Cell
+from kinematics.errors import JointValueError
 from kinematics.jacobian import JacobianFrame
 from kinematics.rotations.sequences import EulerSequence
 
@@ -138,38 +159,88 @@ def is_well_shaped(raw: JacobianCells, reading: Reading, kind: str) -> bool:
     return len(reading.faults) == before
 
 
-def report(part: JacobianTerms, context: Context, mark: Callable[[JacobianAsk], JacobianMark]) -> PartReport:
-    """Return the report on an answer about as many joints as there are; what is asked counts the same."""
-    with_table = context.instance.exercise.part(TABLE) is not None
-    marks = [mark(question) for question in part.ask]
-    score = sum(given.share for given in marks) / len(marks)
-    feedback = [said for given in marks for said in given.feedback]
-    credit = context.own_credit if with_table else Credit.KEY
-    if score == 1.0:
-        code = "jacobian_right" if credit is Credit.KEY else "jacobian_follows_table"
-        feedback.append(Feedback(code=code))
-    facts = [fact for given in marks for fact in given.facts]
-    return judged(part, score, credit, facts=facts, feedback=feedback)
+Terms = TypeVar("Terms", bound=JacobianTerms)
+Answer = TypeVar("Answer")
+Mark = Callable[[JacobianAsk], JacobianMark]
 
 
-def needs_table(part: JacobianTerms) -> PartReport:
-    """Return the report where the student's own table has another number of joints, or cannot be used."""
-    return judged(part, 0.0, Credit.NONE, feedback=(Feedback(code="jacobian_needs_table"),))
+class JacobianType(PartType[Terms, JacobianCells, Answer]):
+    """A kind of question about Jacobian and statics.
+
+    Attributes:
+        wrench: how a definition writes the wrench.
+    """
+
+    raw: ClassVar = JacobianCells
+    follows_table = True
+    disclosures: ClassVar = DISCLOSURES
+    wrench: ClassVar[KeyShape]
+
+    def keys(self, robot: RobotFacts) -> tuple[DefinitionKey, ...]:
+        """Return the keys of what is asked, the angles and the load."""
+        return (
+            choices("ask", JacobianAsk),
+            choice("frame", JacobianFrame),
+            *sequence_keys("axes", "turning"),
+            DefinitionKey(name="wrench", shape=self.wrench, labels=COMPONENTS),
+            TOLERANCE,
+        )
+
+    @abstractmethod
+    def marking(self, part: Terms, answer: Answer, context: Context) -> Mark:
+        """Return how an answer is marked that is about as many joints as there are."""
+
+    @abstractmethod
+    def opposite(self, forces: tuple[Cell, ...]) -> tuple[Cell, ...] | None:
+        """Return joint forces of the other sign; None where they are too small for that to be wrong."""
+
+    def grade(self, part: Terms, answer: Answer, context: Context) -> PartReport:
+        """Judge column by column, and force by force; what is asked counts the same."""
+        with_table = context.instance.exercise.part(TABLE) is not None
+        n = context.reference.table.n_joints
+        if with_table and (context.own is None or context.own.table.n_joints != n):
+            return judged(part, 0.0, Credit.NONE, feedback=(Feedback(code="jacobian_needs_table"),))
+        mark = self.marking(part, answer, context)
+        marks = [mark(question) for question in part.ask]
+        score = sum(given.share for given in marks) / len(marks)
+        feedback = [said for given in marks for said in given.feedback]
+        credit = context.own_credit if with_table else Credit.KEY
+        if score == 1.0:
+            code = "jacobian_right" if credit is Credit.KEY else "jacobian_follows_table"
+            feedback.append(Feedback(code=code))
+        facts = [fact for given in marks for fact in given.facts]
+        return judged(part, score, credit, facts=facts, feedback=feedback)
+
+    def wrong(self, part: Terms, context: Context, rng: Random) -> Iterator[tuple[str, JacobianCells]]:
+        """Yield the matrix with its halves exchanged but not so called, and forces of the wrong sign."""
+        right = self.right(part, context)
+        if right.jacobian is not None:
+            yield "jacobian_wrong", replace(right, order=ScrewOrder.ANGULAR_FIRST)
+        opposite = None if right.forces is None else self.opposite(right.forces)
+        if opposite is not None:
+            yield "forces_wrong", replace(right, forces=opposite)
 
 
-def missing(what: JacobianAsk) -> JacobianMark:
+def _missing(what: JacobianAsk) -> JacobianMark:
     """Return the mark for what was asked and not handed in."""
     said = Feedback(code="jacobian_missing", params={"what": what.value})
     return JacobianMark(0.0, (Fact(where=(what.value,), finding=Finding.MISSING),), (said,))
 
 
-def angles_locked() -> JacobianMark:
-    """Return the mark where the angles of the student's own arm have no rates."""
-    return JacobianMark(0.0, (), (Feedback(code="jacobian_angles_locked"),))
+def matrix_mark(jacobian: Any, judge: Callable[[Any], JacobianVerdict]) -> JacobianMark:
+    """Return the mark for a matrix, or for none.
 
-
-def matrix_mark(found: JacobianVerdict) -> JacobianMark:
-    """Return the mark for a matrix, from what was found of its entries."""
+    Args:
+        jacobian: what was handed in.
+        judge: finds what is right in it; raises JointValueError where the angles of the student's own arm
+            have no rates.
+    """
+    if jacobian is None:
+        return _missing(JacobianAsk.JACOBIAN)
+    try:
+        found = judge(jacobian)
+    except JointValueError:
+        return JacobianMark(0.0, (), (Feedback(code="jacobian_angles_locked"),))
     if found.right:
         return JacobianMark(1.0)
     wrong = np.argwhere(~found.entries).tolist()
@@ -191,14 +262,24 @@ def matrix_mark(found: JacobianVerdict) -> JacobianMark:
 
 
 def forces_mark(
-    right: Sequence[bool], mistake: JacobianMistake | None, nothing: Sequence[bool]
+    forces: Any, zeros: Any, judge: Callable[[Any], tuple[Sequence[bool], JacobianMistake | None]]
 ) -> JacobianMark:
-    """Return the mark for joint forces, from which of them are right, and which zeros would be."""
+    """Return the mark for joint forces, or for none.
+
+    Args:
+        forces: what was handed in.
+        zeros: as many zeros; what these have right earns nothing.
+        judge: finds which of some forces are right, and what the others look like.
+    """
+    if forces is None:
+        return _missing(JacobianAsk.FORCES)
+    right, mistake = judge(forces)
     if all(right):
         return JacobianMark(1.0)
     told = [Feedback(code="forces_wrong")]
     if mistake is not None:
         told.append(Feedback(code=f"forces_{mistake.value}"))
+    nothing, _ = judge(zeros)
     return JacobianMark(
         min(share_earned(right, nothing), 0.8),
         tuple(fact(False, "forces", i) for i, good in enumerate(right) if not good),

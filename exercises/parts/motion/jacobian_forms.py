@@ -7,11 +7,9 @@ they follow from it; alone they are those of the key, which is then given.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from random import Random
-from typing import ClassVar
 
 from exercises.definition import Exercise
 from exercises.instance import Instance
@@ -19,36 +17,28 @@ from exercises.parts.cells.matrix_cells import read_row, write_matrix
 from exercises.parts.context import Context
 from exercises.parts.definition_keys import (
     COMPONENTS,
-    TOLERANCE,
-    DefinitionKey,
     KeyShape,
-    choice,
-    choices,
     joint_names,
-    sequence_keys,
 )
 from exercises.parts.given_table import given_table
 from exercises.parts.motion.jacobian_cells import (
-    DISCLOSURES,
     JacobianAsk,
     JacobianCells,
     JacobianMark,
     JacobianTerms,
-    angles_locked,
+    JacobianType,
+    Mark,
     answer_fields,
     forces_mark,
     is_well_shaped,
     matrix_mark,
-    missing,
-    needs_table,
     read_angles,
-    report,
     told_question,
 )
-from exercises.parts.protocol import TABLE, GivenNumbers, PartTask, PartType, Reading, RobotFacts
-from exercises.parts.report import PartReport
+from exercises.parts.protocol import TABLE, GivenNumbers, PartTask, Reading, RobotFacts
 from exercises.reading import Reader
 from kinematics.answers.form_samples import FormRobot
+from kinematics.answers.jacobian_answers import JacobianMistake, JacobianVerdict
 from kinematics.answers.jacobian_forms import (
     force_form,
     jacobian_form,
@@ -56,11 +46,12 @@ from kinematics.answers.jacobian_forms import (
     judge_jacobian_form,
 )
 from kinematics.answers.screw_answers import ScrewOrder
-from kinematics.cells import ParameterKind, ReadTable
+from kinematics.cells import Cell, ParameterKind, ReadTable
 from kinematics.errors import Fault, JointValueError
 from kinematics.expressions import ZERO, Expression, Number, Parameter, parameters_in
 from kinematics.jacobian import JacobianFrame
 from kinematics.keys import ValueKind
+from kinematics.symbolic import Matrix
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -82,14 +73,12 @@ class JacobianFormPart(JacobianTerms):
     wrench: tuple[Expression, ...]
 
 
-class JacobianFormType(PartType[JacobianFormPart, JacobianCells, JacobianForm]):
+class JacobianFormType(JacobianType[JacobianFormPart, JacobianForm]):
     """Jacobian and statics in closed form."""
 
     kind = "jacobian_form"
-    raw: ClassVar = JacobianCells
     meaning = "the Jacobian and the joint forces that hold a wrench, as functions of the joint variables"
-    follows_table = True
-    disclosures: ClassVar = DISCLOSURES
+    wrench = KeyShape.CELLS
 
     def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> JacobianFormPart:
         """Return the part with what is asked."""
@@ -116,16 +105,6 @@ class JacobianFormType(PartType[JacobianFormPart, JacobianCells, JacobianForm]):
             ask=asked,
             wrench=tuple(wrench),
             tolerance=reader.number("tolerance", 0.005),
-        )
-
-    def keys(self, robot: RobotFacts) -> tuple[DefinitionKey, ...]:
-        """Return the keys of what is asked, the angles and the load."""
-        return (
-            choices("ask", JacobianAsk),
-            choice("frame", JacobianFrame),
-            *sequence_keys("axes", "turning"),
-            DefinitionKey(name="wrench", shape=KeyShape.CELLS, labels=COMPONENTS),
-            TOLERANCE,
         )
 
     def inconsistencies(self, part: JacobianFormPart, exercise: Exercise) -> Iterator[Fault]:
@@ -171,18 +150,23 @@ class JacobianFormType(PartType[JacobianFormPart, JacobianCells, JacobianForm]):
             jacobian = (*jacobian[3:], *jacobian[:3])
         return JacobianForm(jacobian=jacobian or None, forces=forces)
 
-    def grade(self, part: JacobianFormPart, answer: JacobianForm, context: Context) -> PartReport:
-        """Judge column by column, and force by force; what is asked counts the same."""
-        with_table = context.instance.exercise.part(TABLE) is not None
-        n = context.reference.table.n_joints
-        if with_table and (context.own is None or context.own.table.n_joints != n):
-            return needs_table(part)
+    def marking(self, part: JacobianFormPart, answer: JacobianForm, context: Context) -> Mark:
+        """Return how an answer is marked as functions of the joint variables."""
         robot = _robot(context, answer)
 
-        def mark(question: JacobianAsk) -> JacobianMark:
-            return (_matrix if question is JacobianAsk.JACOBIAN else _forces)(part, answer, robot)
+        def judge_matrix(jacobian: Matrix) -> JacobianVerdict:
+            return judge_jacobian_form(robot, jacobian, part.frame, part.tolerance, part.angles)
 
-        return report(part, context, mark)
+        def judge_statics(forces: Sequence[Expression]) -> tuple[Sequence[bool], JacobianMistake | None]:
+            right, _, mistake = judge_force_form(robot, forces, part.wrench, part.frame, part.tolerance)
+            return right, mistake
+
+        def mark(question: JacobianAsk) -> JacobianMark:
+            if question is JacobianAsk.JACOBIAN:
+                return matrix_mark(answer.jacobian, judge_matrix)
+            return forces_mark(answer.forces, [ZERO] * robot.table.n_joints, judge_statics)
+
+        return mark
 
     def right(self, part: JacobianFormPart, context: Context) -> JacobianCells:
         """Return what follows from the student's own table, or from the key."""
@@ -198,15 +182,9 @@ class JacobianFormType(PartType[JacobianFormPart, JacobianCells, JacobianForm]):
             written = replace(written, forces=tuple(write_matrix((forces,), n, (*names, *COMPONENTS))[0]))
         return written
 
-    def wrong(
-        self, part: JacobianFormPart, context: Context, rng: Random
-    ) -> Iterator[tuple[str, JacobianCells]]:
-        """Yield the matrix with its halves exchanged but not so called, and forces of the wrong sign."""
-        right = self.right(part, context)
-        if right.jacobian is not None:
-            yield "jacobian_wrong", replace(right, order=ScrewOrder.ANGULAR_FIRST)
-        if right.forces is not None:
-            yield "forces_wrong", replace(right, forces=tuple(f"-({cell})" for cell in right.forces))
+    def opposite(self, forces: tuple[Cell, ...]) -> tuple[Cell, ...]:
+        """Return the forces of the other sign."""
+        return tuple(f"-({cell})" for cell in forces)
 
 
 def _table(context: Context) -> ReadTable:
@@ -227,27 +205,6 @@ def _robot(context: Context, answer: JacobianForm) -> FormRobot:
     return FormRobot(
         table=read.table, values={**loads, **values}, lengths=frozenset(lengths) | set(COMPONENTS[3:])
     )
-
-
-def _matrix(part: JacobianFormPart, answer: JacobianForm, robot: FormRobot) -> JacobianMark:
-    if answer.jacobian is None:
-        return missing(JacobianAsk.JACOBIAN)
-    try:
-        found = judge_jacobian_form(robot, answer.jacobian, part.frame, part.tolerance, part.angles)
-    except JointValueError:
-        return angles_locked()
-    return matrix_mark(found)
-
-
-def _forces(part: JacobianFormPart, answer: JacobianForm, robot: FormRobot) -> JacobianMark:
-    if answer.forces is None:
-        return missing(JacobianAsk.FORCES)
-    right, _, mistake = judge_force_form(robot, answer.forces, part.wrench, part.frame, part.tolerance)
-    if all(right):
-        return forces_mark(right, mistake, ())
-    zeros = [ZERO] * len(right)
-    nothing, _, _ = judge_force_form(robot, zeros, part.wrench, part.frame, part.tolerance)
-    return forces_mark(right, mistake, nothing)
 
 
 PART = JacobianFormType()

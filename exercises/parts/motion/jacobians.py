@@ -6,30 +6,24 @@ their marks if they follow from it; alone they are those of the key, which is th
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from random import Random
-from typing import ClassVar
 
 import numpy as np
 
 from exercises.definition import Exercise
 from exercises.draws import Draw, Picker
 from exercises.instance import Instance
-from exercises.parts.cells.number_cells import read_numbers_of
+from exercises.parts.cells.number_cells import on_paper, read_numbers_of
 from exercises.parts.context import Context
 from exercises.parts.definition_keys import (
     COMPONENTS,
-    TOLERANCE,
     DefinitionKey,
     KeyShape,
     Start,
-    choice,
-    choices,
     joint_keys,
     joint_names,
-    sequence_keys,
     usual_joints,
 )
 from exercises.parts.forward.pose import joints_at
@@ -42,42 +36,38 @@ from exercises.parts.joint_draws import (
     read_joints,
 )
 from exercises.parts.motion.jacobian_cells import (
-    DISCLOSURES,
     JacobianAsk,
     JacobianCells,
     JacobianMark,
     JacobianTerms,
-    angles_locked,
+    JacobianType,
+    Mark,
     answer_fields,
     forces_mark,
     is_well_shaped,
     matrix_mark,
-    missing,
-    needs_table,
     read_angles,
-    report,
     told_question,
 )
-from exercises.parts.protocol import TABLE, GivenNumbers, PartTask, PartType, Reading, RobotFacts
-from exercises.parts.report import PartReport
+from exercises.parts.protocol import TABLE, GivenNumbers, PartTask, Reading, RobotFacts
 from exercises.reading import Reader
 from kinematics.answers.jacobian_answers import (
+    JacobianMistake,
+    JacobianVerdict,
     jacobian_at,
     joint_forces_at,
     judge_forces,
     judge_jacobian,
 )
 from kinematics.answers.screw_answers import ScrewOrder
+from kinematics.cells import Cell
 from kinematics.cells.meaning import Position
 from kinematics.chain import Chain, chain_of_table
-from kinematics.errors import JointValueError
 from kinematics.jacobian import JacobianFrame
 from kinematics.joint_values import wrong_length
 from kinematics.keys import ValueKind
 from kinematics.se3 import Floats
 from kinematics.table import bind
-
-DECIMALS = 4
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -103,14 +93,12 @@ class JacobianPart(JacobianTerms):
     wrench: tuple[float, ...]
 
 
-class JacobianPartType(PartType[JacobianPart, JacobianCells, JacobianNumbers]):
+class JacobianPartType(JacobianType[JacobianPart, JacobianNumbers]):
     """Jacobian and statics."""
 
     kind = "jacobian"
-    raw: ClassVar = JacobianCells
     meaning = "the Jacobian in numbers, and the joint forces that hold a wrench"
-    follows_table = True
-    disclosures: ClassVar = DISCLOSURES
+    wrench = KeyShape.NUMBERS
 
     def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> JacobianPart:
         """Return the part with its joint values and what is asked."""
@@ -135,15 +123,8 @@ class JacobianPartType(PartType[JacobianPart, JacobianCells, JacobianNumbers]):
         )
 
     def keys(self, robot: RobotFacts) -> tuple[DefinitionKey, ...]:
-        """Return the keys of the joint values, of what is asked, and of the angles."""
-        return (
-            *joint_keys(robot),
-            choices("ask", JacobianAsk),
-            choice("frame", JacobianFrame),
-            *sequence_keys("axes", "turning"),
-            DefinitionKey(name="wrench", shape=KeyShape.NUMBERS, labels=COMPONENTS),
-            TOLERANCE,
-        )
+        """Return the keys of the joint values beside those of what is asked."""
+        return *joint_keys(robot), *super().keys(robot)
 
     def start(self, robot: RobotFacts) -> Start:
         """Return joint values to begin with."""
@@ -194,19 +175,22 @@ class JacobianPartType(PartType[JacobianPart, JacobianCells, JacobianNumbers]):
             jacobian = np.vstack([jacobian[3:], jacobian[:3]])
         return JacobianNumbers(jacobian=jacobian, forces=forces)
 
-    def grade(self, part: JacobianPart, answer: JacobianNumbers, context: Context) -> PartReport:
-        """Judge column by column, and force by force; what is asked counts the same."""
+    def marking(self, part: JacobianPart, answer: JacobianNumbers, context: Context) -> Mark:
+        """Return how an answer is marked at the joint values of the question."""
         chain, joints = _arm(part, context)
-        with_table = context.instance.exercise.part(TABLE) is not None
-        if with_table and (context.own is None or len(chain.axes) != len(joints)):
-            return needs_table(part)
+
+        def judge_matrix(jacobian: Floats) -> JacobianVerdict:
+            return judge_jacobian(chain, joints, jacobian, part.frame, part.tolerance, part.angles)
+
+        def judge_statics(forces: Sequence[float]) -> tuple[Sequence[bool], JacobianMistake | None]:
+            return judge_forces(chain, joints, part.wrench, forces, part.frame, part.tolerance)
 
         def mark(question: JacobianAsk) -> JacobianMark:
             if question is JacobianAsk.JACOBIAN:
-                return _matrix(part, answer, chain, joints)
-            return _forces(part, answer, chain, joints)
+                return matrix_mark(answer.jacobian, judge_matrix)
+            return forces_mark(answer.forces, [0.0] * len(joints), judge_statics)
 
-        return report(part, context, mark)
+        return mark
 
     def right(self, part: JacobianPart, context: Context) -> JacobianCells:
         """Return what follows from the student's own table, or from the key, rounded as on paper.
@@ -219,21 +203,18 @@ class JacobianPartType(PartType[JacobianPart, JacobianCells, JacobianNumbers]):
             raise wrong_length(len(chain.axes), len(joints))
         written = JacobianCells()
         if JacobianAsk.JACOBIAN in part.ask:
-            rows = np.round(jacobian_at(chain, joints, part.frame, part.angles), DECIMALS) + 0.0
+            rows = on_paper(jacobian_at(chain, joints, part.frame, part.angles))
             cells = tuple(tuple(row) for row in rows.tolist())
             written = replace(written, order=ScrewOrder.LINEAR_FIRST, jacobian=cells)
         if JacobianAsk.FORCES in part.ask:
             forces = joint_forces_at(chain, joints, part.wrench, part.frame)
-            written = replace(written, forces=tuple((np.round(forces, DECIMALS) + 0.0).tolist()))
+            written = replace(written, forces=tuple(on_paper(forces).tolist()))
         return written
 
-    def wrong(self, part: JacobianPart, context: Context, rng: Random) -> Iterator[tuple[str, JacobianCells]]:
-        """Yield the matrix with its halves exchanged but not so called, and forces of the wrong sign."""
-        right = self.right(part, context)
-        if right.jacobian is not None:
-            yield "jacobian_wrong", replace(right, order=ScrewOrder.ANGULAR_FIRST)
-        if right.forces is not None and any(abs(float(value)) > 1.0 for value in right.forces):
-            yield "forces_wrong", replace(right, forces=tuple(-float(value) for value in right.forces))
+    def opposite(self, forces: tuple[Cell, ...]) -> tuple[Cell, ...] | None:
+        """Return the forces of the other sign; None where all of them are about zero."""
+        values = [float(value) for value in forces]
+        return tuple(-value for value in values) if any(abs(value) > 1.0 for value in values) else None
 
 
 def _arm(part: JacobianPart, context: Context) -> tuple[Chain, Sequence[float]]:
@@ -243,29 +224,6 @@ def _arm(part: JacobianPart, context: Context) -> tuple[Chain, Sequence[float]]:
         return chain_of_table(key_numbers(context.instance)), in_radians(context.instance.exercise, drawn)
     table = bind(context.own.table, context.values(context.own_names()))
     return chain_of_table(table), joints_at(context, drawn)
-
-
-def _matrix(
-    part: JacobianPart, answer: JacobianNumbers, chain: Chain, joints: Sequence[float]
-) -> JacobianMark:
-    if answer.jacobian is None:
-        return missing(JacobianAsk.JACOBIAN)
-    try:
-        found = judge_jacobian(chain, joints, answer.jacobian, part.frame, part.tolerance, part.angles)
-    except JointValueError:
-        return angles_locked()
-    return matrix_mark(found)
-
-
-def _forces(
-    part: JacobianPart, answer: JacobianNumbers, chain: Chain, joints: Sequence[float]
-) -> JacobianMark:
-    if answer.forces is None:
-        return missing(JacobianAsk.FORCES)
-    right, mistake = judge_forces(chain, joints, part.wrench, answer.forces, part.frame, part.tolerance)
-    zeros = [0.0] * len(joints)
-    nothing, _ = judge_forces(chain, joints, part.wrench, zeros, part.frame, part.tolerance)
-    return forces_mark(right, mistake, nothing)
 
 
 PART = JacobianPartType()

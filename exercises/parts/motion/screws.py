@@ -17,7 +17,7 @@ from exercises.grading import Feedback, HelpLevel
 from exercises.instance import Instance
 from exercises.parts.cells.by_name import ByName, read_by_name
 from exercises.parts.cells.matrix_cells import CellMatrix, read_numbers
-from exercises.parts.cells.number_cells import read_numbers_of
+from exercises.parts.cells.number_cells import on_paper, read_numbers_of
 from exercises.parts.context import Context
 from exercises.parts.joint_draws import key_numbers
 from exercises.parts.protocol import FieldShape, FormField, Length, PartTask, PartType, Reading, choice_field
@@ -37,6 +37,7 @@ from kinematics.screws import product_of_exponentials
 from kinematics.se3 import inverse_transform
 
 DECIMALS = 6
+"""Decimals of a student's screws: they are held to a policy, whose tolerance may be small."""
 ScrewRow = tuple[Cell, Cell, Cell, Cell, Cell, Cell]
 
 
@@ -169,8 +170,8 @@ def _lengths(answer: ScrewAnswer) -> list[float]:
 
 
 def _cells(answer: ScrewAnswer) -> ScrewsCells:
-    rows = np.round(answer.screws, DECIMALS) + 0.0
-    home: CellMatrix = (np.round(answer.home, DECIMALS) + 0.0).tolist()
+    rows = on_paper(answer.screws, DECIMALS)
+    home: CellMatrix = on_paper(answer.home, DECIMALS).tolist()
     return ScrewsCells(
         frame=answer.frame,
         order=ScrewOrder.LINEAR_FIRST,

@@ -15,7 +15,7 @@ from exercises.grading import Feedback, Finding, HelpLevel
 from exercises.grading.verdict import ParamValue
 from exercises.instance import Instance
 from exercises.names import renamed, unknown_name
-from exercises.parts.cells.number_cells import read_numbers_of
+from exercises.parts.cells.number_cells import DECIMALS, read_numbers_of
 from exercises.parts.context import Context
 from exercises.parts.definition_keys import DefinitionKey, Start, choice, joint_keys
 from exercises.parts.given_table import given_table
@@ -52,7 +52,6 @@ from kinematics.table import JointType
 
 MOST = 16
 """Conditions in one answer; the arms of the documents have five families."""
-DECIMALS = 4
 ConditionRow = Annotated[tuple[Cell, ...], Length(least=1, most=1)]
 Conditions = Annotated[tuple[ConditionRow, ...], Length(most=MOST)]
 Motion = Annotated[tuple[Cell, ...], Length(least=3, most=6)]

@@ -12,14 +12,13 @@ from fractions import Fraction
 from random import Random
 from typing import ClassVar
 
-import numpy as np
-
 from exercises.definition import Exercise, Part
 from exercises.draws import Draw, Picker
 from exercises.grading import Feedback, HelpLevel
 from exercises.instance import Instance
 from exercises.parts.cells.comparison import Matrices
 from exercises.parts.cells.matrix_cells import CellMatrix, read_numbers
+from exercises.parts.cells.number_cells import on_paper
 from exercises.parts.context import Context
 from exercises.parts.definition_keys import (
     TOLERANCE,
@@ -45,8 +44,6 @@ from kinematics.errors import Fault
 from kinematics.rotations.frame_chains import ChainFactor, ChainMistake, chain_product, judge_chain
 from kinematics.se3 import inverse_transform
 
-DECIMALS = 4
-"""Decimals of given matrices, as textbooks print them."""
 Pair = tuple[int, int]
 
 
@@ -225,7 +222,7 @@ def _pair(reader: Reader) -> Pair:
 def _known(part: FrameChainPart, instance: Instance) -> list[Matrices]:
     """Return the known poses as they are shown."""
     frames = key_frames(instance, instance.drawn[part.kind])
-    return [np.round(inverse_transform(frames[a]) @ frames[b], DECIMALS) + 0.0 for a, b in part.known]
+    return [on_paper(inverse_transform(frames[a]) @ frames[b]) for a, b in part.known]
 
 
 def _factors(part: FrameChainPart, instance: Instance) -> list[ChainFactor]:
@@ -234,7 +231,7 @@ def _factors(part: FrameChainPart, instance: Instance) -> list[ChainFactor]:
 
 
 def _cells(pose: Matrices) -> FrameChainCells:
-    cells: CellMatrix = (np.round(pose, DECIMALS) + 0.0).tolist()
+    cells: CellMatrix = on_paper(pose).tolist()
     return FrameChainCells(pose=cells)
 
 

@@ -19,7 +19,7 @@ from exercises.definition import Exercise, Part
 from exercises.draws import Draw, Picker, read_draw
 from exercises.grading import Feedback, Finding, HelpLevel
 from exercises.instance import Instance
-from exercises.parts.cells.number_cells import number_of, read_numbers_of
+from exercises.parts.cells.number_cells import DECIMALS, number_of, read_numbers_of
 from exercises.parts.context import Context
 from exercises.parts.definition_keys import (
     DEGREES,
@@ -73,9 +73,6 @@ from kinematics.rotations.sequences import (
     GimbalFamily,
     euler_solutions,
 )
-
-DECIMALS = 4
-"""Decimals of what is given and of what a student writes."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

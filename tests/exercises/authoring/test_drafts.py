@@ -16,14 +16,13 @@ from hypothesis import strategies as st
 from exercises.authoring.archive import LARGEST_FILE, MOST_FILES, archive_of_draft, draft_of_archive
 from exercises.authoring.draft import (
     ExerciseDraft,
-    draft_of_folder,
     exercise_of_draft,
     files_of_draft,
 )
 from exercises.authoring.toml_text import toml_text
 from exercises.errors import DefinitionError
 from exercises.loader import ROOT, load_exercise, packaged
-from tests.exercises.folders import TWO_LINKS, folder
+from tests.exercises.folders import TWO_LINKS, draft_of, folder
 
 NUMBERS = st.one_of(st.integers(-(2**53), 2**53), st.floats(allow_nan=False, allow_infinity=False, width=64))
 TEXTS = st.text(st.characters(exclude_categories=("Cs",)), max_size=20)
@@ -46,7 +45,7 @@ def test_what_is_written_is_what_is_read(definition: dict[str, object]) -> None:
 @pytest.mark.parametrize("exercise_id", packaged().ids)
 def test_a_shipped_folder_comes_back_byte_for_byte(exercise_id: str) -> None:
     own = ROOT / exercise_id
-    draft = draft_of_folder(own)
+    draft = draft_of(own)
     sent = json.loads(json.dumps({"definition": draft.definition, "statements": draft.statements}))
     again = draft_of_archive(archive_of_draft(ExerciseDraft(id=exercise_id, **sent)))
     assert again == draft
@@ -55,7 +54,7 @@ def test_a_shipped_folder_comes_back_byte_for_byte(exercise_id: str) -> None:
 
 
 def draft(tmp_path: Path, text: str = TWO_LINKS, **changes: str) -> ExerciseDraft:
-    return draft_of_folder(folder(tmp_path, text, **changes))
+    return draft_of(folder(tmp_path, text, **changes))
 
 
 def codes(work: object) -> set[str]:
