@@ -15,6 +15,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import takewhile
 
 import numpy as np
 
@@ -28,7 +29,7 @@ from kinematics.cells import ReadTable, in_length_unit
 from kinematics.chain import Chain, chain_of_table
 from kinematics.equivalence import Certificate, Policy
 from kinematics.equivalence.decision import certify, mechanism_only
-from kinematics.equivalence.invariants import has_all_invariants
+from kinematics.equivalence.invariants import first_axes_shared
 from kinematics.equivalence.reference import prepared
 from kinematics.equivalence.search import Effort
 from kinematics.errors import KinematicsError
@@ -83,11 +84,10 @@ def departure_of(instance: Instance, read: ReadTable, verdict: Verdict) -> Depar
         value / metres if kind is JointType.PRISMATIC else value
         for value, kind in zip(pose.posture, key.joint_types, strict=True)
     ]
-    named = _named(verdict)
-    shared, certificate = shared_joints(key, answer, exercise.policy, _joints_before(answer, named))
+    shared, certificate = shared_joints(key, answer, exercise.policy)
     if certificate is None:
         return None
-    row = named or _first_row(answer, shared)
+    row = _named(verdict) or _first_row(answer, shared)
     if row is None:
         return None
     base = np.array(pose.base) @ np.linalg.inv(certificate.base)
@@ -114,9 +114,7 @@ def departure_of(instance: Instance, read: ReadTable, verdict: Verdict) -> Depar
     )
 
 
-def shared_joints(
-    key: NumericTable, answer: NumericTable, policy: Policy, expected: int = 1
-) -> tuple[int, Certificate | None]:
+def shared_joints(key: NumericTable, answer: NumericTable, policy: Policy) -> tuple[int, Certificate | None]:
     """Return how many first joints two tables share as a mechanism, and the certificate for these.
 
     The last joint's own offset is the certificate's choice: without the rest of the chain it means nothing.
@@ -125,30 +123,30 @@ def shared_joints(
         key: the robot of the figure.
         answer: the robot of the table.
         policy: what tells how exact lengths and angles are.
-        expected: how many they will be; it is begun there, for what shares so many joints shares all fewer.
     """
     free = mechanism_only(policy)
-    best: Certificate | None = None
-    least, most = 0, min(len(key.joint_types), len(answer.joint_types))
-    joints = expected
-    while least < most:
-        joints = min(max(joints, least + 1), most)
+    for joints in range(_alike(key, answer, free), 0, -1):
         chain = chain_of_table(_first(answer, joints))
         reference = prepared(_first(key, joints)).beside(chain)
-        found = None
-        if has_all_invariants(reference, chain, free):
-            found = certify((reference,), (chain,), free, Effort.PLAIN)
-        if found is None:
-            most = joints = joints - 1
-        else:
-            best, least, joints = found, joints, joints + 1
-    return least, best
+        found = certify((reference,), (chain,), free, Effort.PLAIN)
+        if found is not None:
+            return joints, found
+    return 0, None
+
+
+def _alike(key: NumericTable, answer: NumericTable, policy: Policy) -> int:
+    """Return how many first joints share types and invariants: no more are the same mechanism."""
+    pairs = zip(key.joint_types, answer.joint_types, strict=False)
+    joints = sum(1 for _ in takewhile(lambda pair: pair[0] is pair[1], pairs))
+    if not joints:
+        return 0
+    chain = chain_of_table(_first(answer, joints))
+    return first_axes_shared(prepared(_first(key, joints)).beside(chain), chain, policy)
 
 
 def _first(table: NumericTable, joints: int) -> NumericTable:
     """Return the rows of a table up to that of a joint."""
-    at = [i for i, row in enumerate(table.rows) if row.joint is not JointType.FIXED]
-    return DHTable(convention=table.convention, rows=table.rows[: at[joints - 1] + 1])
+    return DHTable(convention=table.convention, rows=table.rows[: table.joint_rows[joints - 1] + 1])
 
 
 def _named(verdict: Verdict) -> int | None:
@@ -157,14 +155,6 @@ def _named(verdict: Verdict) -> int | None:
     wrong = {Finding.WRONG, Finding.MISSING}
     found = [link.row for link in verdict.links if wrong & {link.length, link.twist, link.offset, link.joint}]
     return next(iter([*told, *found]), None)
-
-
-def _joints_before(answer: NumericTable, row: int | None) -> int:
-    """Return how many axes stand before the first that a row (from 1) moves; 1 where none is named."""
-    if row is None:
-        return 1
-    before = answer.rows[: row - (answer.convention is Convention.MODIFIED)]
-    return sum(entry.joint is not JointType.FIXED for entry in before)
 
 
 def _first_row(answer: NumericTable, shared: int) -> int | None:

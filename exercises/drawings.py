@@ -10,8 +10,8 @@ from exercises.consistency import values_in_radians
 from exercises.definition import Exercise
 from exercises.figures.description import Sentence, describe
 from exercises.figures.drawing import DimensionLayout, dimension_layout, draw_figure
-from exercises.figures.geometry import Scene, Vector, build_scene, without_signs
-from exercises.figures.points import rotation_rpy
+from exercises.figures.geometry import Scene, Vector, build_scene, scene_vector
+from exercises.figures.points import frames_in_figure, rotation_rpy
 from exercises.figures.skeleton import usual_dimensions
 from exercises.figures.specification import DimensionMark
 from exercises.figures.svg import SvgDrawing, document
@@ -47,8 +47,13 @@ class KeyPose:
 def true_scene(instance: Instance) -> Scene:
     """The scene with the student's own lengths."""
     exercise = instance.exercise
-    scene = _signed(instance)
-    return scene if _shows_signs(exercise) else without_signs(scene)
+    return build_scene(
+        exercise.figure,
+        exercise.reference.table,
+        values(instance),
+        signed_axes=_shows_signs(exercise),
+        drawn=False,
+    )
 
 
 def figure_svg(
@@ -185,9 +190,10 @@ def figure_geometry(instance: Instance, frames: Sequence[DrawnFrame] = ()) -> di
 def key_pose(instance: Instance) -> KeyPose:
     """Return how the key lies in the figure; every accepted answer to the instance is shown it."""
     exercise = instance.exercise
-    figure = exercise.figure
-    types = exercise.reference.table.joint_types
+    figure, table = exercise.figure, exercise.reference.table
+    types = table.joint_types
     posture = figure.posture or (0.0,) * len(types)
+    frames = frames_in_figure(figure, table, values(instance))
     metres = float(exercise.length_unit.metres_per_unit)
     return KeyPose(
         base=tuple(tuple(row) for row in rotation_rpy(*figure.upright).tolist()),
@@ -195,16 +201,10 @@ def key_pose(instance: Instance) -> KeyPose:
             value * metres if joint_type is JointType.PRISMATIC else value
             for value, joint_type in zip(posture, types, strict=True)
         ),
-        directions=tuple(axis.direction for axis in _signed(instance).axes),
-    )
-
-
-@lru_cache(maxsize=KEPT)
-def _signed(instance: Instance) -> Scene:
-    """The scene with the senses of all axes, as the key has them."""
-    exercise = instance.exercise
-    return build_scene(
-        exercise.figure, exercise.reference.table, values(instance), signed_axes=True, drawn=False
+        directions=tuple(
+            scene_vector(frames[frame][:3, 2] * table.rows[row].sign)
+            for frame, row in zip(table.axis_frames, table.joint_rows, strict=True)
+        ),
     )
 
 

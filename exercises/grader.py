@@ -11,7 +11,6 @@ from exercises.answers import Answer
 from exercises.definition import Exercise
 from exercises.departure import Departure, departure_of
 from exercises.drawings import KeyPose, key_pose
-from exercises.errors import DefinitionError
 from exercises.grading import HelpLevel, Verdict
 from exercises.instance import Instance
 from exercises.parts.context import Context
@@ -109,7 +108,7 @@ def grade(
         version=exercise.version,
         angle_unit=answer.angle_unit,
         length_unit=answer.length_unit,
-        figure=_figure(instance) if context.own_correct else None,
+        figure=key_pose(instance) if context.own_correct else None,
         departure=_departure(instance, answer, verdict, level) if drawn else None,
         remarks=_remarks(exercise, verdict),
     )
@@ -136,11 +135,3 @@ def _remarks(exercise: Exercise, verdict: Verdict | None) -> tuple[Mapping[str, 
     """Return the lecturer's words on the most plausible repair; none where help keeps repairs back."""
     codes = [edit.code for repair in (verdict.repairs[:1] if verdict else ()) for edit in repair.edits]
     return tuple(exercise.remarks[code] for code in dict.fromkeys(codes) if code in exercise.remarks)
-
-
-def _figure(instance: Instance) -> KeyPose | None:
-    """Return how the key lies in the figure; a figure that a student's values spoil takes no marks away."""
-    try:
-        return key_pose(instance)
-    except DefinitionError:
-        return None

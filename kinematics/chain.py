@@ -39,7 +39,7 @@ from kinematics.se3 import (
     to_matrix,
     z_axis,
 )
-from kinematics.table import Convention, JointType, NumericTable
+from kinematics.table import Convention, DHTable, JointType, NumericTable
 
 NO_LENGTH = 1e-12
 """In any unit: an atom is a hundred times larger, and what a computation leaves of zero is smaller."""
@@ -202,6 +202,25 @@ def joint_constants(
 def frames_at_zero(table: NumericTable) -> list[Motion]:
     """Return frames 0 … N in frame 0, at q = 0."""
     return [frame for _, frame in chain_of_table(table).links]
+
+
+def frames_at(table: NumericTable, joints: Sequence[float], base: Transform | None = None) -> list[Motion]:
+    """Return frames 0 … N at one configuration; of a table that is asked once, at a third of a plan's cost.
+
+    Args:
+        table: the DH table; its entries are finite.
+        joints: (n,) finite joint variables [rad, or m of a prismatic joint].
+        base: (4, 4) pose of frame 0; the identity if left out.
+    """
+    rows = list(table.rows)
+    for i, q in zip(table.joint_rows, joints, strict=True):
+        row = rows[i]
+        if row.joint is JointType.REVOLUTE:
+            rows[i] = replace(row, theta=row.theta + row.sign * q)
+        else:
+            rows[i] = replace(row, d=row.d + row.sign * q)
+    moved = DHTable(convention=table.convention, rows=tuple(rows))
+    return [frame for _, frame in chain_of_table(moved, base).links]
 
 
 def size_of(chain: Chain) -> float:

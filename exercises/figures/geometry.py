@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import TypeAlias
 
 import numpy as np
@@ -142,10 +142,10 @@ def build_scene(
             _axis(points, joint, mark, size, signed=signed_axes)
             for joint, mark in sorted(spec.joints.items())
         ),
-        links=tuple(tuple(_vector(point) for point in chain) for chain in links),
+        links=tuple(tuple(scene_vector(point) for point in chain) for chain in links),
         dimensions=tuple(_dimension(points, mark, i, size) for i, mark in enumerate(spec.dimensions)),
         points=tuple(
-            NamedPoint(name=name, at=_vector(points.point(name, "marks", i)))
+            NamedPoint(name=name, at=scene_vector(points.point(name, "marks", i)))
             for i, name in enumerate(spec.marks)
         ),
         ground=_ground(points),
@@ -156,14 +156,6 @@ def build_scene(
     if points.faults:
         raise DefinitionError(points.faults)
     return scene
-
-
-def without_signs(scene: Scene) -> Scene:
-    """The scene with axes whose sense tells nothing."""
-    axes = tuple(
-        replace(axis, direction=_unsigned(np.array(axis.direction)), signed=False) for axis in scene.axes
-    )
-    return replace(scene, axes=axes)
 
 
 def scene_points(scene: Scene) -> Iterator[Vector]:
@@ -194,8 +186,8 @@ def _axis(points: Points, joint: int, mark: JointMark, size: float, *, signed: b
     return FigureJointAxis(
         joint=joint,
         type=joint_type,
-        point=_vector(point),
-        direction=_vector(direction * sense) if signed else _unsigned(direction),
+        point=scene_vector(point),
+        direction=scene_vector(direction * sense) if signed else _unsigned(direction),
         signed=signed,
         scale=mark.scale,
         reach=mark.reach,
@@ -217,7 +209,11 @@ def _dimension(points: Points, mark: DimensionMark, index: int, size: float) -> 
             value=value,
         )
     return Dimension(
-        name=mark.name, start=_vector(start), end=_vector(end), offset=mark.offset, distance=mark.distance
+        name=mark.name,
+        start=scene_vector(start),
+        end=scene_vector(end),
+        offset=mark.offset,
+        distance=mark.distance,
     )
 
 
@@ -225,7 +221,7 @@ def _ground(points: Points) -> GroundPlate | None:
     ground = points.specification.ground
     if ground is None:
         return None
-    return GroundPlate(at=_vector(points.point(ground.at, "ground", "at")), normal=_unit(ground.normal))
+    return GroundPlate(at=scene_vector(points.point(ground.at, "ground", "at")), normal=_unit(ground.normal))
 
 
 def _gripper(points: Points, gripper: FigureGripper) -> GripperPose | None:
@@ -236,13 +232,13 @@ def _gripper(points: Points, gripper: FigureGripper) -> GripperPose | None:
         return None
     direction = (at - origin) / np.linalg.norm(at - origin)
     if gripper.jaws is None:
-        return GripperPose(at=_vector(at), direction=_vector(direction), jaws=None)
+        return GripperPose(at=scene_vector(at), direction=scene_vector(direction), jaws=None)
     jaws = np.asarray(gripper.jaws, dtype=np.float64)
     across = jaws - direction * (jaws @ direction)
     if np.linalg.norm(across) < ON_AXIS:
         points.fault("jaws_along_gripper", ("gripper", "jaws"))
         return None
-    return GripperPose(at=_vector(at), direction=_vector(direction), jaws=_unit(across))
+    return GripperPose(at=scene_vector(at), direction=scene_vector(direction), jaws=_unit(across))
 
 
 def close(a: Array, b: Array) -> bool:
@@ -260,15 +256,16 @@ def _diagonal(points: list[Array]) -> float:
 def _unsigned(direction: Array) -> Vector:
     """The direction with its largest component positive: it tells nothing of the reference's sense."""
     largest = max((_rounded(value, 1e9) for value in direction.tolist()), key=abs)
-    return _vector(direction if largest > 0 else -direction)
+    return scene_vector(direction if largest > 0 else -direction)
 
 
 def _unit(vector: Array | Vector) -> Vector:
     array = np.asarray(vector, dtype=np.float64)
-    return _vector(array / np.linalg.norm(array))
+    return scene_vector(array / np.linalg.norm(array))
 
 
-def _vector(array: Array) -> Vector:
+def scene_vector(array: Array) -> Vector:
+    """A point or a direction as a scene holds it: without what the arithmetic leaves in the last digits."""
     x, y, z = [_rounded(value, 1e12) + 0.0 for value in array.tolist()]
     return x, y, z
 

@@ -18,10 +18,10 @@ from exercises.figures.specification import (
     PointInFrame,
     Triple,
 )
+from kinematics.chain import frames_at
 from kinematics.errors import Fault, ParameterError
 from kinematics.expressions import Expression, evaluate
-from kinematics.forward import forward_kinematics
-from kinematics.se3 import Transform
+from kinematics.se3 import Transform, to_matrix
 from kinematics.table import SymbolicTable, bind
 
 
@@ -41,10 +41,7 @@ class Points:
         self.values = values
         self.faults: list[Fault] = []
         self.reference = reference
-        table = bind(reference, values)
-        base = rotation_rpy(*specification.upright)
-        posture = specification.posture or (0.0,) * table.n_joints
-        self.frames: list[Transform] = [base, *forward_kinematics(table, posture, base=base).frames]
+        self.frames = frames_in_figure(specification, reference, values)
         self.specification = specification
         self._is_completed = False
         if not says_all(specification, reference):
@@ -123,6 +120,15 @@ class Points:
 
     def _triple(self, triple: Triple, *where: str | int) -> Array:
         return np.array([self.number(entry, *where, i) for i, entry in enumerate(triple)])
+
+
+def frames_in_figure(
+    specification: FigureSpecification, reference: SymbolicTable, values: Mapping[str, float]
+) -> list[Transform]:
+    """(4, 4) poses of frame 0 … N of a reference in the figure, at the figure's posture."""
+    posture = specification.posture or (0.0,) * reference.n_joints
+    base = rotation_rpy(*specification.upright)
+    return [to_matrix(frame) for frame in frames_at(bind(reference, values), posture, base)]
 
 
 def rotation_rpy(roll: float, pitch: float, yaw: float) -> Transform:

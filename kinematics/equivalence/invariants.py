@@ -142,16 +142,13 @@ def invariants_of(reference: Reference, policy: Policy) -> Invariants:
     return Invariants(shapes, measured(shapes, axis_batch([axes])), slacks)
 
 
-def has_all_invariants(reference: Reference, submission: Chain, policy: Policy) -> bool:
-    """Whether a submission may be the reference: the types of its joints are its own, no invariant is off."""
-    types = [axis.prismatic for axis in reference.chain.axes]
-    if types != [axis.prismatic for axis in submission.axes]:
-        return False
+def first_axes_shared(reference: Reference, submission: Chain, policy: Policy) -> int:
+    """How many first joints of a submission, of the same types as the reference's, share all invariants."""
     invariants = invariants_of(reference, policy)
-    if not invariants.shapes:
-        return True
     found = invariants.measured(axis_batch([axes_of(submission, policy)]))
-    return bool((invariants.strains(found) <= 1.0).all())
+    off = invariants.strains(found)[:, 0] > 1.0
+    concerned = invariants.spans[1][off, 0]
+    return min([len(reference.chain.axes), *(int(last) - 1 for last in concerned)])
 
 
 def _between(

@@ -9,7 +9,7 @@ import pytest
 
 from kinematics import catalogue
 from kinematics.cells import bind_parameters
-from kinematics.chain import chain_of_table, frames_at_zero, size_of
+from kinematics.chain import chain_of_table, frames_at, frames_at_zero, size_of
 from kinematics.equivalence import mirrored
 from kinematics.equivalence.reference import prepared, sample_joints
 from kinematics.forward import forward_kinematics
@@ -37,6 +37,10 @@ def test_exponentials_of_screws_are_the_forward_kinematics(seed: int) -> None:
     frames = [to_matrix(frame) for frame in frames_at_zero(drawn)]
     assert np.allclose(frames[0], np.eye(4))
     assert np.allclose(frames[1:], at_zero, atol=1e-10 * (1 + chain_of_table(drawn).extent))
+    base = transform_from_xyzabc((0.3, -0.2, 0.1, 0.4, 0.5, 0.6))
+    moved = [to_matrix(frame) for frame in frames_at(drawn, q[:, 0].tolist(), base)]
+    expected = forward_kinematics(drawn, q[:, 0], base=base)
+    assert np.allclose(moved, [base, *expected.frames], atol=1e-10 * (1 + chain_of_table(drawn).extent))
 
 
 def test_size_hardly_depends_on_the_frames() -> None:
