@@ -196,7 +196,7 @@ class Context:
             found: list[Points] = [(nominal, joints)]
             if self.own_scales:
                 slides = [type_ is JointType.PRISMATIC for type_ in self.joint_types]
-                found += ((values, joints[:2]) for values in self.draws(names))
+                found += ((values, joints[:2]) for values in self.draws(names) if self._own_holds(values))
                 found.append((self.scaled(nominal, 2.0), np.where(slides, 2.0, 1.0) * joints[:1]))
             self._samples[names] = tuple(found)
         return self._samples[names]
@@ -223,15 +223,23 @@ class Context:
         if self.own is None:
             return False
         values = self.values(self.own_names())
-        try:
-            once, twice = self.own_numbers(values), self.own_numbers(self.scaled(values, 2.0))
-        except ParameterError:
+        doubled = self.scaled(values, 2.0)
+        if not (self._own_holds(values) and self._own_holds(doubled)):
             return False
+        once, twice = self.own_numbers(values), self.own_numbers(doubled)
         return all(
             math.isclose(2.0 * a, b, rel_tol=1e-9, abs_tol=1e-12)
             for row, other in zip(once.rows, twice.rows, strict=True)
             for a, b in ((row.a, other.a), (row.d, other.d))
         )
+
+    def _own_holds(self, values: Mapping[str, float]) -> bool:
+        """Whether every entry of the student's own table has a value there: √(L2² − L1²) may have none."""
+        try:
+            self.own_numbers(values)
+        except ParameterError:
+            return False
+        return True
 
     def scaled(self, values: Mapping[str, float], factor: float) -> dict[str, float]:
         """The values with every length multiplied."""

@@ -164,11 +164,11 @@ class SingularArm(ValuedRobot):
         return at(0.5 * (low + high))
 
     def other(self) -> SingularArm:
-        """Return the same arm with other lengths, no two of them equal."""
-        kinds = sorted(self.values)
+        """Return the same arm with other lengths, no two of them equal: what was longer stays longer."""
         rng = np.random.default_rng(11)
-        values = {name: self.size * float(rng.uniform(0.3, 1.2)) for name in kinds}
-        return arm_of(self.table, self.rows, tuple(values.items()))
+        names = sorted(self.values, key=self.values.__getitem__)
+        lengths = np.sort(self.size * rng.uniform(0.3, 1.2, len(names))).tolist()
+        return arm_of(self.table, self.rows, tuple(sorted(zip(names, lengths, strict=True))))
 
 
 @lru_cache(maxsize=128)

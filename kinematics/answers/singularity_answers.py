@@ -24,6 +24,7 @@ from numpy.typing import NDArray
 from kinematics.answers.jacobian_answers import jacobian_at
 from kinematics.answers.singular_arms import LOST, SingularArm
 from kinematics.answers.unit_multiples import factors_of
+from kinematics.errors import ParameterError
 from kinematics.expressions import (
     Call,
     Expression,
@@ -41,7 +42,7 @@ from kinematics.jacobian import JacobianFrame
 from kinematics.se3 import Floats
 from kinematics.symbolic import ProofStatus
 from kinematics.symbolic.determinants import MotionRows
-from kinematics.symbolic.quotients import reduced
+from kinematics.symbolic.quotients import quotient_of, reduced
 from kinematics.table import JointType
 
 ROUNDED = 5e-4
@@ -140,7 +141,10 @@ def judge_singularities(arm: SingularArm, conditions: Sequence[Expression]) -> S
     found = _judged(arm, conditions)
     if not found.right or found.proof is ProofStatus.PROVED or any(map(holds_decimals, conditions)):
         return found
-    other = _judged(arm.other(), conditions)
+    try:
+        other = _judged(arm.other(), conditions)
+    except ParameterError:  # the table has no value there
+        return found
     if other.right or len(other.families) != len(found.families):
         return found
     return SingularityVerdict(
@@ -159,8 +163,7 @@ def _judged(arm: SingularArm, conditions: Sequence[Expression]) -> SingularityVe
     exact = True
     for condition in conditions:
         statuses, before = [], [each.copy() for each in covered]
-        for factor in factors_of(reduced(condition)):
-            here = arm.products.zeros(factor)
+        for factor, here in _factors(arm, condition):
             if here is None:
                 vanishing = _where(arm, factor, covered)
                 found = frozenset(j for j, all_of_it in enumerate(vanishing) if all_of_it)
@@ -186,6 +189,38 @@ def _judged(arm: SingularArm, conditions: Sequence[Expression]) -> SingularityVe
         return verdict
     whole = exact and arm.whole and len(proved) == len(arm.families)
     return replace(verdict, proof=ProofStatus.PROVED if whole else ProofStatus.UNDECIDED)
+
+
+def _factors(arm: SingularArm, condition: Expression) -> list[tuple[Expression, frozenset[int] | None]]:
+    """Return functions that vanish where a condition holds, and the families that these are proved to be.
+
+    A quotient is one function where its denominator may cancel zeros: (1 − cos² q)/sin² q has none.
+    """
+    whole = reduced(condition)
+    _, bottom = quotient_of(whole)
+    under = _divisors(arm, bottom)
+    if under is not None and not any(under):
+        found = [(factor, arm.products.zeros(factor)) for factor in factors_of(whole)]
+        split = not bottom or all(families is not None for _, families in found)
+        return found if split else [(whole, None)]
+    powers = arm.products.powers(whole)
+    if powers is None or under is None:
+        return [(whole, None)]
+    return [(whole, frozenset(j for j, count in enumerate(powers) if count > under[j]))]
+
+
+def _divisors(arm: SingularArm, bottom: Sequence[Expression]) -> tuple[int, ...] | None:
+    """Return how often each family divides a denominator; None if one may, and it is not proved how often."""
+    none = (0,) * len(arm.families)
+    if not bottom:
+        return none
+    product = multiply(bottom)
+    powers = arm.products.powers(product)
+    if powers is None:
+        touched = [np.zeros(points.shape[1], dtype=bool) for points in arm.witnesses]
+        _where(arm, product, touched)
+        return None if any(points.any() for points in touched) else none
+    return powers
 
 
 def lost_motion_is_right(arm: SingularArm, joints: Sequence[float], given: Sequence[float]) -> bool | None:

@@ -106,19 +106,25 @@ class FamilyProducts:
 
     def zeros(self, function: Expression) -> frozenset[int] | None:
         """Return the families whose zeros are proved to be those of a function; None if it is not proved."""
+        powers = self.powers(function)
+        return None if powers is None else frozenset(j for j, count in enumerate(powers) if count)
+
+    def powers(self, function: Expression) -> tuple[int, ...] | None:
+        """Return how often each family is a factor of a function; None if it is not proved."""
+        none = (0,) * len(self._families)
         if never_vanishes(function):
-            return frozenset()
+            return none
         reader = self._reader.copy()
         given = reader.read(cleared(function))
         if not given:
             return None
         degrees = reader.degrees(given)
         if not degrees:
-            return frozenset() if len(given) == 1 else None  # a sum of lengths may vanish
+            return none if len(given) == 1 else None  # a sum of lengths may vanish
         for times in islice(self._fitting(degrees), MOST_PRODUCTS):
             product = self._product(times)
             if product and reader.normalised(given) == reader.normalised(product):
-                return frozenset(j for j, count in enumerate(times) if count)
+                return times
         return None
 
     def is_product(self, function: Expression, of: frozenset[int]) -> bool:

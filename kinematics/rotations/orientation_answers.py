@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import StrEnum
 
 from kinematics.poses import transform_from_axis_angle, transform_from_quaternion
@@ -27,6 +27,7 @@ from kinematics.rotations.matrices import (
 )
 from kinematics.rotations.properties import RotationProperty, failed_properties
 from kinematics.rotations.sequences import (
+    Combination,
     EulerSequence,
     GimbalFamily,
     Turning,
@@ -53,7 +54,8 @@ class RotationMistake(StrEnum):
     left-hand rule. HALF_ANGLE: a quaternion with the sine and cosine of the whole angle. COMPONENT_ORDER: the
     scalar at the other end. NOT_UNIT: a quaternion that is not of length 1. NO_AXIS: an axis of length zero.
     SOLUTION_MISSING: one triple of two. SOLUTION_TWICE: the same triple again. FAMILY_MISSING: single triples
-    for a locked rotation. QUADRANT: an angle is off by half a turn, as atan gives it for atan2.
+    for a locked rotation. COMBINATION: its sum for the difference, or the reverse. NOT_LOCKED: a family for a
+    rotation that has two triples. QUADRANT: an angle is off by half a turn, as atan gives it for atan2.
     """
 
     TRANSPOSED = "transposed"
@@ -67,6 +69,8 @@ class RotationMistake(StrEnum):
     SOLUTION_MISSING = "solution_missing"
     SOLUTION_TWICE = "solution_twice"
     FAMILY_MISSING = "family_missing"
+    COMBINATION = "combination"
+    NOT_LOCKED = "not_locked"
     QUADRANT = "quadrant"
     UNIT_COLUMNS = RotationProperty.UNIT_COLUMNS.value
     PERPENDICULAR_COLUMNS = RotationProperty.PERPENDICULAR_COLUMNS.value
@@ -230,15 +234,24 @@ def judge_family(
 ) -> OrientationVerdict:
     """Judge the relation that describes all triples of a locked rotation.
 
-    The family is right when it is the family, which one member more than another decides: with three members
-    a third of a turn apart, all of which make the rotation, first ± last is constant on it and β is right.
+    The sum for the difference, or the reverse, earns half: the middle angle and the value are right.
+    """
+    if _is_family(expected, sequence, given, tolerance):
+        return RIGHT
+    found = tuple(_family_slips(expected, sequence, given, tolerance))
+    share = 0.5 if found == (RotationMistake.COMBINATION,) else 0.0
+    return OrientationVerdict(right=False, share=share, mistakes=found)
+
+
+def _is_family(expected: Matrix3, sequence: EulerSequence, given: GimbalFamily, tolerance: float) -> bool:
+    """Return whether a relation holds for every triple of a rotation.
+
+    One member more than another decides: with three members a third of a turn apart, all of which make the
+    rotation, first ± last is constant on it and β is right.
     """
     firsts = (0.0, math.tau / 3, 2 * math.tau / 3)
     members = [(first, given.middle, given.last(first)) for first in firsts]
-    if all(angle_between(expected, sequence.matrix(member)) <= tolerance for member in members):
-        return RIGHT
-    one = any(angle_between(expected, sequence.matrix(member)) <= tolerance for member in members)
-    return OrientationVerdict(right=False, share=0.5 if one else 0.0)
+    return all(angle_between(expected, sequence.matrix(member)) <= tolerance for member in members)
 
 
 def _wrong(*mistakes: RotationMistake) -> OrientationVerdict:
@@ -297,6 +310,26 @@ def _triple_slips(
         yield RotationMistake.DEGREES
     elif any(makes(sequence.matrix(turned)) for turned in halves):
         yield RotationMistake.QUADRANT
+
+
+def _family_slips(
+    expected: Matrix3, sequence: EulerSequence, given: GimbalFamily, tolerance: float
+) -> Iterator[RotationMistake]:
+    """Yield the slip that makes the relation of the right one, if there is one."""
+    if euler_solutions(expected, sequence).family is None:
+        yield RotationMistake.NOT_LOCKED
+        return
+    (other,) = set(Combination) - {given.combination}
+    units = (
+        replace(given, middle=unit(given.middle), value=unit(given.value))
+        for unit in (_in_degrees, math.radians)
+    )
+    if _is_family(expected, sequence, replace(given, combination=other), tolerance):
+        yield RotationMistake.COMBINATION
+    elif _is_family(expected, sequence, replace(given, value=-given.value), tolerance):
+        yield RotationMistake.TRANSPOSED
+    elif any(_is_family(expected, sequence, changed, tolerance) for changed in units):
+        yield RotationMistake.DEGREES
 
 
 def _in_degrees(angle: float) -> float:

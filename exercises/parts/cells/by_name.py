@@ -19,9 +19,11 @@ from typing import Any, Generic, TypeVar
 
 from exercises.instance import Instance
 from exercises.parts.context import Context
+from exercises.parts.joint_draws import key_numbers
 from exercises.parts.protocol import Reading
 from kinematics.cells import ParameterKind
 from kinematics.equivalence import Tolerance
+from kinematics.errors import ParameterError
 
 Read = TypeVar("Read")
 
@@ -79,7 +81,7 @@ def read_by_name(
         read(_at(reading, instance))
         for instance in (_twice(reading.instance), _other(reading.instance, exact))
     )
-    if twice is None or other is None:
+    if twice is None or other is None or not _key_holds(_other(reading.instance, exact)):
         return ByName(here=here)
     pairs = list(zip(lengths(here), lengths(twice), strict=True))
     named = any(pairs) and all(math.isclose(2.0 * one, two, rel_tol=SAME, abs_tol=SAME) for one, two in pairs)
@@ -126,6 +128,15 @@ def _other(instance: Instance, exact: float) -> Instance:
     changed = _with_lengths(instance, lambda k: 1 + Fraction((-1) ** k * (3 + 2 * k), 41 + 2 * k))
     policy = replace(exercise.policy, tolerance=tolerance)
     return replace(changed, exercise=replace(exercise, policy=policy))
+
+
+def _key_holds(instance: Instance) -> bool:
+    """Whether every entry of the key has a value there."""
+    try:
+        key_numbers(instance)
+    except ParameterError:
+        return False
+    return True
 
 
 def _with_lengths(instance: Instance, factor: Callable[[int], Fraction]) -> Instance:

@@ -43,6 +43,11 @@ class Compared:
         """Every cell agrees."""
         return bool(self.cells.all())
 
+    @property
+    def has_values(self) -> bool:
+        """Every cell has a value at every sample: √(L2 − L1) has none where L1 is the longer one."""
+        return bool(np.isfinite(self.actual).all())
+
     def beside(self, expected: Expected) -> Matrices:
         """(k, 4, 4) other matrices at the same samples."""
         return at_samples(self.samples, expected)

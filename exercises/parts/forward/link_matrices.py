@@ -73,7 +73,7 @@ def _what_is_off(context: Context, i: int, compared: Compared) -> Feedback:
     for k in range(len(table.rows)):
         if k != i and looks_like(compared.beside(link_of(context, k))):
             return Feedback(code="matrix_of_other_row", row=i + 1, params={**params, "other": k + 1})
-    if not is_rigid(compared.actual, context.policy.tolerance):
+    if compared.has_values and not is_rigid(compared.actual, context.policy.tolerance):
         return Feedback(code="matrix_not_rigid", row=i + 1, params=params)
     return Feedback(code="matrix_cells_wrong", row=i + 1, params=params)
 

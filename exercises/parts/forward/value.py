@@ -20,6 +20,7 @@ from kinematics.chain import Axis, Chain, chain_of_axes
 from kinematics.equivalence import Tolerance
 from kinematics.equivalence.decision import certify
 from kinematics.equivalence.reference import prepared
+from kinematics.errors import ParameterError
 from kinematics.se3 import cross_arrays, from_matrix
 from kinematics.table import JointType, NumericTable, bind
 
@@ -49,13 +50,19 @@ def is_robot(context: Context, poses_at: PosesAt, names: frozenset[str]) -> bool
         return False
     if not names & set(context.parameters) or not _names_lengths(context, poses_at, values):
         return True
-    other = next(context.draws(names))
-    return _is_robot_at(context, partial(poses_at, other), _key_at(context, other))
+    for other in context.draws(names):
+        key = _key_at(context, other)
+        if key is not None:
+            return _is_robot_at(context, partial(poses_at, other), key)
+    return True
 
 
-def _key_at(context: Context, values: Mapping[str, float]) -> NumericTable:
-    """The key with other values [rad, the student's unit], in the exercise's unit."""
-    return bind(context.reference.table, context.scaled(values, 1.0 / context.unit_ratio))
+def _key_at(context: Context, values: Mapping[str, float]) -> NumericTable | None:
+    """The key with other values [rad, the student's unit], in the exercise's unit; None if one has none."""
+    try:
+        return bind(context.reference.table, context.scaled(values, 1.0 / context.unit_ratio))
+    except ParameterError:
+        return None
 
 
 def _names_lengths(context: Context, poses_at: PosesAt, values: Mapping[str, float]) -> bool:
@@ -65,10 +72,14 @@ def _names_lengths(context: Context, poses_at: PosesAt, values: Mapping[str, flo
     twice = context.scaled(values, 2.0)
     once, larger = poses_at(values, joints), poses_at(twice, np.where(slides, 2.0, 1.0) * joints)
     key, larger_key = context.reference_numbers, _key_at(context, twice)
-    return is_doubled(once, larger, context.size) and all(
-        math.isclose(2.0 * a, b, rel_tol=1e-9, abs_tol=1e-12)
-        for row, other in zip(key.rows, larger_key.rows, strict=True)
-        for a, b in ((row.a, other.a), (row.d, other.d))
+    return (
+        is_doubled(once, larger, context.size)
+        and larger_key is not None
+        and all(
+            math.isclose(2.0 * a, b, rel_tol=1e-9, abs_tol=1e-12)
+            for row, other in zip(key.rows, larger_key.rows, strict=True)
+            for a, b in ((row.a, other.a), (row.d, other.d))
+        )
     )
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import StrEnum
 from fractions import Fraction
 from functools import lru_cache, partial
@@ -221,10 +221,16 @@ class WorkspacePartType(PartType[WorkspacePart, RadiiCells, ByName[WorkspaceAnsw
     def grade(self, part: WorkspacePart, answer: ByName[WorkspaceAnswer], context: Context) -> PartReport:
         """Judge the radii at the student's lengths and, if they are right there and in names, at others."""
         report = self._judged(part, answer.here, context)
-        elsewhere = answer.elsewhere(context) if report.correct and answer.here.inner else None
+        elsewhere = answer.elsewhere(context) if report.correct else None
+        if elsewhere is None:
+            return report
+        named, there = elsewhere
+        exact = replace(part, tolerance=min(part.tolerance, there.policy.tolerance.length))
         # a figure that other lengths spoil says nothing
         with suppress(DefinitionError):
-            return self._judged(part, *elsewhere) if elsewhere else report
+            if not answer.here.inner:  # a least distance of zero is one of these lengths
+                named = replace(named, inner=workspace_of(there, exact).inner * there.unit_ratio)
+            return self._judged(exact, named, there)
         return report
 
     def _judged(self, part: WorkspacePart, answer: WorkspaceAnswer, context: Context) -> PartReport:

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 from typing import Any
 
 import pytest
 
-from exercises.answers import RawAnswer
+from exercises.answers import RawAnswer, parse
 from exercises.errors import AnswerError
+from exercises.grader import grade
 from exercises.instance import generate
+from exercises.loader import load_exercise
 from exercises.parts.cells.by_name import exactness, read_by_name
 from exercises.parts.cells.matrix_cells import CELL_LIMITS
 from exercises.parts.forward.frames import FrameCells, FramesCells
@@ -20,6 +23,7 @@ from exercises.parts.report import PartReport
 from kinematics.answers.screw_answers import ScrewFrame, ScrewOrder
 from kinematics.table import Convention
 from tests.exercises.answering import codes, judged, part
+from tests.exercises.folders import changed, folder
 from tests.exercises.packaged import exercise
 
 SEEDS = ("ana", "b2", "c3", "d4", None)
@@ -48,7 +52,12 @@ def frames(seed: str | None, first: Any, second: Any) -> PartReport:
 
 def radii(seed: str | None, inner: Any, outer: Any) -> PartReport:
     """The workspace of the SCARA."""
-    return part(judged("scara", seed=seed, workspace=RadiiCells(inner=inner, outer=outer)), "workspace")
+    return radii_of("scara", seed, inner, outer)
+
+
+def radii_of(exercise_id: str, seed: str | None, inner: Any, outer: Any) -> PartReport:
+    """A workspace."""
+    return part(judged(exercise_id, seed=seed, workspace=RadiiCells(inner=inner, outer=outer)), "workspace")
 
 
 def values(exercise_id: str, seed: str | None) -> list[float]:
@@ -84,6 +93,27 @@ def test_another_dimension_that_is_as_long_is_wrong(seed: str | None) -> None:
     a2, a3 = values("scara", seed)
     assert codes(radii(seed, f"{(a2 - a3) / a3!r}*a3", "a2+a3")) == ["workspace_inner_wrong"]
     assert not radii(seed, "a2 - a3", f"{(a2 + a3) / a2!r}*a2").correct
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_a_radius_that_leaves_out_a_short_length_is_wrong(seed: str | None) -> None:
+    """The wrist passes the elbow at a3: without it the arm is within a hundredth as long."""
+    stretched, short = "a1 + a2 + sqrt(a3^2 + d4^2) + d6", "a1 + a2 + d4 + d6"
+    assert codes(radii_of("dmra", seed, 0, stretched)) == ["workspace_right"]
+    assert codes(radii_of("dmra", seed, 0, short)) == ["workspace_outer_wrong"]
+    sums = [f"sqrt(d3^2 + (a2 {sign} sqrt(a3^2 + d4^2))^2)" for sign in "-+"]
+    assert codes(radii_of("puma560", seed, *sums)) == ["workspace_right"]
+    assert not radii_of("puma560", seed, sums[0], "sqrt(d3^2 + (a2 + d4)^2)").correct
+
+
+def test_names_are_judged_at_the_students_lengths_where_the_key_has_no_others(tmp_path: Path) -> None:
+    changed_key = changed('d = 0, a = "L1"', 'd = "sqrt(9*L2^2 - L1^2)", a = "L1"')
+    text = changed('kind = "table"', 'kind = "screws"', changed_key).replace("L1.draw", "# L1.draw")
+    instance = generate(load_exercise(folder(tmp_path, text.replace("L1.value = 0.5", "L1.value = 0.89"))))
+    rows: Any = ((0, 0, 0, 0, 0, 1), (0, "-L1", 0, 0, 0, 1))
+    home = ((1, 0, 0, "L1 + L2"), (0, 1, 0, 0), (0, 0, 1, 0), (0, 0, 0, 1))
+    cells = ScrewsCells(frame=ScrewFrame.SPACE, order=ScrewOrder.LINEAR_FIRST, screws=rows, home=home)
+    assert grade(instance, parse(instance, RawAnswer(screws=cells))).correct
 
 
 def test_decimals_say_how_exact_a_factor_is() -> None:

@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any
 
 import pytest
 
+from exercises.answers import RawAnswer, parse
+from exercises.grader import grade
 from exercises.grading import Finding, HelpLevel
+from exercises.instance import generate
+from exercises.loader import load_exercise
 from exercises.parts.cells.matrix_cells import read_functions, read_matrix
 from exercises.parts.report import Credit
 from kinematics.cells import AngleUnit
@@ -21,6 +26,7 @@ from tests.exercises.answering import (
     part,
     table,
 )
+from tests.exercises.folders import changed, folder, with_part
 
 WRONG = table("standard", (0, "a3", 0, "q1"), (180, "a2", 0, "q2"), (0, 0, "q3", 0), (0, 0, 0, "q4"))
 """a2 and a3 have changed places."""
@@ -112,7 +118,7 @@ def test_equal_dimensions_are_told_apart_by_name() -> None:
         (SCARA_MATRICES[3], "matrix_of_other_row"),
         ([["2*c1", "-s1", 0, "a2*c1"], *SCARA_MATRICES[0][1:]], "matrix_not_rigid"),
         ([*SCARA_MATRICES[0][:3], [0, 0, 0, 2]], "matrix_not_rigid"),
-        ([["sqrt(-1 - c1^2)", "-s1", 0, "a2*c1"], *SCARA_MATRICES[0][1:]], "matrix_not_rigid"),
+        ([["sqrt(-1 - c1^2)", "-s1", 0, "a2*c1"], *SCARA_MATRICES[0][1:]], "matrix_cells_wrong"),
     ],
 )
 def test_a_wrong_matrix_is_explained(first: Any, code: str) -> None:
@@ -235,3 +241,48 @@ def test_names_are_exact_where_values_are_equal() -> None:
     assert part(judged("twolink", transform=right), "transform").correct
     numbers = [[str(cell).replace("L1", "1") for cell in row] for row in form]
     assert part(judged("twolink", transform=numbers), "transform").correct
+
+
+RAISED = "sqrt(1.1*L2^2 - L1^2)"
+"""Has a value where both links are 1 m long, and none where the first one is much longer."""
+
+
+def test_a_table_that_holds_for_some_lengths_only_is_judged_where_it_does() -> None:
+    own = table("standard", (0, "L1", RAISED, "q1"), (0, "L2", 0, "q2"))
+    first = [["c1", "-s1", 0, "L1*c1"], ["s1", "c1", 0, "L1*s1"], [0, 0, 1, RAISED], [0, 0, 0, 1]]
+    second = [["c2", "-s2", 0, "L2*c2"], ["s2", "c2", 0, "L2*s2"], [0, 0, 1, 0], [0, 0, 0, 1]]
+    form = [
+        ["c12", "-s12", 0, "L1*c1 + L2*c12"],
+        ["s12", "c12", 0, "L1*s1 + L2*s12"],
+        [0, 0, 1, RAISED],
+        [0, 0, 0, 1],
+    ]
+    report = judged("twolink", table=own, link_matrices=[first, second], transform=form)
+    assert codes(part(report, "link_matrices")) == ["matrices_right"]
+    assert codes(part(report, "transform")) == ["transform_right"]
+    doubled = [[*first[:2], [0, 0, 1, f"2*{RAISED}"], first[3]], second]
+    wrong = part(judged("twolink", table=own, link_matrices=doubled), "link_matrices")
+    assert (wrong.score, codes(wrong)) == (0.5, ["matrix_cells_wrong"])
+
+
+def test_a_key_that_holds_for_some_lengths_only_is_no_trouble(tmp_path: Path) -> None:
+    raised = changed('d = 0, a = "L1"', 'd = "sqrt(L1^2 - 2.5*L2^2)", a = "L1"')
+    asked = load_exercise(
+        folder(tmp_path, with_part('kind = "transform"\npoints = 5', raised.replace("L1.draw", "# L1.draw")))
+    )
+    instance = generate(asked, None)
+    form = [
+        ["c12", "-s12", 0, "L1*c1 + L2*c12"],
+        ["s12", "c12", 0, "L1*s1 + L2*s12"],
+        [0, 0, 1, "sqrt(L1^2 - 2.5*L2^2)"],
+        [0, 0, 0, 1],
+    ]
+    report = grade(instance, parse(instance, RawAnswer(transform=form)))
+    assert codes(part(report, "transform")) == ["transform_right"]
+
+
+def test_a_cell_without_a_value_is_named_not_called_no_rigid_motion() -> None:
+    undefined = matrices([*SCARA_MATRICES[0][:2], [0, 0, 1, "sqrt(a3 - 2*a2)"], SCARA_MATRICES[0][3]])
+    report = judged("scara", table=SCARA, link_matrices=undefined, transform=undefined[0])
+    assert codes(part(report, "link_matrices")) == ["matrix_cells_wrong"]
+    assert codes(part(report, "transform"))[0] == "transform_cells_wrong"

@@ -24,6 +24,7 @@ from kinematics.jacobian import JacobianFrame
 from kinematics.symbolic import ProofStatus
 from kinematics.symbolic.determinants import MotionRows
 from kinematics.table import JointType
+from tests.exercises.packaged import exercise
 from tests.kinematics.answers.joint_values import robot
 from tests.kinematics.answers.singular_sets import ARMS, TEXTBOOK, arm, read
 from tests.kinematics.answers.test_jacobian_answers import differences
@@ -66,6 +67,30 @@ def test_what_stands_above_and_below_is_cancelled() -> None:
     assert judged(*PUMA, SHOULDER, ELBOW, "cos(q5)^2*tan(q5)/cos(q5)").proof is ProofStatus.PROVED
     assert not judged(*PUMA, SHOULDER, "cos(q3)*(a3*tan(q3) - d4)", WRIST).right
     assert not judged(*PUMA, SHOULDER, ELBOW, "cos(q5)^2*tan(q5)").right
+
+
+def test_a_quotient_is_not_zero_where_its_denominator_cancels_the_zero() -> None:
+    assert judged(*PUMA, SHOULDER, ELBOW, "sin(2*q5)/cos(q5)").right
+    assert judged(*PUMA, SHOULDER, ELBOW, "(1 - cos(q5)^2)/sin(q5)").proof is ProofStatus.PROVED
+    (*_, never) = judged(*PUMA, SHOULDER, ELBOW, "(1 - cos(q5)^2)/sin(q5)^2").conditions
+    assert never.status is ConditionStatus.NOWHERE
+    (*_, cosine) = judged(*PUMA, SHOULDER, ELBOW, "sin(2*q5)/sin(q5)").conditions
+    assert cosine.status is ConditionStatus.INVENTED
+
+
+def test_which_length_is_longer_may_be_used() -> None:
+    """Of the student's arm the first link is the longer one; folded, the tip is L1 − L2 from its axis."""
+    reach = "sqrt(L1^2 + L2^2 + 2*L1*L2*cos(q2))"
+    table = exercise("twolink-singularities").reference.table
+    own = arm_of(table, MotionRows.TRANSLATION, (("L1", 1.1), ("L2", 0.4)))
+
+    def right(*texts: str) -> bool:
+        types = table.joint_types
+        read_ones = [read_conditions(text, types, AngleUnit.DEG, ())[0] for text in texts]
+        return judge_singularities(own, [one for one in read_ones if not isinstance(one, Fault)]).right
+
+    assert right(f"{reach} = L1 - L2", f"{reach} = L1 + L2")
+    assert not right(f"{reach} = L2 - L1", f"{reach} = L1 + L2")
 
 
 def test_each_missing_family_is_shown_where_none_of_the_conditions_holds() -> None:

@@ -111,8 +111,18 @@ def test_a_locked_rotation_needs_its_family(turning, fixed, value) -> None:
     assert slip(asked) is RotationMistake.FAMILY_MISSING
     assert judge_family(rotation, sequence, family).right
     (other,) = set(Combination) - {fixed}
-    assert not judge_family(rotation, sequence, replace(family, combination=other)).right
-    assert not judge_family(rotation, sequence, replace(family, value=value + 0.1)).right
+    exchanged = judge_family(rotation, sequence, replace(family, combination=other))
+    assert (exchanged.right, exchanged.share, slip(exchanged)) == (False, 0.5, RotationMistake.COMBINATION)
+    assert slip(judge_family(rotation, sequence, replace(family, value=-value))) is RotationMistake.TRANSPOSED
+    degrees = replace(family, middle=90.0, value=math.degrees(value))
+    assert slip(judge_family(rotation, sequence, degrees)) is RotationMistake.DEGREES
+    off = judge_family(rotation, sequence, replace(family, value=value + 0.1))
+    assert (off.right, off.share, off.mistakes) == (False, 0.0, ())
+
+
+def test_a_family_is_not_claimed_where_there_are_two_triples() -> None:
+    family = GimbalFamily(middle=ANGLES[1], combination=Combination.SUM, value=ANGLES[0] + ANGLES[2])
+    assert slip(judge_family(EXPECTED, ZYZ, family)) is RotationMistake.NOT_LOCKED
 
 
 @pytest.mark.parametrize("value", [1e308, -1e308, 1e-320, 1e17])
