@@ -4,14 +4,15 @@ from __future__ import annotations
 
 from typing import Annotated, Any, TypeAlias
 
-from pydantic import BeforeValidator, Field, WithJsonSchema
+from pydantic import Discriminator, Field, Tag, WithJsonSchema
 
 from kinematics.cells import AngleUnit, LengthUnit
 from kinematics.printing import Format, Notation
 from kinematics.scm.products import LARGEST_VARIABLE, RawFactor
 from kinematics.symbolic import ProofStatus
+from service.http.validation import CHOICE
 from service.schemas.base import LONGEST_LIST, Matrix4, Real, Wire
-from service.schemas.scm import ENTRIES, ListedPlacement, PlacementModel, placement_by_name
+from service.schemas.scm import ENTRIES, ListedPlacement, PlacementModel, SixEntries
 from service.schemas.symbolic_request import SomeParameters, WrittenJacobians, WrittenMatrix
 from service.schemas.tables import Units
 
@@ -22,14 +23,17 @@ _CELL = {"anyOf": [{"type": "number"}, {"type": "string", "minLength": 1, "maxLe
 _ROW = {"type": "array", "items": _CELL, "minItems": 4, "maxItems": 4}
 
 
-def _factor(value: Any) -> Any:
+_MATRIX, _PLACEMENT = CHOICE + "matrix", CHOICE + "placement"
+
+
+def _notation_of(value: Any) -> str:
     matrix = isinstance(value, list) and bool(value) and all(isinstance(row, list) for row in value)
-    return value if matrix else placement_by_name(value)
+    return _MATRIX if matrix else _PLACEMENT
 
 
 MotionFactor: TypeAlias = Annotated[
-    Any,
-    BeforeValidator(_factor),
+    Annotated[Any, Tag(_MATRIX)] | Annotated[SixEntries, Tag(_PLACEMENT)],
+    Discriminator(_notation_of),
     WithJsonSchema(
         {
             "description": "a motion: an object with some of x, y, z, a, b, c (one alone is HTX … HRX), "

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import json
 from collections.abc import Iterator
 from html.parser import HTMLParser
@@ -74,6 +75,31 @@ def test_every_example_works(
     assert address, "a path parameter has no example"
     response = client.request(method, address, json=example, headers={"Content-Type": media_type})
     check_shape(response, operation)
+
+
+def objects(value: Any) -> Iterator[dict[str, Any]]:
+    """Every object of a body."""
+    if isinstance(value, dict):
+        yield value
+    for part in value.values() if isinstance(value, dict) else value if isinstance(value, list) else ():
+        yield from objects(part)
+
+
+@pytest.mark.parametrize(("path", "method", "media_type", "example"), list(sent()))
+def test_no_field_that_the_document_does_not_know_is_read_over(
+    client: httpx.Client, path: str, method: str, media_type: str, example: Any
+) -> None:
+    operation = DOCUMENT["paths"][path][method]
+    allowed = Draft202012Validator(resolved(operation["requestBody"]["content"][media_type]["schema"]))
+    address = addressed(path, operation)
+    assert address, "a path parameter has no example"
+    body = copy.deepcopy(example)
+    for part in objects(body):
+        part["not_a_field"] = 1
+        if not allowed.is_valid(body):
+            answer = client.request(method, address, json=body, headers={"Content-Type": media_type})
+            assert "not_a_field" in answer.text, part
+        del part["not_a_field"]
 
 
 @pytest.mark.parametrize("name", [name for name in OPERATIONS if name.startswith("GET ")])
