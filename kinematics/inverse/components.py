@@ -228,12 +228,10 @@ class _Sorter:
 
     def _components(self, q: Array, blind: Array) -> list[Component]:
         """The components through a solution: several where families cross."""
-        if self.arm.spare > 1:
-            return [Component(q, dimension=len(blind))]
         x = q / self.arm.units
         moving = [d for d in blind if self._moves(x, d)]
-        if not moving and len(blind) < 2:
-            return [Component(q)]
+        if self.arm.spare > 1 or not (moving or len(blind) > 1):
+            return [self._one_family(q, blind, moving)]
         if len(moving) > 1 and self._spanned(x, moving):
             return [self._surface(x, moving)]
         surfaces = [] if len(moving) < 2 else self._surfaces_beside(x, moving)
@@ -244,6 +242,26 @@ class _Sorter:
         members = [q, *(path.points[len(path.points) // 4] for path in curves[1:])]
         found = [Component(member, (path,), 1) for member, path in zip(members, curves, strict=False)]
         return [*surfaces, *found] or [Component(q)]
+
+    def _one_family(self, q: Array, blind: Array, moving: Sequence[Array]) -> Component:
+        """The family of a solution, as a whole; where it is short all round the solution stands alone."""
+        spare, x = self.arm.spare, q / self.arm.units
+        if moving or not spare:
+            return Component(q, dimension=self._freedoms(x, moving) if moving else 0)
+        paths = tuple(self.follower.path(x, d, np.empty((0, len(x)))) for d in blind)
+        long = [path for path in paths if self._is_long(path)]
+        return Component(q, tuple(long), spare if long else 0)
+
+    def _freedoms(self, x: Array, moving: Sequence[Array]) -> int:
+        """In how many dimensions a solution can be moved.
+
+        Where the Jacobian has lost rank for this solution alone, as of links folded on a line, its family has
+        no more dimensions than those beside it: so many directions are blind there.
+        """
+        if len(moving) <= self.arm.spare:
+            return self.arm.spare
+        beside = [there for d in moving if (there := self._moved(x, d)) is not None]
+        return max(len(blind_directions(self.follower.jacobian(there), self.blind)) for there in beside)
 
     def _surface(self, x: Array, moving: Sequence[Array]) -> Component:
         """The family of as many dimensions as a solution can be moved in."""
@@ -323,7 +341,7 @@ class _Sorter:
     def _is_long(self, path: FamilyPath) -> bool:
         """Whether a path leads farther than across a fold."""
         x = path.points / self.arm.units
-        return path.closed or float(np.abs(x - x[0]).max()) > 0.5 * self.long
+        return float(np.abs(x - x[0]).max()) > 0.5 * self.long
 
     def _is_wide(self, surface: Component) -> bool:
         """Whether a surface is more than the width that a tolerance gives to families where they cross."""
@@ -357,6 +375,9 @@ class _Sorter:
             inside[i] = any(self._on(path, joints[i]) for path in component.paths)
         x = component.joints / self.arm.units
         near = np.flatnonzero(~inside & (farthest <= self.long))
+        if self.arm.spare and not component.dimension:
+            inside[near] = True
+            return np.asarray(inside)
         inside[near] = self.follower.joined_each(np.broadcast_to(x, apart[near].shape), x + apart[near])
         outside = np.flatnonzero(~inside)
         if component.dimension > min(self.arm.spare, 1) and len(outside):

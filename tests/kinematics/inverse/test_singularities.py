@@ -19,10 +19,11 @@ from kinematics.inverse.refinement import solutions_of
 from kinematics.inverse.results import Isolation, Method
 from kinematics.inverse.search import Bounds, search
 from kinematics.inverse.wrist import WristArm
+from kinematics.table import Convention
 from tests.kinematics.inverse.arms import GENERAL, UR5, apart, random_joints, random_table
 from tests.kinematics.inverse.campaign import is_among, questions, run, singular_configuration
 from tests.kinematics.inverse.models import MODELS
-from tests.kinematics.robots import PLANAR4, PUMA560, RX90
+from tests.kinematics.robots import PLANAR4, PUMA560, RX90, numeric
 
 WRIST_IN_LINE = np.radians([30, -40, 70, 20, 0, -80])
 SMALL = ["puma", "ur5", "irb140", "kr5", "stanford", "three links", "five joints"]
@@ -121,6 +122,29 @@ def test_regular_poses_of_arms_with_joints_to_spare_are_not_singular():
     for solution in answer.solutions:
         for member in solution.family.members:
             assert np.abs(end_pose(panda, member) - target).max() <= 1e-7
+
+
+def _links(n):
+    return numeric(Convention.STANDARD, *(("revolute", 0.0, 0.3 - 0.03 * i, 0.0, 0.0) for i in range(n)))
+
+
+@pytest.mark.parametrize("n", [4, 5, 6])
+@pytest.mark.parametrize("beside", [0.0, 1e-7, 1e-3])
+def test_stretched_links_cannot_be_moved_however_many_they_are(n, beside):
+    """Their solutions lie on a sphere of the size of what they are bent by: they are one."""
+    q = beside * np.random.default_rng(n).normal(size=n)
+    answer = inverse_kinematics(_links(n), end_pose(_links(n), q))
+    assert answer.status is IKStatus.SOLVED
+    (only,) = answer.solutions
+    assert only.isolation is Isolation.ISOLATED
+    assert np.abs(np.array(only.joints) - q).max() <= max(10.0 * beside, 1e-4)
+
+
+@pytest.mark.parametrize("n", [4, 5, 6])
+def test_folded_links_are_on_a_family_of_as_many_dimensions_as_others(n):
+    answer = inverse_kinematics(_links(n), end_pose(_links(n), [0.3, 0.0, np.pi, *[0.0] * (n - 3)]))
+    assert answer.status is IKStatus.SOLVED
+    assert {solution.family.dimension for solution in answer.solutions} == {n - 3}
 
 
 def test_families_end_at_the_limits():
