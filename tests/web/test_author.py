@@ -346,7 +346,7 @@ def test_what_waits_is_said(open_page: OpenPage, watch: Watch) -> None:
     kept(page)
     expect(page.locator(".author-reading")).to_have_text("A moment …")
     expect(page.locator(".author-selftest")).to_have_text(
-        "The tests run as soon as what is said above is mended."
+        "The tests run as soon as the faults above are corrected."
     )
 
 

@@ -46,7 +46,7 @@ SMALL_TARGETS = """() => [...document.querySelectorAll("a, button, input, select
 STORAGE_BLOCKED = """Object.defineProperty(window, "localStorage", {
   get() { throw new DOMException("no", "SecurityError"); },
 });"""
-NOTHING_LASTS = "The browser keeps nothing here: what you type is lost when you close or reload this page."
+NOTHING_LASTS = "The browser stores nothing for this page: what you type is lost when you close or reload it."
 SCENE_IN_WORDS = (
     "The frames of your table with their axes x, y and z. "
     "Joints: q1: revolute, q2: revolute, q3: prismatic, q4: revolute. "

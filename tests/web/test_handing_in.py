@@ -67,7 +67,7 @@ def test_a_lecturers_link_switches_off_what_it_says(
     sharing.locator("summary").click()
     for name in ("the playground", "the matrices of their own table", "the catalogue"):
         sharing.get_by_label(name).uncheck()
-    sharing.get_by_label("Tell them of a wrong answer").select_option("row")
+    sharing.get_by_label("What they are told about a wrong answer").select_option("row")
     sharing.get_by_label("Attempts").fill("2")
     assert_accessible(page)
     sharing.get_by_role("button", name="Make a link").click()

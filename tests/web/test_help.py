@@ -27,7 +27,7 @@ def test_after_a_wrong_answer_the_ghost_leaves_the_robot_at_the_row_that_is_name
     verdict = submit(page)
     named = verdict.locator(".feedback .row-link").first
     expect(named).to_have_text("Go to row 4")
-    expect(verdict.locator(".both")).to_contain_text("that of row 4, is the first that leaves the robot")
+    expect(verdict.locator(".both")).to_contain_text("the one of row 4, is the first that departs from")
     scene = verdict.locator("robot-scene")
     scene.scroll_into_view_if_needed()
     seen = []
@@ -64,7 +64,7 @@ def test_ring_text_history_and_list_say_the_same_points(open_page: OpenPage) -> 
     page = open_page("/exercises/scara")
     put_table(page, wrong(dict(SCARA), 2, a="a2"))
     verdict = submit(page)
-    expect(verdict).to_contain_text("A wrong table earns points for the facts that it has right")
+    expect(verdict).to_contain_text("A wrong table earns points for what it gets right")
     said = points(page)
     assert said == "17.5 of 100 points"
     expect(verdict.locator(".total")).to_have_text(said)

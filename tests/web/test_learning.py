@@ -292,7 +292,7 @@ def test_a_late_verdict_says_that_the_answer_has_changed(open_page: OpenPage) ->
     graded.let_go()
     expect(page.locator("#verdict")).to_contain_text("You have changed your answer since.")
     expect(cell(page, 1, "a")).to_be_focused()
-    page.get_by_role("button", name="Take back into the form (1)").click()
+    page.get_by_role("button", name="Put back into the form (1)").click()
     expect(cell(page, 1, "a")).to_have_value("a3")
 
 
@@ -344,7 +344,7 @@ def test_attempts_are_kept_and_can_be_taken_back(open_page: OpenPage) -> None:
     joint(page, 0).select_option("fixed")
     page.reload()
     expect(page.locator("#history li")).to_have_count(1)
-    page.get_by_role("button", name="Take back into the form (1)").click()
+    page.get_by_role("button", name="Put back into the form (1)").click()
     expect(cell(page, 1, "a")).to_have_value("a3")
     expect(joint(page, 0)).to_have_value("revolute")
     page.get_by_role("button", name="Forget all").click()

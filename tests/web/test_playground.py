@@ -61,10 +61,10 @@ def test_pose_and_jacobian_follow_the_joints(open_page: OpenPage) -> None:
 def test_a_catalogue_robot_with_its_configurations(open_page: OpenPage) -> None:
     page = open_page("/playground")
     shown_robot(page)
-    page.get_by_label("Robot of the catalogue").select_option("stanford")
+    page.get_by_label("Robot from the catalogue").select_option("stanford")
     page.wait_for_function("() => document.querySelector('dh-table-editor').table.rows[1].alpha == -90")
     assert column(page, "alpha") == STANFORD_ALPHAS
-    page.get_by_text("Where its figures come from").click()
+    page.get_by_text("Where its numbers come from").click()
     expect(page.locator("#table-body details")).to_contain_text("Nascimento")
     page.get_by_role("button", name="the arm lies along x0").first.click()
     expect(page.locator("joint-sliders .joint-number input").nth(2)).to_have_value("0.5")
@@ -97,7 +97,7 @@ def test_no_request_mixes_two_robots(open_page: OpenPage, watch: Watch, newest_f
             page.get_by_label("Joint angle q1").fill(angle)
         poses.until(1)
         with page.expect_request("**/understand"):
-            page.get_by_label("Robot of the catalogue").select_option(robot)
+            page.get_by_label("Robot from the catalogue").select_option(robot)
         tables.until(1)
         poses.let_go(-1 if newest_first else 0)
         tables.let_go()
@@ -124,7 +124,7 @@ def test_of_two_robots_that_were_chosen_the_last_one_comes(open_page: OpenPage, 
     page = open_page("/playground")
     shown_robot(page)
     held = Held(page, re.compile(r"/robots/(stanford|scara)$"))
-    choice = page.get_by_label("Robot of the catalogue")
+    choice = page.get_by_label("Robot from the catalogue")
     choice.select_option("stanford")
     held.until(1)
     choice.select_option("scara")
@@ -140,7 +140,7 @@ def test_a_robot_that_comes_late_does_not_overwrite_what_was_typed(open_page: Op
     page = open_page("/playground")
     shown_robot(page)
     held = Held(page, re.compile(r"/robots/stanford$"))
-    page.get_by_label("Robot of the catalogue").select_option("stanford")
+    page.get_by_label("Robot from the catalogue").select_option("stanford")
     held.until(1)
     page.get_by_label(re.compile(r"^Row 2, a")).fill("0.5")
     held.stop()
@@ -151,7 +151,7 @@ def test_a_robot_that_comes_late_does_not_overwrite_what_was_typed(open_page: Op
 def test_a_slide_without_limits_is_asked_for_its_range(open_page: OpenPage) -> None:
     page = open_page("/playground")
     shown_robot(page)
-    page.get_by_label("Robot of the catalogue").select_option("stanford")
+    page.get_by_label("Robot from the catalogue").select_option("stanford")
     opened(page, "Workspace")
     expect(page.locator(".tool", has_text="Workspace").last).to_contain_text("Give each prismatic joint")
     opened(page, "Joint limits")
@@ -234,7 +234,7 @@ def test_inverse_kinematics_shows_all_solutions_and_moves_there(open_page: OpenP
     expect(position).not_to_contain_text("0.4521")
     before = position.inner_text()
     opened(page, "Inverse kinematics")
-    page.get_by_role("button", name="Take the present pose").click()
+    page.get_by_role("button", name="Use the current pose").click()
     opened(page, "Joint limits")
     for field in page.locator(".limits input").all():
         field.fill("")
@@ -251,7 +251,7 @@ def test_inverse_kinematics_shows_all_solutions_and_moves_there(open_page: OpenP
 def test_the_other_convention_can_be_taken_over(open_page: OpenPage) -> None:
     page = open_page("/playground")
     shown_robot(page)
-    opened(page, "Write it otherwise")
+    opened(page, "Write it in another form")
     page.locator("#tools").get_by_role("button", name="Modified table").click()
     page.get_by_role("button", name="Use this table").click()
     expect(page.get_by_label("modified")).to_be_checked()
@@ -263,9 +263,9 @@ def test_the_other_convention_can_be_taken_over(open_page: OpenPage) -> None:
 def test_other_forms(open_page: OpenPage, button: str, text: str) -> None:
     page = open_page("/playground")
     shown_robot(page)
-    opened(page, "Write it otherwise")
+    opened(page, "Write it in another form")
     page.locator("#tools").get_by_role("button", name=button, exact=True).click()
-    expect(page.locator(".tool", has_text="Write it otherwise").last).to_contain_text(text)
+    expect(page.locator(".tool", has_text="Write it in another form").last).to_contain_text(text)
 
 
 def test_a_table_from_joint_axes_with_the_rules(open_page: OpenPage) -> None:
@@ -300,7 +300,7 @@ def test_a_chain_that_is_none_is_refused_in_words(open_page: OpenPage, watch: Wa
 def test_urdf_there_and_back(open_page: OpenPage) -> None:
     page = open_page("/playground")
     shown_robot(page)
-    opened(page, "Write it otherwise")
+    opened(page, "Write it in another form")
     page.locator("#tools").get_by_role("button", name="URDF", exact=True).click()
     source = page.locator("pre.source-text").inner_text()
     opened(page, "From URDF")
@@ -349,14 +349,14 @@ def test_what_the_catalogue_knows_goes_with_its_table(open_page: OpenPage) -> No
     """Another table of as many joints has neither the robot's name nor its postures nor its limits."""
     page = open_page("/playground")
     shown_robot(page)
-    expect(page.get_by_label("Robot of the catalogue")).to_have_value("puma560")
+    expect(page.get_by_label("Robot from the catalogue")).to_have_value("puma560")
     expect(page.locator(".configurations")).to_be_visible()
     opened(page, "Workspace")
     page.wait_for_load_state("networkidle")
     with page.expect_request("**/workspace") as asked:
         page.locator("dh-table-editor tbody tr").nth(1).locator("input").nth(2).fill("0.1")
     assert set(asked.value.post_data_json["limits"]) == {None}
-    expect(page.get_by_label("Robot of the catalogue")).to_have_value("")
+    expect(page.get_by_label("Robot from the catalogue")).to_have_value("")
     expect(page.locator(".configurations")).to_be_hidden()
 
 
@@ -366,7 +366,7 @@ def test_a_list_of_robots_that_comes_late_shows_the_robot_in_question(open_page:
     shown_robot(page)
     lists[0].until(1)
     lists[0].stop()
-    expect(page.get_by_label("Robot of the catalogue")).to_have_value("puma560")
+    expect(page.get_by_label("Robot from the catalogue")).to_have_value("puma560")
 
 
 def test_the_limits_of_a_urdf_come_with_its_table(open_page: OpenPage) -> None:
@@ -419,7 +419,7 @@ def test_solutions_stand_side_by_side(open_page: OpenPage) -> None:
     shown_robot(page)
     page.get_by_role("button", name="upper arm raised by 45°").click()
     opened(page, "Inverse kinematics")
-    page.get_by_role("button", name="Take the present pose").click()
+    page.get_by_role("button", name="Use the current pose").click()
     page.get_by_role("button", name="Solve").click()
     rows = page.locator("#tools .solutions tbody tr")
     expect(rows).to_have_count(3)
@@ -493,7 +493,7 @@ def test_a_new_table_and_the_way_back(open_page: OpenPage) -> None:
     shown_robot(page)
     page.get_by_role("button", name="New", exact=True).click()
     expect(page.locator("dh-table-editor tbody tr")).to_have_count(1)
-    expect(page.get_by_label("Robot of the catalogue")).to_have_value("")
+    expect(page.get_by_label("Robot from the catalogue")).to_have_value("")
     expect(page.locator("dh-table-editor input:focus")).to_have_count(1)
     page.locator(".editor-notice").get_by_role("button", name="Undo").click()
     expect(page.locator("dh-table-editor tbody tr")).to_have_count(6)
@@ -530,7 +530,7 @@ def test_more_about_a_robot(open_page: OpenPage) -> None:
     """Each tool of the group is asked about the SCARA and shows an answer."""
     page = open_page("/playground")
     shown_robot(page)
-    page.get_by_label("Robot of the catalogue").select_option("scara")
+    page.get_by_label("Robot from the catalogue").select_option("scara")
     expect(page.locator("joint-sliders .joint-name")).to_have_count(4)
     shown_robot(page)
     expect(more(page, "Inverse kinematics in symbols").locator(".katex").nth(3)).to_be_visible()
@@ -538,7 +538,7 @@ def test_more_about_a_robot(open_page: OpenPage) -> None:
     expect(singular.get_by_role("button", name=re.compile("^Family"))).not_to_have_count(0)
     singular.get_by_label("Conditions").fill("sin(q2)")
     singular.get_by_label("Conditions").blur()
-    expect(singular).to_contain_text("singular just where these hold")
+    expect(singular).to_contain_text("singular exactly where these hold")
     rotations = more(page, "Orientation in every notation")
     expect(rotations.locator("tbody tr")).to_have_count(24)
     motion = more(page, "Equations of motion")
@@ -564,7 +564,7 @@ def test_a_wrong_frame_is_found_in_the_picture(open_page: OpenPage, robot: str) 
     """Also of a modified table with a fixed row: there is a frame for each joint, and one more."""
     page = open_page("/playground")
     shown_robot(page)
-    page.get_by_label("Robot of the catalogue").select_option(robot)
+    page.get_by_label("Robot from the catalogue").select_option(robot)
     expect(page.locator("joint-sliders .joint-name")).to_have_count(6)
     with page.expect_response("**/plant-frame-mistake") as answered:
         tool = more(page, "Find the wrong frame")
@@ -583,7 +583,7 @@ def test_a_wrong_frame_is_found_in_the_picture(open_page: OpenPage, robot: str) 
 def test_a_kept_table_is_compared_with_what_is_typed(open_page: OpenPage) -> None:
     page = open_page("/playground")
     shown_robot(page)
-    tool = more(page, "Are two tables one robot?")
+    tool = more(page, "Do two tables describe one robot?")
     tool.get_by_role("button", name="Keep this table").click()
     expect(tool).to_contain_text("describe the same robot")
     page.get_by_label(re.compile(r"^Row 1, d")).fill("0.3")
@@ -594,13 +594,13 @@ def test_a_kept_table_is_compared_with_what_is_typed(open_page: OpenPage) -> Non
 def test_tables_whose_names_have_different_values_are_not_compared(open_page: OpenPage) -> None:
     page = open_page("/playground")
     shown_robot(page)
-    page.get_by_label("Robot of the catalogue").select_option("puma560")
+    page.get_by_label("Robot from the catalogue").select_option("puma560")
     expect(page.locator("joint-sliders .joint-name")).to_have_count(6)
     shown_robot(page)
-    tool = more(page, "Are two tables one robot?")
+    tool = more(page, "Do two tables describe one robot?")
     tool.get_by_role("button", name="Keep this table").click()
     expect(tool).to_contain_text("describe the same robot")
-    page.get_by_label("Robot of the catalogue").select_option("scara")
+    page.get_by_label("Robot from the catalogue").select_option("scara")
     expect(tool).to_contain_text("different values for a2")
 
 
@@ -610,7 +610,7 @@ def test_more_about_a_robot_is_accessible(
 ) -> None:
     page = open_page("/playground", width=width)
     shown_robot(page)
-    page.get_by_label("Robot of the catalogue").select_option("scara")
+    page.get_by_label("Robot from the catalogue").select_option("scara")
     expect(page.locator("joint-sliders .joint-name")).to_have_count(4)
     shown_robot(page)
     for heading in ("Orientation in every notation", "Equations of motion", "Find the mistake"):

@@ -2,7 +2,7 @@
 
 error-catalogue_not_toml = This is not TOML: { $reason }.
 error-catalogue_key_missing = { $key } is missing.
-error-catalogue_key_unknown = { $key } means nothing here. Known keys are { $known }.
+error-catalogue_key_unknown = { $key } is not a known key. Known keys are { $known }.
 error-catalogue_value_type = { $key } must be { expected-value }.
 error-catalogue_limits_reversed = Joint { $joint }: the lower limit must be below the upper one.
 error-catalogue_outside_limits = Joint { $joint } of this configuration is outside its limits.

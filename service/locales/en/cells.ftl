@@ -30,7 +30,7 @@ error-name_malformed = At character { $column }: an underscore stands between a 
 error-name_too_long = At character { $column }: a name may have at most { $limit } characters.
 error-name_is_not_a_number = At character { $column }: { $name } is not a value. A cell holds finite numbers only.
 error-unit_in_cell = At character { $column }: units are not written in cells. If the unit that is asked for is { $name }, write { $suggestion }; if it is not, convert first.
-error-function_unknown = At character { $column }: { $name } is no function here. There are { $functions }. A product is written { $name }*(…).
+error-function_unknown = At character { $column }: { $name } is not a known function. Available: { $functions }. A product is written { $name }*(…).
 error-function_without_parentheses = At character { $column }: write the argument of { $name } in parentheses: { $name }(x).
 error-function_arity =
     { $expected ->
@@ -53,7 +53,7 @@ error-division_by_zero = At character { $column }: this divides by zero.
 error-value_not_real = This cell has no finite real value.
 error-degree_of_angle = At character { $column }: the degree sign follows a number; this is an angle already.
 error-degree_in_length = At character { $column }: a length is not in degrees.
-error-angle_in_length = At character { $column }: { $name } gives an angle in degrees, which is no length.
+error-angle_in_length = At character { $column }: { $name } gives an angle in degrees, not a length.
 error-angle_product = At character { $column }: two angles are multiplied. An angle is multiplied by numbers only.
 error-angle_in_denominator = At character { $column }: this divides by an angle. Only numbers may divide here.
 error-angle_power = At character { $column }: an angle is not raised to a power.
@@ -67,8 +67,8 @@ error-parameter_two_kinds =
     } elsewhere. Use two names.
 
 error-variable_without_number = At character { $column }: { $name } needs the number of its joint, as in { $suggestion }.
-error-variable_misspelled = At character { $column }: { $name } is no joint variable. Write { $suggestion } or θ with the number of the joint.
-error-variable_scaled = At character { $column }: { $name } is multiplied by { $factor }. A joint variable enters as +{ $name } or -{ $name }, for otherwise it would not be the motion of its joint.
+error-variable_misspelled = At character { $column }: { $name } is not a joint variable. Write { $suggestion } or θ with the number of the joint.
+error-variable_scaled = At character { $column }: { $name } is multiplied by { $factor }. A joint variable enters as +{ $name } or -{ $name }; otherwise it would not be the motion of its joint.
 error-variable_in_product = At character { $column }: { $name } is multiplied by another quantity. A joint variable enters as +{ $name } or -{ $name } plus an offset.
 error-variable_in_denominator = At character { $column }: { $name } stands in a denominator. A joint variable enters as +{ $name } or -{ $name } plus an offset.
 error-variable_in_power = At character { $column }: { $name } is raised to a power. A joint variable enters as +{ $name } or -{ $name } plus an offset.

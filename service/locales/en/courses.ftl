@@ -1,8 +1,8 @@
 ### Courses, stored attempts and launches from a learning management system: what is refused, and why.
 
 problem-title-401 = Not signed in
-problem-title-403 = Not open to you
-problem-title-409 = Not now
+problem-title-403 = Not allowed
+problem-title-409 = Not possible now
 
 ## Storage
 
@@ -23,7 +23,7 @@ error-record_unknown = { $kind ->
     [platform] There is no such platform.
    *[other] There is no such record in this course.
 }
-error-attempts_not_open = Attempts are taken from { TIME($opens) } UTC on.
+error-attempts_not_open = Attempts open at { TIME($opens) } UTC.
 error-attempts_closed = The exercise closed on { TIME($closes) } UTC.
 error-attempts_used = { $allowed ->
     [one] The one attempt that this exercise allows has been made.

@@ -11,13 +11,13 @@ error-body_varies = The mass of a link and its place in the link do not change w
 error-dynamics_not_finite = The masses, lengths or rates are so large that the result is not a number.
 
 task-equations-of-motion =
-    The table of the robot is given, and the body that moves with each frame i. Write M(q), C(q, q̇) and g(q) of M q̈ + C q̇ + g = τ, as far as they are asked for, as functions of q1, q2, …, their rates dq1, dq2, … and the names that are given; lengths in { $unit }, per radian. { $skew ->
-        [yes] Any C with the right C q̇ is right; besides, Ṁ − 2C has to be skew-symmetric.
-       *[no] Any C with the right C q̇ is right.
+    You are given the robot’s table and the body that moves with each frame i. Write the terms of M q̈ + C q̇ + g = τ that are asked for as functions of q1, q2, …, their rates dq1, dq2, … and the given symbols; lengths in { $unit }, per radian. { $skew ->
+        [yes] Any C that gives the right C q̇ is right; in addition, Ṁ − 2C has to be skew-symmetric.
+       *[no] Any C that gives the right C q̇ is right.
     }
 given-link-weights = The links: mass, centre in frame i, moments about it [kg { $unit }²]
-given-gravity-vector = Acceleration of free fall in frame 0 [{ $unit }/s²]
-given-weights = Values of the names
+given-gravity-vector = Gravitational acceleration in frame 0 [{ $unit }/s²]
+given-weights = Values of the symbols
 field-mass = Mass matrix M
 field-coriolis = Matrix C
 field-velocity = Coriolis and centrifugal terms C q̇
@@ -26,7 +26,7 @@ feedback-motion_right = These are the equations of motion.
 feedback-motion_mass_wrong = Not every entry of M is right.
 feedback-motion_coriolis_wrong = Not every row of C q̇ is right.
 feedback-motion_velocity_wrong = Not every Coriolis and centrifugal term is right.
-feedback-motion_skew_wrong = With this C, Ṁ − 2C is not skew-symmetric. Christoffel symbols give one with which it is.
+feedback-motion_skew_wrong = With this C, Ṁ − 2C is not skew-symmetric. Christoffel symbols give a C for which it is.
 feedback-motion_gravity_wrong = Not every entry of g is right.
 feedback-motion_missing =
     { $what ->

@@ -167,15 +167,15 @@ error-schematic_relations_count = { $joints ->
 } of neighbouring axes. Give one relation for each pair.
 error-seed_invalid = A seed is a text or a whole number.
 error-seed_too_long = A seed has at most { $limit } characters.
-error-exercise_unknown = There is no exercise { $id }. There are { $known }.
-error-language_unknown = { $language } is not spoken here. There are { $known }.
+error-exercise_unknown = There is no exercise { $id }. Available: { $known }.
+error-language_unknown = { $language } is not supported. Available: { $known }.
 
 ## Why a definition cannot be read
 
 error-exercise_file_missing = The file exercise.toml is missing.
 error-exercise_file_not_toml = This is not TOML: { $reason }
 error-exercise_key_missing = { $key } is missing.
-error-exercise_key_unknown = { $key } means nothing here. Known keys are { $known }.
+error-exercise_key_unknown = { $key } is not a known key. Known keys are { $known }.
 error-exercise_value_type = { $key } must be { expected-value }.
 error-exercise_value_unknown = { $key } must be one of: { $known }.
 error-exercise_robot_unknown = The catalogue holds no robot { $robot }. It holds { $known }.
@@ -188,7 +188,7 @@ error-source_unreadable = The file cannot be read: { $reason }
 error-robot_and_reference = Give either robot or [reference], not both.
 error-statement_missing = The statement in the language { $language } is missing.
 error-statement_name_unknown = { $name } is neither a dimension of the robot nor a point or a dimension of the figure.
-error-misconception_unknown = { $name } is not a listed mistake. There are { $known }.
+error-misconception_unknown = { $name } is not a listed mistake. Available: { $known }.
 error-nothing_asked = An exercise asks for something: add a part.
 error-part_twice = { $kind } is asked for twice.
 error-points_not_positive = A part is worth more than zero points.
@@ -198,7 +198,7 @@ error-variants_too_many = There are at most { $limit } variants.
 error-tolerance_out_of_range = { $name } lies between 0 and 0.1.
 error-name_invalid = { $name } is not the name of a dimension; a name looks like L1.
 error-width_out_of_range = The width lies between 320 and 960.
-error-unknown_point = There is no point { $name }. There are { $known }.
+error-unknown_point = There is no point { $name }. Available: { $known }.
 error-unknown_frame = There is no such frame: frames are numbered from 0 to { $last }.
 error-unknown_joint = There is no joint { $joint }: joints are numbered from 1 to { $last }.
 error-point_without_form = A point is given by frame and at; by between and ratio; by from and by; or by from, joint and distance.
@@ -215,7 +215,7 @@ error-name_unknown = { $name } is none of the dimensions of this exercise.{ $uni
    *[one] {" "}Did you mean { $close }?
 } Known are { $known }.
 error-need_unmet = No answer needs { $name } under this policy: students may choose frames in which it does not appear. Fix the base (origin or frame) or the tool (point or frame).
-error-need_unknown = { $name } is not a dimension of the table. There are { $known }.
+error-need_unknown = { $name } is not a dimension of the table. Its dimensions: { $known }.
 error-alias_taken = { $name } already has a meaning.
 error-title_missing = A title in one language at least is needed: [title] with en = "…".
 exercise-other-language = This exercise is not written in your language yet; its text is in { $language }.

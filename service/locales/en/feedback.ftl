@@ -20,8 +20,8 @@ feedback-rounded = Your entries agree with the reference solution within the tol
 ## A wrong answer: the whole
 
 feedback-not_equivalent = Your table does not describe this robot, whichever way the frames are chosen.
-feedback-right_robot = Your table describes the right robot, but does not keep to all that the exercise asks for.
-feedback-not_accepted = Your table does not keep to all that the exercise asks for.
+feedback-right_robot = Your table describes the right robot, but does not meet all the requirements of the exercise.
+feedback-not_accepted = Your table does not meet all the requirements of the exercise.
 feedback-convention_not_asked = The exercise asks for the { $asked ->
     [modified] modified
    *[standard] standard
@@ -90,26 +90,26 @@ repair-columns_early = The columns a and α stand one row too high, as in the ot
 repair-columns_exchanged = The columns { $one } and { $other } are exchanged. Compare the order of the columns with that of your notes.
 repair-columns_reordered = What stands under α belongs under { $alpha }, what stands under a under { $a }, and what stands under d under { $d }. Compare the order of the columns with that of your notes.
 repair-parameter_misnamed = { $name } is not a dimension of this robot. Which one of the figure do you mean?
-repair-parameters_swapped = { $name } and { $other } have changed places. Compare them with the figure.
+repair-parameters_swapped = { $name } and { $other } are swapped. Compare them with the figure.
 repair-alpha_sign = Row { $row }: α has the wrong sign. Turn one z axis onto the next about x, by the right-hand rule.
-repair-alpha_value = Row { $row }: α should be another angle. Look again at how the two z axes lie relative to each other.
+repair-alpha_value = Row { $row }: α has the wrong value. Look again at how the two z axes lie relative to each other.
 repair-twists_all_reversed = Every α has the wrong sign. Turn one z axis onto the next about x with your right hand, not your left.
 repair-a_sign = Row { $row }: a has the wrong sign. It is counted along x.
 repair-d_sign = Row { $row }: d has the wrong sign. It is counted along z.
-repair-a_d_swapped = Row { $row }: a and d have changed places. a is measured along x, d along z.
-repair-a_value = Row { $row }: a should be another length. Measure along the common normal of the two z axes.
-repair-a_missing = Row { $row }: a should not be zero, for the two z axes do not meet.
-repair-a_not_zero = Row { $row }: a should be zero, for the two z axes meet, or are one line.
-repair-d_value = Row { $row }: d should be another length. Measure along z, from one x axis to the next.
+repair-a_d_swapped = Row { $row }: a and d are swapped. a is measured along x, d along z.
+repair-a_value = Row { $row }: a has the wrong value. Measure along the common normal of the two z axes.
+repair-a_missing = Row { $row }: a should not be zero, because the two z axes do not meet.
+repair-a_not_zero = Row { $row }: a should be zero, because the two z axes meet or coincide.
+repair-d_value = Row { $row }: d has the wrong value. Measure along z, from one x axis to the next.
 repair-d_missing = Row { $row }: an offset d has been left out.
-repair-d_not_zero = Row { $row }: d should be zero, for the two x axes meet z at the same point.
+repair-d_not_zero = Row { $row }: d should be zero, because the two x axes meet z at the same point.
 repair-cell_length_unit = Row { $row }: one length is in a different unit from the others.
 repair-cell_parameter = Row { $row }: another dimension of the figure belongs here.
 repair-cell_in_degrees = Row { $row }: one angle is in degrees, but the table declares radians.
 repair-cell_in_radians = Row { $row }: one angle is in radians, but the table declares degrees.
-repair-theta_value = Row { $row }: the constant angle θ should be another one. Turn one x axis onto the next about z.
-repair-theta_offset = Row { $row }: θ needs another constant beside the variable, so that the variable is zero in the configuration of the figure.
-repair-d_offset = Row { $row }: d needs another constant beside the variable, so that the variable is zero in the configuration of the figure.
+repair-theta_value = Row { $row }: the constant angle θ has the wrong value. Turn one x axis onto the next about z.
+repair-theta_offset = Row { $row }: θ needs a different constant added to the variable, so that the variable is zero in the configuration of the figure.
+repair-d_offset = Row { $row }: d needs a different constant added to the variable, so that the variable is zero in the configuration of the figure.
 repair-variable_sign = Row { $row }: the joint variable counts the wrong way. Give it the opposite sign.
 repair-joint_type = Row { $row }: this joint { $joint_type ->
     [prismatic] slides; its variable stands under d
@@ -117,7 +117,7 @@ repair-joint_type = Row { $row }: this joint { $joint_type ->
 }.
 repair-joint_fixed = Row { $row }: this joint moves; its variable is missing.
 repair-joint_moving = Row { $row }: nothing moves here; the row holds constants only.
-repair-rows_swapped = Rows { $row } and { $other } have changed places.
+repair-rows_swapped = Rows { $row } and { $other } are swapped.
 repair-fixed_row_missing = A last row without a variable is missing: it leads from the last joint to the marked point.
 repair-row_missing = A row is missing { $after ->
     [0] before row 1
@@ -141,7 +141,7 @@ feedback-frame_x_not_across_both_axes = Frame { $frame }: { rule-x_not_across_bo
 feedback-frame_first_x_misses_axis = Frame { $frame }: { rule-first_x_misses_axis }
 feedback-frame_last_x_misses_axis = Frame { $frame }: { rule-last_x_misses_axis }
 feedback-frames_other_convention = These frames obey the rules of the other convention.
-feedback-frames_not_as_asked = The frames obey the rules, and are not placed as the exercise asks.
+feedback-frames_not_as_asked = The frames obey the rules, but are not placed as the exercise asks.
 feedback-frames_right = The frames are right.
 feedback-repairs_one_cell = Several single changes would each make the table right; all of them are in cell { $cell ->
     [alpha] α

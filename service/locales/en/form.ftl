@@ -55,7 +55,7 @@ form-joint-of-row = Joint type, row { $row }
 form-joint-turn = Joint angle { $name }
 form-joint-slide = Joint displacement { $name }
 form-joint-value = { $name } in { $unit }
-form-joints-reset = Put the joints back
+form-joints-reset = Reset the joints
 
 form-convention = Convention
 form-convention-standard = standard
@@ -100,7 +100,7 @@ form-redo = Redo
 form-redone = Redone
 form-symbols = Symbols
 form-symbol-insert = Insert { $symbol }
-form-keys = Arrow up and down change rows · Alt with an arrow moves the row · Alt+Enter adds one · Alt+Delete removes it · Ctrl+Z takes back.
+form-keys = Arrow up and down change rows · Alt with an arrow moves the row · Alt+Enter adds one · Alt+Delete removes it · Ctrl+Z undoes.
 form-paste-title = Paste a table
 form-paste-label = A table from a spreadsheet, LaTeX, Markdown or a PDF
 form-paste-order = Columns without headings are read as: { $order }
@@ -144,7 +144,7 @@ form-figure-space = 3-D
 form-figure-alt = Drawing of the robot: { $title }. A description in words follows.
 form-figure-label = { $title } in space
 form-figure-move = Move the joints
-form-figure-posture = Counted from the posture of the drawing.
+form-figure-posture = Measured from the configuration in the drawing.
 form-choose = Choose …
 form-choose-missing = Choose one.
 form-points = { $points } of { $total } points
@@ -249,21 +249,21 @@ form-play = Play
 form-pause = Pause
 
 form-history-heading = Your attempts
-form-history-restore = Take back into the form
-form-history-restored = The attempt is in the form again
+form-history-restore = Put back into the form
+form-history-restored = The attempt is back in the form
 form-history-kept = Kept in this browser only.
 form-history-clear = Forget all
 
 form-missing-title = Not found
 form-missing-text = There is no such page here. The exercises are all on the first page.
 form-missing-home = To the exercises
-form-storage-blocked = The browser keeps nothing here: what you type is lost when you close or reload this page.
-form-other-tab = This exercise is also open in another tab, and something has just been typed there. Whatever is typed last is what stays.
+form-storage-blocked = The browser stores nothing for this page: what you type is lost when you close or reload it.
+form-other-tab = This exercise is also open in another tab, and something has just been typed there. Whatever is typed last is kept.
 form-other-tab-take = Show what was typed there
 
 form-row-play = Play row { $row } in the picture
 form-film = The row as a film
-form-film-hint = Put the cursor into a cell, or press a row’s number: the film shows how its four numbers carry frame i−1 into frame i.
+form-film-hint = Put the cursor into a cell or press a row’s number: the film shows how the row’s four numbers carry frame i−1 into frame i.
 form-film-none = Row { $row } cannot be shown yet: fill it and the rows before it.
 form-film-play = Play the row
 form-film-back = One step back
@@ -306,47 +306,47 @@ form-second-origin-moved = An origin lies elsewhere on its axis.
 form-second-none = The rules of this exercise leave no other table.
 
 form-ghost-label = Your robot as a ghost over the exercise’s
-form-ghost-text = In grey and orange the exercise’s robot, in transparent red yours. Both make the same motion. The marked frame { $row }, that of row { $row }, is the first that leaves the robot.
-form-ghost-description = Your robot lies on the exercise’s up to frame { $row }, which is marked: there they part.
+form-ghost-text = The exercise’s robot is grey and orange, yours transparent red. Both make the same motion. The marked frame { $row }, the one of row { $row }, is the first that departs from the exercise’s robot.
+form-ghost-description = Your robot coincides with the exercise’s before frame { $row }, which is marked: there the two part.
 form-new = New
 form-new-done = A new, empty table.
 
-form-progress = What is done and what is left
+form-progress = Progress
 form-progress-open = still open
 form-progress-typed = not checked yet
 form-part-missing = not handed in
-form-part-empty = Nothing stands here yet.
+form-part-empty = Nothing has been entered here yet.
 form-submit-part = Check this part
-form-points-for = A wrong table earns points for the facts that it has right: that each joint is there with its type, the twists, the lengths and the offsets. A joint that is missing costs most, a slipped sign least.
+form-points-for = A wrong table earns points for what it gets right: joints that are there and have the right type, twists, lengths and offsets. A missing joint costs most, a wrong sign least.
 form-help-steps = one step after another
 form-help-principle = The principle.
 form-help-worked = A worked step, on another robot.
 form-help-next = The next step of help comes with your next answer, once you have changed it.
 form-principle-twist = The twist α turns one z axis into the next, seen along the x axis that is perpendicular to both. Parallel z axes have 0° or 180°, perpendicular ones 90° or −90°; the right hand, its thumb along x, gives the sign.
-form-principle-length = The length a is the distance of two neighbouring z axes along their common normal, which is the x axis. It is 0 if and only if the two lines meet.
-form-principle-offset = The offset d is the distance along a z axis between two feet: where the common normal from the axis before arrives, and where the one to the next axis leaves. If neighbouring axes are parallel, you may choose where it stands, but only once.
+form-principle-length = The length a is the distance between two neighbouring z axes along their common normal, which is the x axis. It is 0 if and only if the two lines meet.
+form-principle-offset = The offset d is the distance along a z axis between the feet of two common normals: the one from the previous axis and the one to the next. Between parallel axes you may choose where the normal stands, but only once.
 form-principle-joint = A revolute joint turns about its z axis, so its variable is θ; a prismatic joint slides along it, so its variable is d. Every joint has one row, in the order from the base to the tool.
-form-worked-twist = A shoulder whose first axis stands upright and whose second axis lies flat: the two z axes are perpendicular. With x pointing to you, the right hand turns z upright into z flat by −90° or by 90°, depending on the sense you gave z; so α = −90° or 90°, never 0.
-form-worked-length = Two links in a plane, 0.4 m and 0.3 m long: both joint axes stand upright, 0.4 m apart. Their common normal is the first link, so a = 0.4 m. In a wrist whose axes meet in one point, each a is 0.
-form-worked-offset = A shoulder stands 0.2 m to the side of the upright first axis, and the second axis is horizontal. Along the second axis, 0.2 m lie between the foot of the normal from the first axis and that of the normal to the third: d = 0.2 m, in the row of the second joint.
+form-worked-twist = A shoulder whose first axis is vertical and whose second axis is horizontal: the two z axes are perpendicular. With x pointing towards you, the right hand turns the vertical z into the horizontal one by −90° or by 90°, depending on the sense you gave z; so α = −90° or 90°, never 0.
+form-worked-length = Two links in a plane, 0.4 m and 0.3 m long: both joint axes are vertical, 0.4 m apart. Their common normal is the first link, so a = 0.4 m. In a wrist whose axes meet in one point, each a is 0.
+form-worked-offset = A shoulder stands 0.2 m to the side of the upright first axis, and the second axis is horizontal. Along the second axis, the foot of the normal from the first axis and that of the normal to the third are 0.2 m apart: d = 0.2 m, in the row of the second joint.
 form-worked-joint = A gantry moves its carriage along a rail and turns the gripper below it. The rail is a prismatic joint: its row has the variable in d and a number in θ. The gripper is a revolute joint: its row has the variable in θ and a number in d.
 form-home-author = Make an exercise
-form-home-author-text = For lecturers: about the arm in your own book, in a quarter of an hour.
+form-home-author-text = For lecturers: turn the arm in your own textbook into an exercise in a quarter of an hour.
 
 form-matrices-withheld = The matrices appear here once the parts that ask for them are right.
 form-sharing = For lecturers: links and packages
-form-sharing-text = A link carries these settings, signed: students who come by it cannot change them, and the service itself obeys them. A SCORM package goes into a course without an administrator; its score comes from the student’s browser, the receipt in its comments cannot be forged.
+form-sharing-text = A link carries these settings in signed form: students who follow it cannot change them, and the service itself enforces them. A SCORM package goes into a course without an administrator; its score comes from the student’s browser, but the receipt in its comments cannot be forged.
 form-sharing-may = Students may use
 form-sharing-catalogue = the catalogue of robots
 form-sharing-playground = the playground
 form-sharing-matrices = the matrices of their own table
 form-sharing-trainer = the frame trainer
-form-sharing-help = Tell them of a wrong answer
+form-sharing-help = What they are told about a wrong answer
 form-sharing-attempts = Attempts
 form-sharing-link = Make a link
 form-sharing-receipts = Verify receipts
 form-receipt = Take a receipt
-form-receipt-text = A receipt says what this answer earned and is signed by this service. Hand it to your lecturer: as text, as a QR code, or as a page to print.
+form-receipt-text = A receipt states what this answer earned, signed by this service. Hand it in to your lecturer as text, as a QR code or as a printed page.
 form-receipt-name = Your name, as your course knows it
 form-receipt-as-text = Receipt as text
 form-receipt-copy = Copy the text

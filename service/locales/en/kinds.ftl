@@ -7,7 +7,7 @@ field-axis = Axis of rotation
 field-angle = Angle of rotation
 field-angles = Triples of angles
 field-middle = At gimbal lock: the middle angle
-field-combination = At gimbal lock: what of the first and the last angle is fixed
+field-combination = At gimbal lock: which combination of the first and the last angle is fixed
 field-value = Its value
 field-claim = This matrix or pose
 field-pose = Pose
@@ -37,7 +37,7 @@ task-orientation =
         [every] Of the angles about the { $asked_turning ->
             [fixed] fixed
            *[current] current
-        } axes { $asked_axes } all triples are asked for: both, or at gimbal lock the middle angle and what is fixed of the other two.
+        } axes { $asked_axes } give every triple: both, or at gimbal lock the middle angle and the combination of the other two that is fixed.
         [one] Of the angles about the { $asked_turning ->
             [fixed] fixed
            *[current] current
@@ -62,7 +62,7 @@ feedback-orientation_missing =
        *[other] The angles are missing.
     }
 
-feedback-rotation_transposed = This is the inverse rotation: rows and columns, or the sense of turning, have changed places.
+feedback-rotation_transposed = This is the inverse rotation: rows and columns have been interchanged, or the sense of rotation reversed.
 feedback-rotation_order_reversed = The rotations were multiplied in reverse order: fixed axes and current axes have been confused.
 feedback-rotation_degrees = An angle in degrees was taken for radians, or the reverse.
 feedback-rotation_handedness = Everything turns the other way: this follows the left-hand rule.
@@ -105,7 +105,7 @@ error-one_notation = Give the orientation in one notation: { $known }.
 error-expected_not_rotation = The expected matrix is not a rotation.
 
 field-solutions = Joint values
-field-combinations = If infinitely many: what stays the same along them (coefficients)
+field-combinations = If there are infinitely many: the combination that stays constant (coefficients)
 option-finite = is reached by these joint values only
 option-infinite = is reached by infinitely many; these are some of them
 option-out_of_reach = is not reached: it lies out of reach
@@ -143,17 +143,17 @@ feedback-joints_missing =
 feedback-branch_shoulder =
     { $count ->
         [one] The arm may also reach backwards over its shoulder.
-       *[other] The arm may also reach backwards over its shoulder, in { $count } ways that are missing.
+       *[other] The arm may also reach backwards over its shoulder: { $count } such solutions are missing.
     }
 feedback-branch_elbow =
     { $count ->
         [one] The elbow may also bend the other way.
-       *[other] The elbow may also bend the other way, in { $count } ways that are missing.
+       *[other] The elbow may also bend the other way: { $count } such solutions are missing.
     }
 feedback-branch_wrist =
     { $count ->
         [one] The wrist may also be flipped.
-       *[other] The wrist may also be flipped, in { $count } ways that are missing.
+       *[other] The wrist may also be flipped: { $count } such solutions are missing.
     }
 feedback-branch_other =
     { $count ->
@@ -170,7 +170,7 @@ feedback-joints_orientation_only = Row { $row } reaches the orientation, but not
 feedback-joints_limits = Row { $row } reaches the pose with joint { $joint } beyond its limit.
 feedback-joints_family_missing = The pose is singular: say which combination of joint variables stays the same along the solutions.
 feedback-joints_combination_wrong = Combination { $row } does not stay the same along the solutions.
-feedback-joints_combination_zero = Combination { $row } is 0 whatever the joints do, and says nothing.
+feedback-joints_combination_zero = Combination { $row } is 0 whatever the joints do, so it says nothing.
 error-pose_frames_free = The pose is given in frame 0 and for the last frame: the policy has to fix both, base = "frame" and tool = "frame".
 error-joint_row_length = A row holds one value for each joint: { $expected } are needed, and { $given } were given.
 error-joint_rows_empty = Give the joint values that reach the pose.
@@ -181,12 +181,12 @@ field-mended = The row as it should be
 field-verdict = The two tables describe
 field-reason = because
 option-alpha_sign = α has the wrong sign
-option-alpha_value = α is another angle
+option-alpha_value = α has the wrong value
 option-a_sign = a has the wrong sign
 option-d_sign = d has the wrong sign
-option-a_value = a is another length
-option-d_value = d is another length
-option-a_d_swapped = a and d have changed places
+option-a_value = a has the wrong value
+option-d_value = d has the wrong value
+option-a_d_swapped = a and d are swapped
 option-a_missing = a is zero, but should not be
 option-a_not_zero = a is not zero, but should be
 option-d_missing = an offset d is left out
@@ -196,25 +196,25 @@ option-angles_in_radians = all angles in radians, though degrees are declared
 option-cell_in_degrees = one angle in degrees among radians
 option-cell_in_radians = one angle in radians among degrees
 option-cell_length_unit = one length in another unit
-option-cell_parameter = another dimension of the figure
+option-cell_parameter = a different dimension of the figure is used
 option-columns_early = a and α one row too high
 option-columns_late = a and α one row too low
 option-columns_exchanged = two columns exchanged
 option-columns_reordered = columns in another order
-option-convention = the other convention declared
+option-convention = the wrong convention is declared
 option-fixed_row_missing = the last row, without a variable, is missing
 option-joint_fixed = a joint without its variable
 option-joint_moving = a variable where nothing moves
-option-joint_type = another type of joint
+option-joint_type = the joint has the wrong type
 option-length_unit = all lengths in another unit
 option-parameter_misnamed = a name that is not in the figure
 option-parameters_swapped = two dimensions exchanged
 option-row_extra = a row too many
 option-row_missing = a row is missing
 option-rows_swapped = two rows exchanged
-option-theta_offset = the constant beside the variable θ is another
-option-d_offset = the constant beside the variable d is another
-option-theta_value = the constant θ is another angle
+option-theta_offset = the constant added to the variable θ is wrong
+option-d_offset = the constant added to the variable d is wrong
+option-theta_value = the constant θ has the wrong value
 option-twists_all_reversed = every α has the wrong sign
 option-variable_sign = a joint variable counts the wrong way
 option-same = the same robot
@@ -242,7 +242,7 @@ given-second-table = The second table ({ $convention ->
 task-find-mistake = This table should describe the robot of the figure, but one row has a mistake. Which row, what is wrong, and how should the row read?
 task-compare-tables = Do these two tables describe the same robot, whichever way the frames were chosen? Say why.
 
-feedback-mistake_found = Found, named and mended.
+feedback-mistake_found = You found the mistake, named it and corrected it.
 feedback-mistake_row_wrong = The mistake is in another row.
 feedback-mistake_name_wrong = The mistake is of another kind.
 feedback-mistake_not_mended = With this row the table still does not describe the robot.
@@ -252,7 +252,7 @@ feedback-mistake_missing =
         [name] Say what is wrong.
        *[mended] Write the row as it should be.
     }
-feedback-tables_right = So it is, and for this reason.
+feedback-tables_right = Right, and for the right reason.
 feedback-tables_same = They are the same robot: only the frames were chosen differently.
 feedback-tables_different = They are different robots: no choice of frames turns one table into the other.
 feedback-tables_reason_wrong = The verdict is right, but not for this reason.

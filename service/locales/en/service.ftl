@@ -1,12 +1,12 @@
 # Refusals of the HTTP service itself.
 
 problem-title-400 = The request cannot be read
-problem-title-404 = Nothing is here
+problem-title-404 = Not found
 problem-title-405 = This method is not available here
-problem-title-406 = No acceptable form of the answer
+problem-title-406 = No acceptable response format
 problem-title-408 = The request took too long to arrive
 problem-title-413 = The request is too large
-problem-title-415 = This kind of body is not read here
+problem-title-415 = This kind of body is not supported
 problem-title-422 = The request cannot be carried out as it stands
 problem-title-500 = The service failed
 problem-title-503 = The service is busy
@@ -99,7 +99,7 @@ error-idempotency_key_in_use = A request with this Idempotency-Key is still bein
 error-idempotency_key_reused = This Idempotency-Key was used for another request. Take a new key for a new request.
 error-rate_exceeded = More was asked for than { $limit } a minute, counted by cost. Try again in { $seconds } s.
 error-setting_missing = The setting { $name } is missing.
-problem-title-429 = Too much at once
+problem-title-429 = Too many requests
 error-quaternion_or_axis = Give at most one of “quaternion” and “axis”.
 
 language-name = English

@@ -2,10 +2,10 @@ field-conditions = Conditions for a singularity
 field-lost = A motion that is lost
 
 task-singularities =
-    The table of the robot is given. In which configurations does the arm lose a motion: { $motion ->
+    The table of the robot is given. In which configurations does the arm lose a motion, that is, { $motion ->
         [translation] where does the Jacobian of the last origin’s velocity have less than its usual rank?
        *[twist] where does the Jacobian have less than its usual rank?
-    } Write one condition in each row: a function that vanishes there (sin(q3)) or an equation (q3 = 0, π). What counts is the set, however you write it. { $lost ->
+    } Write one condition in each row: a function that vanishes there (sin(q3)) or an equation (q3 = 0, π). Only the set of configurations counts, however you write it. { $lost ->
         [yes] For the given configuration, write a vector λ ≠ 0 in the axes of frame 0 with λ · J q̇ = 0 whatever the joints do, at the last origin, lengths in { $unit }: the motion that is lost.
        *[no] {""}
     }
@@ -15,10 +15,10 @@ feedback-singularities_missing = Families of singularities found: { $found } of 
 feedback-singularity_missing_at = None of your conditions holds at this singular configuration: { $at }.
 feedback-singularity_invented = Condition { $condition } also holds where the arm is not singular.
 feedback-singularity_invented_at = Condition { $condition } holds at { $at }, where the arm is not singular.
-feedback-singularity_sine_for_cosine = Condition { $condition } is that of a singularity but for a quarter turn: sine and cosine have been exchanged.
+feedback-singularity_sine_for_cosine = Condition { $condition } is a quarter turn off a singularity: sine and cosine have been exchanged.
 feedback-singularity_half = Only a part of one family is found: mind the other solution of its equation (q = π besides q = 0, the folded arm besides the stretched one).
 feedback-singularity_everywhere = Condition { $condition } always holds.
-feedback-singularity_nowhere = Condition { $condition } never holds, and says nothing.
+feedback-singularity_nowhere = Condition { $condition } never holds, so it says nothing.
 feedback-conditions_missing = The conditions are missing.
 feedback-lost_motion_missing = The lost motion is missing.
 feedback-lost_motion_wrong = The vector is not a motion that is lost here.

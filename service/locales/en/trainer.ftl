@@ -2,7 +2,7 @@
 
 trainer-title = Frame trainer
 trainer-heading = Attach the frames
-trainer-lead = Frame by frame, in the order of the lecture: all z axes, the common normals, the origins, all x axes. Each step is checked at its end; then the DH table is read off.
+trainer-lead = Frame by frame, in the order in which it is taught: all z axes, the common normals, the origins, all x axes. Each step is checked when you finish it; then the DH table is read off.
 trainer-back = Back to the exercise
 trainer-frames = Frames
 trainer-table = The table that follows
@@ -55,7 +55,7 @@ trainer-normal-skew = Axes { $axis } and { $other } are skew: they have one comm
 trainer-normal-meet = Axes { $axis } and { $other } intersect: x is at right angles to both, and the origin belongs at the point of intersection.
 trainer-normal-parallel = Axes { $axis } and { $other } are parallel or on one line: every common normal will do; choose the one that makes d vanish.
 trainer-check = Check this step
-trainer-onward = Go on
+trainer-onward = Continue
 trainer-restart = Start again
 trainer-step-done = This step is right.
 trainer-why-z =
