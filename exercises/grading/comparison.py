@@ -10,8 +10,16 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
+from itertools import islice
 
-from exercises.grading.name_values import Values, drawn_value, typical_length, values_of, with_values
+from exercises.grading.name_values import (
+    Values,
+    drawn_value,
+    has_a_value_always,
+    typical_length,
+    values_of,
+    with_values,
+)
 from exercises.grading.typed import ANGLES, Place, Typed, half_steps, meant
 from kinematics.cells import AngleUnit, ParameterKind, ReadTable, in_length_unit
 from kinematics.errors import Fault, ParameterError
@@ -100,12 +108,19 @@ def comparisons(
         given = {name: float(value) for name, value in values.given.items()}
         _within_bounds(bind(key.table, given))
         _within_bounds(bind(submission.table, given))
-        raise ParameterError(
-            Fault(
-                code="tables_without_value",
-            )
-        )
+        raise ParameterError(Fault(code="tables_without_value"))
     return tuple(found)
+
+
+def compared_by_names(reference: ReadTable, submission: ReadTable, parameters: Mapping[str, float]) -> bool:
+    """Whether the values of the parameters make no difference: no number of the answer may stand for a name.
+
+    Args and raises as in `comparisons`.
+    """
+    values = values_of(reference, submission, parameters, 1.0)
+    ways = list(islice(_ways(reference, submission, values), 2))
+    always = has_a_value_always(reference.table) and has_a_value_always(submission.table)
+    return always and ways == [(submission, frozenset())]
 
 
 @lru_cache(maxsize=256)

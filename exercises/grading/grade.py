@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from functools import lru_cache
 
 from exercises.grading.certificate_report import certificate_report
-from exercises.grading.comparison import Comparison, comparisons
+from exercises.grading.comparison import Comparison, compared_by_names, comparisons
 from exercises.grading.explanation import (
     Diagnosis,
     clearest,
@@ -53,7 +53,7 @@ def grade(
         ParameterError: a value is not a finite number or belongs to no parameter, or the tables have no value
             for any values of their parameters.
     """
-    given = tuple(sorted((parameters or {}).items(), key=lambda item: item[0]))
+    given = _values_that_matter(reference, submission, parameters or {})
     return _grade(reference, submission, policy, given, help_level, weights)
 
 
@@ -67,7 +67,7 @@ def accept(
 
     Args and raises as in `grade`.
     """
-    given = tuple(sorted((parameters or {}).items(), key=lambda item: item[0]))
+    given = _values_that_matter(reference, submission, parameters or {})
     decided = _decided(reference, submission, policy, given)
     return decided if isinstance(decided, Verdict) else None
 
@@ -84,6 +84,15 @@ def is_accepted(
     """
     ways = comparisons(reference, submission, dict(parameters or {}))
     return any(judged(way, policy).accepted for way in ways)
+
+
+def _values_that_matter(
+    reference: ReadTable, submission: ReadTable, parameters: Mapping[str, float]
+) -> tuple[tuple[str, float], ...]:
+    """The values that a verdict depends on: with an answer in names, whatever a student was given, none."""
+    if compared_by_names(reference, submission, parameters):
+        return ()
+    return tuple(sorted(parameters.items(), key=lambda item: item[0]))
 
 
 @lru_cache(maxsize=REMEMBERED)

@@ -12,8 +12,8 @@ from random import Random
 from exercises.grading.substitution import substituted
 from kinematics.cells import AngleUnit, ParameterKind, ReadTable, canonical_name
 from kinematics.errors import Fault, ParameterError
-from kinematics.expressions import Number
-from kinematics.table import SymbolicTable
+from kinematics.expressions import Call, Number, Parameter, Power, walk
+from kinematics.table import CELLS, SymbolicTable
 
 # Draws of a name that owe nothing to its given value.
 FREE_ATTEMPTS = 20
@@ -103,6 +103,17 @@ def drawn_value(name: str, attempt: int, values: Values) -> float:
         return given * (1.0 + _deviation(name, attempt, 0.6 / (1.0 + (attempt - FREE_ATTEMPTS) // 4)))
     middle = values.scale if values.kinds[name] is ParameterKind.LENGTH else 0.7
     return middle * (1.0 + _deviation(name, attempt, 0.6))
+
+
+def has_a_value_always(table: SymbolicTable) -> bool:
+    """Whether a table has a value at every draw, which then owes nothing to given values: it has no root."""
+    entries = (getattr(row, cell) for row in table.rows for cell in CELLS)
+    return not any(
+        isinstance(node, Power | Call)
+        for entry in entries
+        if type(entry) is not Number and type(entry) is not Parameter
+        for node in walk(entry)
+    )
 
 
 @lru_cache(maxsize=1024)

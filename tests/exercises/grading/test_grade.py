@@ -50,6 +50,36 @@ KEY = read("standard", PUMA)
 USUAL = Policy()
 
 
+OTHER_VALUES = {"a2": 0.5, "a3": 0.03, "d3": 0.2, "d4": 0.4}
+
+
+@pytest.mark.parametrize(
+    ("rows", "shared"),
+    [
+        (PUMA_CRAIG, True),
+        ([("pi/2", 0, 0.3, "q1"), *PUMA[1:]], True),  # the first frame may lie anywhere along its axis
+        ([*PUMA[:3], ("pi/2", 0, "a2", "q4"), *PUMA[4:]], True),
+        ([*PUMA[:3], ("pi/2", 0, "d4 + a2", "q4"), *PUMA[4:]], True),
+        ([*PUMA[:3], ("pi/2", 0, 0.35, "q4"), *PUMA[4:]], False),  # a value for its name
+        ([*PUMA[:3], ("pi/2", 0, "sqrt(d4^2 - a2^2)", "q4"), *PUMA[4:]], False),  # no value at some draws
+    ],
+)
+def test_who_hands_in_the_same_names_is_judged_once_whatever_their_values(rows: Rows, shared: bool) -> None:
+    answer = read("standard" if rows[0][0] else "modified", rows)
+    one, other = (grade(KEY, answer, USUAL, values) for values in (VALUES, OTHER_VALUES))
+    assert (one is other) == shared
+    if shared:
+        assert one == grade.__globals__["_grade"].__wrapped__(
+            KEY, answer, USUAL, tuple(VALUES.items()), HelpLevel.REPAIR, grade.__globals__["USUAL"]
+        )
+
+
+def test_values_are_looked_at_whether_they_make_a_difference_or_not() -> None:
+    for wrong in ({**VALUES, "b": 1.0}, {**VALUES, "a2": math.nan}):
+        with pytest.raises(ParameterError):
+            grade(KEY, read("standard", PUMA), USUAL, wrong)
+
+
 def with_cells(rows: Rows, *changes: tuple[int, int, Cell]) -> Rows:
     """The rows with cells (row from 1, column, value) replaced."""
     changed = [list(row) for row in rows]
