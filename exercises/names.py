@@ -45,6 +45,8 @@ def unknown_name(
 def table_faults(read: ReadTable, exercise: Exercise) -> list[Fault]:
     """Return the unknown names of a table, each at its first cell."""
     faults: dict[str, Fault] = {}
+    if read.parameters.keys() <= _known(exercise):
+        return []
     for i, row in enumerate(read.table.rows):
         for cell in CELLS:
             for name in sorted(parameters_in(getattr(row, cell)) - _known(exercise)):

@@ -57,27 +57,39 @@ def link_transform(row: NumericRow, convention: Convention, q: float = 0.0) -> T
     return np.array([*pose_of_motions(motions), (0.0, 0.0, 0.0, 1.0)])
 
 
-def link_transforms(row: NumericRow, convention: Convention, q: Floats) -> Floats:
+def link_transforms(rows: Sequence[NumericRow], convention: Convention, q: Sequence[Floats]) -> Floats:
     """Return the poses of frame i in frame i-1 at many values of the joint variable, (k, 4, 4).
 
     Args:
-        row: of the table, see `link_transform`.
+        rows: a row of a table, see `link_transform`, with one set of finite numbers or several.
         convention: which of the two products to form.
-        q: (k,) joint variables [rad or m]; a fixed row ignores them.
-
-    Raises:
-        TableError: an entry of the row is NaN or infinite.
+        q: for each set, (k_j,) joint variables [rad or m], k in all; a fixed row ignores them.
     """
-    constant = link_transform(row, convention)
-    moved = np.zeros((len(q), 4, 4))
-    moved[:, 0, 0] = moved[:, 1, 1] = moved[:, 2, 2] = moved[:, 3, 3] = 1.0
-    if row.joint is JointType.REVOLUTE:
-        moved[:, 0, 0] = moved[:, 1, 1] = np.cos(q)
-        moved[:, 1, 0] = row.sign * np.sin(q)
-        moved[:, 0, 1] = -moved[:, 1, 0]
-    elif row.joint is JointType.PRISMATIC:
-        moved[:, 2, 3] = row.sign * q
-    return np.asarray(moved @ constant if _joint_leads(row, convention) else constant @ moved)
+    counts, joint = [len(values) for values in q], np.concatenate(q)
+    motions: list[ElementaryMotion] = []
+    for cell in MOTIONS[convention]:
+        kind, numbers = _KINDS[cell], [float(getattr(row, cell)) for row in rows]
+        if any(numbers):
+            motions.append(ElementaryMotion(kind, *_spread(kind, numbers, counts)))
+        if cell == _VARIABLE[rows[0].joint]:
+            motions.append(ElementaryMotion(kind, 0.0, 0.0, 0, rows[0].sign))
+    value = (np.cos(joint), np.sin(joint)) if rows[0].joint is JointType.REVOLUTE else joint
+    poses = np.zeros((len(joint), 4, 4))
+    poses[:, 3, 3] = 1.0
+    for r, entries in enumerate(pose_of_motions(set_joints(motions, (value,)))):
+        for c, entry in enumerate(entries):
+            poses[:, r, c] = entry
+    return poses
+
+
+def _spread(kind: MotionKind, numbers: Sequence[float], counts: Sequence[int]) -> Iterable[Any]:
+    """Return what a motion holds, (k,) each, or one number where all are the same."""
+    found = [
+        cos_sin(number) if kind in (MotionKind.TURN_Z, MotionKind.TURN_X) else (number,) for number in numbers
+    ]
+    if all(entry == found[0] for entry in found):
+        return found[0]
+    return (np.repeat(part, counts) for part in zip(*found, strict=True))
 
 
 def around_joint(row: NumericRow, convention: Convention) -> tuple[Transform, Transform]:

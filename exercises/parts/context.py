@@ -6,29 +6,27 @@ import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
 from exercises.grading import Policy, Verdict
 from exercises.instance import Instance
+from exercises.parts.joint_draws import key_numbers, key_size
 from exercises.parts.protocol import Answer
 from exercises.parts.report import Credit
+from exercises.parts.samples import Points, Samples
 from kinematics.cells import AngleUnit, LengthUnit, ParameterKind, ReadTable
-from kinematics.chain import chain_of_table, size_of
 from kinematics.dh import link_transforms
 from kinematics.errors import ParameterError
 from kinematics.forward import ForwardKinematics, forward_kinematics
 from kinematics.symbolic import ClosedForm, closed_form
-from kinematics.table import JointType, NumericTable, bind
+from kinematics.table import Convention, JointType, NumericTable, bind
 
 DRAWS = 3
 CONFIGURATIONS = 5
 """Values of the lengths, and joint values for each, at which functions are compared: one point on no grid
 tells two different closed forms apart, fifteen leave nothing to luck."""
-Points: TypeAlias = tuple[Mapping[str, float], NDArray[np.float64]]
-"""Values of all parameters, and (k, n) joint values beside them."""
 _STEPS = tuple(math.sqrt(p) for p in (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53))
 
 
@@ -95,7 +93,7 @@ class Context:
     @cached_property
     def reference_numbers(self) -> NumericTable:
         """The key with its values, lengths in the exercise's unit."""
-        return bind(self.reference.table, self.reference_values)
+        return key_numbers(self.instance)
 
     @cached_property
     def reference_values(self) -> dict[str, float]:
@@ -110,7 +108,7 @@ class Context:
     @cached_property
     def size(self) -> float:
         """Typical length of the robot, in the student's unit."""
-        size = size_of(chain_of_table(self.reference_numbers)) * self.unit_ratio
+        size = key_size(self.instance) * self.unit_ratio
         return size if size > 0 else 1.0
 
     @property
@@ -151,19 +149,33 @@ class Context:
         ).reshape(CONFIGURATIONS, len(joint_types))
 
     def own_links(
-        self, values: Mapping[str, float], joints: NDArray[np.float64]
-    ) -> list[NDArray[np.float64]]:
-        """The matrices of the student's own rows at (k, n) joint values, (k, 4, 4) each.
+        self, samples: Samples, convention: Convention | None = None
+    ) -> Sequence[NDArray[np.float64]]:
+        """The matrices of the student's own rows at samples, (k, 4, 4) each, computed once.
+
+        Args:
+            samples: where the table holds.
+            convention: that its rows are read in, if not the table's.
 
         Raises:
             ParameterError: an entry has no value there.
         """
-        table = self.own_numbers(values)
-        places = {row: joint for joint, row in enumerate(table.joint_rows)}
-        still = np.zeros(len(joints))
+        assert self.own is not None
+        key = samples, convention or self.own.table.convention
+        if key not in self._own_links:
+            self._own_links[key] = self._links_at(*key)
+        return self._own_links[key]
+
+    @cached_property
+    def _own_links(self) -> dict[tuple[Samples, Convention], Sequence[NDArray[np.float64]]]:
+        return {}
+
+    def _links_at(self, samples: Samples, convention: Convention) -> Sequence[NDArray[np.float64]]:
+        tables = [self.own_numbers(values) for values, _ in samples.points]
+        places = {row: joint for joint, row in enumerate(tables[0].joint_rows)}
         return [
-            link_transforms(row, table.convention, joints[:, places[i]] if i in places else still)
-            for i, row in enumerate(table.rows)
+            link_transforms(rows, convention, [joints[:, places.get(i, 0)] for _, joints in samples.points])
+            for i, rows in enumerate(zip(*(table.rows for table in tables), strict=True))
         ]
 
     def own_numbers(self, values: Mapping[str, float]) -> NumericTable:
@@ -182,7 +194,7 @@ class Context:
     def _own_numbers(self) -> dict[tuple[float, ...], NumericTable]:
         return {}
 
-    def samples(self, names: frozenset[str]) -> tuple[Points, ...]:
+    def samples(self, names: frozenset[str]) -> Samples:
         """Where functions are compared: the exercise's values with joint values, then others of both.
 
         The last one is the first sample with every length twice as long. Other values are left out where the
@@ -191,6 +203,7 @@ class Context:
         Args:
             names: of all parameters.
         """
+        names = names.difference(self.reference_values)  # these have values anyhow
         if names not in self._samples:
             nominal, joints = self.values(names), self.configurations(self.joint_types)
             found: list[Points] = [(nominal, joints)]
@@ -198,11 +211,11 @@ class Context:
                 slides = [type_ is JointType.PRISMATIC for type_ in self.joint_types]
                 found += ((values, joints[:2]) for values in self.draws(names) if self._own_holds(values))
                 found.append((self.scaled(nominal, 2.0), np.where(slides, 2.0, 1.0) * joints[:1]))
-            self._samples[names] = tuple(found)
+            self._samples[names] = Samples(tuple(found))
         return self._samples[names]
 
     @cached_property
-    def _samples(self) -> dict[frozenset[str], tuple[Points, ...]]:
+    def _samples(self) -> dict[frozenset[str], Samples]:
         return {}
 
     def own_poses(self, values: Mapping[str, float], joints: Sequence[float]) -> ForwardKinematics:

@@ -6,6 +6,7 @@ import math
 from collections.abc import Sequence
 from enum import StrEnum
 from fractions import Fraction
+from functools import lru_cache
 
 import numpy as np
 
@@ -17,6 +18,7 @@ from exercises.parts.definition_keys import joint_names
 from exercises.parts.protocol import RobotFacts
 from exercises.reading import Reader
 from kinematics.cells import AngleUnit
+from kinematics.chain import chain_of_table, size_of
 from kinematics.forward import forward_kinematics
 from kinematics.se3 import Transform
 from kinematics.table import JointType, NumericTable, bind
@@ -90,6 +92,17 @@ def in_radians(exercise: Exercise, joints: Sequence[Fraction]) -> list[float]:
     ]
 
 
+KEPT = 512
+"""Students whose keys are kept in numbers: each hands in several parts, and again."""
+
+
+@lru_cache(maxsize=KEPT)
+def key_size(instance: Instance) -> float:
+    """Return a length that is typical of the key's robot [the exercise's unit]."""
+    return size_of(chain_of_table(key_numbers(instance)))
+
+
+@lru_cache(maxsize=KEPT)
 def key_numbers(instance: Instance) -> NumericTable:
     """Return the key with the student's values; lengths in the exercise's unit."""
     exercise = instance.exercise

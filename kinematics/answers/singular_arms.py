@@ -91,6 +91,14 @@ class SingularArm(ValuedRobot):
         return np.asarray(np.linalg.svd(kept, compute_uv=False))
 
     @cached_property
+    def moving(self) -> NDArray[np.bool_]:
+        """(6,) which components of the twist are not always zero."""
+        found: NDArray[np.bool_] = (
+            np.abs(self.chain.jacobian(self.lines[0].T)).max(axis=(0, 2)) > LOST * self.size
+        )
+        return found
+
+    @cached_property
     def lines(self) -> tuple[Floats, Floats]:
         """Starting points and directions of lines through the joint space, (n, LINES) each."""
         n = self.table.n_joints

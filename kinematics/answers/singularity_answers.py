@@ -42,7 +42,7 @@ from kinematics.jacobian import JacobianFrame
 from kinematics.se3 import Floats
 from kinematics.symbolic import ProofStatus
 from kinematics.symbolic.determinants import MotionRows
-from kinematics.symbolic.quotients import quotient_of, reduced
+from kinematics.symbolic.quotients import reduced
 from kinematics.table import JointType
 
 ROUNDED = 5e-4
@@ -196,8 +196,7 @@ def _factors(arm: SingularArm, condition: Expression) -> list[tuple[Expression, 
 
     A quotient is one function where its denominator may cancel zeros: (1 − cos² q)/sin² q has none.
     """
-    whole = reduced(condition)
-    _, bottom = quotient_of(whole)
+    whole, bottom = reduced(condition)
     under = _divisors(arm, bottom)
     if under is not None and not any(under):
         found = [(factor, arm.products.zeros(factor)) for factor in factors_of(whole)]
@@ -267,9 +266,7 @@ def _scaled(arm: SingularArm, joints: Sequence[float]) -> tuple[Floats, NDArray[
     slides = np.array([axis.prismatic for axis in arm.chain.axes], dtype=bool)
     J = jacobian_at(arm.chain, joints, JacobianFrame.BASE) * np.where(slides, arm.size, 1.0)
     J[:3] /= arm.size
-    samples = arm.chain.jacobian(arm.lines[0].T)[:, :count]
-    moving: NDArray[np.bool_] = np.abs(samples).max(axis=(0, 2)) > LOST * arm.size
-    return J[:count], moving
+    return J[:count], arm.moving[:count]
 
 
 def _where(arm: SingularArm, factor: Expression, covered: Sequence[NDArray[np.bool_]]) -> list[bool]:

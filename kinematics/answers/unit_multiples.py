@@ -70,11 +70,13 @@ def _bounds(function: Expression) -> tuple[Fraction, Fraction] | None:
         case Call(Function.SIN | Function.COS):
             return Fraction(-1), Fraction(1)
         case Sum(terms):
-            parts = [_bounds(term) for term in terms]
-            known = [part for part in parts if part is not None]
-            if len(known) < len(parts):
-                return None
-            return sum((low for low, _ in known), _ZERO), sum((high for _, high in known), _ZERO)
+            low, high = _ZERO, _ZERO
+            for term in terms:
+                part = _bounds(term)
+                if part is None:
+                    return None
+                low, high = low + part[0], high + part[1]
+            return low, high
         case Product(factors):
             low, high = Fraction(1), Fraction(1)
             for factor in factors:
@@ -115,15 +117,18 @@ class FamilyProducts:
         if never_vanishes(function):
             return none
         reader = self._reader.copy()
-        given = reader.read(cleared(function))
+        given = reader.read(function)
+        if given is None:  # few have a denominator
+            reader = self._reader.copy()
+            given = reader.read(cleared(function))
         if not given:
             return None
         degrees = reader.degrees(given)
         if not degrees:
             return none if len(given) == 1 else None  # a sum of lengths may vanish
+        wanted = reader.normalised(given)
         for times in islice(self._fitting(degrees), MOST_PRODUCTS):
-            product = self._product(times)
-            if product and reader.normalised(given) == reader.normalised(product):
+            if self._product(times) == wanted:
                 return times
         return None
 
@@ -147,12 +152,14 @@ class FamilyProducts:
                 yield (times, *rest)
 
     def _product(self, times: tuple[int, ...]) -> Polynomial | None:
+        """Return a product, normalised; None if it has too many terms."""
         if times not in self._products and len(self._products) < MOST_KEPT:
             reader = self._reader.copy()
             factors = [
                 factor for factor, count in zip(self._factors, times, strict=True) for _ in range(count)
             ]
-            self._products[times] = reader.product(factor for factor in factors if factor is not None)
+            product = reader.product(factor for factor in factors if factor is not None)
+            self._products[times] = reader.normalised(product) if product else None
         return self._products.get(times)
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -54,6 +54,27 @@ def values_at(
     if type(value) is np.ndarray and value.shape == joints.shape[1:]:
         return value
     return np.full(joints.shape[1:], value, dtype=np.float64)
+
+
+def matrices_at(
+    entries: Sequence[Sequence[Expression]], parameters: Mapping[str, Any], joints: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """Return the values of a matrix at k points, (k, rows, columns); NaN or infinite where an entry has none.
+
+    Args:
+        entries: the matrix, row by row.
+        parameters: the value of each parameter, one number or (k,) [m or rad].
+        joints: (n, k) joint variables [rad or m].
+
+    Raises:
+        KeyError: a parameter has no value.
+    """
+    found = np.empty((joints.shape[1], len(entries), len(entries[0])))
+    with np.errstate(all="ignore"):
+        for r, row in enumerate(entries):
+            for c, entry in enumerate(row):
+                found[:, r, c] = _value(entry, parameters, joints)
+    return found
 
 
 def _value(node: Expression, parameters: Mapping[str, Any], joints: NDArray[np.float64]) -> Any:

@@ -28,9 +28,14 @@ def cleared(expression: Expression) -> Expression:
     return quotient_of(expression)[0]
 
 
-def reduced(expression: Expression) -> Expression:
-    """Return an expression without the factors that stand above and below: cos x · tan x is sin x."""
+def reduced(expression: Expression) -> tuple[Expression, tuple[Expression, ...]]:
+    """Return an expression without the factors that stand above and below, and its denominator's factors.
+
+    cos x · tan x is sin x.
+    """
     top, bottom = quotient_of(expression)
+    if not bottom:
+        return expression, ()
     factors: list[Expression] = list(top.factors) if isinstance(top, Product) else [top]
     left = list(bottom)
     for i, factor in enumerate(factors):
@@ -43,12 +48,12 @@ def reduced(expression: Expression) -> Expression:
             for _ in range(times):
                 left.remove(base)
     if len(left) == len(bottom):
-        return expression
-    return multiply((*factors, *(power(each, Fraction(-1)) for each in left)))
+        return expression, bottom
+    return multiply((*factors, *(power(each, Fraction(-1)) for each in left))), tuple(left)
 
 
 def quotient_of(expression: Expression) -> tuple[Expression, tuple[Expression, ...]]:
-    """Return a numerator and the factors of a denominator."""
+    """Return a numerator and the factors of a denominator; without one, the expression itself."""
     match expression:
         case Call(Function.TAN, (angle,)):
             return call(Function.SIN, angle), (call(Function.COS, angle),)
@@ -58,12 +63,18 @@ def quotient_of(expression: Expression) -> tuple[Expression, tuple[Expression, .
             return multiply(bottom * -exponent.numerator), over
         case Power(base, exponent) if exponent.denominator == 1:
             top, bottom = quotient_of(base)
+            if top is base:
+                return expression, ()
             return power(top, exponent), bottom * exponent.numerator
         case Product(factors):
             parts = [quotient_of(factor) for factor in factors]
+            if all(top is factor for (top, _), factor in zip(parts, factors, strict=True)):
+                return expression, ()
             return multiply(top for top, _ in parts), tuple(in_turn.from_iterable(b for _, b in parts))
         case Sum(terms):
             parts = [quotient_of(term) for term in terms]
+            if all(top is term for (top, _), term in zip(parts, terms, strict=True)):
+                return expression, ()
             common = tuple(dict.fromkeys(in_turn.from_iterable(bottom for _, bottom in parts)))
             counts = {each: max(bottom.count(each) for _, bottom in parts) for each in common}
             rows = [

@@ -14,7 +14,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from kinematics.angles import are_ordinary
-from kinematics.dh import link_transform
+from kinematics.dh import link_transform, link_transforms
 from kinematics.errors import JointValueError, KinematicsError, PoseError, TableError
 from kinematics.evaluation.plan import WARM, plan_of
 from kinematics.forward import end_pose, end_poses, forward_kinematics
@@ -130,6 +130,18 @@ def test_a_reversed_variable_is_the_negative_variable(robot):
     negated = [-q for q in joints]
     expected = end_pose(table, joints)
     np.testing.assert_allclose(end_pose(turned, negated), expected, atol=1e-14 * reach(table, joints))
+
+
+@settings(max_examples=60)
+@given(tables(), st.lists(st.floats(-3, 3), min_size=2, max_size=4))
+def test_link_transforms_of_several_sets_of_numbers_are_those_of_each(table, joints):
+    for row in table.rows:
+        other = replace(row, a=row.a + 0.5, theta=row.theta - 0.3)
+        for convention in Convention:
+            found = link_transforms((row, other), convention, (np.array(joints), np.array(joints[:1])))
+            wanted = [link_transform(row, convention, q) for q in joints]
+            wanted.append(link_transform(other, convention, joints[0]))
+            np.testing.assert_allclose(found, wanted, rtol=0, atol=1e-12 * reach(table, joints))
 
 
 @settings(max_examples=60)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import TypeAlias
 
@@ -10,14 +10,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from exercises.parts.cells.matrix_cells import CellMatrix, SymbolicMatrix
-from exercises.parts.context import Context, Points
+from exercises.parts.context import Context
 from exercises.parts.report import Fact, fact
+from exercises.parts.samples import Samples
 from kinematics.cells import Cell
 from kinematics.equivalence import Tolerance
 
 Matrices: TypeAlias = NDArray[np.float64]
-Expected: TypeAlias = Callable[[Mapping[str, float], Matrices], Matrices]
-"""(k, 4, 4) that are right for parameter values and (k, n) joint values."""
+Expected: TypeAlias = Callable[[Samples], Matrices]
+"""(k, 4, 4) that are right at samples."""
 
 LAST_ROW = np.array([0.0, 0.0, 0.0, 1.0])
 ALL_NAMED = 1e-6
@@ -30,12 +31,12 @@ class Compared:
 
     Attributes:
         actual: (k, 4, 4) the answer at the samples.
-        samples: parameter values, and (k, n) joint values beside them.
+        samples: where it was compared.
         cells: (4, 4) which cells agree at every sample.
     """
 
     actual: Matrices
-    samples: Sequence[Points]
+    samples: Samples
     cells: NDArray[np.bool_]
 
     @property
@@ -48,10 +49,6 @@ class Compared:
         """Every cell has a value at every sample: √(L2 − L1) has none where L1 is the longer one."""
         return bool(np.isfinite(self.actual).all())
 
-    def beside(self, expected: Expected) -> Matrices:
-        """(k, 4, 4) other matrices at the same samples."""
-        return at_samples(self.samples, expected)
-
 
 @np.errstate(all="ignore")
 def compare(context: Context, answer: SymbolicMatrix, expected: Expected) -> Compared:
@@ -60,22 +57,15 @@ def compare(context: Context, answer: SymbolicMatrix, expected: Expected) -> Com
     They are compared at the exercise's values and, if the answer names all lengths, at others, too. Other
     values tell apart what the exercise's values confuse, such as two dimensions of equal length.
     """
-    samples: Sequence[Points] = context.samples(answer.names() | context.own_names())
+    samples = context.samples(answer.names() | context.own_names())
     actual = answer.at_points(samples)
-    if len(samples) > 1:
-        *samples, _ = samples
-        doubled, actual = is_doubled(actual[0], actual[-1], context.size), actual[:-1]
-        if not doubled:
-            samples, actual = samples[:1], actual[: len(samples[0][1])]
-    wanted = at_samples(samples, expected)
-    return Compared(
-        actual=actual, samples=samples, cells=agreeing(actual, wanted, context.size, context.policy.tolerance)
-    )
-
-
-def at_samples(samples: Sequence[Points], expected: Expected) -> Matrices:
-    """(k, 4, 4) matrices at samples."""
-    return np.concatenate([expected(values, joints) for values, joints in samples])
+    if len(samples.points) > 1:
+        if is_doubled(actual[0], actual[-1], context.size):
+            samples, actual = samples.but_last, actual[:-1]
+        else:
+            samples, actual = samples.first, actual[: samples.counts[0]]
+    cells = agreeing(actual, expected(samples), context.size, context.policy.tolerance)
+    return Compared(actual=actual, samples=samples, cells=cells)
 
 
 def agreeing(actual: Matrices, wanted: Matrices, size: float, tolerance: Tolerance) -> NDArray[np.bool_]:

@@ -16,8 +16,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from exercises.names import renamed, unknown_name
-from exercises.parts.context import Points
 from exercises.parts.protocol import Reading
+from exercises.parts.samples import Samples
 from kinematics.cells import AngleUnit, Cell, Limits
 from kinematics.cells.entries import cell_meaning
 from kinematics.cells.meaning import Position
@@ -34,7 +34,7 @@ from kinematics.expressions import (
     evaluate,
     parameters_in,
 )
-from kinematics.expressions.arrays import values_at
+from kinematics.expressions.arrays import matrices_at
 from kinematics.printing import Format, MatrixPrinter, Notation, Purpose
 from kinematics.symbolic import Matrix
 from kinematics.table import JointType
@@ -73,18 +73,9 @@ class SymbolicMatrix:
         """Return its values; an entry that has none there (a division by zero) is NaN."""
         return np.array([[_value(entry, parameters, joints) for entry in row] for row in self.entries])
 
-    def at_points(self, points: Sequence[Points]) -> NDArray[np.float64]:
+    def at_points(self, samples: Samples) -> NDArray[np.float64]:
         """Return its values at all the points, (k, 4, 4); NaN or infinite where an entry has none."""
-        joints = np.concatenate([q for _, q in points]).T
-        counts = [len(q) for _, q in points]
-        parameters = {
-            name: np.repeat([values[name] for values, _ in points], counts) for name in self.names()
-        }
-        found = np.empty((joints.shape[1], len(self.entries), len(self.entries[0])))
-        for r, row in enumerate(self.entries):
-            for c, entry in enumerate(row):
-                found[:, r, c] = values_at(entry, parameters, joints)
-        return found
+        return matrices_at(self.entries, samples.parameters(self.names()), samples.joints)
 
 
 def read_matrix(
@@ -126,12 +117,14 @@ def read_entries(
 
     Args as in `read_matrix`.
     """
-    types = tuple(joint_types)
+    length, ratio = (
+        _manner(position, angle_unit, limits, tuple(joint_types))
+        for position in (Position.LENGTH, Position.RATIO)
+    )
 
     def entry(cell: Cell, r: int, k: int) -> Expression | Fault:
-        position = Position.LENGTH if k == 3 and r < 3 else Position.RATIO
         try:
-            return _read(as_cell(cell), position, angle_unit, limits, types)
+            return _read(as_cell(cell), length if k == 3 and r < 3 else ratio)
         except CellRefusal as refusal:
             return refusal.at(*where, r, k)
         except _NameError as error:
@@ -162,11 +155,11 @@ def read_functions(
 
     Args as in `read_matrix`.
     """
-    types = tuple(joint_types)
+    manner = _manner(position, angle_unit, CELL_LIMITS, tuple(joint_types))
 
     def entry(cell: Cell, k: int) -> Expression | Fault:
         try:
-            return _read(as_cell(cell), position, angle_unit, CELL_LIMITS, types)
+            return _read(as_cell(cell), manner)
         except CellRefusal as refusal:
             return refusal.at(*where, k)
         except _NameError as error:
@@ -249,16 +242,28 @@ def write_matrix(matrix: Matrix, n_joints: int, parameters: Sequence[str]) -> Ce
     return written
 
 
+@dataclass(frozen=True, eq=False, slots=True)
+class _Manner:
+    """How a cell is read; one object for each manner, so that a cell is looked up by text and identity."""
+
+    position: Position
+    unit: AngleUnit
+    limits: Limits
+    joint_types: tuple[JointType, ...]
+
+
+@lru_cache(maxsize=512)
+def _manner(
+    position: Position, unit: AngleUnit, limits: Limits, joint_types: tuple[JointType, ...]
+) -> _Manner:
+    return _Manner(position, unit, limits, joint_types)
+
+
 @lru_cache(maxsize=8192, typed=True)
-def _read(
-    cell: Cell | NoCell,
-    position: Position,
-    unit: AngleUnit,
-    limits: Limits,
-    joint_types: tuple[JointType, ...],
-) -> Expression:
+def _read(cell: Cell | NoCell, manner: _Manner) -> Expression:
     """The expression of one cell; the columns of a refusal are those of the cell as typed."""
-    variable = _variables(joint_types)
+    position, unit, limits = manner.position, manner.unit, manner.limits
+    variable = _variables(manner.joint_types)
     if not isinstance(cell, str):
         return cell_meaning(cell, position, unit, limits, variable).expression
     text = _GREEK.sub(lambda m: f"{m[1]}{m[2]}".rjust(len(m[0])), cell)

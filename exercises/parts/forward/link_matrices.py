@@ -30,21 +30,13 @@ from exercises.parts.context import Context
 from exercises.parts.forward.value import is_robot
 from exercises.parts.protocol import TABLE, Length, PartTask, PartType, Reading
 from exercises.parts.report import Credit, Fact, PartReport, fact, judged, told_from
-from kinematics.dh import link_transforms
+from exercises.parts.samples import Samples
 from kinematics.table import Convention
 
 
-def link_of(context: Context, row: int, convention: Convention | None = None) -> Expected:
-    """What the matrix of a row of the student's own table must be, or would be in another convention."""
-    assert context.own is not None
-    table = context.own.table
-    joint = table.joint_rows.index(row) if row in table.joint_rows else None
-
-    def expected(values: Mapping[str, float], joints: Matrices) -> Matrices:
-        q = joints[:, joint] if joint is not None else np.zeros(len(joints))
-        return link_transforms(context.own_numbers(values).rows[row], convention or table.convention, q)
-
-    return expected
+def _own_link(context: Context, row: int) -> Expected:
+    """What the matrix of a row of the student's own table must be."""
+    return lambda samples: context.own_links(samples)[row]
 
 
 def _cell_facts(i: int, compared: Compared) -> list[Fact]:
@@ -54,7 +46,9 @@ def _cell_facts(i: int, compared: Compared) -> list[Fact]:
 def _what_is_off(context: Context, i: int, compared: Compared) -> Feedback:
     """The misconception that explains a wrong matrix, or else its wrong cells."""
     assert context.own is not None
-    own = compared.beside(link_of(context, i))
+    samples = compared.samples
+    links = context.own_links(samples)
+    own = links[i]
     params: dict[str, ParamValue] = {"matrix": i + 1, "cells": cell_names(compared.cells)}
 
     def looks_like(other: Matrices) -> bool:
@@ -62,16 +56,16 @@ def _what_is_off(context: Context, i: int, compared: Compared) -> Feedback:
 
     table = context.own.table
     other = Convention.MODIFIED if table.convention is Convention.STANDARD else Convention.STANDARD
-    if looks_like(compared.beside(link_of(context, i, other))):
+    if looks_like(context.own_links(samples, other)[i]):
         return Feedback(code="matrix_other_convention", row=i + 1, params=params)
     if looks_like(inverse(own)):
         return Feedback(code="matrix_inverse", row=i + 1, params=params)
     if looks_like(transposed_rotation(own)):
         return Feedback(code="matrix_rotation_transposed", row=i + 1, params=params)
-    if looks_like(compared.beside(lambda values, q: link_of(context, i)(values, np.zeros_like(q)))):
+    if looks_like(context.own_links(samples.at_zero)[i]):
         return Feedback(code="matrix_without_variable", row=i + 1, params=params)
-    for k in range(len(table.rows)):
-        if k != i and looks_like(compared.beside(link_of(context, k))):
+    for k, link in enumerate(links):
+        if k != i and looks_like(link):
             return Feedback(code="matrix_of_other_row", row=i + 1, params={**params, "other": k + 1})
     if compared.has_values and not is_rigid(compared.actual, context.policy.tolerance):
         return Feedback(code="matrix_not_rigid", row=i + 1, params=params)
@@ -162,7 +156,7 @@ def _by_own_rows(context: Context, answer: Sequence[SymbolicMatrix | None], part
             facts.append(Fact(where=(i,), finding=Finding.MISSING))
             feedback.append(Feedback(code="matrix_missing", row=i + 1, params={"matrix": i + 1}))
             continue
-        compared = compare(context, matrix, link_of(context, i))
+        compared = compare(context, matrix, _own_link(context, i))
         facts.append(fact(compared.right, i))
         if not compared.right:
             facts += _cell_facts(i, compared)
@@ -178,7 +172,8 @@ def _product_is_robot(context: Context, matrices: list[SymbolicMatrix]) -> bool:
     names = frozenset[str]().union(*(matrix.names() for matrix in matrices))
 
     def poses(values: Mapping[str, float], joints: Matrices) -> Matrices:
-        return reduce(np.matmul, [matrix.at_points([(values, joints)]) for matrix in matrices])
+        samples = Samples(((values, joints),))
+        return reduce(np.matmul, [matrix.at_points(samples) for matrix in matrices])
 
     return is_robot(context, poses, names)
 

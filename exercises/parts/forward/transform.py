@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from functools import reduce
 from itertools import accumulate
 from random import Random
@@ -31,19 +31,16 @@ from exercises.parts.context import Context
 from exercises.parts.forward.value import is_robot
 from exercises.parts.protocol import PartTask, PartType, Reading
 from exercises.parts.report import Credit, PartReport, judged, told_from
-from kinematics.chain import chain_of_table
+from exercises.parts.samples import Samples
 
 
 def transform_is_robot(context: Context, answer: SymbolicMatrix) -> bool:
     """Whether a ⁰T_N describes the robot by itself."""
-    return is_robot(context, lambda values, q: answer.at_points([(values, q)]), answer.names())
+    return is_robot(context, lambda values, q: answer.at_points(Samples(((values, q),))), answer.names())
 
 
 def _own(context: Context) -> Expected:
-    def expected(values: Mapping[str, float], joints: Matrices) -> Matrices:
-        return chain_of_table(context.own_numbers(values)).poses(joints)
-
-    return expected
+    return lambda samples: reduce(np.matmul, context.own_links(samples))
 
 
 def _wrong(context: Context, compared: Compared, part: Part) -> PartReport:
@@ -60,8 +57,7 @@ def _wrong(context: Context, compared: Compared, part: Part) -> PartReport:
 
 def _what_is_off(context: Context, compared: Compared) -> Feedback:
     """The misconception that explains a wrong ⁰T_N, or else its wrong cells."""
-    some = [context.own_links(values, joints) for values, joints in compared.samples]
-    links = [np.concatenate(link) for link in zip(*some, strict=True)]
+    links = context.own_links(compared.samples)
     frames = list(accumulate(links, np.matmul))
     own = frames[-1]
 
