@@ -14,7 +14,7 @@ error-artefact_unknown = Aquí no se evalúan artefactos de tipo { $type }; sí 
 error-function_command_unknown = Los comandos que se atienden aquí son { $known }.
 error-function_call_invalid = El cuerpo de una llamada tiene `response`, `answer` y `params` (un objeto). No es así en: { $places }.
 error-callback_not_allowed = El operador de este servicio no permite enviar comentarios a esa dirección.
-error-version_not_supported = Aquí no se habla esa versión de la API de evaluación; sí { $supported }.
+error-version_not_supported = Aquí no se admite esa versión de la API de evaluación; sí { $supported }.
 
 error-api_key_unknown = No hay ninguna clave { $id }.
 error-key_file_unreadable = { $file } no es un archivo de claves utilizable: { $reason }.

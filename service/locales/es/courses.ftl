@@ -2,7 +2,7 @@
 
 problem-title-401 = Sin sesión iniciada
 problem-title-403 = Sin acceso
-problem-title-409 = Ahora no
+problem-title-409 = Ahora no es posible
 
 ## Almacenamiento
 

@@ -167,15 +167,15 @@ error-schematic_relations_count = { $joints ->
 } de ejes vecinos. Dé una relación por cada par.
 error-seed_invalid = Una semilla es un texto o un número entero.
 error-seed_too_long = Una semilla tiene como máximo { $limit } caracteres.
-error-exercise_unknown = No hay ningún ejercicio { $id }. Hay { $known }.
-error-language_unknown = El idioma { $language } no está disponible aquí. Hay { $known }.
+error-exercise_unknown = No hay ningún ejercicio { $id }. Disponibles: { $known }.
+error-language_unknown = El idioma { $language } no está disponible aquí. Disponibles: { $known }.
 
 ## Por qué no se puede leer una definición
 
 error-exercise_file_missing = Falta el archivo exercise.toml.
 error-exercise_file_not_toml = Esto no es TOML: { $reason }
 error-exercise_key_missing = Falta { $key }.
-error-exercise_key_unknown = { $key } no significa nada aquí. Las claves conocidas son { $known }.
+error-exercise_key_unknown = { $key } no es una clave conocida. Las claves conocidas son { $known }.
 error-exercise_value_type = { $key } debe ser { expected-value }.
 error-exercise_value_unknown = { $key } debe ser uno de estos valores: { $known }.
 error-exercise_robot_unknown = El catálogo no contiene el robot { $robot }. Contiene { $known }.
@@ -188,7 +188,7 @@ error-source_unreadable = El archivo no se puede leer: { $reason }
 error-robot_and_reference = Dé robot o [reference], no los dos.
 error-statement_missing = Falta el enunciado en el idioma { $language }.
 error-statement_name_unknown = { $name } no es una dimensión del robot ni un punto o una cota de la figura.
-error-misconception_unknown = { $name } no es un error de la lista. Hay { $known }.
+error-misconception_unknown = { $name } no es un error de la lista. Disponibles: { $known }.
 error-nothing_asked = Un ejercicio pide algo: añada una parte.
 error-part_twice = { $kind } se pide dos veces.
 error-points_not_positive = Una parte vale más de cero puntos.
@@ -198,7 +198,7 @@ error-variants_too_many = Hay como máximo { $limit } variantes.
 error-tolerance_out_of_range = { $name } está entre 0 y 0.1.
 error-name_invalid = { $name } no es el nombre de una dimensión; un nombre es como L1.
 error-width_out_of_range = La anchura está entre 320 y 960.
-error-unknown_point = No hay ningún punto { $name }. Hay { $known }.
+error-unknown_point = No hay ningún punto { $name }. Disponibles: { $known }.
 error-unknown_frame = No existe ese sistema de referencia: van del 0 al { $last }.
 error-unknown_joint = No existe la articulación { $joint }: van de la 1 a la { $last }.
 error-point_without_form = Un punto se da con frame y at; con between y ratio; con from y by; o con from, joint y distance.
@@ -207,15 +207,15 @@ error-dimension_disagrees = Los puntos de { $name } distan { $length }, pero { $
 error-gripper_without_direction = La pinza y el punto del que se aleja son el mismo.
 error-jaws_along_gripper = Los dedos están uno al lado del otro, perpendiculares a la pinza.
 
-error-name_unknown = { $name } no es ninguna de las cotas de este ejercicio.{ $unit ->
+error-name_unknown = { $name } no es ninguna de las dimensiones de este ejercicio.{ $unit ->
     [0] {""}
    *[one] {" "}Las unidades no se escriben en las celdas: si { $name } es una, omítala.
 }{ $found ->
     [0] {""}
    *[one] {" "}¿Quería decir { $close }?
 } Se conocen { $known }.
-error-need_unmet = Con esta política ninguna respuesta necesita { $name }: se pueden elegir sistemas en los que no aparece. Fije la base (origin o frame) o la herramienta (point o frame).
-error-need_unknown = { $name } no es ninguna cota de la tabla. Hay { $known }.
+error-need_unmet = Con estas reglas ninguna respuesta necesita { $name }: se pueden elegir sistemas en los que no aparece. Fije la base (origin o frame) o la herramienta (point o frame).
+error-need_unknown = { $name } no es ninguna dimensión de la tabla. Sus dimensiones: { $known }.
 error-alias_taken = { $name } ya tiene un significado.
 error-title_missing = Hace falta un título al menos en un idioma: [title] con en = "…".
 exercise-other-language = Este ejercicio aún no está escrito en su idioma; su texto está en { $language }.

@@ -17,8 +17,8 @@ rule-first_not_simplest = El sistema 0 podría colocarse de modo que se anulen m
 rule-last_not_simplest = El último sistema podría colocarse de modo que se anulen más parámetros.
 
 error-axes_wrong_number = Una cadena tiene de 1 a { $limit } ejes; esta tiene { $count }.
-error-axis_joint_unknown = La articulación de un eje es de revolución (revolute) o prismática (prismatic).
-error-gripper_jaws_along_approach = Las mordazas se deslizan transversalmente a la dirección de aproximación, no a lo largo de ella.
+error-axis_joint_unknown = La articulación de un eje es de rotación (revolute) o prismática (prismatic).
+error-gripper_jaws_along_approach = Los dedos se deslizan transversalmente a la dirección de aproximación, no a lo largo de ella.
 error-vector_malformed = Dé tres números finitos x, y, z, ninguno mayor que { $limit }.
 error-direction_zero = Una dirección necesita longitud: 0, 0, 0 no apunta a ninguna parte.
 error-frames_too_many = Una cadena de { $count } articulaciones tiene los sistemas 0 a { $count }.

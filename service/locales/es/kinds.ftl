@@ -7,7 +7,7 @@ field-axis = Eje de rotación
 field-angle = Ángulo de rotación
 field-angles = Ternas de ángulos
 field-middle = En el bloqueo del cardán: el ángulo intermedio
-field-combination = En el bloqueo del cardán: qué queda determinado del primer y del último ángulo
+field-combination = En el bloqueo del cardán: qué combinación del primer y del último ángulo queda determinada
 field-value = Su valor
 field-claim = Esta matriz o pose
 field-pose = Pose
@@ -105,7 +105,7 @@ error-one_notation = Dé la orientación en una sola notación: { $known }.
 error-expected_not_rotation = La matriz esperada no es una rotación.
 
 field-solutions = Valores articulares
-field-combinations = Si son infinitas: lo que permanece igual en ellas (coeficientes)
+field-combinations = Si son infinitas: la combinación que permanece constante (coeficientes)
 option-finite = se alcanza solo con estos valores articulares
 option-infinite = se alcanza con infinitos valores; estos son algunos
 option-out_of_reach = no se alcanza: está fuera del espacio de trabajo
@@ -143,17 +143,17 @@ feedback-joints_missing =
 feedback-branch_shoulder =
     { $count ->
         [one] El brazo también puede llegar hacia atrás, con el otro hombro.
-       *[other] El brazo también puede llegar hacia atrás, con el otro hombro: faltan { $count } maneras.
+       *[other] El brazo también puede llegar hacia atrás, con el otro hombro: faltan { $count } soluciones de este tipo.
     }
 feedback-branch_elbow =
     { $count ->
         [one] El codo también puede doblarse hacia el otro lado.
-       *[other] El codo también puede doblarse hacia el otro lado: faltan { $count } maneras.
+       *[other] El codo también puede doblarse hacia el otro lado: faltan { $count } soluciones de este tipo.
     }
 feedback-branch_wrist =
     { $count ->
         [one] La muñeca también puede estar volteada.
-       *[other] La muñeca también puede estar volteada: faltan { $count } maneras.
+       *[other] La muñeca también puede estar volteada: faltan { $count } soluciones de este tipo.
     }
 feedback-branch_other =
     { $count ->
@@ -171,7 +171,7 @@ feedback-joints_limits = La fila { $row } alcanza la pose con la articulación {
 feedback-joints_family_missing = La pose es singular: diga qué combinación de variables articulares permanece igual en las soluciones.
 feedback-joints_combination_wrong = La combinación { $row } no permanece igual en las soluciones.
 feedback-joints_combination_zero = La combinación { $row } vale 0 hagan lo que hagan las articulaciones, y no dice nada.
-error-pose_frames_free = La pose se da en el sistema 0 y para el último: la política debe fijar ambos, base = "frame" y tool = "frame".
+error-pose_frames_free = La pose se da en el sistema 0 y para el último: las reglas deben fijar ambos, base = "frame" y tool = "frame".
 error-joint_row_length = Una fila contiene un valor por articulación: se necesitan { $expected } y se dieron { $given }.
 error-joint_rows_empty = Dé los valores articulares que alcanzan la pose.
 
@@ -181,11 +181,11 @@ field-mended = La fila como debería ser
 field-verdict = Las dos tablas describen
 field-reason = porque
 option-alpha_sign = α tiene el signo equivocado
-option-alpha_value = α es otro ángulo
+option-alpha_value = α tiene un valor erróneo
 option-a_sign = a tiene el signo equivocado
 option-d_sign = d tiene el signo equivocado
-option-a_value = a es otra longitud
-option-d_value = d es otra longitud
+option-a_value = a tiene un valor erróneo
+option-d_value = d tiene un valor erróneo
 option-a_d_swapped = a y d están intercambiados
 option-a_missing = a es cero y no debería serlo
 option-a_not_zero = a no es cero y debería serlo
@@ -196,25 +196,25 @@ option-angles_in_radians = todos los ángulos en radianes, aunque se declaran gr
 option-cell_in_degrees = un ángulo en grados entre radianes
 option-cell_in_radians = un ángulo en radianes entre grados
 option-cell_length_unit = una longitud en otra unidad
-option-cell_parameter = otra dimensión de la figura
+option-cell_parameter = se usa otra dimensión de la figura
 option-columns_early = a y α una fila más arriba
 option-columns_late = a y α una fila más abajo
 option-columns_exchanged = dos columnas intercambiadas
 option-columns_reordered = columnas en otro orden
-option-convention = declarada la otra convención
+option-convention = se declara la convención equivocada
 option-fixed_row_missing = falta la última fila, sin variable
 option-joint_fixed = una articulación sin su variable
 option-joint_moving = una variable donde nada se mueve
-option-joint_type = otro tipo de articulación
+option-joint_type = el tipo de la articulación es erróneo
 option-length_unit = todas las longitudes en otra unidad
 option-parameter_misnamed = un nombre que no está en la figura
 option-parameters_swapped = dos dimensiones intercambiadas
 option-row_extra = una fila de más
 option-row_missing = falta una fila
 option-rows_swapped = dos filas intercambiadas
-option-theta_offset = la constante junto a la variable θ es otra
-option-d_offset = la constante junto a la variable d es otra
-option-theta_value = la constante θ es otro ángulo
+option-theta_offset = la constante sumada a la variable θ es errónea
+option-d_offset = la constante sumada a la variable d es errónea
+option-theta_value = la constante θ tiene un valor erróneo
 option-twists_all_reversed = todas las α tienen el signo equivocado
 option-variable_sign = una variable articular cuenta al revés
 option-same = el mismo robot
@@ -242,7 +242,7 @@ given-second-table = La segunda tabla ({ $convention ->
 task-find-mistake = Esta tabla debería describir el robot de la figura, pero una fila tiene un error. ¿Qué fila, qué está mal y cómo debería ser?
 task-compare-tables = ¿Describen estas dos tablas el mismo robot, se elijan como se elijan los sistemas? Diga por qué.
 
-feedback-mistake_found = Hallado, nombrado y corregido.
+feedback-mistake_found = Ha hallado el error, lo ha nombrado y lo ha corregido.
 feedback-mistake_row_wrong = El error está en otra fila.
 feedback-mistake_name_wrong = El error es de otro tipo.
 feedback-mistake_not_mended = Con esta fila la tabla sigue sin describir el robot.
@@ -252,7 +252,7 @@ feedback-mistake_missing =
         [name] Diga qué está mal.
        *[mended] Escriba la fila como debería ser.
     }
-feedback-tables_right = Así es, y por esta razón.
+feedback-tables_right = Correcto, y por la razón correcta.
 feedback-tables_same = Son el mismo robot: solo se eligieron otros sistemas.
 feedback-tables_different = Son robots distintos: ninguna elección de sistemas convierte una tabla en la otra.
 feedback-tables_reason_wrong = El veredicto es correcto, pero no por esta razón.
@@ -261,7 +261,7 @@ error-row_unknown = Dé el número de una fila, de 1 a { $count }.
 error-column_unknown = Dé el número de una columna, de 1 a { $count }.
 error-vector_length = El vector tiene { $expected } componentes, y se dieron { $given }.
 error-joint_variable_in_number = { $name } es una variable articular, y aquí se pide un número: ponga su valor.
-error-no_mistake_does_harm = Ninguno de estos errores cambia este robot con su política.
+error-no_mistake_does_harm = Ninguno de estos errores cambia este robot con sus reglas.
 error-frame_mistakes_not_shown = Los sistemas de referencia de este robot no pueden mostrar ninguno de estos errores. Lo que pueden mostrar: { $known }.
 error-key_given_away = Esta parte muestra una tabla; un ejercicio que pide la tabla no puede tenerla.
 error-not_plantable = Ningún error del catálogo pedido cambia este robot.

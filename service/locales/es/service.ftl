@@ -1,12 +1,12 @@
 # Rechazos del servicio HTTP.
 
 problem-title-400 = La petición no se puede leer
-problem-title-404 = No hay nada en esta dirección
+problem-title-404 = No encontrado
 problem-title-405 = Este método no está disponible aquí
-problem-title-406 = Ninguna forma aceptable de la respuesta
+problem-title-406 = Ningún formato de respuesta aceptable
 problem-title-408 = La petición tardó demasiado en llegar
 problem-title-413 = La petición es demasiado grande
-problem-title-415 = Este tipo de cuerpo no se lee aquí
+problem-title-415 = Este tipo de cuerpo no se admite
 problem-title-422 = La petición no se puede ejecutar tal como está
 problem-title-500 = El servicio ha fallado
 problem-title-503 = El servicio está ocupado
@@ -99,7 +99,7 @@ error-idempotency_key_in_use = Todavía se está respondiendo a una petición co
 error-idempotency_key_reused = Esta Idempotency-Key ya se usó para otra petición. Use una clave nueva para una petición nueva.
 error-rate_exceeded = Se ha pedido más de { $limit } por minuto, según el coste. Inténtelo de nuevo en { $seconds } s.
 error-setting_missing = Falta el ajuste { $name }.
-problem-title-429 = Demasiado de una vez
+problem-title-429 = Demasiadas peticiones
 error-quaternion_or_axis = Indique a lo sumo uno de «quaternion» y «axis».
 
 language-name = Español

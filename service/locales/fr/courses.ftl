@@ -2,7 +2,7 @@
 
 problem-title-401 = Vous n’êtes pas connecté
 problem-title-403 = Accès réservé
-problem-title-409 = Pas maintenant
+problem-title-409 = Impossible pour l’instant
 
 ## Stockage
 

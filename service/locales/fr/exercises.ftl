@@ -68,14 +68,14 @@ task-schematic = Décrivez la structure : le type de chaque articulation, et co
 task-table = Choisissez les repères et écrivez le tableau DH. Les cellules peuvent contenir { $names }, des nombres et les variables articulaires q1 à q{ $n }.
 task-link-matrices = Pour chaque ligne de votre tableau, écrivez la matrice de passage du repère i au repère i−1. Vous pouvez abréger cos(q1) en c1 et sin(q1 + q2) en s12.
 task-transform = Écrivez ⁰T, la matrice de passage du dernier repère au repère 0, sous forme littérale.
-task-pose = Évaluez votre ⁰T pour { $joints } et pour les dimensions données ici, les longueurs en { $unit }.
+task-pose = Évaluez votre ⁰T pour { $joints } et pour les cotes données ici, les longueurs en { $unit }.
 task-workspace-axis = À quelle distance minimale et à quelle distance maximale de l’axe de l’articulation 1 peut-on amener { $point } ? { $limits ->
     [none] Chaque articulation peut prendre toute valeur.
-   *[some] Les articulations respectent leurs butées.
+   *[some] Les articulations respectent leurs limites.
 } Donnez les deux rayons en { $unit }.
 task-workspace-point = Quelles sont la plus petite et la plus grande distance entre { $point } et { $origin } ? { $limits ->
     [none] Chaque articulation peut prendre toute valeur.
-   *[some] Les articulations respectent leurs butées.
+   *[some] Les articulations respectent leurs limites.
 } Donnez les deux rayons en { $unit }.
 
 ## Remarques sur les parties
@@ -167,28 +167,28 @@ error-schematic_relations_count = { $joints ->
 } d’axes voisins. Donnez une relation par paire.
 error-seed_invalid = Une graine est un texte ou un nombre entier.
 error-seed_too_long = Une graine a au plus { $limit } caractères.
-error-exercise_unknown = Il n’y a pas d’exercice { $id }. Il y a { $known }.
-error-language_unknown = La langue { $language } n’est pas proposée ici. Il y a { $known }.
+error-exercise_unknown = Il n’y a pas d’exercice { $id }. Disponibles : { $known }.
+error-language_unknown = La langue { $language } n’est pas proposée ici. Disponibles : { $known }.
 
 ## Pourquoi une définition ne peut pas être lue
 
 error-exercise_file_missing = Le fichier exercise.toml manque.
 error-exercise_file_not_toml = Ce n’est pas du TOML : { $reason }
 error-exercise_key_missing = { $key } manque.
-error-exercise_key_unknown = { $key } ne signifie rien ici. Les clés connues sont { $known }.
+error-exercise_key_unknown = { $key } n’est pas une clé connue. Les clés connues sont { $known }.
 error-exercise_value_type = { $key } doit être { expected-value }.
 error-exercise_value_unknown = { $key } doit être l’une de ces valeurs : { $known }.
 error-exercise_robot_unknown = Le catalogue ne contient aucun robot { $robot }. Il contient { $known }.
-error-exercise_limits_reversed = Les butées de l’articulation { $joint } se donnent sous la forme [minimum, maximum].
-error-exercise_limits_unknown = Le catalogue ne connaît pas les butées de ce robot.
+error-exercise_limits_reversed = Les limites de l’articulation { $joint } se donnent sous la forme [minimum, maximum].
+error-exercise_limits_unknown = Le catalogue ne connaît pas les limites de ce robot.
 error-folder_missing = Il n’y a pas de dossier { $folder }.
 error-exercise_id_invalid = { $id } n’est pas un identifiant d’exercice ; un identifiant a des lettres, des chiffres et des traits d’union simples.
 error-exercise_exists = L’exercice { $id } existe déjà.
 error-source_unreadable = Le fichier ne peut pas être lu : { $reason }
 error-robot_and_reference = Donnez robot ou [reference], pas les deux.
 error-statement_missing = L’énoncé dans la langue { $language } manque.
-error-statement_name_unknown = { $name } n’est ni une dimension du robot, ni un point ou une cote de la figure.
-error-misconception_unknown = { $name } n’est pas une erreur de la liste. Il y a { $known }.
+error-statement_name_unknown = { $name } n’est ni une cote du robot, ni un point ou une cote de la figure.
+error-misconception_unknown = { $name } n’est pas une erreur de la liste. Disponibles : { $known }.
 error-nothing_asked = Un exercice demande quelque chose : ajoutez une partie.
 error-part_twice = { $kind } est demandé deux fois.
 error-points_not_positive = Une partie vaut plus de zéro point.
@@ -196,9 +196,9 @@ error-draw_empty = Il n’y a aucune valeur à tirer : « from » ne peut dé
 error-draw_too_large = Un tirage a au plus { $limit } valeurs.
 error-variants_too_many = Il y a au plus { $limit } variantes.
 error-tolerance_out_of_range = { $name } est compris entre 0 et 0.1.
-error-name_invalid = { $name } n’est pas un nom de dimension ; un nom ressemble à L1.
+error-name_invalid = { $name } n’est pas un nom de cote ; un nom ressemble à L1.
 error-width_out_of_range = La largeur est comprise entre 320 et 960.
-error-unknown_point = Il n’y a pas de point { $name }. Il y a { $known }.
+error-unknown_point = Il n’y a pas de point { $name }. Disponibles : { $known }.
 error-unknown_frame = Ce repère n’existe pas : ils sont numérotés de 0 à { $last }.
 error-unknown_joint = L’articulation { $joint } n’existe pas : elles sont numérotées de 1 à { $last }.
 error-point_without_form = Un point se donne par frame et at ; par between et ratio ; par from et by ; ou par from, joint et distance.
@@ -215,7 +215,7 @@ error-name_unknown = { $name } n’est aucune des cotes de cet exercice.{ $unit 
    *[one] {" "}Vouliez-vous dire { $close } ?
 } On connaît { $known }.
 error-need_unmet = Avec ces règles, aucune réponse n’a besoin de { $name } : on peut choisir des repères où cette cote n’apparaît pas. Fixez la base (origin ou frame) ou l’outil (point ou frame).
-error-need_unknown = { $name } n’est pas une cote du tableau. Il y a { $known }.
+error-need_unknown = { $name } n’est pas une cote du tableau. Ses cotes : { $known }.
 error-alias_taken = { $name } a déjà un sens.
 error-title_missing = Il faut un titre dans une langue au moins : [title] avec en = "…".
 exercise-other-language = Cet exercice n’est pas encore écrit dans votre langue ; son texte est en { $language }.

@@ -60,8 +60,8 @@ form-joints-reset = Remettre les articulations en place
 form-convention = Convention
 form-convention-standard = standard
 form-convention-modified = modifiée
-form-convention-now-standard = Vos entrées restent telles quelles et se lisent maintenant dans la convention standard : a et α appartiennent au corps i, l’articulation i agit selon l’axe z du repère i−1.
-form-convention-now-modified = Vos entrées restent telles quelles et se lisent maintenant dans la convention modifiée : a et α appartiennent au corps i−1, l’articulation i agit selon l’axe z du repère i.
+form-convention-now-standard = Vos entrées restent telles quelles et se lisent maintenant dans la convention standard : a et α appartiennent au segment i, l’articulation i agit selon l’axe z du repère i−1.
+form-convention-now-modified = Vos entrées restent telles quelles et se lisent maintenant dans la convention modifiée : a et α appartiennent au segment i−1, l’articulation i agit selon l’axe z du repère i.
 form-angle-unit = Unité des angles
 form-degrees = degrés
 form-radians = radians
@@ -144,7 +144,7 @@ form-figure-space = 3D
 form-figure-alt = Dessin du robot : { $title }. Une description en mots suit.
 form-figure-label = { $title } dans l’espace
 form-figure-move = Bouger les articulations
-form-figure-posture = Compté à partir de la posture du dessin.
+form-figure-posture = Compté à partir de la configuration du dessin.
 form-choose = Choisir …
 form-choose-missing = Choisissez une option.
 form-points = { $points } points sur { $total }
@@ -174,7 +174,7 @@ form-part-orientation = Orientation
 form-part-rotation-check = Rotation ou non
 form-part-frame-chain = Chaîne de repères
 form-part-inverse-kinematics = Cinématique inverse
-form-part-find-mistake = Trouvez l’erreur
+form-part-find-mistake = Trouver l’erreur
 form-part-matrix-mistake = Trouver l’erreur dans une matrice
 form-part-frame-mistake = Trouver l’erreur dans une figure
 form-part-compare-tables = Deux tableaux
@@ -255,7 +255,7 @@ form-history-kept = Conservés dans ce navigateur seulement.
 form-history-clear = Tout oublier
 
 form-missing-title = Introuvable
-form-missing-text = Il n’y a pas de telle page ici. Tous les exercices sont sur la première page.
+form-missing-text = Cette page n’existe pas. Tous les exercices sont sur la première page.
 form-missing-home = Aux exercices
 form-storage-blocked = Le navigateur ne conserve rien ici : votre saisie est perdue si vous fermez ou rechargez cette page.
 form-other-tab = Cet exercice est aussi ouvert dans un autre onglet, où l’on vient de saisir quelque chose. C’est la dernière saisie qui reste.
@@ -287,8 +287,8 @@ form-matrix-text-label = { $name } sous forme de texte : LaTeX, MATLAB, Python 
 form-matrix-text-unread = Aucune matrice 4×4 n’est reconnue dans ce texte.
 form-name-unknown =
     { $known ->
-        [none] { $name } n’est pas une dimension de ce robot ; aucune n’a de nom.
-       *[other] { $name } n’est pas une dimension de ce robot. Ses dimensions : { $names }.
+        [none] { $name } n’est pas une cote de ce robot ; aucune n’a de nom.
+       *[other] { $name } n’est pas une cote de ce robot. Ses cotes : { $names }.
     }
 
 form-nav-lesson = Première leçon
@@ -306,32 +306,32 @@ form-second-origin-moved = Une origine est placée ailleurs sur son axe.
 form-second-none = Les règles de cet exercice ne laissent aucun autre tableau.
 
 form-ghost-label = Votre robot, en fantôme sur celui de l’exercice
-form-ghost-text = En gris et orange, le robot de l’exercice ; en rouge transparent, le vôtre. Les deux font le même mouvement. Le repère { $row }, marqué, celui de la ligne { $row }, est le premier qui quitte le robot.
-form-ghost-description = Votre robot coïncide avec celui de l’exercice jusqu’au repère { $row }, qui est marqué : là, ils se séparent.
+form-ghost-text = Le robot de l’exercice est en gris et orange, le vôtre en rouge transparent. Les deux font le même mouvement. Le repère marqué { $row }, celui de la ligne { $row }, est le premier qui s’écarte du robot de l’exercice.
+form-ghost-description = Votre robot coïncide avec celui de l’exercice avant le repère { $row }, qui est marqué : là, ils se séparent.
 form-new = Nouveau
 form-new-done = Un nouveau tableau, vide.
 
-form-progress = Ce qui est fait et ce qui reste
+form-progress = Progression
 form-progress-open = à faire
 form-progress-typed = pas encore vérifié
 form-part-missing = non rendu
-form-part-empty = Rien n’est encore écrit ici.
+form-part-empty = Rien n’a encore été saisi ici.
 form-submit-part = Vérifier cette partie
-form-points-for = Un tableau faux gagne des points pour ce qu’il a de juste : que chaque articulation soit là avec son type, les torsions, les longueurs et les décalages. Une articulation qui manque coûte le plus, un signe qui a glissé le moins.
+form-points-for = Un tableau faux gagne des points pour ce qu’il a de juste : les articulations présentes et de bon type, les torsions, les longueurs et les décalages. Une articulation manquante coûte le plus, un signe faux le moins.
 form-help-steps = une étape après l’autre
 form-help-principle = Le principe.
 form-help-worked = Une étape traitée, sur un autre robot.
 form-help-next = L’étape suivante de l’aide vient avec votre prochaine réponse, une fois que vous l’aurez changée.
 form-principle-twist = La torsion α amène un axe z sur le suivant, vue le long de l’axe x, perpendiculaire aux deux. Des axes z parallèles ont 0° ou 180°, des axes perpendiculaires 90° ou −90° ; la main droite, le pouce selon x, donne le signe.
-form-principle-length = La longueur a est la distance de deux axes z voisins le long de leur normale commune, qui est l’axe x. Elle vaut 0 si et seulement si les deux droites se coupent.
-form-principle-offset = Le décalage d est la distance, le long d’un axe z, entre deux pieds : là où arrive la normale commune depuis l’axe précédent, et là où part celle vers l’axe suivant. Si des axes voisins sont parallèles, vous choisissez où il se place, mais une seule fois.
+form-principle-length = La longueur a est la distance de deux axes z voisins le long de leur perpendiculaire commune, qui est l’axe x. Elle vaut 0 si et seulement si les deux droites se coupent.
+form-principle-offset = Le décalage d est la distance, le long d’un axe z, entre deux pieds : là où arrive la perpendiculaire commune depuis l’axe précédent, et là où part celle vers l’axe suivant. Si des axes voisins sont parallèles, vous choisissez où il se place, mais une seule fois.
 form-principle-joint = Une articulation rotoïde tourne autour de son axe z : sa variable est θ. Une articulation prismatique glisse le long de son axe : sa variable est d. Chaque articulation a une ligne, de la base à l’outil.
 form-worked-twist = Une épaule dont le premier axe est vertical et le deuxième horizontal : les deux axes z sont perpendiculaires. Avec x vers vous, la main droite amène le z vertical sur l’horizontal par −90° ou 90°, selon le sens donné à z ; donc α = −90° ou 90°, jamais 0.
-form-worked-length = Deux corps dans un plan, longs de 0,4 m et 0,3 m : les deux axes sont verticaux, à 0,4 m l’un de l’autre. Leur normale commune est le premier corps, donc a = 0,4 m. Dans un poignet dont les axes se coupent en un point, chaque a vaut 0.
-form-worked-offset = Une épaule se trouve à 0,2 m à côté du premier axe, vertical, et le deuxième axe est horizontal. Le long du deuxième axe, il y a 0,2 m entre le pied de la normale venant du premier et celui de la normale vers le troisième : d = 0,2 m, dans la ligne de la deuxième articulation.
+form-worked-length = Deux segments dans un plan, longs de 0,4 m et 0,3 m : les deux axes sont verticaux, à 0,4 m l’un de l’autre. Leur perpendiculaire commune est le premier segment, donc a = 0,4 m. Dans un poignet dont les axes se coupent en un point, chaque a vaut 0.
+form-worked-offset = Une épaule se trouve à 0,2 m à côté du premier axe, vertical, et le deuxième axe est horizontal. Le long du deuxième axe, il y a 0,2 m entre le pied de la perpendiculaire venant du premier et celui de la perpendiculaire vers le troisième : d = 0,2 m, dans la ligne de la deuxième articulation.
 form-worked-joint = Un portique déplace son chariot le long d’un rail et tourne la pince qui y pend. Le rail est une articulation prismatique : sa ligne a la variable en d et un nombre en θ. La pince est une articulation rotoïde : la variable en θ et un nombre en d.
 form-home-author = Créer un exercice
-form-home-author-text = Pour les enseignants : sur le bras de votre propre livre, en un quart d’heure.
+form-home-author-text = Pour les enseignants : faites du bras de votre propre livre un exercice, en un quart d’heure.
 
 form-matrices-withheld = Les matrices apparaissent ici dès que les parties qui les demandent sont justes.
 form-sharing = Pour les enseignants : liens et paquets
@@ -340,8 +340,8 @@ form-sharing-may = Les étudiants peuvent utiliser
 form-sharing-catalogue = le catalogue de robots
 form-sharing-playground = l’atelier
 form-sharing-matrices = les matrices de leur propre tableau
-form-sharing-trainer = l’entraîneur aux repères
-form-sharing-help = Dire d’une réponse fausse
+form-sharing-trainer = l’entraînement aux repères
+form-sharing-help = Ce qui leur est dit d’une réponse fausse
 form-sharing-attempts = Essais
 form-sharing-link = Créer un lien
 form-sharing-receipts = Vérifier des reçus

@@ -7,7 +7,7 @@ field-axis = Axe de rotation
 field-angle = Angle de rotation
 field-angles = Triplets d’angles
 field-middle = En cas de blocage de cardan : l’angle du milieu
-field-combination = En cas de blocage de cardan : ce qui est fixé du premier et du dernier angle
+field-combination = En cas de blocage de cardan : quelle combinaison du premier et du dernier angle est fixée
 field-value = Sa valeur
 field-claim = Cette matrice ou pose
 field-pose = Pose
@@ -105,7 +105,7 @@ error-one_notation = Donnez l’orientation dans une seule notation : { $known 
 error-expected_not_rotation = La matrice attendue n’est pas une rotation.
 
 field-solutions = Valeurs articulaires
-field-combinations = S’il y en a une infinité : ce qui y reste constant (coefficients)
+field-combinations = S’il y en a une infinité : la combinaison qui reste constante (coefficients)
 option-finite = n’est atteinte qu’avec ces valeurs articulaires
 option-infinite = est atteinte d’une infinité de façons ; en voici quelques-unes
 option-out_of_reach = n’est pas atteinte : elle est hors d’atteinte
@@ -143,17 +143,17 @@ feedback-joints_missing =
 feedback-branch_shoulder =
     { $count ->
         [one] Le bras peut aussi passer en arrière, par l’autre épaule.
-       *[other] Le bras peut aussi passer en arrière, par l’autre épaule : il manque { $count } façons.
+       *[other] Le bras peut aussi passer en arrière, par l’autre épaule : il manque { $count } solutions de ce type.
     }
 feedback-branch_elbow =
     { $count ->
         [one] Le coude peut aussi plier de l’autre côté.
-       *[other] Le coude peut aussi plier de l’autre côté : il manque { $count } façons.
+       *[other] Le coude peut aussi plier de l’autre côté : il manque { $count } solutions de ce type.
     }
 feedback-branch_wrist =
     { $count ->
         [one] Le poignet peut aussi être retourné.
-       *[other] Le poignet peut aussi être retourné : il manque { $count } façons.
+       *[other] Le poignet peut aussi être retourné : il manque { $count } solutions de ce type.
     }
 feedback-branch_other =
     { $count ->
@@ -181,11 +181,11 @@ field-mended = La ligne telle qu’elle devrait être
 field-verdict = Les deux tableaux décrivent
 field-reason = parce que
 option-alpha_sign = α a le mauvais signe
-option-alpha_value = α est un autre angle
+option-alpha_value = α a une valeur fausse
 option-a_sign = a a le mauvais signe
 option-d_sign = d a le mauvais signe
-option-a_value = a est une autre longueur
-option-d_value = d est une autre longueur
+option-a_value = a a une valeur fausse
+option-d_value = d a une valeur fausse
 option-a_d_swapped = a et d ont été échangés
 option-a_missing = a est nulle, mais ne devrait pas l’être
 option-a_not_zero = a n’est pas nulle, mais devrait l’être
@@ -196,25 +196,25 @@ option-angles_in_radians = tous les angles en radians, alors que des degrés son
 option-cell_in_degrees = un angle en degrés parmi des radians
 option-cell_in_radians = un angle en radians parmi des degrés
 option-cell_length_unit = une longueur dans une autre unité
-option-cell_parameter = une autre cote de la figure
+option-cell_parameter = une autre cote de la figure est utilisée
 option-columns_early = a et α une ligne trop haut
 option-columns_late = a et α une ligne trop bas
 option-columns_exchanged = deux colonnes interverties
 option-columns_reordered = colonnes dans un autre ordre
-option-convention = l’autre convention déclarée
+option-convention = la mauvaise convention est déclarée
 option-fixed_row_missing = la dernière ligne, sans variable, manque
 option-joint_fixed = une articulation sans sa variable
 option-joint_moving = une variable là où rien ne bouge
-option-joint_type = un autre type d’articulation
+option-joint_type = l’articulation est du mauvais type
 option-length_unit = toutes les longueurs dans une autre unité
 option-parameter_misnamed = un nom qui n’est pas sur la figure
 option-parameters_swapped = deux cotes interverties
 option-row_extra = une ligne de trop
 option-row_missing = une ligne manque
 option-rows_swapped = deux lignes interverties
-option-theta_offset = la constante à côté de la variable θ est autre
-option-d_offset = la constante à côté de la variable d est autre
-option-theta_value = la constante θ est un autre angle
+option-theta_offset = la constante ajoutée à la variable θ est fausse
+option-d_offset = la constante ajoutée à la variable d est fausse
+option-theta_value = la constante θ a une valeur fausse
 option-twists_all_reversed = tous les α ont le mauvais signe
 option-variable_sign = une variable articulaire est comptée à l’envers
 option-same = le même robot
@@ -242,7 +242,7 @@ given-second-table = Le second tableau ({ $convention ->
 task-find-mistake = Ce tableau devrait décrire le robot de la figure, mais une ligne contient une erreur. Quelle ligne, qu’est-ce qui est faux, et comment devrait-elle être ?
 task-compare-tables = Ces deux tableaux décrivent-ils le même robot, quel que soit le choix des repères ? Dites pourquoi.
 
-feedback-mistake_found = Trouvée, nommée et corrigée.
+feedback-mistake_found = Vous avez trouvé l’erreur, vous l’avez nommée et corrigée.
 feedback-mistake_row_wrong = L’erreur est dans une autre ligne.
 feedback-mistake_name_wrong = L’erreur est d’un autre genre.
 feedback-mistake_not_mended = Avec cette ligne, le tableau ne décrit toujours pas le robot.
@@ -252,7 +252,7 @@ feedback-mistake_missing =
         [name] Dites ce qui est faux.
        *[mended] Écrivez la ligne telle qu’elle devrait être.
     }
-feedback-tables_right = C’est cela, et pour cette raison.
+feedback-tables_right = C’est juste, et pour la bonne raison.
 feedback-tables_same = C’est le même robot : seuls les repères ont été choisis autrement.
 feedback-tables_different = Ce sont des robots différents : aucun choix de repères ne transforme un tableau en l’autre.
 feedback-tables_reason_wrong = Le verdict est juste, mais pas pour cette raison.

@@ -1,12 +1,12 @@
 # Refus du service HTTP.
 
 problem-title-400 = La requête ne peut pas être lue
-problem-title-404 = Il n’y a rien à cette adresse
+problem-title-404 = Introuvable
 problem-title-405 = Cette méthode n’est pas disponible ici
-problem-title-406 = Aucune forme acceptable de la réponse
+problem-title-406 = Aucun format de réponse acceptable
 problem-title-408 = La requête a mis trop de temps à arriver
 problem-title-413 = La requête est trop grande
-problem-title-415 = Ce type de corps n’est pas lu ici
+problem-title-415 = Ce type de corps n’est pas pris en charge
 problem-title-422 = La requête ne peut pas être exécutée telle quelle
 problem-title-500 = Le service a échoué
 problem-title-503 = Le service est occupé
@@ -99,7 +99,7 @@ error-idempotency_key_in_use = Une requête portant cette Idempotency-Key est en
 error-idempotency_key_reused = Cette Idempotency-Key a déjà servi pour une autre requête. Prenez une nouvelle clé pour une nouvelle requête.
 error-rate_exceeded = Il a été demandé plus de { $limit } par minute, compté selon le coût. Réessayez dans { $seconds } s.
 error-setting_missing = Le réglage { $name } manque.
-problem-title-429 = Trop à la fois
+problem-title-429 = Trop de requêtes
 error-quaternion_or_axis = Donnez au plus l’un de « quaternion » et « axis ».
 
 language-name = Français

@@ -24,7 +24,7 @@ trainer-part-z = Direction de z, repère { $frame }
 trainer-part-origin = Origine, repère { $frame }
 trainer-part-x = Direction de x, repère { $frame }
 trainer-opposite = opposé :
-trainer-candidate-foot = sur l’axe { $axis }, au pied de la normale à l’axe { $other }
+trainer-candidate-foot = sur l’axe { $axis }, au pied de la perpendiculaire à l’axe { $other }
 trainer-candidate-intersection = où les axes { $axis } et { $other } se rencontrent
 trainer-candidate-level = sur l’axe { $axis }, au niveau de l’origine du repère { $frame }
 trainer-candidate-axis_point = sur l’axe { $axis }, là où l’articulation est dessinée
@@ -38,7 +38,7 @@ trainer-candidate-coordinates =
        *[other] l’origine des coordonnées
     }
 trainer-candidate-axis = le long de l’axe { $axis }
-trainer-candidate-normal = le long de la normale aux axes { $axis } et { $other }
+trainer-candidate-normal = le long de la perpendiculaire aux axes { $axis } et { $other }
 trainer-candidate-frame_x = le long de x du repère { $frame }
 trainer-candidate-across = perpendiculaire à l’axe { $axis }
 
@@ -63,8 +63,8 @@ trainer-why-z =
         [standard] z du repère i−1 par l’axe i, car la ligne i tourne de θ et avance de d par rapport à z du repère i−1.
        *[modified] z du repère i par l’axe i, car la ligne i se termine par θ et d par rapport à z du repère i.
     }
-trainer-why-origin = Chaque origine est là où la normale commune rencontre son axe, car a se mesure à partir de là le long de x.
-trainer-why-x = Chaque x est porté par une normale commune ou perpendiculaire aux deux axes, car a et α se mesurent le long et autour de lui.
+trainer-why-origin = Chaque origine est là où la perpendiculaire commune rencontre son axe, car a se mesure à partir de là le long de x.
+trainer-why-x = Chaque x est porté par une perpendiculaire commune ou perpendiculaire aux deux axes, car a et α se mesurent le long et autour de lui.
 trainer-open-choice = Le repère { $frame } n’a pas encore de choix.
 trainer-point-missed = L’origine du repère { $frame } doit être au point marqué { $point }.
 trainer-read = Appuyez sur le numéro d’une ligne : l’image montre comment ses quatre nombres mènent d’un repère au suivant.

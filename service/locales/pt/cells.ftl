@@ -30,7 +30,7 @@ error-name_malformed = No carácter { $column }: o sublinhado fica apenas entre 
 error-name_too_long = No carácter { $column }: um nome pode ter no máximo { $limit } caracteres.
 error-name_is_not_a_number = No carácter { $column }: { $name } não é um valor. Uma célula contém apenas números finitos.
 error-unit_in_cell = No carácter { $column }: unidades não se escrevem nas células. Se a unidade pedida for { $name }, escreva { $suggestion }; se não, converta primeiro.
-error-function_unknown = No carácter { $column }: { $name } não é uma função. As funções são { $functions }. Um produto se escreve { $name }*(…).
+error-function_unknown = No carácter { $column }: { $name } não é uma função. As funções são { $functions }. Um produto escreve-se { $name }*(…).
 error-function_without_parentheses = No carácter { $column }: escreva o argumento de { $name } entre parênteses: { $name }(x).
 error-function_arity =
     { $expected ->
@@ -49,7 +49,7 @@ error-division_ambiguous = No carácter { $column }: não está claro por que se
 
 error-exponent_not_constant = No carácter { $column }: um expoente é um número racional.
 error-exponent_out_of_range = No carácter { $column }: um expoente tem módulo de no máximo { $limit }, e o seu denominador também.
-error-division_by_zero = No carácter { $column }: aqui se divide por zero.
+error-division_by_zero = No carácter { $column }: aqui divide-se por zero.
 error-value_not_real = Esta célula não tem valor real finito.
 error-degree_of_angle = No carácter { $column }: o sinal de grau segue um número; isto já é um ângulo.
 error-degree_in_length = No carácter { $column }: um comprimento não se exprime em graus.
@@ -69,9 +69,9 @@ error-parameter_two_kinds =
 error-variable_without_number = No carácter { $column }: { $name } precisa do número da sua junta, como em { $suggestion }.
 error-variable_misspelled = No carácter { $column }: { $name } não é uma variável de junta. Escreva { $suggestion } ou θ com o número da junta.
 error-variable_scaled = No carácter { $column }: { $name } está multiplicada por { $factor }. Uma variável de junta entra como +{ $name } ou -{ $name }; de outro modo não seria o movimento da sua junta.
-error-variable_in_product = No carácter { $column }: { $name } está multiplicada por outra grandeza. Uma variável de junta entra como +{ $name } ou -{ $name } mais um offset.
-error-variable_in_denominator = No carácter { $column }: { $name } está num denominador. Uma variável de junta entra como +{ $name } ou -{ $name } mais um offset.
-error-variable_in_power = No carácter { $column }: { $name } está elevada a uma potência. Uma variável de junta entra como +{ $name } ou -{ $name } mais um offset.
+error-variable_in_product = No carácter { $column }: { $name } está multiplicada por outra grandeza. Uma variável de junta entra como +{ $name } ou -{ $name } mais uma constante.
+error-variable_in_denominator = No carácter { $column }: { $name } está num denominador. Uma variável de junta entra como +{ $name } ou -{ $name } mais uma constante.
+error-variable_in_power = No carácter { $column }: { $name } está elevada a uma potência. Uma variável de junta entra como +{ $name } ou -{ $name } mais uma constante.
 error-variable_in_function = No carácter { $column }: { $name } está dentro de uma função. A célula contém a própria variável de junta; senos e cossenos resultam da tabela.
 error-variable_in_constant_cell = No carácter { $column }: { $name } está em { $cell }. Comprimento e torção de um elo nunca variam; uma variável de junta fica em θ (rotativa) ou em d (prismática).
 error-variable_in_fixed_row = No carácter { $column }: { $name } está numa linha declarada fixa. Uma linha fixa não tem variável de junta.
@@ -81,10 +81,10 @@ error-variable_in_wrong_cell =
        *[revolute] rotativa
     } fica em { $expected }.
 error-variable_twice = No carácter { $column }: { $name } aparece pela segunda vez. Cada variável de junta aparece na tabela uma só vez.
-error-variable_of_other_row = No carácter { $column }: { $name } não é a variável desta linha, e sim { $expected }.
+error-variable_of_other_row = No carácter { $column }: { $name } não é a variável desta linha, mas sim { $expected }.
 error-variable_numbering_mixed = No carácter { $column }: { $name } está numerada por linha e outras por junta. Numere-as de q1 a q{ $joints }, na ordem das juntas.
 
-error-table_empty = A tabela não tem linhas; é preciso ao menos uma.
+error-table_empty = A tabela não tem linhas; é preciso pelo menos uma.
 error-table_too_many_rows = A tabela tem { $rows } linhas; são lidas no máximo { $limit }.
 error-table_too_long = As células têm juntas { $length } caracteres; são lidos no máximo { $limit }.
 error-table_too_many_parameters = A tabela contém mais de { $limit } parâmetros diferentes.

@@ -2,7 +2,7 @@
 
 problem-title-401 = Sem sessão iniciada
 problem-title-403 = Sem acesso
-problem-title-409 = Agora não
+problem-title-409 = Agora não é possível
 
 ## Armazenamento
 

@@ -58,7 +58,7 @@ rule-tool-point = A origem do último referencial está no ponto marcado { $poin
 rule-tool-axis = O eixo z do último referencial está sobre o eixo da última junta, em qualquer dos sentidos; a sua origem pode ficar em qualquer ponto dele.
 rule-tool-frame = O último referencial é prescrito.
 rule-zero-free = Cabe-lhe escolher onde cada variável das juntas é zero.
-rule-zero-figure = Na posição mostrada na figura, todas as variáveis das juntas são zero.
+rule-zero-figure = Na configuração da figura, todas as variáveis das juntas são zero.
 rule-direction-free = Cabe-lhe escolher o sentido de cada eixo.
 rule-direction-figure = As variáveis das juntas são positivas no sentido das setas da figura.
 
@@ -167,15 +167,15 @@ error-schematic_relations_count = { $joints ->
 } de eixos vizinhos. Dê uma relação para cada par.
 error-seed_invalid = Uma semente é um texto ou um número inteiro.
 error-seed_too_long = Uma semente tem no máximo { $limit } caracteres.
-error-exercise_unknown = Não há exercício { $id }. Há { $known }.
-error-language_unknown = O idioma { $language } não está disponível aqui. Há { $known }.
+error-exercise_unknown = Não há exercício { $id }. Disponíveis: { $known }.
+error-language_unknown = A língua { $language } não está disponível aqui. Disponíveis: { $known }.
 
 ## Por que uma definição não pode ser lida
 
 error-exercise_file_missing = Falta o ficheiro exercise.toml.
 error-exercise_file_not_toml = Isto não é TOML: { $reason }
 error-exercise_key_missing = Falta { $key }.
-error-exercise_key_unknown = { $key } não significa nada aqui. As chaves conhecidas são { $known }.
+error-exercise_key_unknown = { $key } não é uma chave conhecida. As chaves conhecidas são { $known }.
 error-exercise_value_type = { $key } deve ser { expected-value }.
 error-exercise_value_unknown = { $key } deve ser um destes valores: { $known }.
 error-exercise_robot_unknown = O catálogo não contém o robô { $robot }. Contém { $known }.
@@ -186,9 +186,9 @@ error-exercise_id_invalid = { $id } não é identificador de exercício; um iden
 error-exercise_exists = O exercício { $id } já existe.
 error-source_unreadable = O ficheiro não pode ser lido: { $reason }
 error-robot_and_reference = Dê robot ou [reference], não os dois.
-error-statement_missing = Falta o enunciado no idioma { $language }.
+error-statement_missing = Falta o enunciado na língua { $language }.
 error-statement_name_unknown = { $name } não é dimensão do robô nem ponto ou cota da figura.
-error-misconception_unknown = { $name } não é um erro da lista. Há { $known }.
+error-misconception_unknown = { $name } não é um erro da lista. Disponíveis: { $known }.
 error-nothing_asked = Um exercício pede alguma coisa: acrescente uma parte.
 error-part_twice = { $kind } é pedido duas vezes.
 error-points_not_positive = Uma parte vale mais que zero pontos.
@@ -198,7 +198,7 @@ error-variants_too_many = Há no máximo { $limit } variantes.
 error-tolerance_out_of_range = { $name } fica entre 0 e 0.1.
 error-name_invalid = { $name } não é nome de dimensão; um nome é como L1.
 error-width_out_of_range = A largura fica entre 320 e 960.
-error-unknown_point = Não há ponto { $name }. Há { $known }.
+error-unknown_point = Não há ponto { $name }. Disponíveis: { $known }.
 error-unknown_frame = Esse referencial não existe: são numerados de 0 a { $last }.
 error-unknown_joint = A junta { $joint } não existe: são numeradas de 1 a { $last }.
 error-point_without_form = Um ponto é dado por frame e at; por between e ratio; por from e by; ou por from, joint e distance.
@@ -207,7 +207,7 @@ error-dimension_disagrees = Os pontos de { $name } distam { $length }, mas { $na
 error-gripper_without_direction = A garra e o ponto do qual ela se afasta são o mesmo.
 error-jaws_along_gripper = Os dedos ficam um ao lado do outro, perpendiculares à garra.
 
-error-name_unknown = { $name } não é nenhuma das cotas deste exercício.{ $unit ->
+error-name_unknown = { $name } não é nenhuma das dimensões deste exercício.{ $unit ->
     [0] {""}
    *[one] {" "}As unidades não se escrevem nas células: se { $name } é uma delas, omita-a.
 }{ $found ->
@@ -215,7 +215,7 @@ error-name_unknown = { $name } não é nenhuma das cotas deste exercício.{ $uni
    *[one] {" "}Queria dizer { $close }?
 } Conhecem-se { $known }.
 error-need_unmet = Com estas regras nenhuma resposta precisa de { $name }: podem escolher-se referenciais em que não aparece. Fixe a base (origin ou frame) ou a ferramenta (point ou frame).
-error-need_unknown = { $name } não é nenhuma cota da tabela. Há { $known }.
+error-need_unknown = { $name } não é nenhuma dimensão da tabela. As suas dimensões: { $known }.
 error-alias_taken = { $name } já tem um significado.
 error-title_missing = É preciso um título pelo menos numa língua: [title] com en = "…".
 exercise-other-language = Este exercício ainda não está escrito na sua língua; o texto está em { $language }.

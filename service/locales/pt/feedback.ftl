@@ -42,7 +42,7 @@ feedback-base_frame_missed = O seu referencial 0 não é o que o exercício pres
 feedback-tool_point_missed = A origem do seu último referencial não está no ponto marcado.
 feedback-tool_axis_missed = O eixo z do seu último referencial não está sobre o eixo da última junta.
 feedback-tool_frame_missed = O seu último referencial não é o que o exercício prescreve.
-feedback-zero_missed = Na posição mostrada na figura, todas as variáveis de junta deveriam ser zero; as suas não são.
+feedback-zero_missed = Na configuração da figura, todas as variáveis de junta deveriam ser zero; as suas não são.
 feedback-direction_missed = As variáveis de junta deveriam crescer no sentido das setas da figura; nem todas as suas o fazem.
 feedback-whole_table = Um mesmo erro percorre toda a tabela.
 feedback-columns_throughout = As colunas a e α não condizem com a convenção que a tabela declara.
@@ -64,7 +64,7 @@ feedback-offset_wrong = Linha { $row }: o deslocamento d, a distância entre doi
 feedback-angle_wrong = Linha { $row }: o ângulo θ, entre dois eixos x vizinhos em torno de z, não está certo.
 feedback-sign_wrong = Linha { $row }: um sinal está ao contrário, numa das células { $cells }.
 feedback-joint_type_wrong = Linha { $row }: o tipo da junta não está certo.
-feedback-variable_zero_wrong = Linha { $row }: na posição mostrada na figura, a variável de junta não é zero.
+feedback-variable_zero_wrong = Linha { $row }: na configuração da figura, a variável de junta não é zero.
 feedback-variable_direction_wrong = Linha { $row }: a variável de junta cresce no sentido contrário ao da seta da figura.
 feedback-row_missing = Falta uma linha { $after ->
     [0] antes da linha 1
@@ -92,32 +92,32 @@ repair-columns_reordered = O que está em α pertence a { $alpha }, o que está 
 repair-parameter_misnamed = { $name } não é uma dimensão deste robô. A qual da figura se refere?
 repair-parameters_swapped = { $name } e { $other } estão trocadas. Compare-as com a figura.
 repair-alpha_sign = Linha { $row }: α tem o sinal errado. Rode um eixo z até ao seguinte em torno de x, pela regra da mão direita.
-repair-alpha_value = Linha { $row }: α deveria ser outro ângulo. Veja de novo como os dois eixos z ficam um em relação ao outro.
+repair-alpha_value = Linha { $row }: α tem um valor errado. Veja de novo como os dois eixos z ficam um em relação ao outro.
 repair-twists_all_reversed = Todos os α têm o sinal errado. Rode um eixo z até ao seguinte em torno de x com a mão direita, não com a esquerda.
 repair-a_sign = Linha { $row }: a tem o sinal errado. Conta-se no sentido de x.
 repair-d_sign = Linha { $row }: d tem o sinal errado. Conta-se no sentido de z.
-repair-a_d_swapped = Linha { $row }: a e d trocaram de lugar. a mede-se ao longo de x, d ao longo de z.
-repair-a_value = Linha { $row }: a deveria ser outro comprimento. Meça sobre a perpendicular comum aos dois eixos z.
+repair-a_d_swapped = Linha { $row }: a e d estão trocados. a mede-se ao longo de x, d ao longo de z.
+repair-a_value = Linha { $row }: a tem um valor errado. Meça sobre a normal comum aos dois eixos z.
 repair-a_missing = Linha { $row }: a não deveria ser zero, pois os dois eixos z não se cruzam.
 repair-a_not_zero = Linha { $row }: a deveria ser zero, pois os dois eixos z cruzam-se ou coincidem.
-repair-d_value = Linha { $row }: d deveria ser outro comprimento. Meça ao longo de z, de um eixo x ao seguinte.
+repair-d_value = Linha { $row }: d tem um valor errado. Meça ao longo de z, de um eixo x ao seguinte.
 repair-d_missing = Linha { $row }: falta um deslocamento d.
 repair-d_not_zero = Linha { $row }: d deveria ser zero, pois os dois eixos x encontram z no mesmo ponto.
 repair-cell_length_unit = Linha { $row }: um comprimento está noutra unidade que os demais.
 repair-cell_parameter = Linha { $row }: aqui cabe outra dimensão da figura.
 repair-cell_in_degrees = Linha { $row }: um ângulo está em graus, mas a tabela declara radianos.
 repair-cell_in_radians = Linha { $row }: um ângulo está em radianos, mas a tabela declara graus.
-repair-theta_value = Linha { $row }: o ângulo constante θ deveria ser outro. Rode um eixo x até ao seguinte em torno de z.
-repair-theta_offset = Linha { $row }: ao lado da variável, θ precisa de outra constante, para que a variável seja zero na posição da figura.
-repair-d_offset = Linha { $row }: ao lado da variável, d precisa de outra constante, para que a variável seja zero na posição da figura.
+repair-theta_value = Linha { $row }: o ângulo constante θ tem um valor errado. Rode um eixo x até ao seguinte em torno de z.
+repair-theta_offset = Linha { $row }: em θ é preciso somar à variável outra constante, para que a variável seja zero na configuração da figura.
+repair-d_offset = Linha { $row }: em d é preciso somar à variável outra constante, para que a variável seja zero na configuração da figura.
 repair-variable_sign = Linha { $row }: a variável de junta conta no sentido errado. Dê-lhe o sinal oposto.
 repair-joint_type = Linha { $row }: esta junta { $joint_type ->
     [prismatic] desliza; a sua variável fica em d
-   *[revolute] gira; a sua variável fica em θ
+   *[revolute] roda; a sua variável fica em θ
 }.
 repair-joint_fixed = Linha { $row }: esta junta move-se; falta a sua variável.
 repair-joint_moving = Linha { $row }: aqui nada se move; a linha só tem constantes.
-repair-rows_swapped = As linhas { $row } e { $other } trocaram de lugar.
+repair-rows_swapped = As linhas { $row } e { $other } estão trocadas.
 repair-fixed_row_missing = Falta uma última linha sem variável: a que leva da última junta ao ponto marcado.
 repair-row_missing = Falta uma linha { $after ->
     [0] antes da linha 1

@@ -36,7 +36,7 @@ feedback-jacobian_reversed =
         [1] A coluna { $joint } tem o sinal oposto: veja para onde aponta z.
        *[other] As colunas { $joints } têm o sinal oposto: veja para onde aponta z.
     }
-feedback-jacobian_per_degree = As colunas das juntas de rotação são por grau; pedem-se por radiano.
-feedback-jacobian_other_unit = Os comprimentos estão em uma unidade diferente da pedida.
-feedback-jacobian_angles_locked = Nesta configuração, o primeiro e o último ângulo giram em torno da mesma reta: os ângulos não têm derivadas, e não há jacobiana analítica.
-error-angles_locked = O primeiro e o último dos ângulos { $axes } giram aqui em torno da mesma reta: não há jacobiana analítica. Escolha outros ângulos.
+feedback-jacobian_per_degree = As colunas das juntas rotativas são por grau; pedem-se por radiano.
+feedback-jacobian_other_unit = Os comprimentos estão numa unidade diferente da pedida.
+feedback-jacobian_angles_locked = Nesta configuração, o primeiro e o último ângulo rodam em torno da mesma reta: os ângulos não têm derivadas, e não há jacobiana analítica.
+error-angles_locked = O primeiro e o último dos ângulos { $axes } rodam aqui em torno da mesma reta: não há jacobiana analítica. Escolha outros ângulos.

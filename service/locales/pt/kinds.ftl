@@ -7,7 +7,7 @@ field-axis = Eixo de rotação
 field-angle = Ângulo de rotação
 field-angles = Ternos de ângulos
 field-middle = No bloqueio de cardan: o ângulo do meio
-field-combination = No bloqueio de cardan: o que fica determinado do primeiro e do último ângulo
+field-combination = No bloqueio de cardan: que combinação do primeiro e do último ângulo fica determinada
 field-value = O seu valor
 field-claim = Esta matriz ou pose
 field-pose = Pose
@@ -105,7 +105,7 @@ error-one_notation = Dê a orientação numa só notação: { $known }.
 error-expected_not_rotation = A matriz esperada não é uma rotação.
 
 field-solutions = Valores das juntas
-field-combinations = Se forem infinitas: o que permanece igual nelas (coeficientes)
+field-combinations = Se forem infinitas: a combinação que permanece constante (coeficientes)
 option-finite = é alcançada só com estes valores das juntas
 option-infinite = é alcançada com infinitos valores; estes são alguns
 option-out_of_reach = não é alcançada: está fora do espaço de trabalho
@@ -143,17 +143,17 @@ feedback-joints_missing =
 feedback-branch_shoulder =
     { $count ->
         [one] O braço também pode alcançar por trás, com o outro ombro.
-       *[other] O braço também pode alcançar por trás, com o outro ombro: faltam { $count } maneiras.
+       *[other] O braço também pode alcançar por trás, com o outro ombro: faltam { $count } soluções deste tipo.
     }
 feedback-branch_elbow =
     { $count ->
         [one] O cotovelo também pode dobrar para o outro lado.
-       *[other] O cotovelo também pode dobrar para o outro lado: faltam { $count } maneiras.
+       *[other] O cotovelo também pode dobrar para o outro lado: faltam { $count } soluções deste tipo.
     }
 feedback-branch_wrist =
     { $count ->
         [one] O punho também pode estar virado.
-       *[other] O punho também pode estar virado: faltam { $count } maneiras.
+       *[other] O punho também pode estar virado: faltam { $count } soluções deste tipo.
     }
 feedback-branch_other =
     { $count ->
@@ -181,11 +181,11 @@ field-mended = A linha como deveria ser
 field-verdict = As duas tabelas descrevem
 field-reason = porque
 option-alpha_sign = α tem o sinal errado
-option-alpha_value = α é outro ângulo
+option-alpha_value = α tem um valor errado
 option-a_sign = a tem o sinal errado
 option-d_sign = d tem o sinal errado
-option-a_value = a é outro comprimento
-option-d_value = d é outro comprimento
+option-a_value = a tem um valor errado
+option-d_value = d tem um valor errado
 option-a_d_swapped = a e d foram trocados
 option-a_missing = a é zero, mas não deveria ser
 option-a_not_zero = a não é zero, mas deveria ser
@@ -196,31 +196,31 @@ option-angles_in_radians = todos os ângulos em radianos, embora se declarem gra
 option-cell_in_degrees = um ângulo em graus entre radianos
 option-cell_in_radians = um ângulo em radianos entre graus
 option-cell_length_unit = um comprimento noutra unidade
-option-cell_parameter = outra dimensão da figura
+option-cell_parameter = é usada outra dimensão da figura
 option-columns_early = a e α uma linha acima
 option-columns_late = a e α uma linha abaixo
 option-columns_exchanged = duas colunas trocadas
 option-columns_reordered = colunas noutra ordem
-option-convention = declarada a outra convenção
+option-convention = está declarada a convenção errada
 option-fixed_row_missing = falta a última linha, sem variável
 option-joint_fixed = uma junta sem a sua variável
 option-joint_moving = uma variável onde nada se move
-option-joint_type = outro tipo de junta
+option-joint_type = o tipo da junta está errado
 option-length_unit = todos os comprimentos noutra unidade
 option-parameter_misnamed = um nome que não está na figura
 option-parameters_swapped = duas dimensões trocadas
 option-row_extra = uma linha a mais
 option-row_missing = falta uma linha
 option-rows_swapped = duas linhas trocadas
-option-theta_offset = a constante ao lado da variável θ é outra
-option-d_offset = a constante ao lado da variável d é outra
-option-theta_value = a constante θ é outro ângulo
+option-theta_offset = a constante somada à variável θ está errada
+option-d_offset = a constante somada à variável d está errada
+option-theta_value = a constante θ tem um valor errado
 option-twists_all_reversed = todos os α têm o sinal errado
 option-variable_sign = uma variável de junta conta ao contrário
 option-same = o mesmo robô
 option-different = robôs diferentes
 option-axis_reversed = só um eixo z, ou uma variável de uma junta, está invertido
-option-x_turned = só um eixo x está girado, e a variável é zero noutro lugar
+option-x_turned = só um eixo x está rodado, e a variável é zero noutro lugar
 option-origin_moved = só uma origem está noutro lugar
 option-other_convention = só a convenção é outra
 option-twist = o ângulo entre dois eixos é diferente
@@ -240,9 +240,9 @@ given-second-table = A segunda tabela ({ $convention ->
 })
 
 task-find-mistake = Esta tabela deveria descrever o robô da figura, mas uma linha tem um erro. Que linha, o que está errado e como deveria ser?
-task-compare-tables = Estas duas tabelas descrevem o mesmo robô, seja qual for a escolha dos referenciais? Diga por quê.
+task-compare-tables = Estas duas tabelas descrevem o mesmo robô, seja qual for a escolha dos referenciais? Diga porquê.
 
-feedback-mistake_found = Encontrado, nomeado e corrigido.
+feedback-mistake_found = Encontrou o erro, nomeou-o e corrigiu-o.
 feedback-mistake_row_wrong = O erro está noutra linha.
 feedback-mistake_name_wrong = O erro é de outro tipo.
 feedback-mistake_not_mended = Com esta linha a tabela ainda não descreve o robô.
@@ -252,11 +252,11 @@ feedback-mistake_missing =
         [name] Diga o que está errado.
        *[mended] Escreva a linha como deveria ser.
     }
-feedback-tables_right = É isso, e por esta razão.
+feedback-tables_right = Certo, e pela razão certa.
 feedback-tables_same = São o mesmo robô: só os referenciais foram escolhidos de outro modo.
 feedback-tables_different = São robôs diferentes: nenhuma escolha de referenciais transforma uma tabela na outra.
 feedback-tables_reason_wrong = O veredicto está certo, mas não por esta razão.
-feedback-tables_reason_missing = O veredicto está certo; diga também por quê.
+feedback-tables_reason_missing = O veredicto está certo; diga também porquê.
 error-row_unknown = Dê o número de uma linha, de 1 a { $count }.
 error-column_unknown = Dê o número de uma coluna, de 1 a { $count }.
 error-vector_length = O vetor tem { $expected } componentes, e foram dadas { $given }.
@@ -290,7 +290,7 @@ feedback-screw_moment_sign =
     }: v = −ω × p, com p um ponto qualquer do eixo.
 feedback-screw_other_frame = Estes são os helicoides no outro referencial: confundiram-se espaço e corpo.
 feedback-screw_home_inverted = A pose inicial está invertida.
-feedback-screw_sign_or_home = Ou v tem o sinal errado em toda parte (v = −ω × p, com p um ponto qualquer do eixo), ou a pose inicial está invertida.
+feedback-screw_sign_or_home = Ou v tem o sinal errado em toda a parte (v = −ω × p, com p um ponto qualquer do eixo), ou a pose inicial está invertida.
 feedback-screw_home = Os helicoides estão certos; a pose inicial M não.
 feedback-screw_not_rigid = A pose inicial não é um movimento rígido: as suas colunas não são vetores unitários perpendiculares, ou a última linha não é 0 0 0 1.
 feedback-screws_relation_wrong = Os eixos das juntas { $joint } e { $next } não estão dispostos entre si como na figura.

@@ -8,7 +8,7 @@ error-joints_wrong_length =
     }
 error-joints_malformed = Os valores das juntas são números: uma configuração [q1, …, qn] ou uma lista de configurações do mesmo comprimento.
 error-joint_not_finite = O valor da junta { $joint } não é um número finito.
-error-result_not_finite = O resultado é grande demais para um número de precisão dupla. Os comprimentos e os valores das juntas devem ser menores.
+error-result_not_finite = O resultado é demasiado grande para um número de precisão dupla. Os comprimentos e os valores das juntas devem ser menores.
 error-entry_not_finite = { $cell } não é um número finito.
 error-value_undefined = Com estes parâmetros a expressão não tem valor finito.
 

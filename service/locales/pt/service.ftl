@@ -1,12 +1,12 @@
 # Recusas do serviço HTTP.
 
 problem-title-400 = O pedido não pode ser lido
-problem-title-404 = Não há nada neste endereço
+problem-title-404 = Não encontrado
 problem-title-405 = Este método não está disponível aqui
-problem-title-406 = Nenhuma forma aceitável da resposta
+problem-title-406 = Nenhum formato de resposta aceitável
 problem-title-408 = O pedido demorou demasiado a chegar
-problem-title-413 = O pedido é grande demais
-problem-title-415 = Este tipo de corpo não é lido aqui
+problem-title-413 = O pedido é demasiado grande
+problem-title-415 = Este tipo de corpo não é suportado
 problem-title-422 = O pedido não pode ser executado tal como está
 problem-title-500 = O serviço falhou
 problem-title-503 = O serviço está ocupado
@@ -14,7 +14,7 @@ problem-title-503 = O serviço está ocupado
 error-body_missing = O pedido não tem corpo. Envie um objeto JSON.
 error-body_invalid = O corpo não pode ser lido. Envie um objeto JSON em UTF-8.
 error-json_not_utf8 = O corpo não está em UTF-8, como o JSON exige.
-error-json_too_deep = O documento JSON tem níveis de aninhamento demais.
+error-json_too_deep = O documento JSON tem demasiados níveis de aninhamento.
 error-json_not_finite = Linha { $line }, coluna { $column }: um número tem de ser finito. O JSON não tem NaN nem infinito.
 error-json_invalid = O corpo não é JSON: linha { $line }, coluna { $column }. O analisador diz: { $reason }.
 error-json_duplicate_key = A chave “{ $key }” aparece duas vezes no mesmo objeto. Mantenha só uma.
@@ -42,32 +42,32 @@ error-target_or_position = Dê exatamente um de “target”, “targets” e �
 error-table_or_robot = Dê “table” ou “robot”: exatamente um dos dois.
 error-number_expected = “{ $field }” tem de ser um número.
 error-number_not_finite = “{ $field }” tem de ser um número finito.
-error-number_too_small = O número é pequeno demais; o limite é { $limit }.
-error-number_too_large = O número é grande demais; o limite é { $limit }.
+error-number_too_small = O número é demasiado pequeno; o limite é { $limit }.
+error-number_too_large = O número é demasiado grande; o limite é { $limit }.
 error-integer_expected = “{ $field }” tem de ser um número inteiro.
 error-boolean_expected = “{ $field }” tem de ser true ou false.
 error-string_expected = “{ $field }” tem de ser texto.
 error-string_too_long =
-    O texto é longo demais: { $limit ->
+    O texto é demasiado longo: { $limit ->
         [one] lê-se no máximo um carácter
        *[other] leem-se no máximo { $limit } caracteres
     }.
 error-string_too_short =
-    O texto é curto demais: { $limit ->
+    O texto é demasiado curto: { $limit ->
         [one] é necessário pelo menos um carácter
        *[other] são necessários pelo menos { $limit } caracteres
     }.
 error-string_pattern = O texto não tem a forma esperada, { $pattern }.
 error-list_expected = “{ $field }” tem de ser uma lista.
 error-list_too_long =
-    A lista é longa demais: pode ter no máximo { $limit ->
-        [one] um item
-       *[other] { $limit } itens
+    A lista é demasiado longa: pode ter no máximo { $limit ->
+        [one] um elemento
+       *[other] { $limit } elementos
     }.
 error-list_too_short =
-    A lista é curta demais: precisa de pelo menos { $limit ->
-        [one] um item
-       *[other] { $limit } itens
+    A lista é demasiado curta: precisa de pelo menos { $limit ->
+        [one] um elemento
+       *[other] { $limit } elementos
     }.
 error-object_expected = “{ $field }” tem de ser um objeto com campos nomeados.
 error-body_not_object = O corpo tem de ser um objeto JSON com campos nomeados.
@@ -99,7 +99,7 @@ error-idempotency_key_in_use = Um pedido com esta Idempotency-Key ainda está a 
 error-idempotency_key_reused = Esta Idempotency-Key já foi usada para outro pedido. Use uma chave nova para um pedido novo.
 error-rate_exceeded = Foi pedido mais do que { $limit } por minuto, contado pelo custo. Tente de novo daqui a { $seconds } s.
 error-setting_missing = Falta a definição { $name }.
-problem-title-429 = Demasiado de uma só vez
+problem-title-429 = Demasiados pedidos
 error-quaternion_or_axis = Dê no máximo um de “quaternion” e “axis”.
 
 language-name = Português

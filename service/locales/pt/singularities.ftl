@@ -23,7 +23,7 @@ feedback-conditions_missing = Faltam as condições.
 feedback-lost_motion_missing = Falta o movimento perdido.
 feedback-lost_motion_wrong = O vetor não é um movimento que se perde aqui.
 feedback-lost_motion_is_kept = Com este vetor o braço ainda se move: λᵀJ não é zero.
-feedback-lost_motion_zero = λ = 0 serviria em toda parte: dê um vetor diferente de 0.
+feedback-lost_motion_zero = λ = 0 serviria em toda a parte: dê um vetor diferente de 0.
 feedback-lost_motion_never = O braço não se move assim em nenhuma configuração: não é aqui que o movimento se perde.
 error-conditions_empty = Dê condições ou um movimento perdido.
 error-condition_not_equation = { $text } não é uma condição: escreva uma função que se anula ou uma equação com um só sinal =.

@@ -2,7 +2,7 @@
 
 problem-title-401 = Nu sunteți autentificat
 problem-title-403 = Acces nepermis
-problem-title-409 = Nu acum
+problem-title-409 = Nu este posibil acum
 
 ## Stocare
 

@@ -175,15 +175,15 @@ error-schematic_relations_count = { $joints ->
 } de axe vecine. Dați câte o relație pentru fiecare pereche.
 error-seed_invalid = O sămânță este un text sau un număr întreg.
 error-seed_too_long = O sămânță are cel mult { $limit } caractere.
-error-exercise_unknown = Nu există exercițiul { $id }. Există { $known }.
-error-language_unknown = Limba { $language } nu este disponibilă aici. Există { $known }.
+error-exercise_unknown = Nu există exercițiul { $id }. Disponibile: { $known }.
+error-language_unknown = Limba { $language } nu este disponibilă aici. Disponibile: { $known }.
 
 ## De ce nu poate fi citită o definiție
 
 error-exercise_file_missing = Lipsește fișierul exercise.toml.
 error-exercise_file_not_toml = Acesta nu este TOML: { $reason }
 error-exercise_key_missing = Lipsește { $key }.
-error-exercise_key_unknown = { $key } nu înseamnă nimic aici. Cheile cunoscute sunt { $known }.
+error-exercise_key_unknown = { $key } nu este o cheie cunoscută. Cheile cunoscute sunt { $known }.
 error-exercise_value_type = { $key } trebuie să fie { expected-value }.
 error-exercise_value_unknown = { $key } trebuie să fie una dintre valorile: { $known }.
 error-exercise_robot_unknown = Catalogul nu conține robotul { $robot }. Conține { $known }.
@@ -196,7 +196,7 @@ error-source_unreadable = Fișierul nu poate fi citit: { $reason }
 error-robot_and_reference = Dați fie robot, fie [reference], nu pe amândouă.
 error-statement_missing = Lipsește enunțul în limba { $language }.
 error-statement_name_unknown = { $name } nu este nici cotă a robotului, nici punct sau cotă din figură.
-error-misconception_unknown = { $name } nu este o greșeală din listă. Există { $known }.
+error-misconception_unknown = { $name } nu este o greșeală din listă. Disponibile: { $known }.
 error-nothing_asked = Un exercițiu cere ceva: adăugați o parte.
 error-part_twice = { $kind } se cere de două ori.
 error-points_not_positive = O parte valorează mai mult de zero puncte.
@@ -206,7 +206,7 @@ error-variants_too_many = Sunt cel mult { $limit } variante.
 error-tolerance_out_of_range = { $name } este între 0 și 0.1.
 error-name_invalid = { $name } nu este numele unei cote; un nume arată ca L1.
 error-width_out_of_range = Lățimea este între 320 și 960.
-error-unknown_point = Nu există punctul { $name }. Există { $known }.
+error-unknown_point = Nu există punctul { $name }. Disponibile: { $known }.
 error-unknown_frame = Acest sistem de coordonate nu există: sunt numerotate de la 0 la { $last }.
 error-unknown_joint = Nu există cupla { $joint }: sunt numerotate de la 1 la { $last }.
 error-point_without_form = Un punct se dă prin frame și at; prin between și ratio; prin from și by; sau prin from, joint și distance.
@@ -223,7 +223,7 @@ error-name_unknown = { $name } nu este niciuna dintre cotele acestui exercițiu.
    *[one] {" "}Ați vrut să scrieți { $close }?
 } Se cunosc { $known }.
 error-need_unmet = Cu aceste reguli niciun răspuns nu are nevoie de { $name }: se pot alege sisteme în care nu apare. Fixați baza (origin sau frame) ori scula (point sau frame).
-error-need_unknown = { $name } nu este o cotă a tabelului. Există { $known }.
+error-need_unknown = { $name } nu este o cotă a tabelului. Cotele lui: { $known }.
 error-alias_taken = { $name } are deja un înțeles.
 error-title_missing = Este nevoie de un titlu în cel puțin o limbă: [title] cu en = "…".
 exercise-other-language = Acest exercițiu nu este încă scris în limba dumneavoastră; textul este în { $language }.

@@ -93,24 +93,24 @@ repair-columns_reordered = Ce stă sub α ține de { $alpha }, ce stă sub a ți
 repair-parameter_misnamed = { $name } nu este o cotă a acestui robot. La care cotă din figură vă referiți?
 repair-parameters_swapped = { $name } și { $other } sunt inversate. Comparați-le cu figura.
 repair-alpha_sign = Rândul { $row }: α are semnul greșit. Rotiți o axă z peste următoarea în jurul lui x, după regula mâinii drepte.
-repair-alpha_value = Rândul { $row }: α ar trebui să fie alt unghi. Priviți din nou cum stau cele două axe z una față de alta.
+repair-alpha_value = Rândul { $row }: α are o valoare greșită. Priviți din nou cum stau cele două axe z una față de alta.
 repair-twists_all_reversed = Toate unghiurile α au semnul greșit. Rotiți o axă z peste următoarea în jurul lui x cu mâna dreaptă, nu cu stânga.
 repair-a_sign = Rândul { $row }: a are semnul greșit. Se măsoară în sensul lui x.
 repair-d_sign = Rândul { $row }: d are semnul greșit. Se măsoară în sensul lui z.
-repair-a_d_swapped = Rândul { $row }: a și d și-au schimbat locurile. a se măsoară de-a lungul lui x, d de-a lungul lui z.
-repair-a_value = Rândul { $row }: a ar trebui să fie altă lungime. Măsurați pe perpendiculara comună a celor două axe z.
-repair-a_missing = Rândul { $row }: a nu ar trebui să fie zero, căci cele două axe z nu se intersectează.
-repair-a_not_zero = Rândul { $row }: a ar trebui să fie zero, căci cele două axe z se intersectează sau coincid.
-repair-d_value = Rândul { $row }: d ar trebui să fie altă lungime. Măsurați de-a lungul lui z, de la o axă x la următoarea.
+repair-a_d_swapped = Rândul { $row }: a și d sunt inversate. a se măsoară de-a lungul lui x, d de-a lungul lui z.
+repair-a_value = Rândul { $row }: a are o valoare greșită. Măsurați pe perpendiculara comună a celor două axe z.
+repair-a_missing = Rândul { $row }: a nu ar trebui să fie zero, deoarece cele două axe z nu se intersectează.
+repair-a_not_zero = Rândul { $row }: a ar trebui să fie zero, deoarece cele două axe z se intersectează sau coincid.
+repair-d_value = Rândul { $row }: d are o valoare greșită. Măsurați de-a lungul lui z, de la o axă x la următoarea.
 repair-d_missing = Rândul { $row }: a fost omis un decalaj d.
-repair-d_not_zero = Rândul { $row }: d ar trebui să fie zero, căci cele două axe x întâlnesc axa z în același punct.
+repair-d_not_zero = Rândul { $row }: d ar trebui să fie zero, deoarece cele două axe x întâlnesc axa z în același punct.
 repair-cell_length_unit = Rândul { $row }: o lungime este în altă unitate decât celelalte.
 repair-cell_parameter = Rândul { $row }: aici stă altă cotă din figură.
 repair-cell_in_degrees = Rândul { $row }: un unghi este în grade, dar tabelul declară radiani.
 repair-cell_in_radians = Rândul { $row }: un unghi este în radiani, dar tabelul declară grade.
-repair-theta_value = Rândul { $row }: unghiul constant θ ar trebui să fie altul. Rotiți o axă x peste următoarea în jurul lui z.
-repair-theta_offset = Rândul { $row }: pe lângă variabilă, θ are nevoie de altă constantă, astfel încât variabila să fie zero în poziția din figură.
-repair-d_offset = Rândul { $row }: pe lângă variabilă, d are nevoie de altă constantă, astfel încât variabila să fie zero în poziția din figură.
+repair-theta_value = Rândul { $row }: unghiul constant θ are o valoare greșită. Rotiți o axă x peste următoarea în jurul lui z.
+repair-theta_offset = Rândul { $row }: la θ trebuie adunată la variabilă altă constantă, astfel încât variabila să fie zero în poziția din figură.
+repair-d_offset = Rândul { $row }: la d trebuie adunată la variabilă altă constantă, astfel încât variabila să fie zero în poziția din figură.
 repair-variable_sign = Rândul { $row }: variabila cuplei are sensul greșit. Dați-i semnul opus.
 repair-joint_type = Rândul { $row }: această cuplă { $joint_type ->
     [prismatic] este de translație; variabila ei stă la d
@@ -118,7 +118,7 @@ repair-joint_type = Rândul { $row }: această cuplă { $joint_type ->
 }.
 repair-joint_fixed = Rândul { $row }: această cuplă se mișcă; variabila ei lipsește.
 repair-joint_moving = Rândul { $row }: aici nu se mișcă nimic; rândul are numai constante.
-repair-rows_swapped = Rândurile { $row } și { $other } și-au schimbat locurile.
+repair-rows_swapped = Rândurile { $row } și { $other } sunt inversate.
 repair-fixed_row_missing = Lipsește un ultim rând fără variabilă: cel care duce de la ultima cuplă la punctul marcat.
 repair-row_missing = Lipsește un rând { $after ->
     [0] înaintea rândului 1
@@ -144,15 +144,15 @@ feedback-frame_last_x_misses_axis = Sistemul { $frame }: { rule-last_x_misses_ax
 feedback-frames_other_convention = Aceste sisteme respectă regulile celeilalte convenții.
 feedback-frames_not_as_asked = Sistemele respectă regulile, dar nu sunt așezate cum cere exercițiul.
 feedback-frames_right = Sistemele sunt corecte.
-feedback-repairs_one_cell = Mai multe schimbări ar corecta fiecare tabelul; toate sunt în celula { $cell ->
+feedback-repairs_one_cell = Sunt mai multe schimbări posibile și oricare dintre ele ar corecta tabelul; toate sunt în celula { $cell ->
     [alpha] α
     [theta] θ
    *[other] { $cell }
 } din rândul { $row }.
-feedback-repairs_one_row = Mai multe schimbări ar corecta fiecare tabelul; toate sunt în rândul { $row }.
-feedback-repairs_one_column = Mai multe schimbări ar corecta fiecare tabelul; toate sunt în coloana { $cell ->
+feedback-repairs_one_row = Sunt mai multe schimbări posibile și oricare dintre ele ar corecta tabelul; toate sunt în rândul { $row }.
+feedback-repairs_one_column = Sunt mai multe schimbări posibile și oricare dintre ele ar corecta tabelul; toate sunt în coloana { $cell ->
     [alpha] α
     [theta] θ
    *[other] { $cell }
 }.
-feedback-repairs_one_kind = { $count } schimbări ar corecta fiecare tabelul; toate sunt de același fel.
+feedback-repairs_one_kind = Sunt { $count } schimbări posibile și oricare dintre ele ar corecta tabelul; toate sunt de același fel.

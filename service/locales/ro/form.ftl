@@ -14,11 +14,11 @@ form-named = { $name }: { $said }
 form-loading = Se încarcă …
 
 form-home-title = Exerciții
-form-home-heading = Descrieți robotul. Orice alegere corectă a sistemelor de axe este acceptată.
+form-home-heading = Descrieți robotul. Orice alegere corectă a sistemelor de coordonate este acceptată.
 form-home-lead = Tabele Denavit–Hartenberg cu un robot care se mișcă în timp ce scrieți și un verificator care demonstrează dacă tabelul descrie același mecanism.
 form-home-exercises = Exerciții
 form-home-more = Mai mult
-form-home-playground = Orice tabel: poziționări, jacobieni, forme simbolice, conversii.
+form-home-playground = Orice tabel: situări, jacobieni, forme simbolice, conversii.
 form-home-api = Interfață de programare
 form-home-api-text = Același lucru prin HTTP, ca document OpenAPI.
 form-home-best = Cel mai bine: { $points } din { $total } puncte
@@ -28,7 +28,7 @@ form-home-joints =
         [few] { $joints } cuple
        *[other] { $joints } de cuple
     }
-form-home-trainer = Exersează alegerea sistemelor de axe
+form-home-trainer = Exersează alegerea sistemelor de coordonate
 
 form-scene-role = vedere 3D
 form-scene-label = Robot
@@ -134,7 +134,7 @@ form-matrix-name = Sistemul { $to } față de sistemul { $from }
 form-copy = Copiază ca
 form-copy-group = Copiază: { $what }
 form-copied = Copiat ca { $format }
-form-copy-failed = Navigatorul nu permite copierea
+form-copy-failed = Browserul nu permite copierea
 
 form-exercise-title = Exercițiu
 form-exercise-task = Cerință
@@ -180,7 +180,7 @@ form-part-rotation-check = Rotație sau nu
 form-part-frame-chain = Lanț de sisteme
 form-part-inverse-kinematics = Cinematica inversă
 form-part-find-mistake = Găsiți greșeala
-form-part-matrix-mistake = Găsirea greșelii într-o matrice
+form-part-matrix-mistake = Găsiți greșeala într-o matrice
 form-part-frame-mistake = Găsiți greșeala într-o figură
 form-part-compare-tables = Două tabele
 form-part-screws = Produs de exponențiale
@@ -224,7 +224,7 @@ form-own-shown =
         [few] Desenat după tabel: { $joints } cuple.
        *[other] Desenat după tabel: { $joints } de cuple.
     }
-form-own-description = Sistemele de axe ale tabelului, cu axele x, y și z. Cuple: { $joints }.
+form-own-description = Sistemele de coordonate ale tabelului, cu axele x, y și z. Cuple: { $joints }.
 form-own-parameters = Valori pentru desen
 form-joints = Cuple
 form-matrices = Matrice
@@ -263,9 +263,9 @@ form-history-kept = Se păstrează numai în acest browser.
 form-history-clear = Uită tot
 
 form-missing-title = Nu există
-form-missing-text = Aici nu există o asemenea pagină. Toate exercițiile sunt pe prima pagină.
+form-missing-text = Această pagină nu există. Toate exercițiile sunt pe prima pagină.
 form-missing-home = La exerciții
-form-storage-blocked = Navigatorul nu păstrează nimic aici: ce scrieți se pierde când închideți sau reîncărcați pagina.
+form-storage-blocked = Browserul nu păstrează nimic aici: ce scrieți se pierde când închideți sau reîncărcați pagina.
 form-other-tab = Acest exercițiu este deschis și în altă filă, iar acolo tocmai s-a scris ceva. Rămâne ce se scrie ultima dată.
 form-other-tab-take = Arată ce s-a scris acolo
 
@@ -315,32 +315,32 @@ form-second-origin-moved = O origine se află în alt punct al axei sale.
 form-second-none = Regulile acestui exercițiu nu lasă alt tabel.
 
 form-ghost-label = Robotul dumneavoastră, ca o fantomă peste cel al exercițiului
-form-ghost-text = Cu gri și portocaliu, robotul exercițiului; cu roșu transparent, al dumneavoastră. Amândoi fac aceeași mișcare. Sistemul { $row }, marcat, cel al rândului { $row }, este primul care se desprinde de robot.
-form-ghost-description = Robotul dumneavoastră se suprapune peste cel al exercițiului până la sistemul { $row }, care este marcat: acolo se despart.
+form-ghost-text = Robotul exercițiului este gri și portocaliu, al dumneavoastră roșu transparent. Amândoi fac aceeași mișcare. Sistemul marcat { $row }, cel al rândului { $row }, este primul care se desprinde de robotul exercițiului.
+form-ghost-description = Robotul dumneavoastră coincide cu cel al exercițiului înainte de sistemul { $row }, care este marcat: acolo se despart.
 form-new = Nou
 form-new-done = Un tabel nou, gol.
 
-form-progress = Ce este făcut și ce a rămas
+form-progress = Progres
 form-progress-open = de făcut
 form-progress-typed = neverificat încă
 form-part-missing = nepredat
 form-part-empty = Aici nu este scris încă nimic.
 form-submit-part = Verifică această parte
-form-points-for = Un tabel greșit primește puncte pentru ce are corect: fiecare cuplă prezentă, cu tipul ei, torsiunile, lungimile și decalajele. Cel mai mult costă o cuplă care lipsește, cel mai puțin un semn schimbat.
+form-points-for = Un tabel greșit primește puncte pentru ce are corect: cuplele prezente și de tipul corect, torsiunile, lungimile și decalajele. Cel mai mult costă o cuplă care lipsește, cel mai puțin un semn greșit.
 form-help-steps = pas cu pas
 form-help-principle = Principiul.
 form-help-worked = Un pas rezolvat, la alt robot.
 form-help-next = Următorul pas al ajutorului vine cu următorul răspuns, după ce l-ați schimbat.
 form-principle-twist = Torsiunea α duce o axă z în următoarea, privită de-a lungul axei x, care este perpendiculară pe amândouă. Axele z paralele au 0° sau 180°, cele perpendiculare 90° sau −90°; mâna dreaptă, cu degetul mare după x, dă semnul.
-form-principle-length = Lungimea a este distanța dintre două axe z vecine, măsurată pe normala lor comună, care este axa x. Este 0 dacă și numai dacă cele două drepte se taie.
-form-principle-offset = Decalajul d este distanța de-a lungul unei axe z între două picioare: unde sosește normala comună de la axa dinainte și unde pleacă cea spre axa următoare. Dacă axele vecine sunt paralele, puteți alege unde îl puneți, dar o singură dată.
+form-principle-length = Lungimea a este distanța dintre două axe z vecine, măsurată pe perpendiculara lor comună, care este axa x. Este 0 dacă și numai dacă cele două drepte se taie.
+form-principle-offset = Decalajul d este distanța de-a lungul unei axe z între două picioare: unde sosește perpendiculara comună de la axa dinainte și unde pleacă cea spre axa următoare. Dacă axele vecine sunt paralele, puteți alege unde îl puneți, dar o singură dată.
 form-principle-joint = O cuplă de rotație se rotește în jurul axei sale z: variabila este θ. O cuplă de translație alunecă de-a lungul ei: variabila este d. Fiecare cuplă are un rând, în ordine de la bază la sculă.
 form-worked-twist = Un umăr a cărui primă axă este verticală, iar a doua orizontală: cele două axe z sunt perpendiculare. Cu x spre dumneavoastră, mâna dreaptă duce z vertical în cel orizontal cu −90° sau 90°, după sensul ales pentru z; deci α = −90° sau 90°, niciodată 0.
-form-worked-length = Două elemente într-un plan, de 0,4 m și 0,3 m: ambele axe sunt verticale, la 0,4 m una de alta. Normala lor comună este primul element, deci a = 0,4 m. La o încheietură ale cărei axe se taie într-un punct, fiecare a este 0.
-form-worked-offset = Un umăr se află la 0,2 m lateral de prima axă, verticală, iar a doua axă este orizontală. De-a lungul celei de-a doua axe sunt 0,2 m între piciorul normalei de la prima și cel al normalei spre a treia: d = 0,2 m, în rândul cuplei a doua.
-form-worked-joint = Un portal își mișcă căruciorul pe o șină și rotește griferul de sub el. Șina este o cuplă de translație: rândul ei are variabila în d și un număr în θ. Griferul este o cuplă de rotație: variabila în θ și un număr în d.
-form-home-author = Creați un exercițiu
-form-home-author-text = Pentru profesori: despre brațul din cartea dumneavoastră, într-un sfert de oră.
+form-worked-length = Două elemente într-un plan, de 0,4 m și 0,3 m: ambele axe sunt verticale, la 0,4 m una de alta. Perpendiculara lor comună este primul element, deci a = 0,4 m. La o încheietură ale cărei axe se taie într-un punct, fiecare a este 0.
+form-worked-offset = Un umăr se află la 0,2 m lateral de prima axă, verticală, iar a doua axă este orizontală. De-a lungul celei de-a doua axe sunt 0,2 m între piciorul perpendicularei de la prima și cel al perpendicularei spre a treia: d = 0,2 m, în rândul cuplei a doua.
+form-worked-joint = Un portal își mișcă căruciorul pe o șină și rotește prehensorul de sub el. Șina este o cuplă de translație: rândul ei are variabila în d și un număr în θ. Prehensorul este o cuplă de rotație: variabila în θ și un număr în d.
+form-home-author = Creează un exercițiu
+form-home-author-text = Pentru profesori: faceți din brațul din cartea dumneavoastră un exercițiu, într-un sfert de oră.
 
 form-matrices-withheld = Matricele apar aici când părțile care le cer sunt corecte.
 form-sharing = Pentru profesori: legături și pachete
@@ -350,11 +350,11 @@ form-sharing-catalogue = catalogul de roboți
 form-sharing-playground = atelierul
 form-sharing-matrices = matricele propriului tabel
 form-sharing-trainer = antrenorul de sisteme de coordonate
-form-sharing-help = Despre un răspuns greșit li se spune
+form-sharing-help = Ce li se spune despre un răspuns greșit
 form-sharing-attempts = Încercări
 form-sharing-link = Creează o legătură
 form-sharing-receipts = Verifică recipise
-form-receipt = Ia o recipisă
+form-receipt = Obține o recipisă
 form-receipt-text = Recipisa spune ce a obținut acest răspuns și este semnată de acest serviciu. Predați-o profesorului: ca text, ca un cod QR sau ca pagină tipărită.
 form-receipt-name = Numele dumneavoastră, așa cum îl știe cursul
 form-receipt-as-text = Recipisa ca text

@@ -7,7 +7,7 @@ field-axis = Axa de rotație
 field-angle = Unghiul de rotație
 field-angles = Triplete de unghiuri
 field-middle = La blocaj cardanic: unghiul din mijloc
-field-combination = La blocaj cardanic: ce este determinat din primul și ultimul unghi
+field-combination = La blocaj cardanic: ce combinație a primului și ultimului unghi este determinată
 field-value = Valoarea ei
 field-claim = Această matrice sau situare
 field-pose = Situare
@@ -28,11 +28,11 @@ given-frame-pose = Situarea sistemului { $end } în sistemul { $start }
 
 task-orientation =
     { $given ->
-        [angles] Un sistem de axe este rotit cu trei unghiuri în jurul axelor { $turning ->
+        [angles] Un sistem de coordonate este rotit cu trei unghiuri în jurul axelor { $turning ->
             [fixed] fixe
            *[current] curente
         } { $axes }, în această ordine.
-       *[other] Este dată orientarea unui sistem de axe.
+       *[other] Este dată orientarea unui sistem de coordonate.
     } Scrieți-o în notațiile de mai jos. { $ask ->
         [every] Din unghiurile în jurul axelor { $asked_turning ->
             [fixed] fixe
@@ -105,7 +105,7 @@ error-one_notation = Dați orientarea într-o singură notație: { $known }.
 error-expected_not_rotation = Matricea așteptată nu este o rotație.
 
 field-solutions = Valorile cuplelor
-field-combinations = Dacă sunt o infinitate: ce rămâne neschimbat de-a lungul lor (coeficienți)
+field-combinations = Dacă sunt o infinitate: combinația care rămâne constantă (coeficienți)
 option-finite = se atinge numai cu aceste valori ale cuplelor
 option-infinite = se atinge într-o infinitate de feluri; acestea sunt câteva
 option-out_of_reach = nu se atinge: se află în afara spațiului de lucru
@@ -144,17 +144,17 @@ feedback-joints_missing =
 feedback-branch_shoulder =
     { $count ->
         [one] Brațul poate ajunge și pe la spate, cu celălalt umăr.
-       *[other] Brațul poate ajunge și pe la spate, cu celălalt umăr: lipsesc { $count } moduri.
+       *[other] Brațul poate ajunge și pe la spate, cu celălalt umăr: lipsesc { $count } soluții de acest fel.
     }
 feedback-branch_elbow =
     { $count ->
         [one] Cotul se poate îndoi și în partea cealaltă.
-       *[other] Cotul se poate îndoi și în partea cealaltă: lipsesc { $count } moduri.
+       *[other] Cotul se poate îndoi și în partea cealaltă: lipsesc { $count } soluții de acest fel.
     }
 feedback-branch_wrist =
     { $count ->
         [one] Încheietura poate fi și răsucită.
-       *[other] Încheietura poate fi și răsucită: lipsesc { $count } moduri.
+       *[other] Încheietura poate fi și răsucită: lipsesc { $count } soluții de acest fel.
     }
 feedback-branch_other =
     { $count ->
@@ -182,11 +182,11 @@ field-mended = Rândul așa cum ar trebui să fie
 field-verdict = Cele două tabele descriu
 field-reason = deoarece
 option-alpha_sign = α are semnul greșit
-option-alpha_value = α este alt unghi
+option-alpha_value = α are o valoare greșită
 option-a_sign = a are semnul greșit
 option-d_sign = d are semnul greșit
-option-a_value = a este altă lungime
-option-d_value = d este altă lungime
+option-a_value = a are o valoare greșită
+option-d_value = d are o valoare greșită
 option-a_d_swapped = a și d au fost schimbate între ele
 option-a_missing = a este zero, dar nu ar trebui să fie
 option-a_not_zero = a nu este zero, dar ar trebui să fie
@@ -197,25 +197,25 @@ option-angles_in_radians = toate unghiurile în radiani, deși se declară grade
 option-cell_in_degrees = un unghi în grade printre radiani
 option-cell_in_radians = un unghi în radiani printre grade
 option-cell_length_unit = o lungime în altă unitate
-option-cell_parameter = altă cotă din figură
+option-cell_parameter = este folosită altă cotă din figură
 option-columns_early = a și α cu un rând prea sus
 option-columns_late = a și α cu un rând prea jos
 option-columns_exchanged = două coloane schimbate între ele
 option-columns_reordered = coloane în altă ordine
-option-convention = declarată cealaltă convenție
+option-convention = este declarată convenția greșită
 option-fixed_row_missing = lipsește ultimul rând, fără variabilă
 option-joint_fixed = o cuplă fără variabila ei
 option-joint_moving = o variabilă unde nu se mișcă nimic
-option-joint_type = alt tip de cuplă
+option-joint_type = cupla are alt tip decât cel corect
 option-length_unit = toate lungimile în altă unitate
 option-parameter_misnamed = un nume care nu este în figură
 option-parameters_swapped = două cote inversate
 option-row_extra = un rând în plus
 option-row_missing = lipsește un rând
 option-rows_swapped = două rânduri inversate
-option-theta_offset = constanta de lângă variabila θ este alta
-option-d_offset = constanta de lângă variabila d este alta
-option-theta_value = constanta θ este alt unghi
+option-theta_offset = constanta adunată la variabila θ este greșită
+option-d_offset = constanta adunată la variabila d este greșită
+option-theta_value = constanta θ are o valoare greșită
 option-twists_all_reversed = toate valorile α au semnul greșit
 option-variable_sign = o variabilă de cuplă are sensul greșit
 option-same = același robot
@@ -243,7 +243,7 @@ given-second-table = Al doilea tabel ({ $convention ->
 task-find-mistake = Acest tabel ar trebui să descrie robotul din figură, dar un rând are o greșeală. Care rând, ce este greșit și cum ar trebui să fie?
 task-compare-tables = Descriu aceste două tabele același robot, oricum s-ar alege sistemele? Spuneți de ce.
 
-feedback-mistake_found = Găsită, numită și corectată.
+feedback-mistake_found = Ați găsit greșeala, ați numit-o și ați corectat-o.
 feedback-mistake_row_wrong = Greșeala este în alt rând.
 feedback-mistake_name_wrong = Greșeala este de alt fel.
 feedback-mistake_not_mended = Cu acest rând tabelul tot nu descrie robotul.
@@ -253,7 +253,7 @@ feedback-mistake_missing =
         [name] Spuneți ce este greșit.
        *[mended] Scrieți rândul așa cum ar trebui să fie.
     }
-feedback-tables_right = Așa este, și din acest motiv.
+feedback-tables_right = Corect, și din motivul corect.
 feedback-tables_same = Este același robot: doar sistemele au fost alese altfel.
 feedback-tables_different = Sunt roboți diferiți: nicio alegere a sistemelor nu transformă un tabel în celălalt.
 feedback-tables_reason_wrong = Verdictul este corect, dar nu din acest motiv.

@@ -99,4 +99,4 @@ lecturer-applied = Notele noi contează și se trimit.
 lecturer-choose-title = Alegeți un exercițiu
 lecturer-choose-text = Legătura se pune în cursul dumneavoastră; regulile ei se pot schimba mai târziu.
 lecturer-insert = Pune în curs
-lecturer-choose-own = Creați un exercițiu propriu
+lecturer-choose-own = Creează un exercițiu propriu

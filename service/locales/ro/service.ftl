@@ -1,12 +1,12 @@
 # Refuzurile serviciului HTTP.
 
 problem-title-400 = Cererea nu poate fi citită
-problem-title-404 = La această adresă nu există nimic
+problem-title-404 = Nu a fost găsit
 problem-title-405 = Metoda nu este disponibilă aici
-problem-title-406 = Nicio formă acceptabilă a răspunsului
+problem-title-406 = Niciun format de răspuns acceptabil
 problem-title-408 = Cererea a sosit prea încet
 problem-title-413 = Cererea este prea mare
-problem-title-415 = Acest tip de corp nu este citit aici
+problem-title-415 = Acest tip de corp nu este acceptat
 problem-title-422 = Cererea nu poate fi executată în forma actuală
 problem-title-500 = Serviciul a eșuat
 problem-title-503 = Serviciul este ocupat
@@ -81,7 +81,7 @@ error-value_invalid = Această valoare nu poate fi folosită: { $reason }.
 
 error-joints_wrong_dimensions = Un tablou de variabile ale cuplelor are una sau două dimensiuni, nu { $dimensions }: (cuple) sau (configurații, cuple).
 error-batch_too_large = Lotul are { $given } configurații; într-o cerere se calculează cel mult { $limit }.
-error-query_missing = Variabilele articulare au venit ca npy; restul cererii se dă ca JSON în parametrul de interogare „request”.
+error-query_missing = Variabilele cuplelor au venit ca npy; restul cererii se dă ca JSON în parametrul de interogare „request”.
 error-npy_header_invalid =
     Corpul nu este un fișier npy așa cum îl scrie numpy.save: { $rule ->
         [magic] trebuie să înceapă cu \x93NUMPY, versiunea și lungimea antetului
@@ -103,7 +103,7 @@ error-idempotency_key_in_use = O cerere cu acest Idempotency-Key este încă în
 error-idempotency_key_reused = Acest Idempotency-Key a fost folosit pentru altă cerere. Folosiți o cheie nouă pentru o cerere nouă.
 error-rate_exceeded = S-a cerut mai mult de { $limit } pe minut, socotit după cost. Încercați din nou peste { $seconds } s.
 error-setting_missing = Lipsește setarea { $name }.
-problem-title-429 = Prea mult deodată
+problem-title-429 = Prea multe cereri
 error-quaternion_or_axis = Dați cel mult unul dintre „quaternion” și „axis”.
 
 language-name = Română

@@ -69,7 +69,7 @@ error-variable_in_product = Символ { $column }: { $name } помножен
 error-variable_in_denominator = Символ { $column }: { $name } стоїть у знаменнику. Змінна зчленування входить як +{ $name } або -{ $name } плюс стала.
 error-variable_in_power = Символ { $column }: { $name } піднесено до степеня. Змінна зчленування входить як +{ $name } або -{ $name } плюс стала.
 error-variable_in_function = Символ { $column }: { $name } стоїть усередині функції. Клітинка містить саму змінну зчленування; синуси й косинуси випливають із таблиці.
-error-variable_in_constant_cell = Символ { $column }: { $name } стоїть у стовпці { $cell }. Довжина й скручування ланки сталі; змінна зчленування стоїть у стовпці θ (обертальне) або d (поступальне).
+error-variable_in_constant_cell = Символ { $column }: { $name } стоїть у стовпці { $cell }. Довжина й скручення ланки сталі; змінна зчленування стоїть у стовпці θ (обертальне) або d (поступальне).
 error-variable_in_fixed_row = Символ { $column }: { $name } стоїть у рядку, оголошеному нерухомим. Нерухомий рядок не має змінної.
 error-variable_in_wrong_cell =
     Символ { $column }: { $name } стоїть у стовпці { $cell }, але змінна { $joint ->

@@ -2,7 +2,7 @@
 
 problem-title-401 = Вхід не виконано
 problem-title-403 = Доступ закрито
-problem-title-409 = Не зараз
+problem-title-409 = Зараз неможливо
 
 ## Сховище
 

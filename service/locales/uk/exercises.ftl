@@ -182,7 +182,7 @@ error-language_unknown = Мови { $language } тут немає. Є такі: 
 error-exercise_file_missing = Немає файла exercise.toml.
 error-exercise_file_not_toml = Це не TOML: { $reason }
 error-exercise_key_missing = Бракує { $key }.
-error-exercise_key_unknown = { $key } тут нічого не означає. Відомі ключі: { $known }.
+error-exercise_key_unknown = { $key } — невідомий ключ. Відомі ключі: { $known }.
 error-exercise_value_type = Значення { $key } має бути таким: { expected-value }.
 error-exercise_value_unknown = Значення { $key } має бути одним із таких: { $known }.
 error-exercise_robot_unknown = У каталозі немає робота { $robot }. У ньому є { $known }.
@@ -205,7 +205,7 @@ error-variants_too_many = Варіантів щонайбільше { $limit }.
 error-tolerance_out_of_range = { $name } лежить між 0 і 0.1.
 error-name_invalid = { $name } не є назвою розміру; назва має вигляд L1.
 error-width_out_of_range = Ширина лежить між 320 і 960.
-error-unknown_point = Немає точки { $name }. Є { $known }.
+error-unknown_point = Немає точки { $name }. Є такі: { $known }.
 error-unknown_frame = Такої системи координат немає: їх пронумеровано від 0 до { $last }.
 error-unknown_joint = Зчленування { $joint } немає: їх пронумеровано від 1 до { $last }.
 error-point_without_form = Точка задається через frame і at; через between і ratio; через from і by; або через from, joint і distance.
@@ -216,13 +216,13 @@ error-jaws_along_gripper = Губки стоять поруч, перпенди�
 
 error-name_unknown = { $name } не є розміром цієї вправи.{ $unit ->
     [0] {""}
-   *[one] {" "}Одиниці в комірках не пишуть: якщо { $name } — одиниця, приберіть її.
+   *[one] {" "}Одиниці в клітинках не пишуть: якщо { $name } — одиниця, приберіть її.
 }{ $found ->
     [0] {""}
    *[one] {" "}Можливо, ви мали на увазі { $close }?
 } Відомі { $known }.
 error-need_unmet = За цих правил жодна відповідь не потребує { $name }: можна вибрати системи координат, у яких його немає. Зафіксуйте основу (origin або frame) чи інструмент (point або frame).
-error-need_unknown = { $name } не є розміром таблиці. Є { $known }.
+error-need_unknown = { $name } не є розміром таблиці. Її розміри: { $known }.
 error-alias_taken = { $name } вже має значення.
 error-title_missing = Потрібна назва принаймні однією мовою: [title] з en = "…".
 exercise-other-language = Цю вправу ще не написано вашою мовою; її текст мовою { $language }.

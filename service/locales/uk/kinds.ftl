@@ -7,7 +7,7 @@ field-axis = Вісь повороту
 field-angle = Кут повороту
 field-angles = Трійки кутів
 field-middle = За складання рамок: середній кут
-field-combination = За складання рамок: що визначено з першого й останнього кутів
+field-combination = За складання рамок: яку комбінацію першого й останнього кутів визначено
 field-value = Її значення
 field-claim = Ця матриця або поза
 field-pose = Поза
@@ -105,7 +105,7 @@ error-one_notation = Задайте орієнтацію одним записо
 error-expected_not_rotation = Очікувана матриця не є поворотом.
 
 field-solutions = Значення у зчленуваннях
-field-combinations = Якщо їх безліч: що вздовж них не змінюється (коефіцієнти)
+field-combinations = Якщо їх безліч: комбінація, що лишається сталою (коефіцієнти)
 option-finite = досягається лише за цих значень у зчленуваннях
 option-infinite = досягається безліччю способів; ось деякі з них
 option-out_of_reach = не досягається: вона поза робочою зоною
@@ -143,17 +143,17 @@ feedback-joints_missing =
 feedback-branch_shoulder =
     { $count ->
         [one] Маніпулятор може дотягтися й назад, через інше плече.
-       *[other] Маніпулятор може дотягтися й назад, через інше плече: бракує способів: { $count }.
+       *[other] Маніпулятор може дотягтися й назад, через інше плече: бракує таких розв’язків: { $count }.
     }
 feedback-branch_elbow =
     { $count ->
         [one] Лікоть може згинатися й в інший бік.
-       *[other] Лікоть може згинатися й в інший бік: бракує способів: { $count }.
+       *[other] Лікоть може згинатися й в інший бік: бракує таких розв’язків: { $count }.
     }
 feedback-branch_wrist =
     { $count ->
         [one] Зап’ястя може бути й перевернутим.
-       *[other] Зап’ястя може бути й перевернутим: бракує способів: { $count }.
+       *[other] Зап’ястя може бути й перевернутим: бракує таких розв’язків: { $count }.
     }
 feedback-branch_other =
     { $count ->
@@ -181,11 +181,11 @@ field-mended = Рядок, яким він має бути
 field-verdict = Обидві таблиці описують
 field-reason = бо
 option-alpha_sign = α має неправильний знак
-option-alpha_value = α — інший кут
+option-alpha_value = α має неправильне значення
 option-a_sign = a має неправильний знак
 option-d_sign = d має неправильний знак
-option-a_value = a — інша довжина
-option-d_value = d — інша довжина
+option-a_value = a має неправильне значення
+option-d_value = d має неправильне значення
 option-a_d_swapped = a і d поміняно місцями
 option-a_missing = a дорівнює нулю, а не має
 option-a_not_zero = a не дорівнює нулю, а має
@@ -196,25 +196,25 @@ option-angles_in_radians = усі кути в радіанах, хоч зазн�
 option-cell_in_degrees = один кут у градусах серед радіанів
 option-cell_in_radians = один кут у радіанах серед градусів
 option-cell_length_unit = одна довжина в інших одиницях
-option-cell_parameter = інший розмір із рисунка
+option-cell_parameter = узято інший розмір із рисунка
 option-columns_early = a та α на рядок вище
 option-columns_late = a та α на рядок нижче
 option-columns_exchanged = переставлено два стовпці
 option-columns_reordered = стовпці в іншому порядку
-option-convention = зазначено іншу угоду
+option-convention = зазначено не ту угоду
 option-fixed_row_missing = бракує останнього рядка, без змінної
 option-joint_fixed = зчленування без своєї змінної
 option-joint_moving = змінна там, де нічого не рухається
-option-joint_type = інший тип зчленування
+option-joint_type = зчленування не того типу
 option-length_unit = усі довжини в інших одиницях
 option-parameter_misnamed = позначення, якого немає на рисунку
 option-parameters_swapped = переставлено два розміри
 option-row_extra = зайвий рядок
 option-row_missing = бракує рядка
 option-rows_swapped = переставлено два рядки
-option-theta_offset = стала поряд зі змінною θ інша
-option-d_offset = стала поряд зі змінною d інша
-option-theta_value = стала θ — інший кут
+option-theta_offset = стала, додана до змінної θ, неправильна
+option-d_offset = стала, додана до змінної d, неправильна
+option-theta_value = стала θ має неправильне значення
 option-twists_all_reversed = усі α мають неправильний знак
 option-variable_sign = змінну зчленування відлічено не в той бік
 option-same = того самого робота
@@ -242,7 +242,7 @@ given-second-table = Друга таблиця ({ $convention ->
 task-find-mistake = Ця таблиця має описувати робота на рисунку, але в одному рядку є помилка. У якому, що неправильно і яким має бути рядок?
 task-compare-tables = Чи описують ці дві таблиці того самого робота, хоч би як обрано системи координат? Поясніть чому.
 
-feedback-mistake_found = Знайдено, названо й виправлено.
+feedback-mistake_found = Ви знайшли помилку, назвали її й виправили.
 feedback-mistake_row_wrong = Помилка в іншому рядку.
 feedback-mistake_name_wrong = Помилка іншого виду.
 feedback-mistake_not_mended = Із цим рядком таблиця все ще не описує робота.
@@ -252,7 +252,7 @@ feedback-mistake_missing =
         [name] Укажіть, що неправильно.
        *[mended] Запишіть рядок, яким він має бути.
     }
-feedback-tables_right = Саме так, і саме з цієї причини.
+feedback-tables_right = Правильно, і саме з цієї причини.
 feedback-tables_same = Це той самий робот: лише системи координат обрано інакше.
 feedback-tables_different = Це різні роботи: жоден вибір систем координат не перетворює одну таблицю на іншу.
 feedback-tables_reason_wrong = Висновок правильний, але не з цієї причини.

@@ -1,12 +1,12 @@
 # Відмови самої служби HTTP.
 
 problem-title-400 = Запит неможливо прочитати
-problem-title-404 = За цією адресою нічого немає
+problem-title-404 = Не знайдено
 problem-title-405 = Цей метод тут недоступний
-problem-title-406 = Немає прийнятної форми відповіді
+problem-title-406 = Немає прийнятного формату відповіді
 problem-title-408 = Запит надходив занадто довго
 problem-title-413 = Запит завеликий
-problem-title-415 = Такий вид тіла запиту тут не читається
+problem-title-415 = Такий вид тіла запиту не підтримується
 problem-title-422 = Запит неможливо виконати в такому вигляді
 problem-title-500 = Збій служби
 problem-title-503 = Служба зайнята
@@ -79,9 +79,9 @@ error-null_expected = «{ $field }» має бути null або відсутн�
 error-value_not_allowed = Значення має бути одним із таких: { $expected }.
 error-value_invalid = Це значення неможливо використати: { $reason }.
 
-error-joints_wrong_dimensions = Масив змінних з’єднань має один або два виміри, а не { $dimensions }: (з’єднання) або (конфігурації, з’єднання).
+error-joints_wrong_dimensions = Масив змінних зчленувань має один або два виміри, а не { $dimensions }: (зчленування) або (конфігурації, зчленування).
 error-batch_too_large = У пакеті { $given } конфігурацій; за один запит обчислюється не більше ніж { $limit }.
-error-query_missing = Змінні з’єднань надійшли як npy; решту запиту подайте як JSON у параметрі запиту «request».
+error-query_missing = Змінні зчленувань надійшли як npy; решту запиту подайте як JSON у параметрі запиту «request».
 error-npy_header_invalid =
     Тіло запиту не є файлом npy, як його записує numpy.save: { $rule ->
         [magic] він має починатися з \x93NUMPY, версії та довжини заголовка
@@ -103,7 +103,7 @@ error-idempotency_key_in_use = Запит із цим Idempotency-Key ще ви�
 error-idempotency_key_reused = Цей Idempotency-Key уже використано для іншого запиту. Для нового запиту візьміть новий ключ.
 error-rate_exceeded = Запитано більше, ніж { $limit } за хвилину, з урахуванням вартості. Спробуйте ще раз за { $seconds } с.
 error-setting_missing = Бракує налаштування { $name }.
-problem-title-429 = Забагато за один раз
+problem-title-429 = Забагато запитів
 error-quaternion_or_axis = Задайте щонайбільше одне з «quaternion» і «axis».
 
 language-name = Українська
