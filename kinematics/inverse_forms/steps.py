@@ -94,6 +94,12 @@ class InverseForm:
     position: tuple[str, ...]
     conditions: tuple[InverseCondition, ...] = ()
 
+    @property
+    def zeros(self) -> tuple[Expression, ...]:
+        """The values that are 0 on a branch that reaches the target, of all equations."""
+        every = chain(*(step.conditions for step in self.steps), self.conditions)
+        return tuple(one.value for one in every if one.kind is ConditionKind.FULFILLED)
+
 
 class InverseDerivation:
     """Writes down equations, each name once.

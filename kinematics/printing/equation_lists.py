@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from enum import StrEnum
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 from kinematics.expressions import Expression, Function, walk
 from kinematics.printing.latex import LatexWriter, parameter
@@ -15,6 +15,9 @@ from kinematics.printing.program import Program, ProgramStep, Purpose, SourceAto
 from kinematics.printing.text import TextWriter
 from kinematics.printing.trees import TreeWriter
 from kinematics.symbolic.interchange import SympyNodes
+
+if TYPE_CHECKING:
+    import sympy
 
 
 class EquationFormat(StrEnum):
@@ -79,13 +82,29 @@ class EquationPrinter:
         return written
 
 
+VALUES = Purpose(
+    name="inverse_kinematics",
+    meaning="The joint variables of one branch, angles in radians; each sigma is 1 or -1.",
+    result="joints",
+)
+MISFIT = Purpose(
+    name="inverse_kinematics_misfit",
+    meaning="All 0, but for rounding of the target, if the branch reaches it; each sigma is 1 or -1.",
+    result="misfit",
+)
+
+
 def source_of(
-    equations: Sequence[NamedValue], arguments: Sequence[str], n_joints: int, chosen: EquationFormat
+    equations: Sequence[NamedValue],
+    arguments: Sequence[str],
+    results: Sequence[Expression],
+    chosen: EquationFormat,
+    purpose: Purpose = VALUES,
 ) -> str:
-    """A function of the arguments that returns the joint variables, in a programming language."""
+    """A function of the arguments that computes results from equations, in a programming language."""
     from kinematics.printing.languages import LANGUAGES  # this imports SymPy
 
-    language = LANGUAGES[chosen.value](_program(equations, tuple(arguments), n_joints))
+    language = LANGUAGES[chosen.value](_program(equations, tuple(arguments), results, purpose))
     template = _TEMPLATES[chosen]
     steps = language.steps(template.step)
     rows = [row[0] for row in language.rows()]
@@ -96,48 +115,78 @@ def source_of(
         "meaning": language.purpose.meaning,
         "result": language.result,
         "count": len(rows),
-        "joints": ", ".join(rows),
+        "entries": ", ".join(rows),
         "assigned": "\n".join(f"    {language.result}[{i}] = {row};" for i, row in enumerate(rows)),
     }
     return "\n".join([template.opening.format(**words), *steps, template.closing.format(**words), ""])
 
 
-def _program(equations: Sequence[NamedValue], arguments: tuple[str, ...], n_joints: int) -> Program:
-    import sympy
-
-    atoms = SourceAtoms(stepwise=True)
-    nodes = SympyNodes(atoms=atoms.symbol, evaluate=True)
-    steps: list[ProgramStep] = []
-    known: set[str] = set()
+def _program(
+    equations: Sequence[NamedValue],
+    arguments: tuple[str, ...],
+    results: Sequence[Expression],
+    purpose: Purpose,
+) -> Program:
+    steps = _ProgramSteps()
     for name, joint, value in equations:
-        converted = nodes.convert(value)
-        for symbol, node in atoms.circular.items():
-            if symbol not in known:
-                known.add(symbol)
-                short = short_name(node)
-                function = getattr(sympy, Function(node.function).value)
-                steps.append(
-                    ProgramStep(
-                        symbol, short.word if short else "", function(nodes.convert(node.arguments[0]))
-                    )
-                )
-        symbol = f"q:{joint:02}" if joint else f"p:{name}"
-        known.add(symbol)
-        steps.append(ProgramStep(symbol, f"q{joint}" if joint else name, converted))
-    entries = [[sympy.Symbol(f"q:{joint:02}")] for joint in range(1, n_joints + 1)]
+        steps.define(f"q:{joint:02}" if joint else f"p:{name}", f"q{joint}" if joint else name, value)
+    entries = [[steps.converted(value)] for value in results]
     return Program(
-        purpose=Purpose(
-            name="inverse_kinematics",
-            meaning="The joint variables of one branch, angles in radians; each sigma is 1 or -1.",
-            result="joints",
-        ),
+        purpose=purpose,
         n_joints=0,
         parameters=arguments,
         variables=(),
-        atoms={symbol: node for symbol, node in atoms.known.items() if symbol not in known},
-        steps=steps,
+        atoms=steps.atoms(),
+        steps=steps.needed(entries),
         entries=entries,
     )
+
+
+class _ProgramSteps:
+    """Equations as the steps of a program, each sine and cosine before what first holds it."""
+
+    def __init__(self) -> None:
+        self._atoms = SourceAtoms(stepwise=True)
+        self._nodes = SympyNodes(atoms=self._atoms.symbol, evaluate=True)
+        self._steps: list[ProgramStep] = []
+        self._known: set[str] = set()
+
+    def define(self, symbol: str, word: str, value: Expression) -> None:
+        """Let a symbol stand for a value."""
+        converted = self.converted(value)
+        self._known.add(symbol)
+        self._steps.append(ProgramStep(symbol, word, converted))
+
+    def converted(self, value: Expression) -> sympy.Expr:
+        """A value in SymPy's nodes; sines and cosines in it that are new become steps."""
+        import sympy
+
+        found = self._nodes.convert(value)
+        for symbol, node in self._atoms.circular.items():
+            if symbol not in self._known:
+                self._known.add(symbol)
+                short = short_name(node)
+                function = getattr(sympy, Function(node.function).value)
+                self._steps.append(
+                    ProgramStep(
+                        symbol, short.word if short else "", function(self._nodes.convert(node.arguments[0]))
+                    )
+                )
+        return found
+
+    def atoms(self) -> dict[str, Expression]:
+        """What the symbols stand for that no step defines."""
+        return {symbol: node for symbol, node in self._atoms.known.items() if symbol not in self._known}
+
+    def needed(self, entries: Sequence[Sequence[sympy.Expr]]) -> list[ProgramStep]:
+        """The steps that entries rest on."""
+        used = {symbol.name for row in entries for entry in row for symbol in entry.free_symbols}
+        kept: list[ProgramStep] = []
+        for step in reversed(self._steps):
+            if step.symbol in used:
+                used |= {symbol.name for symbol in step.value.free_symbols}
+                kept.append(step)
+        return kept[::-1]
 
 
 class _Template(NamedTuple):
@@ -158,12 +207,12 @@ class _Template(NamedTuple):
 
 _TEMPLATES = {
     EquationFormat.PYTHON: _Template(
-        '{imports}def {function}({arguments}):\n    """{meaning}"""', "    {} = {}", "    return [{joints}]"
+        '{imports}def {function}({arguments}):\n    """{meaning}"""', "    {} = {}", "    return [{entries}]"
     ),
     EquationFormat.NUMPY: _Template(
         'import numpy as np\n\n\ndef {function}({arguments}):\n    """{meaning}"""',
         "    {} = {}",
-        "    return np.stack(np.broadcast_arrays({joints}), axis=-1)",
+        "    return np.stack(np.broadcast_arrays({entries}), axis=-1)",
     ),
     EquationFormat.C: _Template(
         "#include <math.h>\n\n/* {meaning} */\nvoid {function}({arguments}, double {result}[{count}])\n{{",
@@ -174,15 +223,15 @@ _TEMPLATES = {
     EquationFormat.MATLAB: _Template(
         "function {result} = {function}({arguments})\n% {meaning}",
         "    {} = {};",
-        "    {result} = [{joints}];\nend",
+        "    {result} = [{entries}];\nend",
     ),
     EquationFormat.JAVASCRIPT: _Template(
         "// {meaning}\nexport function {function}({arguments}) {{",
         "  const {} = {};",
-        "  return [{joints}];\n}}",
+        "  return [{entries}];\n}}",
     ),
     EquationFormat.JULIA: _Template(
-        "# {meaning}\nfunction {function}({arguments})", "    {} = {}", "    return [{joints}]\nend"
+        "# {meaning}\nfunction {function}({arguments})", "    {} = {}", "    return [{entries}]\nend"
     ),
 }
 SOURCE_FORMATS = frozenset(_TEMPLATES)

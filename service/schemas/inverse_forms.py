@@ -108,6 +108,12 @@ class SymbolicInverseAnswer(Units):
     code: dict[str, str] | None = Field(
         None, description="the source of a function that returns the joint variables, for each language"
     )
+    misfit_code: dict[str, str] | None = Field(
+        None,
+        description="of an arm that cannot have every pose: the source of a function of the same arguments "
+        "that returns the values of all conditions `fulfilled`; where one is farther from 0 than the target "
+        "was rounded, the branch does not reach it",
+    )
 
 
 SYMBOLIC_INVERSE: dict[str, Any] = {

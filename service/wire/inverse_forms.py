@@ -8,11 +8,12 @@ from itertools import chain
 from typing import Any
 
 from kinematics.errors import Fault, FormSizeError
-from kinematics.expressions import Expression, Parameter, walk
+from kinematics.expressions import Expression, JointVariable, Parameter, walk
 from kinematics.inverse_forms import InverseCondition, InverseForm, inverse_form
 from kinematics.inverse_forms.outer_frames import with_base_and_tool
 from kinematics.printing import LIMIT, Notation
 from kinematics.printing.equation_lists import (
+    MISFIT,
     SOURCE_FORMATS,
     EquationFormat,
     EquationPrinter,
@@ -104,8 +105,13 @@ def written_inverse(task: InverseFormTask) -> bytes:
         "arguments": arguments,
     }
     if sources:
-        n_joints = task.table.n_joints
-        answer["code"] = {one.value: source_of(equations, arguments, n_joints, one) for one in sources}
+        joints = [JointVariable(joint) for joint in range(1, task.table.n_joints + 1)]
+        answer["code"] = {one.value: source_of(equations, arguments, joints, one) for one in sources}
+        zeros = form.zeros
+        if zeros:
+            answer["misfit_code"] = {
+                one.value: source_of(equations, arguments, zeros, one, MISFIT) for one in sources
+            }
     if task.notation is Notation.SHORT:
         answer["symbols"] = symbols_of(names, expressions)
     return SymbolicInverseAnswer(**answer).model_dump_json(by_alias=True, exclude_none=True).encode()

@@ -69,6 +69,19 @@ def test_code_with_base_and_tool_reaches_the_target(client: httpx.Client) -> Non
     assert len(solutions) == 8
 
 
+def test_only_an_arm_that_cannot_have_every_pose_comes_with_its_misfit(client: httpx.Client) -> None:
+    formats = ["c", "python"]
+    assert "misfit_code" not in asked(client, robot="puma560", formats=formats)
+    assert "misfit_code" not in asked(client, robot="scorbot", formats=["text"])
+    answer = asked(client, robot="scorbot", formats=formats)
+    assert set(answer["misfit_code"]) == set(answer["code"]) == set(formats)
+    space: dict[str, Any] = {}
+    exec(answer["misfit_code"]["python"], space)
+    known = dict.fromkeys(answer["arguments"], 0.0) | {"p_x": 5.0, "r33": 1.0, "r23": 0.25, "sigma1": 1.0}
+    (misfit,) = space["inverse_kinematics_misfit"](*known.values())
+    assert abs(misfit + 0.25) < 1e-12
+
+
 def test_given_lengths_stand_in_the_equations(client: httpx.Client) -> None:
     answer = asked(client, robot="twolink", parameters={"L1": 0.5, "L2": 0.3}, formats=["text"])
     assert answer["parameters"] == []

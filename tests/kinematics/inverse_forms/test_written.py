@@ -3,16 +3,24 @@
 import json
 import shutil
 import subprocess
+from itertools import product
 
 import numpy as np
 import pytest
 
 from kinematics.catalogue import robot
 from kinematics.cells import bind_parameters, parameter_values
+from kinematics.expressions import JointVariable
 from kinematics.forward import end_pose
-from kinematics.inverse_forms import inverse_form, joint_values
+from kinematics.inverse_forms import InverseReach, inverse_form, joint_values
 from kinematics.printing import Notation
-from kinematics.printing.equation_lists import EquationFormat, EquationPrinter, NamedValue, source_of
+from kinematics.printing.equation_lists import (
+    MISFIT,
+    EquationFormat,
+    EquationPrinter,
+    NamedValue,
+    source_of,
+)
 from kinematics.printing.notation import Names
 
 ROBOTS = ["puma560", "stanford", "ur5", "scara", "twolink", "scorbot"]
@@ -38,12 +46,16 @@ def asked(robot_id):
     return equations, arguments, calls, np.array(list(expected.values())), numbers.n_joints
 
 
+def joints_of(n):
+    return [JointVariable(joint) for joint in range(1, n + 1)]
+
+
 @pytest.mark.parametrize("robot_id", ROBOTS)
 def test_python_and_numpy(robot_id):
     equations, arguments, calls, expected, n = asked(robot_id)
     spaces = [{}, {}]
     for space, chosen in zip(spaces, (EquationFormat.PYTHON, EquationFormat.NUMPY), strict=True):
-        exec(source_of(equations, arguments, n, chosen), space)
+        exec(source_of(equations, arguments, joints_of(n), chosen), space)
     found = np.array([spaces[0]["inverse_kinematics"](*call) for call in calls])
     assert np.allclose(found, expected, atol=1e-12)
     assert np.allclose(spaces[1]["inverse_kinematics"](*np.array(calls).T), expected, atol=1e-12)
@@ -55,7 +67,7 @@ def test_c(robot_id, tmp_path):
     if compiler is None:
         pytest.skip("no C compiler")
     equations, arguments, calls, expected, n = asked(robot_id)
-    source = source_of(equations, arguments, n, EquationFormat.C)
+    source = source_of(equations, arguments, joints_of(n), EquationFormat.C)
     lines = ["#include <stdio.h>", source, f"int main(void) {{ double q[{n}];"]
     for call in calls:
         lines.append(f"inverse_kinematics({', '.join(map(repr, call))}, q);")
@@ -76,7 +88,7 @@ def test_javascript(robot_id, tmp_path):
     if node is None:
         pytest.skip("no Node.js")
     equations, arguments, calls, expected, n = asked(robot_id)
-    source = source_of(equations, arguments, n, EquationFormat.JAVASCRIPT)
+    source = source_of(equations, arguments, joints_of(n), EquationFormat.JAVASCRIPT)
     made = f"console.log(JSON.stringify({json.dumps(calls)}.map((call) => inverse_kinematics(...call))));"
     (tmp_path / "all.mjs").write_text(f"{source}\n{made}\n")
     printed = subprocess.run(
@@ -85,10 +97,46 @@ def test_javascript(robot_id, tmp_path):
     assert np.allclose(json.loads(printed), expected, atol=1e-12)
 
 
+@pytest.mark.parametrize("robot_id", ["scorbot", "scara", "onelink", "twolink"])
+def test_a_branch_reaches_the_target_just_where_nothing_is_amiss(robot_id):
+    """SCORBOT turned half round has joint values for every pose; few of them reach it."""
+    given = robot(robot_id)
+    numbers = bind_parameters(given.table, given.parameters)
+    values = parameter_values(given.table.parameters, given.table.angle_unit, given.parameters)
+    form = inverse_form(given.table.table)
+    equations = [NamedValue(step.name, step.joint, step.value) for step in form.steps]
+    rng = np.random.default_rng(6)
+    space = {}
+    for number in range(4):
+        target = end_pose(numbers, rng.uniform(0.2, 1.0, numbers.n_joints))
+        if number % 2:
+            target[:3, 3] += [0.0, 0.0, 0.01]
+            target[:3, :3] @= np.array([[1.0, 0.0, 0.0], [0.0, 0.8, -0.6], [0.0, 0.6, 0.8]])
+        entries = {name: target[i, j] for i, row in enumerate(form.rotation) for j, name in enumerate(row)}
+        entries |= dict(zip(form.position, target[:3, 3], strict=True))
+        names = [*entries, *form.branches, *values]
+        exec(source_of(equations, names, joints_of(numbers.n_joints), EquationFormat.NUMPY), space)
+        exec(source_of(equations, names, form.zeros, EquationFormat.NUMPY, MISFIT), space)
+        right = {signs for signs, _ in joint_values(form, target, values)}
+        for signs in product((1, -1), repeat=len(form.branches)):
+            call = [*map(float, entries.values()), *map(float, signs), *map(float, values.values())]
+            with np.errstate(invalid="ignore"):
+                misfit = np.abs(space["inverse_kinematics_misfit"](*call)).max()
+                joints = space["inverse_kinematics"](*call)
+            if np.isnan(joints).any():
+                assert signs not in right
+                continue
+            reached = end_pose(numbers, joints)
+            reaches = np.abs((reached - target)[:3, 3]).max() < 1e-9
+            if form.reach is InverseReach.POSE:
+                reaches &= np.abs(reached - target).max() < 1e-9
+            assert reaches == (misfit < 1e-9) == (signs in right)
+
+
 @pytest.mark.parametrize("chosen", [EquationFormat.MATLAB, EquationFormat.JULIA])
 def test_other_languages_define_before_they_use(chosen):
     equations, arguments, _, _, n = asked("puma560")
-    source = source_of(equations, arguments, n, chosen)
+    source = source_of(equations, arguments, joints_of(n), chosen)
     defined = [line.split(" = ")[0].strip() for line in source.splitlines() if " = " in line]
     assert len(set(defined)) == len(defined)
     positions = [source.index(f"    q{joint} = ") for joint in (1, 3, 2, 4, 5, 6)]
