@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import combinations
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,6 +23,7 @@ from kinematics.inverse.isolation import (
     LONG,
     can_move,
     fold_length,
+    joined_before,
     lost_value,
     merging_value,
 )
@@ -108,7 +108,7 @@ def components_of(arm: Arm, target: Array, joints: Array, tolerance: float) -> l
         some = [i for i in order if delicate[i]]
         targets = np.broadcast_to(target, (len(some), 4, 4))
         if not can_move(arm, targets, joints[some], tolerance).any():
-            joined = _joined(Follower(arm, target, tolerance), joints, some, tolerance)
+            joined = joined_before(Follower(arm, target, tolerance), joints, some, tolerance)
             order = [i for i in order if i not in joined]
             delicate[:] = False
     alone: list[int] = []
@@ -120,28 +120,6 @@ def components_of(arm: Arm, target: Array, joints: Array, tolerance: float) -> l
     if order:
         sorter = _Sorter(arm, Follower(arm, target, tolerance), tolerance)
         found += sorter.sorted(joints[order])
-    return found
-
-
-def _joined(follower: Follower, joints: Array, some: list[int], tolerance: float) -> set[int]:
-    """Return those of some solutions, none of which can be moved, that are joined to one before.
-
-    Args:
-        follower: of their target.
-        joints: (m, n) solutions.
-        some: which are looked at, the most exact first.
-        tolerance: distance [m] and angle [rad] within which the target is reached.
-    """
-    units = follower.arm.units
-    pairs = np.array([*combinations(some, 2)], dtype=np.intp).reshape(-1, 2)
-    ways = differences(joints[pairs[:, 1]], joints[pairs[:, 0]], follower.arm)
-    near = np.abs(ways).max(axis=1) <= fold_length(tolerance)
-    pairs, ways = pairs[near], ways[near]
-    x = joints[pairs[:, 0]] / units
-    found: set[int] = set()
-    for i, k in pairs[follower.joined_each(x, x + ways)].tolist():
-        if i not in found:
-            found.add(k)
     return found
 
 

@@ -7,6 +7,7 @@ middle between two that are near each other, are corrected back to the target.
 from __future__ import annotations
 
 import math
+from itertools import combinations
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,7 +15,7 @@ from numpy.typing import NDArray
 from kinematics.inverse.arm import Arm, Array
 from kinematics.inverse.corrections import corrected
 from kinematics.inverse.distinct import differences
-from kinematics.inverse.families import LOST, weighing_alike
+from kinematics.inverse.families import LOST, Follower, weighing_alike
 from kinematics.inverse.residuals import are_solutions
 
 Indices = NDArray[np.intp]
@@ -78,6 +79,28 @@ def can_move(arm: Arm, targets: Array, joints: Array, tolerance: float) -> NDArr
         ]
     ] = True
     return np.asarray(found)
+
+
+def joined_before(follower: Follower, joints: Array, some: list[int], tolerance: float) -> set[int]:
+    """Return those of some solutions, none of which can be moved, that are joined to one before.
+
+    Args:
+        follower: of their target.
+        joints: (m, n) solutions.
+        some: which are looked at, the most exact first.
+        tolerance: distance [m] and angle [rad] within which the target is reached.
+    """
+    units = follower.arm.units
+    pairs = np.array([*combinations(some, 2)], dtype=np.intp).reshape(-1, 2)
+    ways = differences(joints[pairs[:, 1]], joints[pairs[:, 0]], follower.arm)
+    near = np.abs(ways).max(axis=1) <= fold_length(tolerance)
+    pairs, ways = pairs[near], ways[near]
+    x = joints[pairs[:, 0]] / units
+    found: set[int] = set()
+    for i, k in pairs[follower.joined_each(x, x + ways)].tolist():
+        if i not in found:
+            found.add(k)
+    return found
 
 
 def joined_rows(
