@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from fractions import Fraction
 from functools import cache
 from importlib.resources import files
@@ -327,7 +328,9 @@ def _reference(reader: Reader, robot: str | None) -> tuple[ReadTable | None, Map
     inner = reader.table("reference")
     raw = read_raw_table(inner)
     inner.finish()
-    return (inner.guarded(lambda: read_table(raw)) if raw is not None else None), {}
+    if raw is None:
+        return None, {}
+    return inner.guarded(lambda: replace(read_table(raw), last_places={})), {}  # a key is exact
 
 
 def robot_facts(exercise: Exercise) -> RobotFacts:

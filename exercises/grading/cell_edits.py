@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 from exercises.grading.fitting import fitted_table
+from exercises.grading.judgement import share_of
 from exercises.grading.typed import meant_in_radians
 from exercises.grading.work import Change, Extent, Work, with_row
 from kinematics.cells import AngleUnit
@@ -173,11 +174,13 @@ def _story(work: Work, row: int, cell: str, value: float) -> str:
     """What happened to a length that stands there instead of `value`."""
     here = getattr(work.table.rows[row], cell)
     scale = work.reference.size * max(work.policy.tolerance.length, SAME)
+    digits = max(share_of(work.comparison) * abs(value), work.comparison.steps.get((row, cell), 0.0))
+    as_typed = min(scale, digits + SAME * work.reference.size)
     if abs(value) <= scale:
         return f"{cell}_not_zero"
-    if abs(here) <= scale:
+    if abs(here) <= as_typed:
         return f"{cell}_missing"
-    if abs(value + here) <= scale:
+    if abs(value + here) <= as_typed:
         return f"{cell}_sign"
     for power in (1000.0, 100.0, 10.0):
         for ratio in (power, 1.0 / power):

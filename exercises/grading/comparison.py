@@ -170,7 +170,7 @@ def _has_numbers(table: SymbolicTable, values: Values, names: Iterable[str]) -> 
 
 def _named(submission: ReadTable, values: Values) -> ReadTable:
     """The answer with names for the numbers that are the value of one name, and of one alone."""
-    steps = half_steps(submission.table, submission.angle_unit)
+    steps = half_steps(submission.table, submission.angle_unit, submission.last_places)
     lengths = {
         name: float(value)
         for name, value in values.given.items()
@@ -246,7 +246,13 @@ def _comparison(
 def _meant(key: SymbolicTable, answer: SymbolicTable, submission: ReadTable, *, in_names: bool) -> Typed:
     """The answer as it was meant; how exactly an entry was typed is seen where no value was put in."""
     angles, lengths = _known(key)
-    known = meant(submission.table, submission.angle_unit, angles, lengths if in_names else ())
+    known = meant(
+        submission.table,
+        submission.angle_unit,
+        angles,
+        lengths if in_names else (),
+        submission.last_places,
+    )
     if known.table is submission.table:
         return Typed(answer, known.steps)
     rows = tuple(

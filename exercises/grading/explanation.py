@@ -196,7 +196,9 @@ def without_idle_rows(read: ReadTable) -> tuple[ReadTable, tuple[int, ...]]:
     if len(kept) == len(rows):
         return read, kept
     table = DHTable(convention=read.table.convention, rows=tuple(rows[i] for i in kept))
-    return replace(read, table=table), kept
+    number = {old: new for new, old in enumerate(kept)}
+    places = {(number[i], cell): unit for (i, cell), unit in read.last_places.items() if i in number}
+    return replace(read, table=table, last_places=places), kept
 
 
 def renumbered(told: Explanation, kept: Sequence[int], rows: int) -> Explanation:

@@ -11,6 +11,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import lru_cache
+from types import MappingProxyType
 
 from kinematics.angles import TWELFTH
 from kinematics.cells import AngleUnit
@@ -33,6 +34,7 @@ _MOST_DECIMALS = 40
 """More digits than a double can tell apart: such an entry counts as exact."""
 
 Place = tuple[int, str]
+NOTHING_TYPED: Mapping[Place, float] = MappingProxyType({})
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -59,6 +61,7 @@ def meant(
     unit: AngleUnit,
     angles: tuple[Expression, ...],
     lengths: tuple[Expression, ...] = (),
+    last_places: Mapping[Place, float] = NOTHING_TYPED,
 ) -> Typed:
     """What a table was meant to say.
 
@@ -67,8 +70,9 @@ def meant(
         unit: in which its angles were typed.
         angles: exact values that a rounded angle may stand for, beside multiples of π/12.
         lengths: exact values that a rounded length may stand for.
+        last_places: units of the last place of decimals whose values do not show it.
     """
-    steps = half_steps(table, unit)
+    steps = half_steps(table, unit, last_places)
     known_angles, known_lengths = _with_signs(angles), _with_signs(lengths)
     rows = list(table.rows)
     left: dict[Place, float] = {}
@@ -83,7 +87,9 @@ def meant(
     return Typed(DHTable(convention=table.convention, rows=tuple(rows)) if changed else table, left)
 
 
-def half_steps(table: SymbolicTable, unit: AngleUnit) -> dict[Place, float]:
+def half_steps(
+    table: SymbolicTable, unit: AngleUnit, last_places: Mapping[Place, float] = NOTHING_TYPED
+) -> dict[Place, float]:
     """Half a unit of the last place, for every entry that is a decimal and matters.
 
     A zero is as exact as the most exact entry of its kind in the table; where there is none, it is exact. The
@@ -99,7 +105,7 @@ def half_steps(table: SymbolicTable, unit: AngleUnit) -> dict[Place, float]:
             if step is None:
                 zeros.append((i, cell))
             elif step:
-                found[i, cell] = step
+                found[i, cell] = min(step, 0.5 * last_places.get((i, cell), math.inf))
     for angular in (True, False):
         finest = [step for (_, cell), step in found.items() if (cell in ANGLES) is angular]
         if finest:

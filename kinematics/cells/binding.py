@@ -81,7 +81,7 @@ def in_length_unit(read: ReadTable, unit: LengthUnit) -> ReadTable:
         convention=read.table.convention,
         rows=tuple(_scaled_row(row, read.parameters, ratio) for row in read.table.rows),
     )
-    return replace(read, table=table, length_unit=unit)
+    return replace(read, table=table, length_unit=unit, last_places={})
 
 
 def _scaled_row(row: SymbolicRow, kinds: Mapping[str, ParameterKind], ratio: Fraction) -> SymbolicRow:

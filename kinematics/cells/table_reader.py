@@ -8,6 +8,7 @@ from types import MappingProxyType
 
 from kinematics.cells.entries import text_length
 from kinematics.cells.joints import row_joints, variable_names
+from kinematics.cells.last_places import last_places
 from kinematics.cells.limits import DEFAULT, Limits
 from kinematics.cells.refusals import CellRefusal, fault
 from kinematics.cells.rows import RowMeaning, row_meaning, row_syntax
@@ -65,6 +66,7 @@ def _read_anew(raw: RawTable, limits: Limits) -> ReadTable:
         length_unit=raw.length_unit,
         parameters=MappingProxyType(kinds),
         variables=variable_names(joints, trees, kinds),
+        last_places=MappingProxyType(dict(last_places(raw.rows, [row.row for row in rows]))),
     )
 
 

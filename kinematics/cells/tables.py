@@ -110,6 +110,8 @@ class ReadTable:
         variables: the names of the joint variables as typed (theta1, d3), in joint order; q_i where the table
             does not name the variable, numbers it by row, or has a parameter of that name. Empty if nobody
             typed them.
+        last_places: units of the last place [rad or `length_unit`], by row and cell, of decimals whose value
+            does not show it, such as 0.2100.
     """
 
     table: SymbolicTable
@@ -117,6 +119,7 @@ class ReadTable:
     length_unit: LengthUnit
     parameters: Mapping[str, ParameterKind]
     variables: tuple[str, ...] = ()
+    last_places: Mapping[tuple[int, str], float] = field(default_factory=dict)
 
     def _repr_html_(self) -> str:
         from kinematics.printing.table_markup import table_html  # a notebook asks, and nobody else

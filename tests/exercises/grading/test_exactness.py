@@ -166,3 +166,47 @@ def test_a_prismatic_joint_and_its_tool_point_are_held_to_their_digits() -> None
     bad = read("standard", [(0, 0, 0.5, "q1"), ("pi/2", 0.0385, 0, "q2"), (0, 0, "q3", 0)])
     assert grade(key, good, policy).correct
     assert not grade(key, bad, policy).correct
+
+
+@pytest.mark.parametrize(("typed", "right"), [("0.21", True), ("0.2100", False), ("0.206", True)])
+def test_zeros_at_the_end_are_digits_too(typed: str, *, right: bool) -> None:
+    """A hand of 0.206 m, a share of the arm below the tolerance off: 0.21 says so much, 0.2100 does not."""
+    key = read(
+        "standard", [("pi/2", 0.4, 0, "q1"), (0, 1, 0, "q2"), ("pi/2", 0.01, 0, "q3"), (0, 0, 0.206, "q4")]
+    )
+    rows: Rows = [("pi/2", 0.4, 0, "q1"), (0, 1, 0, "q2"), ("pi/2", 0.01, 0, "q3"), (0, 0, typed, "q4")]
+    policy = Policy(tool=ToolRule.POINT)
+    assert grade(key, read("standard", rows), policy).correct is right
+    padded: Rows = [(0, 0, 0, 0), *rows]
+    assert grade(key, read("standard", padded), policy).correct is right
+
+
+def test_the_digits_of_a_cell_with_zeros_at_its_end() -> None:
+    table = read("standard", [("0.60", "0.2500", "-(0.500)", "q1"), ("0.7", "2*0.50", "q2", "0.10")])
+    found = half_steps(table.table, AngleUnit.RAD, table.last_places)
+    assert {place: pytest.approx(step) for place, step in found.items()} == {
+        (0, "alpha"): 0.005,
+        (0, "a"): 0.00005,
+        (0, "d"): 0.0005,
+        (1, "alpha"): 0.05,
+        (1, "a"): 0.5,
+        (1, "theta"): 0.005,
+    }
+    assert half_steps(table.table, AngleUnit.RAD)[0, "d"] == pytest.approx(0.05)
+
+
+def test_a_wrong_length_is_no_wrong_sign() -> None:
+    """0.152 for 0.15005: -0.152 would be as wrong, and half a fact is not given back for it."""
+    key = read("standard", [(0, "L1", 0, "q1"), (0, "L2", 0, "q2")])
+    verdicts = [
+        grade(
+            key,
+            read("standard", [(0, typed, 0, "q1"), (0, 0.4, 0, "q2")]),
+            Policy(tool=ToolRule.POINT),
+            {"L1": 0.15005, "L2": 0.4},
+        )
+        for typed in (0.152, -0.152, 0.153)
+    ]
+    edits = [[edit.code for repair in verdict.repairs for edit in repair.edits] for verdict in verdicts]
+    assert edits == [["a_value"]] * 3
+    assert len({verdict.score for verdict in verdicts}) == 1
