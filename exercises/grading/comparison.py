@@ -20,18 +20,17 @@ from exercises.grading.name_values import (
     values_of,
     with_values,
 )
-from exercises.grading.typed import ANGLES, Place, Typed, half_steps, meant
+from exercises.grading.named_numbers import with_names
+from exercises.grading.typed import ANGLES, Place, Typed, meant
 from kinematics.cells import AngleUnit, ParameterKind, ReadTable, in_length_unit
 from kinematics.errors import Fault, ParameterError
-from kinematics.expressions import ZERO, Expression, Number, Parameter, negate, parameters_in
+from kinematics.expressions import ZERO, Expression, Number, parameters_in
 from kinematics.table import CELLS, DHTable, NumericTable, SymbolicTable, bind
 
 # Two unequal sums of names agree at a random draw with probability zero; three leave room for signs.
 DRAWS = 3
 # Tables with roots may have values at few draws.
 ATTEMPTS = 60
-NAMED = 0.02
-"""How far a number may be from the value of the name that it stands for, as a share, whatever its digits."""
 
 
 LARGEST_ENTRY = 1e70
@@ -153,8 +152,7 @@ def _ways(
     if not asked and used and used <= known:
         yield submission, frozenset(used)
     if used:
-        named = _named(submission, values)
-        if named is not submission:
+        for named in with_names(submission, values):
             yield named, frozenset()
 
 
@@ -168,38 +166,6 @@ def _has_numbers(table: SymbolicTable, values: Values, names: Iterable[str]) -> 
     return lengths or all(values.kinds[name] is ParameterKind.ANGLE for name in names)
 
 
-def _named(submission: ReadTable, values: Values) -> ReadTable:
-    """The answer with names for the numbers that are the value of one name, and of one alone."""
-    steps = half_steps(submission.table, submission.angle_unit, submission.last_places)
-    lengths = {
-        name: float(value)
-        for name, value in values.given.items()
-        if values.kinds[name] is ParameterKind.LENGTH and value
-    }
-    rows = list(submission.table.rows)
-    found: dict[str, ParameterKind] = {}
-    for i, row in enumerate(rows):
-        for cell in ("a", "d"):
-            entry = getattr(row, cell)
-            if not isinstance(entry, Number) or not entry.value:
-                continue
-            here, step = float(entry.value), steps.get((i, cell), 0.0)
-            fits = [name for name, value in lengths.items() if _is_meant(abs(here), abs(value), step)]
-            if len(fits) == 1:
-                name = Parameter(fits[0])
-                signed = name if (here > 0) == (lengths[fits[0]] > 0) else negate(name)
-                rows[i] = replace(rows[i], **{cell: signed})  # type: ignore[arg-type]
-                found[fits[0]] = ParameterKind.LENGTH
-    if not found:
-        return submission
-    table = DHTable(convention=submission.table.convention, rows=tuple(rows))
-    return replace(submission, table=table, parameters={**submission.parameters, **found})
-
-
-def _is_meant(typed: float, value: float, step: float) -> bool:
-    return abs(typed - value) <= min(step, NAMED * value) + 1e-9 * value
-
-
 def _comparison(
     reference: ReadTable, submission: ReadTable, fixed: frozenset[str], values: Values
 ) -> Comparison | None:
@@ -208,7 +174,7 @@ def _comparison(
     except ZeroDivisionError:
         return None
     names = sorted(set(values.kinds) - fixed)
-    typed = _meant(key, answer, submission, in_names=bool(names))
+    typed = _meant(key, answer, submission, values, in_names=bool(names))
     draws: list[Mapping[str, float]] = []
     keys: list[NumericTable] = []
     answers: list[NumericTable] = []
@@ -243,7 +209,9 @@ def _comparison(
     )
 
 
-def _meant(key: SymbolicTable, answer: SymbolicTable, submission: ReadTable, *, in_names: bool) -> Typed:
+def _meant(
+    key: SymbolicTable, answer: SymbolicTable, submission: ReadTable, values: Values, *, in_names: bool
+) -> Typed:
     """The answer as it was meant; how exactly an entry was typed is seen where no value was put in."""
     angles, lengths = _known(key)
     known = meant(
@@ -252,6 +220,7 @@ def _meant(key: SymbolicTable, answer: SymbolicTable, submission: ReadTable, *, 
         angles,
         lengths if in_names else (),
         submission.last_places,
+        values.lengths,
     )
     if known.table is submission.table:
         return Typed(answer, known.steps)

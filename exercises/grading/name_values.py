@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from random import Random
 
 from exercises.grading.substitution import substituted
@@ -32,6 +32,15 @@ class Values:
     kinds: Mapping[str, ParameterKind]
     given: Mapping[str, Fraction | float]
     scale: float
+
+    @cached_property
+    def lengths(self) -> frozenset[Fraction]:
+        """The lengths that the exercise gives, without signs."""
+        return frozenset(
+            abs(Fraction(value))
+            for name, value in self.given.items()
+            if self.kinds[name] is ParameterKind.LENGTH
+        )
 
 
 def values_of(

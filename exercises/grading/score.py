@@ -25,6 +25,7 @@ HIGHEST_PARTIAL = 0.95
 DECIMALS = 2
 """What is shown of a score."""
 RULES = frozenset({Kind.ZERO, Kind.DIRECTION, Kind.CONVENTION})
+SAME = 1e-9
 SIGNS = frozenset({"alpha_sign", "a_sign", "d_sign", "variable_sign"})
 
 
@@ -40,12 +41,15 @@ def score_of(decision: Decision, repairs: Sequence[Repaired], work: Work, weight
         work: the answer as it was meant, and the key.
         weights: what facts and slips are worth.
     """
-    nothing = _standard(work.reference, work.policy, weights).nothing
-    if not nothing:
+    standard = _standard(work.reference, work.policy, weights)
+    nothing = standard.nothing
+    slip = repairs[0].changes[0] if repairs and len(repairs[0].changes) == 1 else None
+    throughout = slip is not None and _is_throughout(slip)
+    if not nothing or (not throughout and _has_no_more_than_zeros(work, standard)):
         return 0.0
     off = max(weights.sign, lost(decision, work, weights))
-    if repairs and len(repairs[0].changes) == 1:
-        off = min(off, _cost(repairs[0].changes[0], weights, nothing))
+    if slip is not None:
+        off = min(off, _cost(slip, weights, nothing))
     return round(min(max(1.0 - off / nothing, 0.0), HIGHEST_PARTIAL), DECIMALS)
 
 
@@ -58,26 +62,42 @@ def _cost(change: Change, weights: Weights, nothing: float) -> float:
     if change.code in SIGNS:
         return weights.sign
     cost = {Extent.CELL: 1.0, Extent.ROW: weights.row, Extent.TABLE: weights.table}[change.extent]
-    throughout = change.extent is Extent.TABLE or change.code == "parameters_swapped"
-    return min(cost, nothing / 2.0) if throughout else cost
+    return min(cost, nothing / 2.0) if _is_throughout(change) else cost
+
+
+def _is_throughout(change: Change) -> bool:
+    return change.extent is Extent.TABLE or change.code == "parameters_swapped"
+
+
+def _has_no_more_than_zeros(work: Work, standard: _Standard) -> bool:
+    """Whether a table of zeros has as many facts: that one length would mend it is no merit of it."""
+    if not standard.of_zeros or not work.has_the_joints():
+        return False
+    return _wrong(work, standard) >= standard.of_zeros - SAME
 
 
 def lost(decision: Decision, work: Work, weights: Weights) -> float:
     """The weight of the facts that are wrong, and of the rules that are not kept."""
-    policy, reference, table = work.policy, work.reference, work.table
-    standard = _standard(reference, policy, weights)
-    facts = replace(standard.facts, invariants=work.facts)
-    axes = axes_of(chain_of_table(table), policy)
-    found = None
-    if len(axes) == len(facts.axes):
-        found = measured_as_typed(facts.invariants, table, work.comparison.steps, policy)[:, :1]
-    wrong = facts.wrong(axes, found) if axes else standard.nothing
+    policy, table = work.policy, work.table
+    wrong = _wrong(work, _standard(work.reference, policy, weights))
     if decision.same_robot:
         broken = {mismatch.kind for mismatch in decision.mismatches}
         ends = bool(broken & {Kind.BASE, Kind.TOOL})
         return max(wrong, weights.rule * (len(broken & RULES) + ends))
     rules = _unconfirmed(policy) + (not convention_fits(table.convention, policy.convention))
     return wrong + weights.rule * (rules)
+
+
+def _wrong(work: Work, standard: _Standard) -> float:
+    """The weight of the facts that are wrong."""
+    facts = replace(standard.facts, invariants=work.facts)
+    axes = axes_of(chain_of_table(work.table), work.policy)
+    if not axes:
+        return standard.nothing
+    found = None
+    if len(axes) == len(facts.axes):
+        found = measured_as_typed(facts.invariants, work.table, work.comparison.steps, work.policy)[:, :1]
+    return facts.wrong(axes, found)
 
 
 def _unconfirmed(policy: Policy) -> int:
@@ -90,10 +110,12 @@ class _Standard(NamedTuple):
 
     Attributes:
         facts: the key's facts and what they are worth.
-        nothing: the weight of those that a table of zeros has wrong, the types of its joints being right.
+        of_zeros: the weight of those that a table of zeros has wrong, the types of its joints being right.
+        nothing: that, and of the rules that nobody can see it keep.
     """
 
     facts: Facts
+    of_zeros: float
     nothing: float
 
 
@@ -110,10 +132,11 @@ def _standard(reference: Reference, policy: Policy, weights: Weights) -> _Standa
     facts = Facts(axes, invariants, fixed_ends(len(axes), policy), worth, weights.joint, weights.sign)
     rules = weights.rule * _unconfirmed(policy)
     if not facts.axes:
-        return _Standard(facts, rules)
+        return _Standard(facts, 0.0, rules)
     zeros = [Axis(axis.prismatic, Z_AXIS, ORIGIN) for axis in facts.axes]
     given = facts.shared(zeros)
     all_given = float(worth[given].sum()) + weights.joint * len(reference.chain.axes)
     share = min(1.0, (facts.wrong(zeros) + rules) / all_given) if all_given else 1.0
     facts = replace(facts, worth=np.where(given, share * worth, worth), joint=share * weights.joint)
-    return _Standard(facts, facts.wrong(zeros) + rules)
+    wrong = facts.wrong(zeros)
+    return _Standard(facts, wrong, wrong + rules)

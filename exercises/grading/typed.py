@@ -7,7 +7,7 @@ A decimal is right within half a unit of its last place. A name, a fraction, a m
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import lru_cache
@@ -62,6 +62,7 @@ def meant(
     angles: tuple[Expression, ...],
     lengths: tuple[Expression, ...] = (),
     last_places: Mapping[Place, float] = NOTHING_TYPED,
+    given: Collection[Fraction] = (),
 ) -> Typed:
     """What a table was meant to say.
 
@@ -71,6 +72,7 @@ def meant(
         angles: exact values that a rounded angle may stand for, beside multiples of π/12.
         lengths: exact values that a rounded length may stand for.
         last_places: units of the last place of decimals whose values do not show it.
+        given: lengths that the exercise gives: what is one of them to its last digit is not rounded.
     """
     steps = half_steps(table, unit, last_places)
     known_angles, known_lengths = _with_signs(angles), _with_signs(lengths)
@@ -78,6 +80,8 @@ def meant(
     left: dict[Place, float] = {}
     for (i, cell), step in steps.items():
         entry = getattr(rows[i], cell)
+        if cell not in ANGLES and isinstance(entry, Number) and entry.value and abs(entry.value) in given:
+            continue
         exact = _angle(entry, step, known_angles) if cell in ANGLES else _nearest(entry, step, known_lengths)
         if exact is None:
             left[i, cell] = step

@@ -210,3 +210,39 @@ def test_a_wrong_length_is_no_wrong_sign() -> None:
     edits = [[edit.code for repair in verdict.repairs for edit in repair.edits] for verdict in verdicts]
     assert edits == [["a_value"]] * 3
     assert len({verdict.score for verdict in verdicts}) == 1
+
+
+@pytest.mark.parametrize("name", ["L0", "L2", "L1 - L2"])
+def test_numbers_are_told_apart_where_two_names_have_one_value(name: str) -> None:
+    """The height of the base may be anything; what is in numbers is right, whatever was drawn alike."""
+    rows: Rows = [("pi/2", 0, "L0", "q1"), (0, "L1", 0, "q2"), (0, "L2", 0, "q3")]
+    key = read("standard", rows)
+    for drawn in (
+        {"L0": 0.4, "L1": 0.3, "L2": 0.2},
+        {"L0": 0.4, "L1": 0.3, "L2": 0.3},
+        {"L0": 0.3, "L1": 0.3, "L2": 0.3},
+    ):
+        typed = [("pi/2", 0, name, "q1"), (0, drawn["L1"], 0, "q2"), (0, drawn["L2"], 0, "q3")]
+        assert grade(key, read("standard", typed), Policy(tool=ToolRule.POINT), drawn).correct
+        wrong = [("pi/2", 0, 0, "q1"), (0, "L2", 0, "q2"), (0, drawn["L2"], 0, "q3")]
+        assert not grade(key, read("standard", wrong), Policy(tool=ToolRule.POINT), drawn).correct
+
+
+@pytest.mark.parametrize("typed", [-0.45, "-d4"])
+def test_a_length_that_the_exercise_gives_is_exact(typed: Cell) -> None:
+    """0.5 is d3 to its last digit, though it has one decimal: it is no 0.55 that was rounded."""
+    ssrms = exercise("ssrms")
+    values = {"d1": 1.35, "d2": 0.8, "a4": 7.2, "d3": 0.5, "a5": 6.8, "d4": 0.45}
+    rows = [
+        ("-pi/2", 0, 1.35, "q1"),
+        ("pi/2", 0, 0.8, "q2 + pi/2"),
+        (0, -7.2, typed, "q3"),
+        (0, -6.8, -0.45, "q4"),
+        ("-pi/2", 0, -0.5, "q5"),
+        ("pi/2", 0, -0.8, "q6 - pi/2"),
+        (0, 0, 1.35, "q7"),
+    ]
+    wrong = read("standard", rows)
+    right = read("standard", with_cells(rows, (3, 2, -0.5)))
+    assert grade(ssrms.reference, right, ssrms.policy, values).correct
+    assert not grade(ssrms.reference, wrong, ssrms.policy, values).correct

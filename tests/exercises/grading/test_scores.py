@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -134,3 +136,22 @@ def test_one_length_in_another_unit_is_one_slip(unit: str, typed: float) -> None
     verdict = grade(KEY, answer, USUAL, VALUES)
     assert [(edit.code, edit.row) for edit in verdict.repairs[0].edits] == [("cell_length_unit", 4)]
     assert verdict.score == mark(1, OF_PUMA)
+
+
+SMALL: dict[str, Rows] = {
+    "one link": [(0, 0, 0, "q1"), (0, "L1", 0, 0)],
+    "two links": [(0, 0, 0, "q1"), (0, "L1", 0, "q2")],
+}
+
+
+@pytest.mark.parametrize("policy", [replace(STRICT, tool=tool) for tool in (ToolRule.POINT, ToolRule.FRAME)])
+@pytest.mark.parametrize("rows", SMALL.values(), ids=SMALL.keys())
+def test_zeros_of_a_small_arm_earn_nothing_under_strict_rules(rows: Rows, policy: Policy) -> None:
+    """One length would mend them; the zeros and directions that they keep were had for nothing."""
+    key = read("modified", rows)
+    zeros: Rows = [(0, 0, 0, row[3]) for row in rows]
+    for height in (0, 0.3):
+        answer = read("modified", with_cells(zeros, (1, 2, height)))
+        assert grade(key, answer, policy, {"L1": 0.5}).score == 0.0
+    turned = read("modified", with_cells(rows, (1, 3, "-q1")))
+    assert grade(key, turned, policy, {"L1": 0.5}).score > 0.3
