@@ -1,23 +1,23 @@
 """Answers that name their lengths: they are right for other lengths, too, or the names are wrong.
 
 An answer in names is a function of the dimensions. At the student's own values 2*L2 may be L1, so what is
-right there is judged once more at others. An answer that holds lengths in numbers says nothing about other
-values, and is left alone.
+right there is judged once more at others. Where a name and a number stand in one cell (a2 + 0.1), only names
+that are used change, and none for whose value a number may stand. An answer with a length that is a number
+alone says nothing of other values, and is left alone.
 """
 
 from __future__ import annotations
 
 import math
-import re
-from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, fields, is_dataclass, replace
-from enum import Enum
+from collections.abc import Callable, Collection, Sequence
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import lru_cache
 from types import MappingProxyType
-from typing import Any, Generic, TypeVar
+from typing import Generic, TypeVar
 
 from exercises.instance import Instance
+from exercises.parts.cells.exactness import exactness, has_letters, numbers_in, typed_cells
 from exercises.parts.context import Context
 from exercises.parts.joint_draws import key_numbers
 from exercises.parts.protocol import Reading
@@ -25,20 +25,15 @@ from kinematics.cells import ParameterKind
 from kinematics.equivalence import Tolerance
 from kinematics.errors import ParameterError
 
+Raw = TypeVar("Raw")
 Read = TypeVar("Read")
 
-EXACT = 1e-6
-"""A share and [rad]: what is asked of an answer without decimals at other lengths."""
-UNITS = 3.0
-"""Of the last place: what half a unit in each of several cells comes to."""
 SAME = 1e-9
-"""A share, and in the exercise's unit: what rounding leaves of lengths that have doubled."""
-_DECIMALS = re.compile(r"\.([0-9]+)")
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class ByName(Generic[Read]):
-    """An answer at the student's values, and at others if it names every length.
+    """An answer at the student's values, and at others if it names its lengths.
 
     Attributes:
         here: at the student's own values.
@@ -58,56 +53,74 @@ class ByName(Generic[Read]):
 
 
 def read_by_name(
-    raw: Any,
+    raw: Raw,
     reading: Reading,
-    read: Callable[[Reading], Read | None],
+    read: Callable[[Raw, Reading], Read | None],
     lengths: Callable[[Read], Sequence[float]],
 ) -> ByName[Read] | None:
-    """Read an answer at the student's values and, if it names every length, at others.
+    """Read an answer at the student's values and, if it names its lengths, at others.
 
     Args:
         raw: what was handed in; the decimals in it say how exactly it holds elsewhere.
         reading: the exercise with the student's values; its faults are those at these values.
-        read: reads the answer at the values of a reading; None if there are faults.
+        read: reads an answer at the values of a reading; None if there are faults.
         lengths: the lengths in an answer, which are twice as large with twice the dimensions.
     """
-    here = read(reading)
+    here = read(raw, reading)
     if here is None:
         return None
-    if not any(map(str.isalpha, "".join(_cells(raw)))):  # what has no name in it is the same at any values
+    if not any(map(has_letters, typed_cells(raw))):  # what has no name in it is the same at any values
         return ByName(here=here)
-    exact = exactness(raw)
-    twice, other = (
-        read(_at(reading, instance))
-        for instance in (_twice(reading.instance), _other(reading.instance, exact))
-    )
-    if twice is None or other is None or not _key_holds(_other(reading.instance, exact)):
+
+    def lengths_at(instance: Instance, cells: Raw) -> Sequence[float] | None:
+        found = read(cells, _at(reading, instance))
+        return None if found is None else lengths(found)
+
+    names = _varied(raw, reading.instance, lengths(here), lengths_at)
+    if not names:
         return ByName(here=here)
-    pairs = list(zip(lengths(here), lengths(twice), strict=True))
-    named = any(pairs) and all(math.isclose(2.0 * one, two, rel_tol=SAME, abs_tol=SAME) for one, two in pairs)
-    if not named or all(one == two for one, two in pairs):
+    varied = _other(reading.instance, names)
+    other = read(raw, _at(reading, varied)) if _key_holds(varied) else None
+    if other is None:
         return ByName(here=here)
-    return ByName(here=here, other=other, instance=_other(reading.instance, exact))
+    exact = exactness(raw, lambda cells: lengths_at(varied, cells))
+    return ByName(here=here, other=other, instance=_held_to(varied, exact))
 
 
-def exactness(raw: Any) -> float:
-    """Return how far an answer may be off for its decimals: some units of the coarsest last place."""
-    found = (len(match[1]) for cell in _cells(raw) for match in _DECIMALS.finditer(cell))
-    return max(EXACT, UNITS * 10.0 ** -min(found, default=9))
+def _varied(
+    raw: Raw,
+    instance: Instance,
+    here: Sequence[float],
+    lengths_at: Callable[[Instance, Raw], Sequence[float] | None],
+) -> frozenset[str]:
+    """Return the names whose values may be others; none if a length is a number alone."""
+    names = _lengths_of(instance)
+    twice = lengths_at(_twice(instance, names), raw)
+    if not here or not twice:
+        return frozenset()
+    pairs = list(zip(here, twice, strict=True))
+    if any(_same(one, two) and abs(one) > SAME for one, two in pairs) or not any(here):
+        return frozenset()
+    if all(_same(2.0 * one, two) for one, two in pairs):
+        return names
+    numbers = [number for cell in typed_cells(raw) if has_letters(cell) for number in numbers_in(cell)]
+    used: set[str] = set()
+    for name in names:
+        value = abs(float(instance.exact[name]))
+        there = lengths_at(_twice(instance, frozenset((name,))), raw)
+        changes = there is not None and not all(map(_same, here, there))
+        if changes and not any(abs(number - value) <= half for number, half in numbers):
+            used.add(name)
+    return frozenset(used)
 
 
-def _cells(raw: Any) -> Iterator[str]:
-    """Yield the cells of an answer as they were typed; what was chosen from a list is none."""
-    if isinstance(raw, Enum):
-        return
-    if is_dataclass(raw):
-        for entry in fields(raw):
-            yield from _cells(getattr(raw, entry.name))
-    elif isinstance(raw, list | tuple):
-        for value in raw:
-            yield from _cells(value)
-    elif isinstance(raw, str | float):
-        yield str(raw)
+def _same(one: float, other: float) -> bool:
+    return math.isclose(one, other, rel_tol=SAME, abs_tol=SAME)
+
+
+def _lengths_of(instance: Instance) -> frozenset[str]:
+    kinds = instance.exercise.reference.parameters
+    return frozenset(name for name in instance.exact if kinds.get(name) is ParameterKind.LENGTH)
 
 
 def _at(reading: Reading, instance: Instance) -> Reading:
@@ -115,19 +128,14 @@ def _at(reading: Reading, instance: Instance) -> Reading:
 
 
 @lru_cache(maxsize=512)
-def _twice(instance: Instance) -> Instance:
-    return _with_lengths(instance, lambda _: Fraction(2))
+def _twice(instance: Instance, names: frozenset[str]) -> Instance:
+    return _with_lengths(instance, names, lambda _: Fraction(2))
 
 
 @lru_cache(maxsize=512)
-def _other(instance: Instance, exact: float) -> Instance:
-    """The exercise with every length changed by another share, and no more tolerance than decimals need."""
-    exercise = instance.exercise
-    usual = exercise.policy.tolerance
-    tolerance = Tolerance(length=min(usual.length, exact), angle=min(usual.angle, exact))
-    changed = _with_lengths(instance, lambda k: 1 + Fraction((-1) ** k * (3 + 2 * k), 41 + 2 * k))
-    policy = replace(exercise.policy, tolerance=tolerance)
-    return replace(changed, exercise=replace(exercise, policy=policy))
+def _other(instance: Instance, names: frozenset[str]) -> Instance:
+    """The exercise with each of some lengths changed by another share."""
+    return _with_lengths(instance, names, lambda k: 1 + Fraction((-1) ** k * (3 + 2 * k), 41 + 2 * k))
 
 
 def _key_holds(instance: Instance) -> bool:
@@ -139,10 +147,19 @@ def _key_holds(instance: Instance) -> bool:
     return True
 
 
-def _with_lengths(instance: Instance, factor: Callable[[int], Fraction]) -> Instance:
-    kinds = instance.exercise.reference.parameters
+@lru_cache(maxsize=512)
+def _held_to(instance: Instance, exact: float) -> Instance:
+    """The exercise with no more tolerance than decimals need."""
+    exercise = instance.exercise
+    usual = exercise.policy.tolerance
+    tolerance = Tolerance(length=min(usual.length, exact), angle=min(usual.angle, exact))
+    policy = replace(exercise.policy, tolerance=tolerance)
+    return replace(instance, exercise=replace(exercise, policy=policy))
+
+
+def _with_lengths(instance: Instance, names: Collection[str], factor: Callable[[int], Fraction]) -> Instance:
     exact = {
-        name: value * factor(k) if kinds.get(name) is ParameterKind.LENGTH else value
+        name: value * factor(k) if name in names else value
         for k, (name, value) in enumerate(sorted(instance.exact.items()))
     }
     return replace(instance, exact=MappingProxyType(exact))

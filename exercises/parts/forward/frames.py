@@ -98,7 +98,7 @@ class FramesPart(PartType[Part, FramesCells, ByName[FramesAnswer]]):
 
     def read(self, raw: FramesCells, reading: Reading) -> ByName[FramesAnswer] | None:
         """Return the frames in numbers."""
-        return read_by_name(raw, reading, lambda at: self._read(raw, at), _lengths)
+        return read_by_name(raw, reading, self._read, _lengths)
 
     def _read(self, raw: FramesCells, reading: Reading) -> FramesAnswer | None:
         n = reading.instance.exercise.reference.table.n_joints

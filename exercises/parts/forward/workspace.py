@@ -207,9 +207,7 @@ class WorkspacePartType(PartType[WorkspacePart, RadiiCells, ByName[WorkspaceAnsw
 
     def read(self, raw: RadiiCells, reading: Reading) -> ByName[WorkspaceAnswer] | None:
         """Return the radii in the student's unit."""
-        return read_by_name(
-            raw, reading, lambda at: self._read(raw, at), lambda read: (read.inner, read.outer)
-        )
+        return read_by_name(raw, reading, self._read, lambda read: (read.inner, read.outer))
 
     def _read(self, raw: RadiiCells, reading: Reading) -> WorkspaceAnswer | None:
         inner, outer = (

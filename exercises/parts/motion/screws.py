@@ -88,7 +88,7 @@ class ScrewsPart(PartType[Part, ScrewsCells, ByName[ScrewAnswer]]):
 
     def read(self, raw: ScrewsCells, reading: Reading) -> ByName[ScrewAnswer] | None:
         """Return screws (v, ω) and home pose in numbers, lengths in the exercise's unit."""
-        return read_by_name(raw, reading, lambda at: self._read(raw, at), _lengths)
+        return read_by_name(raw, reading, self._read, _lengths)
 
     def _read(self, raw: ScrewsCells, reading: Reading) -> ScrewAnswer | None:
         before = len(reading.faults)

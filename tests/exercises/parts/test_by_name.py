@@ -13,7 +13,8 @@ from exercises.errors import AnswerError
 from exercises.grader import grade
 from exercises.instance import generate
 from exercises.loader import load_exercise
-from exercises.parts.cells.by_name import exactness, read_by_name
+from exercises.parts.cells.by_name import read_by_name
+from exercises.parts.cells.exactness import exactness
 from exercises.parts.cells.matrix_cells import CELL_LIMITS
 from exercises.parts.forward.frames import FrameCells, FramesCells
 from exercises.parts.forward.workspace import RadiiCells
@@ -21,6 +22,9 @@ from exercises.parts.motion.screws import ScrewsCells
 from exercises.parts.protocol import Reading
 from exercises.parts.report import PartReport
 from kinematics.answers.screw_answers import ScrewFrame, ScrewOrder
+from kinematics.cells import ParameterKind
+from kinematics.cells.entries import read_cell
+from kinematics.expressions import evaluate
 from kinematics.table import Convention
 from tests.exercises.answering import codes, judged, part
 from tests.exercises.folders import changed, folder
@@ -116,10 +120,49 @@ def test_names_are_judged_at_the_students_lengths_where_the_key_has_no_others(tm
     assert grade(instance, parse(instance, RawAnswer(screws=cells))).correct
 
 
-def test_decimals_say_how_exact_a_factor_is() -> None:
-    assert exactness(RadiiCells(inner="a2 - a3", outer=2)) == 1e-6
-    assert exactness(RadiiCells(inner="0.866*a2", outer=0.25)) == pytest.approx(0.03)
-    assert exactness(RadiiCells(inner="0.8660*a2", outer="a2")) == pytest.approx(3e-4)
+def lengths_of(raw: RadiiCells) -> list[float]:
+    """The radii with a2 = 0.5 and a3 = 0.25."""
+    return [
+        evaluate(read_cell(str(cell), ParameterKind.LENGTH), {"a2": 0.5, "a3": 0.25})
+        for cell in (raw.inner, raw.outer)
+    ]
+
+
+@pytest.mark.parametrize(
+    ("inner", "outer", "exact"),
+    [
+        ("a2 - a3", 2, 1e-6),
+        ("0.5*a2", "1.25*a2", 1e-6),  # fractions of four are exact
+        ("0.819*a2", "a2", 2 * 0.0005),
+        ("0.8192*a2", "a2", 2 * 0.00005),
+        ("0.866*a2", "a2", 2 * (0.75**0.5 - 0.866)),
+        ("a2 - a3", "a2 + 0.004", 2 * 0.0005 / 0.504),
+        ("0.82*a2", "a2 + 0.004", 2 * (0.005 * 0.5 + 0.0005) / 0.504),
+        ("a2" + " + 0.001" * 70, "a2", 1.0),
+    ],
+)
+def test_decimals_say_how_exact_an_answer_is(inner: str, outer: Any, exact: float) -> None:
+    assert exactness(RadiiCells(inner=inner, outer=outer), lengths_of) == pytest.approx(exact, rel=1e-3)
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_a_name_and_a_number_in_one_cell(seed: str | None) -> None:
+    """What is off by the difference of two dimensions is right for nobody; a dimension's value may stand."""
+    a2, a3 = values("scara-screws", seed)
+    assert not screws(seed, f"a3 + {a2 - a3:.3f}", f"a2 + a3 + {0:.3f}").correct
+    assert not screws(seed, f"a3 + {a2 - a3:.3f}", "a2 + a3").correct
+    assert not screws(seed, "a2 + 0.004", "a2 + a3 + 0.004").correct
+    assert not screws(seed, "0.5*a2 + 0.5*a2", "1.004*a2 + a3").correct
+    assert screws(seed, "0.5*a2 + 0.5*a2", "a2 + a3").correct
+    assert screws(seed, "a2", f"a2 + {a3:.3f}").correct
+    one, two = values("twolink-frames", seed)
+    assert not frames(seed, "L1 + 0.002", "L2").correct
+    assert not frames(seed, f"L2 + {one - two:.3f}", "L2 + 0.002").correct
+    a2, a3 = values("scara", seed)
+    assert not radii(seed, f"a2 - {a3:.3f}", "1.004*a2 + a3").correct
+    assert not radii(seed, "a2 - a3", "a2 + a3 + 0.004").correct
+    assert not radii(seed, "a2 - a3 + 0.004", "a2 + a3").correct
+    assert radii(seed, f"a2 - {a3:.3f}", "a2 + a3").correct
 
 
 @pytest.mark.parametrize("cell", ["q1", "θ2"])
@@ -149,7 +192,7 @@ def test_only_an_answer_that_may_hold_names_is_read_at_other_lengths(raw: Any, t
     here = Reading(instance=instance, raw=RawAnswer(), table=None, limits=CELL_LIMITS, faults=[])
     lengths: list[float] = []
 
-    def read(at: Reading) -> list[float]:
+    def read(_: Any, at: Reading) -> list[float]:
         lengths.append(at.instance.parameters["a2"])
         return lengths[-1:]
 
