@@ -11,6 +11,7 @@ from statistics import median
 from tests.exercises.meaning import (
     decisions,
     jacobian_numbers,
+    moving_arms,
     posed_answers,
     screw_cells,
     solved_poses,
@@ -30,6 +31,7 @@ CAMPAIGNS: Mapping[str, Callable[[random.Random], Iterator[KnownAnswer]]] = {
     "jacobians": jacobian_numbers.jacobians,
     "closed-jacobians": decisions.closed_jacobians,
     "singularities": decisions.singularities,
+    "equations-of-motion": moving_arms.equations_of_motion,
     "mended-tables": decisions.mended_tables_of_students,
     "mended-figures": decisions.mended_figures,
     "mended-matrices": decisions.mended_matrices_of_students,
