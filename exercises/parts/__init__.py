@@ -2,6 +2,7 @@
 
 protocol     what a kind is
 context      what the parts of an answer are judged by: the key, the student's own table
+samples      points at which functions are compared
 report       what is said of one
 definition_keys          what its definition may say
 joint_draws, given_table   joint values that are drawn, tables that are shown
