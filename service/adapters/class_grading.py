@@ -54,6 +54,7 @@ def grade_class(found: Iterable[HandIn], settings: ClassSettings, jobs: int | No
         settings: the exercise and what is told.
         jobs: processes; all cores if left out, none besides this one for 1.
     """
+    _library.cache_clear()  # a folder may have changed since another class was graded in this process
     jobs = jobs or os.cpu_count() or 1
     with ProcessPoolExecutor(jobs) if jobs > 1 else _ThisProcess() as pool:
         waiting: deque[tuple[HandIn, _Chunk, int]] = deque()

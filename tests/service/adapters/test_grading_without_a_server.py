@@ -19,6 +19,7 @@ from service.adapters.hand_ins import hand_ins
 from service.adapters.hosts import HOSTS
 from service.adapters.hosts.assignment import Assignment
 from service.adapters.table_files import TableSettings
+from tests.exercises import folders
 
 RIGHT = "theta,d,a,alpha\nq1,0,L1,0\nq2,0,L2,0\n"
 NUMBERS = "theta,d,a,alpha\n0,0,L1,0\n0,0,L2,0\n"
@@ -79,6 +80,18 @@ def test_values_of_ones_own_are_judged_for_each_student(tmp_path: Path) -> None:
         (alone[name],) = grade_class(hand_ins(tmp_path / f"{name}.csv", TableSettings()), settings, jobs=1)
     both = list(grade_class(hand_ins(tmp_path, TableSettings()), settings, jobs=1))
     assert both == list(alone.values())
+
+
+def test_an_exercise_that_was_mended_is_read_anew(tmp_path: Path) -> None:
+    (tmp_path / "ann.csv").write_text(RIGHT)
+    settings = ClassSettings(exercise="two", folders=(tmp_path / "own",))
+    ann = list(hand_ins(tmp_path / "ann.csv", TableSettings(angle_unit="deg")))
+    found = []
+    for text in (folders.changed('"L1", alpha = 0', '"L1", alpha = 90'), folders.TWO_LINKS):
+        folders.folder(tmp_path / "own", text)
+        (mark,) = grade_class(ann, settings, jobs=1)
+        found.append(mark.correct)
+    assert found == [False, True]
 
 
 def test_a_file_nested_without_end_stops_nobody_elses_mark(class_folder: Path) -> None:
