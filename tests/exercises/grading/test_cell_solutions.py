@@ -1,0 +1,73 @@
+"""Cells from the invariants: what is found solves its equation, and what solves it is found."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from exercises.grading.fitting import _angles, _lengths, _turns
+
+RNG = np.random.default_rng(11)
+WAVES = RNG.uniform(-1.0, 1.0, (60, 4)).tolist()
+
+
+@pytest.mark.parametrize(("a", "b", "c", "target"), WAVES)
+def test_angles_at_which_a_wave_has_a_size(a: float, b: float, c: float, target: float) -> None:
+    def wave(x: float) -> float:
+        return a + b * math.cos(x) + c * math.sin(x)
+
+    third = 2.0 * math.pi / 3.0
+    found = list(_angles([wave(0.0), wave(third), wave(-third)], target))
+    for x in found:
+        assert abs(x) <= math.pi
+        assert min(abs(wave(x) - target), abs(wave(x) + target)) < 1e-9
+    grid = np.linspace(-math.pi, math.pi, 20_001)
+    crossings = sum(
+        int((np.diff(np.sign(a + b * np.cos(grid) + c * np.sin(grid) - goal)) != 0).sum())
+        for goal in (target, -target)
+    )
+    assert len(found) == crossings
+
+
+def test_an_angle_at_which_a_wave_is_greatest_is_found() -> None:
+    third = 2.0 * math.pi / 3.0
+    around = [0.2 + 0.5 * math.cos(x - 0.3) for x in (0.0, third, -third)]
+    found = list(_angles(around, 0.7))
+    assert found == pytest.approx([0.3] * len(found), abs=1e-6)
+    assert found
+    assert list(_angles([0.4, 0.4, 0.4], 0.4)) == []
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_lengths_at_which_a_square_is_met(seed: int) -> None:
+    rng = np.random.default_rng(seed)
+    a, b, c, here, scale = *rng.uniform(0.2, 2.0, 3), rng.uniform(-1.0, 1.0), rng.uniform(0.1, 1.0)
+
+    def square(x: float) -> float:
+        return float(a * x * x + b * x + c)
+
+    least = c - b * b / (4.0 * a)
+    target = math.sqrt(max(least, 0.0) + rng.uniform(0.1, 2.0))
+    found = list(_lengths(square(here - scale), square(here), square(here + scale), target, here, scale))
+    assert len(found) == 2
+    assert found[0] != pytest.approx(found[1])
+    assert [square(x) for x in found] == pytest.approx([target**2] * 2)
+
+
+def test_a_square_that_is_nowhere_met_is_least_where_it_comes_nearest() -> None:
+    assert list(_lengths(5.0, 2.0, 1.0, 0.5, here=0.0, scale=1.0)) == pytest.approx([1.0])
+    assert list(_lengths(1.0, 2.0, 3.0, 0.5, here=0.0, scale=1.0)) == []
+
+
+@pytest.mark.parametrize("sense", [1, -1])
+def test_a_turn_is_met_whichever_way_the_angle_enters_it(sense: int) -> None:
+    for k, here, target in RNG.uniform([-3.0, -3.0, 0.1], [3.0, 3.0, 3.0], (20, 3)).tolist():
+
+        def turn(x: float, k: float = k) -> float:
+            return abs(math.remainder(k + sense * x, 2.0 * math.pi))
+
+        found = list(_turns(turn(here) ** 2, turn(here + 0.01) ** 2, here, target))
+        assert sum(abs(turn(x) - target) < 1e-9 for x in found) >= 2
+        assert list(_turns(turn(here) ** 2, turn(here) ** 2, here, target)) == []
