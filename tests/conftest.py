@@ -13,7 +13,7 @@ import pytest
 from hypothesis import settings
 from hypothesis.internal.conjecture import providers
 
-from tests.databases import postgresql_server
+from tests.databases import postgresql_server, without_waiting_for_the_disk
 
 # The machine that runs the tests may be busy: time is measured by the benchmarks, not by tests.
 settings.register_profile("framewise", deadline=None, derandomize=True, database=None)
@@ -55,4 +55,5 @@ def pytest_collection() -> Generator[None, object, object]:
 def postgresql() -> Iterator[str]:
     """URL of a PostgreSQL server."""
     with postgresql_server() as url:
+        without_waiting_for_the_disk(url)
         yield url

@@ -31,13 +31,26 @@ def postgresql_server() -> Iterator[str]:
         shutil.rmtree(folder, ignore_errors=True)
 
 
+def without_waiting_for_the_disk(server: str) -> None:
+    """Let a server lose what it holds when it ends: no test asks it afterwards."""
+    engine = _administration(server)
+    with engine.connect() as connection:
+        for setting in ("fsync", "synchronous_commit", "full_page_writes"):
+            connection.execute(sa.text(f"ALTER SYSTEM SET {setting} = off"))
+        connection.execute(sa.text("SELECT pg_reload_conf()"))
+    engine.dispose()
+
+
+def _administration(server: str) -> sa.Engine:
+    url = sa.make_url(server).set(drivername="postgresql+psycopg")
+    return sa.create_engine(url, isolation_level="AUTOCOMMIT")
+
+
 @contextlib.contextmanager
 def new_database(server: str, template: str = "template1", options: str = "") -> Iterator[str]:
     """A database of its own on a server, a copy of a template; yields its URL."""
     name = f"framewise_{next(_numbers)}"
-    engine = sa.create_engine(
-        sa.make_url(server).set(drivername="postgresql+psycopg"), isolation_level="AUTOCOMMIT"
-    )
+    engine = _administration(server)
     try:
         with engine.connect() as connection:
             connection.execute(sa.text(f'CREATE DATABASE "{name}" TEMPLATE "{template}" {options}'))

@@ -29,7 +29,7 @@ from tests.courses.classroom import platform
 from tests.databases import new_database
 from tests.lti.test_launches import RIGHT
 
-KILLS = int(os.environ.get("KILLS", "3"))
+KILLS = int(os.environ.get("KILLS", "2"))
 STUDENTS = 4
 
 

@@ -55,8 +55,8 @@ def test_every_mistake_has_a_name(language: str) -> None:
 def test_single_mistakes_are_mended() -> None:
     """At least 99 % of them, each in the right row; `make campaign` runs more."""
     total = Outcome()
-    for block in range(4):
+    for block in range(2):
         total += mended_tables(block)
-    assert total.tables >= 400
+    assert total.tables >= 200
     assert len(total.kinds) > 18
     assert len(total.failures) <= 0.02 * total.tables, total.failures
