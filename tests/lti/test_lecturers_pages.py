@@ -69,6 +69,9 @@ def test_the_class_its_numbers_and_an_attempt(
     expect(page.locator("#link table").first).to_be_visible()
     expect(page.locator("#link .bars svg[role=img] rect").first).to_be_visible()
     assert page.locator("#link .bars").count() >= 2
+    assert all(
+        page.locator("#link table").evaluate_all("all => all.map(({ tBodies: [body] }) => body.rows.length)")
+    )
     shown = page.locator("#link").inner_text()
     assert not re.search(r"[a-z]_[a-z]|\d{4}-\d\d-\d\d", shown), "codes and machine's dates"
     assert_accessible(page)

@@ -186,7 +186,7 @@ function repairList(repairs, convention, linked) {
  * What is said of a part beyond the table.
  * @param {any} report @param {string} name
  * @param {{placeOf: (where: (string | number)[]) => import("./answer-card.js").Place | null,
- *   goTo: (where: (string | number)[]) => void}} places
+ *   goTo: ((where: (string | number)[]) => void) | null}} places what leads to a place, if something does
  */
 export function partView(report, name, { placeOf, goTo }) {
   /** @type {Map<string, HTMLElement[]>} */
@@ -194,15 +194,12 @@ export function partView(report, name, { placeOf, goTo }) {
   for (const { where, finding: found } of report.facts) {
     const place = found === "wrong" || found === "missing" ? placeOf(where) : null;
     if (!place) continue;
-    const link = el("a", {
-      class: "row-link",
-      href: `#part-${report.kind}`,
-      onclick: (/** @type {any} */ event) => {
-        event.preventDefault();
-        goTo(where);
-      },
-      ...(place.at ? { "aria-label": `${place.name} (${place.at})`, text: `(${place.at})` } : { text: place.name }),
-    });
+    const text = place.at ? `(${place.at})` : place.name;
+    const label = place.at ? { "aria-label": `${place.name} (${place.at})` } : {};
+    const follow = (/** @type {Event} */ event) => (event.preventDefault(), goTo?.(where));
+    const link = goTo
+      ? el("a", { class: "row-link", href: `#part-${report.kind}`, onclick: follow, ...label, text })
+      : el("span", { text });
     const named = place.at ? place.name : "";
     wrong.set(named, [...(wrong.get(named) ?? []), link]);
   }

@@ -53,7 +53,7 @@ export async function showAttempt(api, card, place, attempt) {
       partView(part, partName(part.kind), {
         placeOf: (where) =>
           placeOf(exercise.parts.find((/** @type {any} */ { kind }) => kind === part.kind) ?? { form: [] }, where),
-        goTo: () => undefined,
+        goTo: null,
       }),
     ),
     el(

@@ -125,6 +125,7 @@ export class LinkView {
 
   /** @param {any} options */
   #mistakes({ misconceptions }) {
+    if (!misconceptions.length) return null;
     return [
       el("h3", { text: t("lecturer-mistakes") }),
       barChart(
