@@ -5,9 +5,10 @@ from __future__ import annotations
 import re
 import unicodedata
 
+import pytest
 from playwright.sync_api import Page, expect
 
-from tests.web.conftest import OpenPage
+from tests.web.conftest import LANGUAGES, OpenPage
 from tests.web.driving import (
     PUMA,
     SCARA,
@@ -232,3 +233,19 @@ def test_a_name_that_the_figure_does_not_have_is_said_in_its_cell(open_page: Ope
     expect(fault).to_contain_text("a2, a3")
     cell(page, 1, "a").fill("a2")
     expect(page.locator(".fault:visible")).to_have_count(0)
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_the_types_of_joints_are_not_cut(open_page: OpenPage, language: str) -> None:
+    page = open_page("/exercises/scara", lang=language, width=1280)
+    needed, given = joint(page, 0).evaluate(
+        """(select) => {
+          const free = select.cloneNode(true);
+          free.style.width = "max-content";
+          select.after(free);
+          const widths = [free.offsetWidth, select.offsetWidth];
+          free.remove();
+          return widths;
+        }"""
+    )
+    assert needed <= given

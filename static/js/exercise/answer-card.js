@@ -299,7 +299,7 @@ function section(kind, part, exercise, content, several) {
   const name = partName(kind);
   const share = several && part ? el("span", { class: "badge", text: pointsText(part.points, exercise.points) }) : null;
   if (kind === "table") {
-    const title = several ? el("h3", { class: "row" }, name, share) : null;
+    const title = several ? el("h3", { class: "row" }, name, " ", share) : null;
     return el("section", { class: "part", id: "part-table", "aria-label": name }, title, content);
   }
   return el(
