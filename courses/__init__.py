@@ -5,11 +5,12 @@ was handed in and of that clock.
 
 model            what a course is made of: people, links, attempts
 policies         what attempts are worth, and whether another one is taken
-enrolment        people, courses and sessions, as a launch tells of them
+enrolment        people and courses, as a launch tells of them
+sessions         who is signed in
 links, link_settings  what staff changes of a link
 attempts, submissions  what was handed in is stored before it is answered
 judged, regrading  the judgement that counts, and judging again
-gradebook        the counted score, and the outbox to the platform
+gradebook, outbox  the counted score, and on its way to the platform
 statistics, attempt_export  what lecturers see and take away
 publications     published exercises, by content
 prepared_answers  figures and closed forms made before
@@ -20,6 +21,6 @@ records          its relations
 statements       what SQLite and PostgreSQL write alike
 schema_history, migrations  its schema, step by step
 backup           a copy, and back
-secrets          secrets and tokens
+secrets          secrets, tokens and one-time codes
 refusals         what goes wrong
 """

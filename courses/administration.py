@@ -7,9 +7,8 @@ from datetime import datetime, timedelta
 import sqlalchemy as sa
 
 from courses import records
-from courses.enrolment import issue_code, redeem_code
 from courses.refusals import SessionError
-from courses.secrets import hashed
+from courses.secrets import hashed, issue_code, redeem_code
 from courses.storage import Store
 from kinematics.errors import Fault
 

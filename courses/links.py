@@ -10,9 +10,10 @@ import sqlalchemy as sa
 
 from courses import records
 from courses.attempts import attempt_of
-from courses.gradebook import regrade, release_scores
+from courses.gradebook import regrade
 from courses.link_settings import read, written
 from courses.model import Attempt, Link, LinkSettings
+from courses.outbox import release_scores
 from courses.policies import Allowance
 from courses.refusals import unknown_record
 from courses.storage import Store

@@ -7,13 +7,13 @@ import time
 from collections.abc import Callable
 from datetime import UTC, datetime
 
-from courses.enrolment import sessions_of
-from courses.gradebook import OutboxState, outbox_state
 from courses.model import Attempt, Course, CourseSession, Platform, PlatformStatus
+from courses.outbox import OutboxState, outbox_state
 from courses.platforms import StoredKey, add_key, platform_by_id, platforms, remove_keys, stored_keys
 from courses.publications import publish, published
 from courses.refusals import SessionError, StorageUnavailableError
 from courses.secrets import pseudonym
+from courses.sessions import sessions_of
 from courses.storage import Store, open_store
 from courses.submissions import JudgedSubmission, store_submissions
 from exercises.authoring.draft import draft_of_files

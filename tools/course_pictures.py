@@ -14,9 +14,10 @@ from urllib.request import Request, urlopen
 
 from playwright.sync_api import Browser, Page
 
-from courses.enrolment import Arrival, arrive, issue_code
+from courses.enrolment import Arrival, arrive
 from courses.model import Platform, PlatformStatus, Role
 from courses.platforms import add_platform
+from courses.secrets import issue_code
 from courses.storage import Store, open_store
 from service.course_resources import now
 from tools.picture import IMAGES, TABLE

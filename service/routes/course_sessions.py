@@ -11,10 +11,11 @@ from fastapi import Response
 from pydantic import TypeAdapter
 
 from courses.attempts import attempt_numbered, by_key, keep_draft, shown_now, standing_of
-from courses.enrolment import end_session, redeem_code
 from courses.model import CourseSession, StudentStanding
 from courses.policies import Shown
 from courses.refusals import AttemptError, NoExerciseError, PublicationError
+from courses.secrets import redeem_code
+from courses.sessions import end_session
 from exercises.errors import UnknownExerciseError
 from service.course_resources import CourseResources, bearer_token, now
 from service.http.languages import language_of

@@ -12,8 +12,7 @@ from fastapi.responses import StreamingResponse
 
 from courses.attempt_export import exported_attempts
 from courses.audit import log_access
-from courses.enrolment import issue_code, preview, redeem_code
-from courses.gradebook import resend
+from courses.enrolment import preview
 from courses.judged import AttemptFilter, Outcome, Progress, attempts_behind
 from courses.link_settings import read, written
 from courses.links import (
@@ -25,11 +24,13 @@ from courses.links import (
     reports_of,
 )
 from courses.model import CourseSession, Link, Role
+from courses.outbox import resend
 from courses.platforms import platform_by_id
 from courses.policies import Allowance, Shown
 from courses.privacy import erase_person, export_person, person_in
 from courses.refusals import NoExerciseError, StaffOnlyError, unknown_record
 from courses.regrading import Scope, apply, begin, changes, rejudge
+from courses.secrets import issue_code, redeem_code
 from courses.statistics import class_overview, link_statistics, misconceptions, undelivered, unexplained
 from exercises.errors import ExerciseError
 from kinematics.errors import Fault

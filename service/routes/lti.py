@@ -17,7 +17,7 @@ from urllib.parse import urlencode
 from fastapi import APIRouter, Request, Response
 from fastapi.responses import JSONResponse, RedirectResponse
 
-from courses.enrolment import Arrival, arrive, issue_code, redeem_code, remember_nonce, session_of
+from courses.enrolment import Arrival, arrive
 from courses.model import Platform, PlatformStatus, Role
 from courses.platforms import (
     Login,
@@ -32,7 +32,8 @@ from courses.platforms import (
     use_invitation,
 )
 from courses.refusals import CourseError, NoExerciseError, StaffOnlyError
-from courses.secrets import hashed
+from courses.secrets import hashed, issue_code, redeem_code, remember_nonce
+from courses.sessions import session_of
 from kinematics.errors import Fault, KinematicsError
 from service.course_resources import CourseResources, now
 from service.http.forms import form_of, own_root

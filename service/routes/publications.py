@@ -7,10 +7,10 @@ from typing import Annotated
 
 from fastapi import Body, Response
 
-from courses.enrolment import check_code
 from courses.model import Role
 from courses.publications import publish
 from courses.refusals import StaffOnlyError
+from courses.secrets import check_code
 from exercises.authoring.trials import trial
 from kinematics.errors import Fault
 from service.course_resources import now

@@ -6,9 +6,9 @@ from collections.abc import Mapping
 from typing import Any
 
 from courses.attempts import shown_now
-from courses.enrolment import SESSION
 from courses.model import Attempt, CourseSession, ListedAttempt, StudentStanding
 from courses.policies import Shown, attempts_allowed, deadline, refusal
+from courses.sessions import SESSION
 from exercises.grader import Report
 from exercises.instance import variant_of
 from exercises.records import restored

@@ -14,8 +14,8 @@ from datetime import datetime, timedelta
 
 from sqlalchemy.exc import SQLAlchemyError
 
-from courses.gradebook import bumped, delivered, keep_line_item, lease_scores, postponed, undeliverable
 from courses.model import Platform, ScoreToSend
+from courses.outbox import bumped, delivered, keep_line_item, lease_scores, postponed, undeliverable
 from courses.platforms import platform_by_id
 from courses.refusals import StorageUnavailableError
 from service.course_resources import CourseResources, now

@@ -9,9 +9,10 @@ import sqlalchemy as sa
 
 from courses import records
 from courses.attempts import attempt_of
-from courses.enrolment import Arrival, arrive, session_of
+from courses.enrolment import Arrival, arrive
 from courses.model import Attempt, CourseSession, Platform, PlatformStatus, Role
 from courses.platforms import add_platform
+from courses.sessions import session_of
 from courses.storage import Store
 from courses.submissions import JudgedSubmission, store_submissions
 

@@ -13,14 +13,15 @@ import pytest
 import sqlalchemy as sa
 
 from courses.attempts import LISTED, attempt_numbered, keep_draft, standing_of
-from courses.enrolment import SESSION, end_session, issue_code, redeem_code, remember_nonce, session_of
-from courses.gradebook import delivered, lease_scores, postponed, resend, undeliverable
 from courses.judged import AttemptFilter, Outcome, Progress, attempts_behind
 from courses.links import allow, change_settings, release_feedback
 from courses.model import CourseSession, LinkSettings, Role
+from courses.outbox import delivered, lease_scores, postponed, resend, undeliverable
 from courses.policies import Allowance, AttemptPolicy, Counted, Counting, FeedbackTiming
 from courses.privacy import erase_person, export_person, purge
 from courses.refusals import AttemptError, SessionError, UnknownRecordError
+from courses.secrets import issue_code, redeem_code, remember_nonce
+from courses.sessions import SESSION, end_session, session_of
 from courses.statistics import class_overview, link_statistics, misconceptions, undelivered, unexplained
 from courses.storage import Store, open_store
 from service.work.retention import Retention

@@ -11,10 +11,10 @@ import sqlalchemy as sa
 from courses import records
 from courses.attempt_export import exported_attempts
 from courses.attempts import path_of_codes
-from courses.gradebook import delivered, lease_scores
 from courses.judged import AttemptFilter, attempts_behind
 from courses.links import change_settings
 from courses.model import LinkSettings, Role
+from courses.outbox import delivered, lease_scores
 from courses.policies import AttemptPolicy
 from courses.refusals import UnknownRecordError
 from courses.regrading import Rejudged, Scope, apply, begin, changes, rejudge

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from courses.enrolment import Arrival, arrive, session_of
+from courses.enrolment import Arrival, arrive
 from courses.model import CourseSession, Role
 from courses.platforms import platforms_of
+from courses.sessions import session_of
 from courses.storage import Store
 from service.course_resources import now
 from tests.lti.classes import Lms

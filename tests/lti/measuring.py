@@ -17,9 +17,10 @@ from typing import Any
 import sqlalchemy as sa
 
 from courses import records
-from courses.enrolment import Arrival, arrive, session_of
+from courses.enrolment import Arrival, arrive
 from courses.model import CourseSession, LinkSettings, Role
 from courses.regrading import Scope, apply, begin, changes, rejudge
+from courses.sessions import session_of
 from courses.statistics import link_statistics, misconceptions, unexplained
 from courses.storage import Store, open_store
 from exercises.loader import packaged

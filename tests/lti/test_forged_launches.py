@@ -218,7 +218,7 @@ def test_a_state_works_once_and_in_its_browser_only(forger: Forger, keys: KeySer
 
 
 def test_a_nonce_works_once(forger: Forger, keys: KeyServer, store: Store, platform: Platform) -> None:
-    from courses.enrolment import remember_nonce
+    from courses.secrets import remember_nonce
     from service.lti.launch import NONCE_LIFE
 
     begun = forger.begin(keys)

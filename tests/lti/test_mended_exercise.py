@@ -11,7 +11,8 @@ import pytest
 from playwright.sync_api import Browser as Chromium
 from playwright.sync_api import expect
 
-from courses.enrolment import arrive, issue_code
+from courses.enrolment import arrive
+from courses.secrets import issue_code
 from courses.storage import open_store
 from service.course_resources import now
 from service.settings import Settings

@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 from courses import records
-from courses.gradebook import resend
+from courses.outbox import resend
 from courses.storage import Store
 from service.course_resources import CourseResources, now
 from service.settings import Settings

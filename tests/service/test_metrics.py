@@ -21,7 +21,7 @@ from opentelemetry.sdk.trace.export.in_memory_span_exporter import InMemorySpanE
 from prometheus_client.parser import text_string_to_metric_families
 
 from courses import records
-from courses.gradebook import outbox_state
+from courses.outbox import outbox_state
 from courses.storage import open_store
 from service.app import create_app
 from service.http.tracing import TracingMiddleware

@@ -1,0 +1,131 @@
+"""Sessions: who is signed in, by a token, in which course and at which link."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from datetime import datetime, timedelta
+from typing import Any
+
+import sqlalchemy as sa
+
+from courses import records
+from courses.links import link_of
+from courses.model import Course, CourseSession, Person, Role
+from courses.policies import Allowance
+from courses.refusals import SessionError
+from courses.secrets import hashed
+from courses.storage import Store
+from kinematics.errors import Fault
+
+SESSION = timedelta(hours=2)
+"""How long a session lives after it was last used."""
+RENEWED_AFTER = timedelta(minutes=5)
+"""A session that was used is renewed at most so often."""
+
+_SESSION = (
+    sa.select(
+        records.session,
+        records.person.c.platform_id,
+        records.person.c.key,
+        records.person.c.subject,
+        records.person.c.name,
+        records.link.c.course_id,
+        records.link.c.resource,
+        records.link.c.title.label("link_title"),
+        records.link.c.exercise_id,
+        records.link.c.settings,
+        records.link.c.line_item,
+        records.link.c.line_items,
+        records.link.c.released_at,
+        records.course.c.deployment,
+        records.course.c.context,
+        records.course.c.title.label("course_title"),
+        records.course.c.memberships_url,
+        records.participation.c.extra_seconds,
+        records.participation.c.extra_attempts,
+        records.participation.c.made,
+        records.participation.c.draft_at,
+        sa.select(sa.func.max(sa.literal_column("other.extra_seconds")))
+        .select_from(records.participation.alias("other"))
+        .where(sa.literal_column("other.link_id") == records.link.c.id)
+        .scalar_subquery()
+        .label("longest"),
+    )
+    .join(records.person, records.person.c.id == records.session.c.person_id)
+    .join(records.link, records.link.c.id == records.session.c.link_id)
+    .join(records.course, records.course.c.id == records.link.c.course_id)
+    .join(
+        records.participation,
+        sa.and_(
+            records.participation.c.link_id == records.session.c.link_id,
+            records.participation.c.person_id == records.session.c.person_id,
+        ),
+    )
+)
+
+
+def session_of(store: Store, token: str, now: datetime) -> CourseSession:
+    """Who is signed in by a token; using a session keeps it alive.
+
+    Raises:
+        SessionError: nobody is: it has expired, or was never given out.
+    """
+    (found,) = sessions_of(store, [token], now)
+    if isinstance(found, SessionError):
+        raise found
+    return found
+
+
+def sessions_of(store: Store, tokens: Sequence[str], now: datetime) -> list[CourseSession | SessionError]:
+    """Who is signed in by each of some tokens, asked in one query; using a session keeps it alive."""
+    hashes = [hashed(token) for token in tokens]
+    with store.asking() as connection:
+        wanted = _SESSION.where(records.session.c.token_hash.in_(hashes))
+        rows = {row.token_hash: row for row in connection.execute(wanted) if row.expires > now}
+    old = [row.id for row in rows.values() if row.expires < now + SESSION - RENEWED_AFTER]
+    if old:
+        _renew(store, old, now)
+    return [
+        _session(rows[each]) if each in rows else SessionError(Fault(code="session_expired"))
+        for each in hashes
+    ]
+
+
+def _renew(store: Store, session_ids: Sequence[int], now: datetime) -> None:
+    with store.writing() as connection:
+        own = records.session.c.id.in_(session_ids)
+        connection.execute(sa.update(records.session).where(own).values(expires=now + SESSION))
+
+
+def end_session(store: Store, session_id: int) -> None:
+    """Sign somebody out."""
+    with store.writing() as connection:
+        connection.execute(sa.delete(records.session).where(records.session.c.id == session_id))
+
+
+def _session(row: Any) -> CourseSession:
+    return CourseSession(
+        id=row.id,
+        role=Role(row.role),
+        person=Person(
+            id=row.person_id, platform_id=row.platform_id, key=row.key, subject=row.subject, name=row.name
+        ),
+        course=Course(
+            id=row.course_id,
+            platform_id=row.platform_id,
+            deployment=row.deployment,
+            context=row.context,
+            title=row.course_title,
+            memberships_url=row.memberships_url,
+        ),
+        link=link_of(row, row.link_id, row.link_title),
+        allowance=Allowance(
+            extra_time=timedelta(seconds=row.extra_seconds), extra_attempts=row.extra_attempts
+        ),
+        made=row.made,
+        has_draft=row.draft_at is not None,
+        longest=float(row.longest or 0),
+        locale=row.locale,
+        return_url=row.return_url,
+        expires=row.expires,
+    )
