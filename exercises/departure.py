@@ -26,14 +26,24 @@ from exercises.grading import Finding, Verdict
 from exercises.grading.verdict import Matrix4
 from exercises.instance import Instance
 from kinematics.cells import ReadTable, in_length_unit
-from kinematics.chain import Chain, chain_of_table
+from kinematics.chain import Axis, Chain, chain_of_table
 from kinematics.equivalence import Certificate, Policy
 from kinematics.equivalence.decision import certify, mechanism_only
 from kinematics.equivalence.invariants import first_axes_shared
 from kinematics.equivalence.reference import prepared
 from kinematics.equivalence.search import Effort
 from kinematics.errors import KinematicsError
-from kinematics.se3 import Floats, Transform, cross, cross_arrays
+from kinematics.se3 import (
+    IDENTITY,
+    Floats,
+    Motion,
+    Transform,
+    compose,
+    cross,
+    cross_arrays,
+    move,
+    rotate,
+)
 from kinematics.table import Convention, DHTable, JointType, NumericTable, bind
 
 TURNS = np.radians(np.arange(0.0, 360.0, 1.0))
@@ -128,7 +138,7 @@ def shared_joints(key: NumericTable, answer: NumericTable, policy: Policy) -> tu
     for joints in range(_alike(key, answer, free), 0, -1):
         chain = chain_of_table(_first(answer, joints))
         reference = prepared(_first(key, joints)).beside(chain)
-        found = certify((reference,), (chain,), free, Effort.PLAIN)
+        found = certify((reference,), (chain,), free, Effort.PLAIN, measured=False)
         if found is not None:
             return joints, found
     return 0, None
@@ -168,22 +178,35 @@ def _laid_on(chain: Chain, start: Sequence[float], axes: Sequence[FigureJointAxi
     """Return joint values at which one axis after the other comes as near to the figure's as it can."""
     joints = np.zeros(chain.n_joints)
     joints[: len(start)] = start
-    for i in range(max(len(start) - 1, 0), chain.n_joints):
-        if i + 1 >= min(chain.n_joints, len(axes)):
-            break
-        directions, points = chain.axes_at(joints)
-        if chain.axes[i].prismatic:
-            tried = SLIDES * size
-            turned = np.broadcast_to(directions[i + 1], (len(tried), 3))
-            moved = points[i + 1] + tried[:, None] * directions[i]
-        else:
-            tried = TURNS
-            turned = _turned(directions[i + 1], directions[i])
-            moved = points[i] + _turned(points[i + 1] - points[i], directions[i])
-        joints[i] += tried[int(np.argmin(_off(turned, moved, axes[i + 1], size)))]
+    here = IDENTITY
+    for i, (axis, following, target) in enumerate(zip(chain.axes, chain.axes[1:], axes[1:], strict=False)):
+        beyond = compose(here, axis.motion(float(joints[i])))
+        if i >= len(start) - 1:
+            joints[i] += _best(_moved(axis, here), _moved(following, beyond), target, size)
+            beyond = compose(here, axis.motion(float(joints[i])))
+        here = beyond
     revolute = np.array([not axis.prismatic for axis in chain.axes])
     joints[revolute] = (joints[revolute] + math.pi) % (2 * math.pi) - math.pi
     return joints
+
+
+def _moved(axis: Axis, motion: Motion) -> Axis:
+    return Axis(axis.prismatic, rotate(motion, axis.direction), move(motion, axis.point))
+
+
+def _best(axis: Axis, following: Axis, target: FigureJointAxis, size: float) -> float:
+    """Return by how much a joint moves so that the axis behind it comes nearest to the figure's."""
+    direction, point = np.array(axis.direction), np.array(axis.point)
+    behind, beside = np.array(following.direction), np.array(following.point)
+    if axis.prismatic:
+        tried = SLIDES * size
+        turned = np.broadcast_to(behind, (len(tried), 3))
+        moved = beside + tried[:, None] * direction
+    else:
+        tried = TURNS
+        turned = _turned(behind, direction)
+        moved = point + _turned(beside - point, direction)
+    return float(tried[int(np.argmin(_off(turned, moved, target, size)))])
 
 
 def _turned(vector: Floats, axis: Floats) -> Floats:

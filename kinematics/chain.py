@@ -14,6 +14,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, reduce
+from math import cos, sin
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -34,9 +35,11 @@ from kinematics.se3 import (
     plus,
     position,
     rejection,
+    rotation_about,
     scale,
     subtract,
     to_matrix,
+    translation,
     z_axis,
 )
 from kinematics.table import Convention, DHTable, JointType, NumericTable
@@ -60,6 +63,12 @@ class Axis:
     prismatic: bool
     direction: Vector
     point: Vector
+
+    def motion(self, q: float) -> Motion:
+        """Return exp([S] q), what the joint does at a value of its variable [rad or m]."""
+        if self.prismatic:
+            return translation(scale(self.direction, q))
+        return rotation_about(self.point, self.direction, cos(q), sin(q))
 
 
 @dataclass(frozen=True)

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator
 from dataclasses import replace
+from functools import lru_cache
 from itertools import combinations
 
 from exercises.grading.cell_edits import RIGHT_ANGLES
 from exercises.grading.fitting import fitted_table
+from exercises.grading.typed import Place
 from exercises.grading.work import ROW_CELLS, VARIABLE_CELLS, Change, Extent, Work, with_row, with_rows
 from kinematics.equivalence import ToolRule
 from kinematics.equivalence.batches import CellChange
@@ -73,7 +75,7 @@ def rows_swapped(work: Work) -> Iterator[Change]:
     kept = work.kept_rows
     farthest = len(rows) if len(rows) <= MOST_ROWS_FOR_ALL_PAIRS else 1
     for (i, one), (j, other) in combinations(enumerate(rows), 2):
-        if j - i > farthest or not work.is_near(i, j) or kept & {i, j}:
+        if j - i > farthest or i in kept or j in kept or not work.is_near(i, j):
             continue
         cells: list[CellChange] = []
         table = None
@@ -86,9 +88,14 @@ def rows_swapped(work: Work) -> Iterator[Change]:
                 if upper != lower:
                     cells += (j, cell, upper), (i, cell, lower)
         if cells or table:
-            touched = tuple([(k, cell) for k in (i, j) for cell in ROW_CELLS])
             params = (("other", j + 1),)
-            yield Change("rows_swapped", Extent.ROW, i, None, tuple(cells), table, touched, params)
+            yield Change("rows_swapped", Extent.ROW, i, None, tuple(cells), table, _both(i, j), params)
+
+
+@lru_cache(maxsize=1024)
+def _both(i: int, j: int) -> tuple[Place, ...]:
+    """The places of two rows."""
+    return tuple((k, cell) for k in (i, j) for cell in ROW_CELLS)
 
 
 def row_too_many(work: Work) -> Iterator[Change]:

@@ -31,9 +31,10 @@ def _every_cell(
     work: Work, code: str, names: tuple[str, ...], edit: Callable[[float], float], **params: str
 ) -> Iterator[Change]:
     """Some cells of every row as a function of what stands in them."""
-    touched = _places(range(len(work.table.rows)), tuple(name for name in names if name != "theta"))
-    if not work.leaves(touched):
+    touching = tuple(name for name in names if name != "theta")
+    if not work.leaves(touching):
         return iter(())
+    touched = _places(range(len(work.table.rows)), touching)
     cells = [
         (i, name, now)
         for i, row in enumerate(work.table.rows)
@@ -121,9 +122,9 @@ def columns_a_row_early(work: Work) -> Iterator[Change]:
 
 def _along_x_of(work: Work, code: str, others: Sequence[NumericRow | None]) -> Iterator[Change]:
     """A and α of every row as they stand in another, or zero."""
-    touched = _places(range(len(others)), ALONG_X)
-    if not work.leaves(touched):
+    if not work.leaves(ALONG_X):
         return iter(())
+    touched = _places(range(len(others)), ALONG_X)
     cells = [
         (i, name, now)
         for i, (row, other) in enumerate(zip(work.table.rows, others, strict=True))
@@ -164,14 +165,14 @@ def _in_order(work: Work, code: str, belongs: dict[str, str], **params: str) -> 
     """
     if work.angular and set(belongs) == set(LENGTHS):
         return
+    if not work.leaves(tuple(belongs), sliders="d" not in belongs):
+        return
     rows = [
         (i, row)
         for i, row in enumerate(work.table.rows)
         if row.joint is not JointType.PRISMATIC or "d" not in belongs
     ]
     touched = _places([i for i, _ in rows], tuple(belongs))
-    if not work.leaves(touched):
-        return
     units = {"alpha": 180.0 / math.pi if work.answer.angle_unit is AngleUnit.DEG else 1.0, "a": 1.0, "d": 1.0}
     named = {place for place, _, _ in _named_entries(work)}
     cells = [

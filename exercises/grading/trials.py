@@ -140,7 +140,7 @@ def finishing_reaches(works: Sequence[Work]) -> list[tuple[int, int]]:
 
 
 def _cells(work: Work) -> list[tuple[int, str]]:
-    """The cells that are no variable's and may mend all that fails."""
+    """The cells that are no variable's, may mend all that fails, and are not kept as they are."""
     if work.only is not None and work.only.code is not None:
         return []
     return [
@@ -148,6 +148,7 @@ def _cells(work: Work) -> list[tuple[int, str]]:
         for i, row in work.rows
         for cell in (ANGLES if work.angular else ("a", "d", *ANGLES))
         if (work.only is None or cell == work.only.cell)
+        and (i, cell) not in work.kept
         and (work.policy.zero is ZeroRule.FIGURE or cell != VARIABLE_CELLS.get(row.joint))
     ]
 

@@ -256,9 +256,13 @@ class Work:
         """The table with an edit made, and what another has to do with then."""
         return replace(self, table=change.of(self.table), fits={}, reach=reach, angular=angular, kept=kept)
 
-    def leaves(self, places: Iterable[Place]) -> bool:
-        """Whether an edit of some places leaves alone what another has changed before."""
-        return self.kept.isdisjoint(places)
+    def leaves(self, columns: Sequence[str], *, sliders: bool = True) -> bool:
+        """Whether an edit of columns, perhaps but for sliders, leaves alone what one before has changed."""
+        rows = self.table.rows
+        return not any(
+            cell in columns and i < len(rows) and (sliders or rows[i].joint is not JointType.PRISMATIC)
+            for i, cell in self.kept
+        )
 
     @cached_property
     def kept_rows(self) -> frozenset[int]:
@@ -293,7 +297,8 @@ class Work:
         self.meter.charge(PER_ROW * len(tables) * len(tables[0].rows))
         chains = [chain_of_table(table) for table in tables]
         with self.meter.at_most(WORK_OF_ONE_EDIT):
-            return certify(references, chains, self.policy, effort, self.meter) is not None
+            found = certify(references, chains, self.policy, effort, self.meter, measured=False)
+            return found is not None
         return False
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import cos, sin
 
 from kinematics.chain import Chain
 from kinematics.equivalence.groups import Rotations, outside
@@ -17,10 +16,7 @@ from kinematics.se3 import (
     dot,
     inverse,
     position,
-    rotation_about,
-    scale,
     subtract,
-    translation,
 )
 
 
@@ -60,14 +56,6 @@ class CertificatePath:
     last: Motion
 
 
-def joint_motion(step: Step, value: float) -> Motion:
-    """exp(S_i · value) for the reference's joint."""
-    axis = step.axis
-    if axis.prismatic:
-        return translation(scale(axis.direction, value))
-    return rotation_about(axis.point, axis.direction, cos(value), sin(value))
-
-
 def split(step: Step, motion: Motion, zero: ZeroRule) -> tuple[float, Motion]:
     """Write a motion of H_i as exp(S_i ε) · k with k in Stab_i, ε zero wherever it may be."""
     stabiliser, direction = step.stabiliser, step.axis.direction
@@ -77,11 +65,11 @@ def split(step: Step, motion: Motion, zero: ZeroRule) -> tuple[float, Motion]:
         if len(stabiliser.translations) == 3 or _holds(stabiliser.translations, direction):
             return 0.0, motion
         value = _along(step, motion)
-        return value, compose(joint_motion(step, -value), motion)
+        return value, compose(step.axis.motion(-value), motion)
     if stabiliser.rotations is Rotations.ABOUT_LINE:
         return 0.0, motion
     value = angle_about(motion, direction)
-    return value, compose(joint_motion(step, -value), motion)
+    return value, compose(step.axis.motion(-value), motion)
 
 
 def _holds(basis: tuple[Vector, ...], direction: Vector) -> bool:
@@ -139,11 +127,11 @@ def candidate_from(
     if values and zero is ZeroRule.FREE:
         if _keeps_all_of(plan.steps[0]):
             value = -_share(plan.steps[0], first)
-            first = compose(joint_motion(plan.steps[0], value), first)
+            first = compose(plan.steps[0].axis.motion(value), first)
             values[0] -= value
         if tool_turns:
             value = -_share(plan.steps[-1], compose(last, inverse(reference.end)), last, reference.end)
-            last = compose(joint_motion(plan.steps[-1], value), last)
+            last = compose(plan.steps[-1].axis.motion(value), last)
             values[-1] += value
     return CertificateCandidate(
         signs=path.signs,

@@ -111,10 +111,13 @@ def certify(
     policy: Policy,
     effort: Effort = Effort.REFINED,
     meter: Meter | None = None,
+    *,
+    measured: bool = True,
 ) -> Certificate | None:
     """The verified certificate of a submission, whatever its convention; None if there is none.
 
-    Its residual is that at the samples where a bound shows that it stands at every configuration.
+    Its residual is that at the samples where a bound shows that it stands at every configuration; or the
+    bound, where nobody wants to know more than that.
 
     An exact one is looked for first: among axes that are nearly parallel there may be others nearby, which
     stand within the tolerance.
@@ -125,6 +128,7 @@ def certify(
         policy: what is left free and what is fixed.
         effort: how hard to try.
         meter: counts the work, if it is bounded.
+        measured: the residual at the samples is wanted.
     """
     types = [axis.prismatic for axis in references[0].chain.axes]
     if types != [axis.prismatic for axis in submissions[0].axes]:
@@ -141,10 +145,10 @@ def certify(
             trying = effort
         exact = replace(policy, tolerance=EXACT)
         with nullcontext() if meter is None else meter.at_most(meter.left // 2):
-            found = _first(references, submissions, exact, trying, meter)
+            found = _first(references, submissions, exact, trying, meter, measured=measured)
             if found is not None:
                 return found
-    return _first(references, submissions, policy, effort, meter)
+    return _first(references, submissions, policy, effort, meter, measured=measured)
 
 
 def _first(
@@ -153,10 +157,12 @@ def _first(
     policy: Policy,
     effort: Effort,
     meter: Meter | None,
+    *,
+    measured: bool,
 ) -> Certificate | None:
     """The first certificate that stands, whatever axes count as parallel."""
     for level in references[0].levels(policy.base, policy.zero, policy.tolerance):
-        found = Search(references, submissions, policy, level, effort, meter).run()
+        found = Search(references, submissions, policy, level, effort, meter, measured).run()
         if found is not None:
             return _certificate(found)
     return None

@@ -15,10 +15,10 @@ from kinematics.equivalence.closed_forms import (
     length_atoms,
 )
 from kinematics.errors import ParameterError
-from kinematics.expressions import ONE, ZERO, Expression
+from kinematics.expressions import ONE, ZERO, Expression, evaluate
 from kinematics.se3 import Motion
 from kinematics.symbolic import ProofStatus, prove_identity
-from kinematics.table import JointType, SymbolicTable, bind
+from kinematics.table import JointType, SymbolicTable
 
 # A bound of the work: the exercises' own tables are proved with some fifty products; where angles that were
 # typed as decimals pile up, tens of thousands prove nothing.
@@ -86,8 +86,8 @@ def _guess(
     draws: Sequence[Mapping[str, float]],
 ) -> ExactCertificate | None:
     tables = (reference, submission)
-    numbers = (bind(table, draws[0]) for table in tables)
-    size = max((abs(x) for table in numbers for row in table.rows for x in (row.a, row.d)), default=0.0)
+    entries = (entry for table in tables for row in table.rows for entry in (row.a, row.d))
+    size = max((abs(evaluate(entry, draws[0])) for entry in entries), default=0.0)
     lengths, angles = LengthForms(length_atoms(tables), draws, size), angle_atoms(tables)
     offsets: list[Expression] = []
     for i, joint in enumerate(reference.joint_types):

@@ -117,6 +117,7 @@ class Search:
         level: index into `Reference.nearnesses`.
         effort: whether to refine.
         meter: counts the work, if it is bounded.
+        measured: residuals at the samples are wanted, where a bound shows already that a certificate stands.
     """
 
     references: Sequence[Reference]
@@ -125,6 +126,7 @@ class Search:
     level: int
     effort: Effort = Effort.REFINED
     meter: Meter | None = None
+    measured: bool = True
     nodes: int = 0
     tried: int = 0
     seen: dict[tuple[int, int], list[tuple[Motion, float]]] = field(default_factory=dict)
@@ -242,7 +244,7 @@ class Search:
                 self._charge(per_certificate(len(submission.axes)))
                 way = Way(index, start, path.signs, which, placement)
                 candidate = self._candidate(0, plan, choice, replace(path, last=last))
-                found = judged(reference, submission, candidate, tolerance)
+                found = judged(reference, submission, candidate, tolerance, measured=self.measured)
                 if found.within(tolerance):
                     everywhere = self._everywhere(way, (candidate, found))
                     if everywhere is not None:
@@ -256,8 +258,9 @@ class Search:
         everywhere = [first]
         for draw in range(1, len(self.references)):
             candidate = self._followed(draw, way)
-            found = judged(self.references[draw], self.submissions[draw], candidate, self.policy.tolerance)
-            if found.within(self.policy.tolerance):
+            sides, tolerance = (self.references[draw], self.submissions[draw]), self.policy.tolerance
+            found = judged(*sides, candidate, tolerance, measured=self.measured)
+            if found.within(tolerance):
                 everywhere.append((candidate, found))
                 continue
             refined = self._refined(draw, way, candidate) if self.effort is Effort.REFINED else None

@@ -65,13 +65,29 @@ class WorstCase(NamedTuple):
 
 
 def judged(
-    reference: Reference, submission: Chain, candidate: CertificateCandidate, tolerance: Tolerance
+    reference: Reference,
+    submission: Chain,
+    candidate: CertificateCandidate,
+    tolerance: Tolerance,
+    *,
+    measured: bool = True,
 ) -> Residual:
     """How far a certificate is from standing: at the samples, or, if it stands at these, at the worst.
 
     Differences no larger than the errors of the arithmetic are nothing to climb on; nor is anything gained
     by climbing where a bound over all configurations shows that the certificate stands.
+
+    Args:
+        reference: the reference.
+        submission: the submission's chain.
+        candidate: the certificate.
+        tolerance: within what it must stand.
+        measured: how far it is at the samples is wanted; else a bound within the tolerance will do.
     """
+    if not measured:
+        bound = upper_bound(reference, submission, candidate)
+        if bound.within(tolerance):
+            return bound
     found = residual(reference, submission, candidate)
     if max(found) <= ARITHMETIC or not found.within(tolerance):
         return found

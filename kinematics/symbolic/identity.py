@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import chain
 
 from kinematics.errors import FormSizeError
@@ -103,8 +104,9 @@ def _first_failure(
     return None if X.ends_with(read_matrix(reader, tool)) else 0
 
 
+@lru_cache(maxsize=64)
 def _by_joint(table: SymbolicTable) -> list[list[Motion]]:
-    """The motions up to and including each joint, and those after the last."""
+    """The motions up to and including each joint, and those after the last; a key's again and again."""
     parts: list[list[Motion]] = [[]]
     for motion in chain.from_iterable(motions_of(table)):
         parts[-1].append(motion)

@@ -9,7 +9,9 @@ import pytest
 from kinematics.chain import chain_of_table
 from kinematics.equivalence import Policy, Tolerance, ToolRule, decide
 from kinematics.equivalence.bounds import surely_apart, upper_bound
+from kinematics.equivalence.decision import certify
 from kinematics.equivalence.reference import prepared
+from kinematics.equivalence.search import Effort
 from kinematics.equivalence.worst_case import worst_case
 from tests.kinematics.equivalence.generators import random_robot, random_valid_table, rounded
 from tests.kinematics.equivalence.tables import PUMA, changed
@@ -35,6 +37,23 @@ def test_no_difference_is_larger_than_the_bound_and_what_is_accepted_is_not_apar
     assert worst.angle <= bound.angle + 1e-12
     assert worst.length <= bound.length + 1e-12
     assert worst.angle + worst.length >= (bound.angle + bound.length) / 100
+
+
+@pytest.mark.parametrize("decimals", [1, 2, 4, 9])
+@pytest.mark.parametrize("seed", range(15))
+def test_what_stands_by_a_bound_stands_as_measured(seed: int, decimals: int) -> None:
+    rng = Random(f"stands {seed} {decimals}")
+    key = random_robot(rng, joints=rng.randint(1, 8))
+    table = rounded(random_valid_table(key, rng, dummies=0.0, textbook_ends=True), decimals)
+    sides = (prepared(key),), (chain_of_table(table),)
+    for tolerance in (10.0**-decimals, 3 * 10.0**-decimals, 1e-2):
+        policy = Policy(tool=ToolRule.FREE, tolerance=Tolerance(length=tolerance, angle=tolerance))
+        measured = certify(*sides, policy, Effort.PLAIN)
+        bounded = certify(*sides, policy, Effort.PLAIN, measured=False)
+        assert (bounded is None) == (measured is None)
+        if bounded is not None and measured is not None:
+            assert bounded.draws == measured.draws
+            assert measured.residual <= bounded.residual + 1e-12 <= tolerance + 1e-12
 
 
 def test_an_axis_aslant_or_beside_its_place_is_apart() -> None:
