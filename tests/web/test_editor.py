@@ -241,7 +241,7 @@ def test_the_types_of_joints_are_not_cut(open_page: OpenPage, language: str) -> 
     needed, given = joint(page, 0).evaluate(
         """(select) => {
           const free = select.cloneNode(true);
-          free.style.width = "max-content";
+          Object.assign(free.style, { width: "max-content", position: "absolute" });
           select.after(free);
           const widths = [free.offsetWidth, select.offsetWidth];
           free.remove();
