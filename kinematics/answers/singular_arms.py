@@ -124,7 +124,7 @@ class SingularArm(ValuedRobot):
         start, way = self.lines
         along = np.linspace(-2.0, 2.0, STEPS + 1)
         values = self.values_of(function, self.grid).reshape(LINES, -1)
-        scale = float(np.nanmedian(np.abs(values))) or 1.0
+        scale = typical(values) or 1.0
         crossing = np.argwhere(values[:, :-1] * values[:, 1:] < 0.0)
         low = np.abs(values)
         touching = np.argwhere(
@@ -189,6 +189,12 @@ def arm_of(table: SymbolicTable, rows: MotionRows, values: tuple[tuple[str, floa
         values: names and values of its parameters.
     """
     return SingularArm(table=table, rows=rows, values=dict(values))
+
+
+def typical(values: Floats) -> float:
+    """Return the median size of what has a value; 0 if nothing has one."""
+    finite = values[np.isfinite(values)]
+    return float(np.median(np.abs(finite))) if len(finite) else 0.0
 
 
 def _spread(places: NDArray[np.int64]) -> NDArray[np.int64]:

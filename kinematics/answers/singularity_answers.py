@@ -22,7 +22,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.answers.jacobian_answers import jacobian_at
-from kinematics.answers.singular_arms import LOST, SingularArm
+from kinematics.answers.singular_arms import LOST, SingularArm, typical
 from kinematics.answers.unit_multiples import factors_of
 from kinematics.errors import ParameterError
 from kinematics.expressions import (
@@ -271,12 +271,12 @@ def _scaled(arm: SingularArm, joints: Sequence[float]) -> tuple[Floats, NDArray[
 
 def _where(arm: SingularArm, factor: Expression, covered: Sequence[NDArray[np.bool_]]) -> list[bool]:
     """Note where in the families a function vanishes; return in which it does everywhere."""
-    scale = float(np.nanmedian(np.abs(arm.values_of(factor, arm.lines[0]))))
+    scale = typical(arm.values_of(factor, arm.lines[0]))
     limit = ROUNDED if holds_decimals(factor) else LOST
     found = []
     for seen, points in zip(covered, arm.witnesses, strict=True):
         values = np.abs(arm.values_of(factor, points))
-        zero = values <= limit * scale if np.isfinite(scale) else np.zeros(len(values), dtype=bool)
+        zero = values <= limit * scale
         seen |= zero
         found.append(bool(zero.all()))
     return found

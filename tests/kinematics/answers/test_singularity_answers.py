@@ -78,6 +78,12 @@ def test_a_quotient_is_not_zero_where_its_denominator_cancels_the_zero() -> None
     assert cosine.status is ConditionStatus.INVENTED
 
 
+@pytest.mark.parametrize("text", ["sqrt(sin(q5) - 2)", "sqrt(-1 - cos(q2)^2) + q5*0"])
+def test_a_condition_that_has_a_value_nowhere_says_nothing(text: str) -> None:
+    (found,) = judged(*PUMA, text).conditions
+    assert found.status is ConditionStatus.NOWHERE
+
+
 def test_which_length_is_longer_may_be_used() -> None:
     """Of the student's arm the first link is the longer one; folded, the tip is L1 − L2 from its axis."""
     reach = "sqrt(L1^2 + L2^2 + 2*L1*L2*cos(q2))"
