@@ -11,6 +11,7 @@ import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
+from itertools import islice
 from math import gcd
 
 from exercises.parts.cells.matrix_cells import Where, read_functions
@@ -39,7 +40,11 @@ from kinematics.table import JointType
 MOST_TURNS = 24
 """Solutions in one turn that k·2π/N may stand for; multiples of π/12 have closed forms."""
 _NO_EQUATION = re.compile(r"[<>≤≥≠]|!=")
-_INTEGERS = re.compile(r",?\s*\(?\s*\b[knm]\s*(?:∈|\bin\b)\s*(?:ℤ|\bZ\b|\bintegers?\b).*$")
+MOST_CONDITIONS = 16
+"""In a cell: as many as rows of cells are read. Each takes milliseconds to be judged."""
+LONGEST = 2000
+"""Characters of a cell with conditions."""
+_INTEGERS = re.compile(r"\b[knm]\s*(?:∈|\bin\b)\s*(?:ℤ|\bZ\b|\bintegers?\b).*$")
 _LETTER = re.compile(r"(?<![A-Za-z_])[knm](?=(?:pi|π)\b|π|[^A-Za-z_0-9(]|$)")
 _DASHES = " -–—−"
 _OR = re.compile(r"(?<=\s)(?:o|ou|u|sau|або|чи)(?=\s)|\bor\b|∨|\n")
@@ -65,13 +70,26 @@ def read_conditions(
         angle_unit: unit of plain numbers where an angle stands.
         where: place of the cell, for faults.
     """
-    text = _INTEGERS.sub("", str(cell))
+    text = str(cell)
+    if len(text) > LONGEST:
+        return [Fault(code="cell_too_long", where=where, params={"length": len(text), "limit": LONGEST})]
+    text = _without_integers(text)
     if _NO_EQUATION.search(text) or not text.strip(_DASHES):
         return [_no_condition(cell, where)]
-    equations = list(_equations(text.replace("==", "=")))
+    equations = list(islice(_equations(text.replace("==", "=")), MOST_CONDITIONS + 1))
+    if len(equations) > MOST_CONDITIONS:
+        return [Fault(code="conditions_too_many", where=where, params={"limit": MOST_CONDITIONS})]
     if not equations or any("=" in equation.right for equation in equations):
         return [_no_condition(cell, where)]
     return [_function(equation, joint_types, angle_unit, where) for equation in equations]
+
+
+def _without_integers(text: str) -> str:
+    """Leave out `(k ∈ ℤ)` and the like at the end, and the comma before it."""
+    found = _INTEGERS.search(text)
+    return (
+        text if found is None else text[: found.start()].rstrip().removesuffix("(").rstrip().removesuffix(",")
+    )
 
 
 def _no_condition(cell: Cell, where: Where) -> Fault:

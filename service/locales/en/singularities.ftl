@@ -28,6 +28,7 @@ feedback-lost_motion_never = The arm moves this way in no configuration, so the 
 error-conditions_empty = Give conditions or a lost motion.
 error-condition_not_equation = { $text } is not a condition: write a function that vanishes or an equation with one = sign.
 error-condition_angle_nonlinear = A joint angle outside a sine, cosine or tangent may stand only in an equation like q2 + q3 = π/2.
+error-conditions_too_many = This cell holds more than { $limit } conditions.
 error-condition_period = What is added k times has to be a turn divided by a whole number: 2π, π, π/2 …
 error-singularities_no_families = No conditions can say where this arm is singular: it never is, or only in families of fewer dimensions. Choose the other motion or another robot.
 error-not_singular = The arm is not singular in this configuration.

@@ -28,6 +28,7 @@ feedback-lost_motion_never = El brazo no se mueve así en ninguna configuración
 error-conditions_empty = Dé condiciones o un movimiento perdido.
 error-condition_not_equation = { $text } no es una condición: escriba una función que se anula o una ecuación con un solo signo =.
 error-condition_angle_nonlinear = Un ángulo articular fuera de seno, coseno y tangente solo puede estar en una ecuación como q2 + q3 = π/2.
+error-conditions_too_many = Esta celda contiene más de { $limit } condiciones.
 error-condition_period = Lo que se suma k veces ha de ser una vuelta dividida por un número entero: 2π, π, π/2 …
 error-singularities_no_families = Ninguna condición puede decir dónde es singular este brazo: no lo es nunca, o solo en familias de menos dimensiones. Elija el otro movimiento u otro robot.
 error-not_singular = El brazo no es singular en esta configuración.

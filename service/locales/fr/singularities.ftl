@@ -28,6 +28,7 @@ feedback-lost_motion_never = Le bras ne bouge ainsi dans aucune configuration :
 error-conditions_empty = Donnez des conditions ou un mouvement perdu.
 error-condition_not_equation = { $text } n’est pas une condition : écrivez une fonction qui s’annule ou une équation avec un seul signe =.
 error-condition_angle_nonlinear = Un angle articulaire hors d’un sinus, d’un cosinus ou d’une tangente ne peut figurer que dans une équation comme q2 + q3 = π/2.
+error-conditions_too_many = Cette cellule contient plus de { $limit } conditions.
 error-condition_period = Ce qui s’ajoute k fois doit être un tour divisé par un nombre entier : 2π, π, π/2…
 error-singularities_no_families = Aucune condition ne peut dire où ce bras est singulier : il ne l’est jamais, ou seulement dans des familles de dimension moindre. Choisissez l’autre mouvement ou un autre robot.
 error-not_singular = Le bras n’est pas singulier dans cette configuration.

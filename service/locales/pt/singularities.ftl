@@ -28,6 +28,7 @@ feedback-lost_motion_never = O braço não se move assim em nenhuma configuraç�
 error-conditions_empty = Dê condições ou um movimento perdido.
 error-condition_not_equation = { $text } não é uma condição: escreva uma função que se anula ou uma equação com um só sinal =.
 error-condition_angle_nonlinear = Um ângulo de uma junta fora de seno, cosseno e tangente só pode estar numa equação como q2 + q3 = π/2.
+error-conditions_too_many = Esta célula contém mais de { $limit } condições.
 error-condition_period = O que se soma k vezes tem de ser uma volta dividida por um número inteiro: 2π, π, π/2…
 error-singularities_no_families = Nenhuma condição pode dizer onde este braço é singular: nunca o é, ou só em famílias de menos dimensões. Escolha o outro movimento ou outro robô.
 error-not_singular = O braço não é singular nesta configuração.

@@ -7,7 +7,7 @@ import random
 import numpy as np
 import pytest
 
-from exercises.parts.motion.conditions import read_conditions
+from exercises.parts.motion.conditions import MOST_CONDITIONS, read_conditions
 from kinematics.answers.singular_arms import arm_of
 from kinematics.answers.singularity_answers import (
     ConditionStatus,
@@ -205,6 +205,12 @@ def test_where_all_three_families_meet_three_motions_are_lost_or_fewer() -> None
         ("1/0", "division_by_zero"),
         ("q9", "joint_variable_unknown"),
         ("k" * 3000, "cell_too_long"),
+        ("q3 = " + ", ".join(map(str, range(17))), "conditions_too_many"),
+        ("q3 = " + ", ".join(f"±{i}" for i in range(1, 10)), "conditions_too_many"),
+        (
+            "q3 = k*pi" + " " * 1900 + "x",
+            "angle_product",
+        ),  # all threads waited minutes
     ],
 )
 def test_what_is_no_condition_is_refused(text: str, code: str) -> None:
@@ -212,6 +218,19 @@ def test_what_is_no_condition_is_refused(text: str, code: str) -> None:
     (found,) = read_conditions(text, types, AngleUnit.DEG, ("conditions", 0))
     assert isinstance(found, Fault)
     assert (found.code, found.where[:2]) == (code, ("conditions", 0))
+
+
+@pytest.mark.parametrize("told", ["", ", k ∈ ℤ", ",  ( k in Z )", " (k ∈ integers)", ", n∈ℤ and so on"])
+def test_what_k_may_be_is_left_out(told: str) -> None:
+    types = (JointType.REVOLUTE,) * 6
+    found = read_conditions(f"q3 = k*pi{told}", types, AngleUnit.DEG, ("conditions", 0))
+    assert found == read_conditions("q3 = k*pi", types, AngleUnit.DEG, ("conditions", 0))
+
+
+def test_as_many_conditions_as_rows_are_read_in_one_cell() -> None:
+    types = (JointType.REVOLUTE,) * 6
+    text = "q3 = " + ", ".join(f"±{i}" for i in range(1, MOST_CONDITIONS // 2 + 1))
+    assert len(read_conditions(text, types, AngleUnit.DEG, ("conditions", 0))) == MOST_CONDITIONS
 
 
 @pytest.mark.parametrize("word", ["or", "o", "ou", "sau", "або", "чи"])
