@@ -49,6 +49,7 @@ from service.work.background import BackgroundThread
 from service.work.collection import Collection, new_objects_alone
 from service.work.drawing_ahead import DrawingAhead
 from service.work.heaps import share_heaps
+from service.work.reading_ahead import ReadingAhead
 from service.work.retention import Retention
 from service.work.score_sender import ScoreSender
 from service.work.thread_switching import switch_threads_often
@@ -181,7 +182,8 @@ async def _working(app: FastAPI) -> AsyncIterator[None]:
 
 
 def _background_threads(resources: Resources) -> Iterator[BackgroundThread]:
-    """What goes on beside the requests, where there is storage."""
+    """What goes on beside the requests; most of it where there is storage."""
+    yield ReadingAhead(resources.exercises)
     courses = resources.courses
     if courses is None:
         return

@@ -66,7 +66,7 @@ class Resources:
         )
         shelf = self.courses.published if self.courses is not None else None
         self.exercises = Library(settings.exercise_folders, shelf)
-        self.exercises.read_all()
+        self.exercises.read_own()
         self.robots = RobotCache(settings)
         self.symbolic_answers = AnswerCache()
         store = self.courses.store if self.courses is not None else None

@@ -15,7 +15,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from fractions import Fraction
-from functools import lru_cache
+from functools import cache, lru_cache
 from typing import Any
 
 from lark import Lark, Token, Transformer, UnexpectedToken, v_args
@@ -194,7 +194,10 @@ def _power_of_ten(base: Node, exponent: Node) -> Fraction | None:
     return Fraction(10) ** (sign * exponent.value.numerator)
 
 
-_PARSER = Lark(_GRAMMAR, parser="lalr", lexer="basic", transformer=_Builder())
+@cache
+def _parser() -> Lark:
+    """Return the parser; a twentieth of a second goes into its tables, and plain numbers need none."""
+    return Lark(_GRAMMAR, parser="lalr", lexer="basic", transformer=_Builder())
 
 
 @lru_cache(maxsize=8192)
@@ -205,7 +208,7 @@ def parse(text: str, limits: Limits) -> Node:
         CellRefusal: the text is not a cell, or passes a limit.
     """
     tokens = scan(text, limits)
-    parser = _PARSER.parse_interactive("")
+    parser = _parser().parse_interactive("")
     try:
         for token in tokens:
             parser.feed_token(token)

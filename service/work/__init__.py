@@ -9,7 +9,7 @@ allotted_time    a list of tasks within a processor time
 shared_answers   answers that every process gives alike
 session_grading  judging what a signed-in student hands in
 regrading_processes  judging stored attempts again
-drawing_ahead    what students will be shown, drawn while nobody waits
+reading_ahead, drawing_ahead  what will be asked for, read and drawn beforehand
 background       a thread that does something again and again:
   score_sender   scores to gradebooks
   retention      what has been kept long enough is removed

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -11,7 +12,7 @@ from exercises import loader
 from exercises.definition import Exercise
 from exercises.errors import DefinitionError, UnknownExerciseError
 from exercises.grading import BaseRule, HelpLevel, ToolRule
-from exercises.loader import Library, load_exercise
+from exercises.loader import Library, exercise_of_files, load_exercise
 from exercises.parts.forward.pose import PosePart
 from exercises.parts.forward.workspace import ReachFrom, WorkspacePart
 from kinematics.errors import Fault
@@ -192,7 +193,7 @@ def test_own_folders_go_before_the_packaged_ones(tmp_path: Path) -> None:
     folder(tmp_path, name="two")
     folder(tmp_path, name="puma560")
     own = Library([tmp_path])
-    own.read_all()
+    own.read_own()
     assert {"two", "puma560", "rx90"} <= set(own.ids)
     assert own.exercise("puma560").titles["en"] == "Two"
     assert exercise("puma560").titles["en"] == "PUMA 560"
@@ -202,21 +203,27 @@ def test_a_start_checks_ones_own_exercises_and_not_the_packaged_ones(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     checked: list[str] = []
+    read: list[str] = []
+
+    def noting(exercise_id: str, files: Any, **options: bool) -> Exercise:
+        read.append(exercise_id)
+        return exercise_of_files(exercise_id, files, **options)
 
     def noted(found: Exercise) -> list[Fault]:
         checked.append(found.id)
         return []
 
     monkeypatch.setattr(loader, "inconsistencies", noted)
+    monkeypatch.setattr(loader, "exercise_of_files", noting)
     folder(tmp_path, name="two")
-    Library([tmp_path]).read_all()
-    assert checked == ["two"]
+    Library([tmp_path]).read_own()
+    assert checked == read == ["two"]
 
 
 def test_a_malformed_exercise_of_ones_own_is_told_at_once(tmp_path: Path) -> None:
     folder(tmp_path, "version = 1", name="bad")
     with pytest.raises(DefinitionError, match=r"bad\.exercise\.toml"):
-        Library([tmp_path]).read_all()
+        Library([tmp_path]).read_own()
     with pytest.raises(DefinitionError, match="folder_missing"):
         Library([tmp_path / "nowhere"])
 
