@@ -75,7 +75,7 @@ def rewritten(entry: sympy.Expr, rng: random.Random, joints: int) -> sympy.Expr:
         return entry + sympy.sin(2 * q) - 2 * sympy.sin(q) * sympy.cos(q)
     if way == 4:
         return sympy.collect(sympy.expand(entry), [sympy.Symbol("m2"), sympy.Symbol("g")])
-    return entry.rewrite(sympy.exp).rewrite(sympy.cos) if rng.random() < 0.1 else entry
+    return entry.replace(sympy.sin, lambda angle: sympy.cos(angle - sympy.pi / 2, evaluate=False))
 
 
 def other_coriolis(C: sympy.Matrix, rng: random.Random, joints: int) -> sympy.Matrix:
