@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Iterable, Sequence
+
 from exercises.drawings import true_scene, values
 from exercises.figures.points import Points
 from exercises.instance import Instance
@@ -9,6 +12,9 @@ from kinematics.frames.assignment import assign_frames
 from kinematics.frames.axes import JointAxis
 from kinematics.frames.wrong_frames import DrawnFrame, right_handed
 from kinematics.se3 import Vector
+
+COSINES = 0.01
+"""How far from 1 a direction may be whose components were rounded."""
 
 
 def figure_axes(instance: Instance) -> list[JointAxis]:
@@ -30,6 +36,19 @@ def key_frames(instance: Instance) -> list[DrawnFrame]:
     for pose in points.frames:
         x, _, z, origin = (_vector(column) for column in pose[:3].T.tolist())
         found.append(right_handed(origin, x, z))
+    return found
+
+
+def lengths_in_frame(origin: Sequence[float], directions: Iterable[Sequence[float]]) -> list[float]:
+    """Return the lengths in a frame: its origin, and directions whose components may be lengths of the arm.
+
+    A direction along an axis of the figure is none, and neither is one of length 1: these are cosines.
+    """
+    found = [*origin]
+    for direction in directions:
+        sizes = {round(abs(component), 9) for component in direction if component}
+        if len(sizes) > 1 and abs(math.hypot(*direction) - 1.0) > COSINES:
+            found += direction
     return found
 
 

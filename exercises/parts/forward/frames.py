@@ -23,7 +23,7 @@ from exercises.instance import Instance
 from exercises.parts.cells.by_name import ByName, read_by_name
 from exercises.parts.cells.number_cells import number_of
 from exercises.parts.context import Context
-from exercises.parts.forward.figure_frames import figure_axes, key_frames
+from exercises.parts.forward.figure_frames import figure_axes, key_frames, lengths_in_frame
 from exercises.parts.protocol import Length, PartTask, PartType, Reading
 from exercises.parts.report import Credit, Disclosure, Fact, PartReport, fact, judged, told_from
 from kinematics.cells import Cell, ReadTable
@@ -184,14 +184,13 @@ class FramesPart(PartType[Part, FramesCells, ByName[FramesAnswer]]):
 
 
 def _lengths(answer: FramesAnswer) -> list[float]:
-    """Return the lengths in an answer: origins, and directions whose components may be lengths of the arm."""
-    found: list[float] = []
-    for frame in filter(None, answer.frames):
-        found += frame.origin or ()
-        for direction in (frame.x or (), frame.z or ()):
-            sizes = {round(abs(component), 9) for component in direction if component}
-            found += direction if len(sizes) > 1 else ()
-    return found
+    """Return the lengths in an answer."""
+    frames = filter(None, answer.frames)
+    return [
+        value
+        for frame in frames
+        for value in lengths_in_frame(frame.origin or (), (frame.x or (), frame.z or ()))
+    ]
 
 
 def _read_frame(frame: FrameCells, reading: Reading, where: tuple[str | int, ...]) -> ChosenFrame | None:

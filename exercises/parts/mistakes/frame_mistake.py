@@ -16,9 +16,10 @@ from exercises.definition import Exercise
 from exercises.draws import Picker
 from exercises.errors import DefinitionError
 from exercises.instance import Instance, generate
+from exercises.parts.cells.by_name import ByName, read_by_name
 from exercises.parts.cells.number_cells import number_of
 from exercises.parts.context import Context
-from exercises.parts.forward.figure_frames import figure_axes, key_frames
+from exercises.parts.forward.figure_frames import figure_axes, key_frames, lengths_in_frame
 from exercises.parts.mistakes.found_mistakes import FoundStep, MistakePart, MistakeType, MistakeWords
 from exercises.parts.protocol import (
     FieldShape,
@@ -80,7 +81,7 @@ class FoundFrameMistake:
     mended: DrawnFrame | None
 
 
-class FrameMistakeType(MistakeType[MistakePart, FoundFrameMistakeCells, FoundFrameMistake]):
+class FrameMistakeType(MistakeType[MistakePart, FoundFrameMistakeCells, ByName[FoundFrameMistake]]):
     """Find the mistake in a figure."""
 
     kind = "frame_mistake"
@@ -141,8 +142,11 @@ class FrameMistakeType(MistakeType[MistakePart, FoundFrameMistakeCells, FoundFra
             numbers=(shown,),
         )
 
-    def read(self, raw: FoundFrameMistakeCells, reading: Reading) -> FoundFrameMistake | None:
+    def read(self, raw: FoundFrameMistakeCells, reading: Reading) -> ByName[FoundFrameMistake] | None:
         """Return the answer in numbers."""
+        return read_by_name(raw, reading, self._read, _lengths)
+
+    def _read(self, raw: FoundFrameMistakeCells, reading: Reading) -> FoundFrameMistake | None:
         before = len(reading.faults)
         last = len(key_frames(reading.instance)) - 1
         shown = str(raw.wrong_frame)[:20]
@@ -156,26 +160,15 @@ class FrameMistakeType(MistakeType[MistakePart, FoundFrameMistakeCells, FoundFra
         mended = DrawnFrame(*given) if len(given) == len(MENDED) else None
         return FoundFrameMistake(frame=frame, mistake=mistake, mended=mended)
 
-    def grade(self, part: MistakePart, answer: FoundFrameMistake, context: Context) -> PartReport:
+    def grade(self, part: MistakePart, answer: ByName[FoundFrameMistake], context: Context) -> PartReport:
         """A third each for place, name and repair; a repair that does says where the mistake was."""
-        found = planted_in(context.instance)
-        mended = False
-        if answer.mended is not None:
-            index = found.index if answer.frame is None else answer.frame
-            tolerance = context.policy.tolerance
-            mended = mends(
-                figure_axes(context.instance),
-                context.reference.table.convention,
-                found,
-                index,
-                answer.mended,
-                rounding=min(tolerance.length, tolerance.angle),
-            )
+        found, here = planted_in(context.instance), answer.here
+        mended = _mends(found, here, context) and _mends_elsewhere(found, answer, context)
         return self.report(
             part,
-            FoundStep(mended or answer.frame == found.index, answer.frame),
-            FoundStep(answer.mistake == found.code, answer.mistake),
-            FoundStep(mended, answer.mended),
+            FoundStep(mended or here.frame == found.index, here.frame),
+            FoundStep(here.mistake == found.code, here.mistake),
+            FoundStep(mended, here.mended),
         )
 
     def right(self, part: MistakePart, context: Context) -> FoundFrameMistakeCells:
@@ -191,6 +184,41 @@ class FrameMistakeType(MistakeType[MistakePart, FoundFrameMistakeCells, FoundFra
 
 MOST_PLACES = 360
 """Places among which one is drawn; a multiple of most counts of ways, so that none is drawn more often."""
+
+
+def _mends(found: PlantedFrame, answer: FoundFrameMistake, context: Context) -> bool:
+    """Return whether the frame that was given mends what was planted, in its place."""
+    if answer.mended is None:
+        return False
+    tolerance = context.policy.tolerance
+    return mends(
+        figure_axes(context.instance),
+        context.reference.table.convention,
+        found,
+        found.index if answer.frame is None else answer.frame,
+        answer.mended,
+        rounding=min(tolerance.length, tolerance.angle),
+    )
+
+
+def _mends_elsewhere(found: PlantedFrame, answer: ByName[FoundFrameMistake], context: Context) -> bool:
+    """Return whether a frame in names mends the same mistake at other lengths, if they can show it."""
+    elsewhere = answer.elsewhere(context)
+    if elsewhere is None:
+        return True
+    named, there = elsewhere
+    # a figure that other lengths spoil says nothing
+    with suppress(DefinitionError):
+        other = planted_in(there.instance)
+        if (other.code, other.index) == (found.code, found.index):
+            return _mends(other, named, there)
+    return True
+
+
+def _lengths(answer: FoundFrameMistake) -> list[float]:
+    """Return the lengths in an answer."""
+    frame = answer.mended
+    return [] if frame is None else lengths_in_frame(frame.origin, (frame.x, frame.y, frame.z))
 
 
 LATELY = 64

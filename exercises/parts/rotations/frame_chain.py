@@ -7,7 +7,7 @@ them. There is one right matrix: both frames are named.
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from random import Random
 from typing import ClassVar
@@ -16,6 +16,7 @@ from exercises.definition import Exercise, Part
 from exercises.draws import Draw, Picker
 from exercises.grading import Feedback, HelpLevel
 from exercises.instance import Instance
+from exercises.parts.cells.by_name import ByName, read_by_name
 from exercises.parts.cells.comparison import Matrices
 from exercises.parts.cells.matrix_cells import CellMatrix, read_numbers
 from exercises.parts.cells.number_cells import on_paper
@@ -45,6 +46,8 @@ from kinematics.rotations.frame_chains import ChainFactor, ChainMistake, chain_p
 from kinematics.se3 import inverse_transform
 
 Pair = tuple[int, int]
+AS_SHOWN = 5e-4
+"""A share: how exactly a pose follows from others of which so many decimals are shown."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -79,7 +82,7 @@ class FrameChainPart(Part):
     tolerance: float
 
 
-class FrameChainType(PartType[FrameChainPart, FrameChainCells, Matrices]):
+class FrameChainType(PartType[FrameChainPart, FrameChainCells, ByName[Matrices]]):
     """{}^A T_B from other poses."""
 
     kind = "frame_chain"
@@ -158,11 +161,26 @@ class FrameChainType(PartType[FrameChainPart, FrameChainCells, Matrices]):
             numbers=shown,
         )
 
-    def read(self, raw: FrameChainCells, reading: Reading) -> Matrices | None:
+    def read(self, raw: FrameChainCells, reading: Reading) -> ByName[Matrices] | None:
         """Return (4, 4) numbers."""
+        return read_by_name(raw, reading, self._read, lambda pose: pose[:3, 3].tolist())
+
+    def _read(self, raw: FrameChainCells, reading: Reading) -> Matrices | None:
         return read_numbers(raw.pose, reading, self.kind, "pose")
 
-    def grade(self, part: FrameChainPart, answer: Matrices, context: Context) -> PartReport:
+    def grade(self, part: FrameChainPart, answer: ByName[Matrices], context: Context) -> PartReport:
+        """Judge a pose at the student's lengths and, if it is right there and in names, at others."""
+        report = self._judged(part, answer.here, context)
+        elsewhere = answer.elsewhere(context) if report.correct else None
+        if elsewhere is None:
+            return report
+        named, there = elsewhere
+        exact = there.policy.tolerance.length
+        if exact < context.policy.tolerance.length:  # the decimals of the answer leave less than usual
+            part = replace(part, tolerance=min(part.tolerance, max(exact, AS_SHOWN)))
+        return self._judged(part, named, there)
+
+    def _judged(self, part: FrameChainPart, answer: Matrices, context: Context) -> PartReport:
         """Judge a pose: its rotation and its position count half each."""
         factors = _factors(part, context.instance)
         size = context.size / context.unit_ratio

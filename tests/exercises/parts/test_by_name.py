@@ -6,6 +6,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 from exercises.answers import RawAnswer, parse
@@ -16,11 +17,14 @@ from exercises.loader import load_exercise
 from exercises.parts.cells.by_name import read_by_name
 from exercises.parts.cells.exactness import exactness
 from exercises.parts.cells.matrix_cells import CELL_LIMITS
+from exercises.parts.context import Context
 from exercises.parts.forward.frames import FrameCells, FramesCells
 from exercises.parts.forward.workspace import RadiiCells
 from exercises.parts.motion.screws import ScrewsCells
 from exercises.parts.protocol import Reading
+from exercises.parts.registry import part_type
 from exercises.parts.report import PartReport
+from exercises.parts.rotations.frame_chain import FrameChainCells
 from kinematics.answers.screw_answers import ScrewFrame, ScrewOrder
 from kinematics.cells import ParameterKind
 from kinematics.cells.entries import read_cell
@@ -198,3 +202,27 @@ def test_only_an_answer_that_may_hold_names_is_read_at_other_lengths(raw: Any, t
 
     read_by_name(raw, here, read, lambda found: found)
     assert len(set(lengths)) == len(lengths) == times
+
+
+def frame_chain(seed: str | None, name: str, off: str = "") -> PartReport:
+    """Frame 6 of the Stanford arm in frame 3, its position as multiples of a dimension."""
+    instance = generate(exercise("stanford-frame-chain"), seed)
+    found = instance.exercise.part("frame_chain")
+    assert found is not None
+    nothing = parse(instance, RawAnswer(frame_chain=FrameChainCells(pose=np.eye(4).tolist())))
+    context = Context(instance=instance, answer=nothing, verdict=None)
+    right = np.array(part_type("frame_chain").right(found, context).pose, dtype=np.float64)
+    pose: Any = right.tolist()
+    for row, value in zip(pose, right[:3, 3] / instance.parameters[name], strict=False):
+        row[3] = f"{value:.6f}*{name}{off}" if value else 0
+    return part(
+        judged("stanford-frame-chain", seed=seed, frame_chain=FrameChainCells(pose=pose)), "frame_chain"
+    )
+
+
+@pytest.mark.parametrize("seed", SEEDS)
+def test_another_dimension_is_wrong_in_a_chain_of_frames(seed: str | None) -> None:
+    assert frame_chain(seed, "L2").correct
+    assert codes(frame_chain(seed, "L1"))[0] == "chain_wrong"
+    assert not frame_chain(seed, "L2", " + 0.004").correct
+    assert not frame_chain(seed, "L2", "*1.012").correct

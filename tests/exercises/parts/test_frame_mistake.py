@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 
 import pytest
@@ -126,3 +127,21 @@ def test_mistakes_that_the_robot_cannot_show_are_refused() -> None:
     assert "y_left_handed" in str(fault.params["known"])
     some = replace(part, mistakes=("origin_not_at_intersection", "y_left_handed"))
     assert not list(PART.inconsistencies(some, found))
+
+
+def test_a_frame_that_is_mended_by_another_dimension_is_not() -> None:
+    """The axis of joint 2 is a2 away; a multiple of a3 that is as long is right for one student alone."""
+    tried = 0
+    for seed in range(20):
+        part, known = context("scara-frame-mistake", seed)
+        right = PART.right(part, known)
+        assert right.mended_origin is not None
+        x, y, z = (float(value) for value in right.mended_origin)
+        if z or abs(math.hypot(x, y) - known.parameters["a2"]) > 1e-5:
+            continue
+        tried += 1
+        for name, mended in (("a2", True), ("a3", False)):
+            origin = tuple(f"{value / known.parameters[name]:.6f}*{name}" for value in (x, y))
+            report = judged(part, known, replace(right, mended_origin=(*origin, 0)))
+            assert (report.score == 1.0) is mended
+    assert tried
