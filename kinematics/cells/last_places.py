@@ -10,7 +10,7 @@ from kinematics.cells.tables import RawRow
 from kinematics.expressions import ZERO, evaluate, parameters_in
 from kinematics.table import CELLS, SymbolicRow
 
-_ONE_NUMBER = re.compile(r"[\s()+=−–-]*((?:[0-9]+(?:[.,][0-9]*)?|[.,][0-9]+)(?:[eE][+-]?[0-9]+)?)[\s()°]*")
+_ONE_NUMBER = re.compile(r"[\s()+=−–-]*((?:[0-9]+(?:\.[0-9]*)?|\.[0-9]+)(?:[eE][+-]?[0-9]+)?)[\s()°]*")
 _LARGEST_EXPONENT = 100
 Place = tuple[int, str]
 
@@ -30,7 +30,7 @@ def last_places(raw: Sequence[RawRow], rows: Sequence[SymbolicRow]) -> Iterator[
             match = _ONE_NUMBER.fullmatch(text)
             if match is None or not match[1].endswith("0"):
                 continue
-            number = Decimal(match[1].replace(",", "."))
+            number = Decimal(match[1])
             exponent = number.as_tuple().exponent
             if number and abs(number.adjusted()) < _LARGEST_EXPONENT and isinstance(exponent, int):
                 yield (i, cell), abs(evaluate(entry)) / float(number) * 10.0**exponent

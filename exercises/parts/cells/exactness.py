@@ -15,8 +15,8 @@ EITHER_WAY = 2.0
 """What a length that is off may do to a pose: a turn carries it to the other side."""
 MOST_DECIMALS = 64
 """Decimals that are looked at one by one; an answer with more is held to the usual tolerance."""
-_DECIMAL = re.compile(r"(?<![\w.,])[0-9]*[.,]([0-9]+)")
-_NUMBER = re.compile(r"(?<![\w.,])(?:[0-9]+(?:[.,]([0-9]+))?|[.,]([0-9]+))")
+_DECIMAL = re.compile(r"(?<![\w.])[0-9]*\.([0-9]+)")
+_NUMBER = re.compile(r"(?<![\w.])(?:[0-9]+(?:\.([0-9]+))?|\.([0-9]+))")
 KNOWN = (*(math.sin(k * math.pi / 12) for k in (1, 3, 4, 5)), math.sqrt(2), math.sqrt(3))
 """What students round: sines and cosines, beside fractions of four, which are exact."""
 
@@ -55,7 +55,7 @@ def _effect(
     cell = cells[i]
     if not has_letters(cell):
         return step
-    other = f"{_value(match[0]) + step:.12f}"
+    other = f"{float(match[0]) + step:.12f}"
     there = lengths_of(_with_cell(raw, i, cell[: match.start()] + other + cell[match.end() :]))
     longest = max(map(abs, here), default=0.0)
     if there is None or len(there) != len(here) or not longest:
@@ -63,13 +63,9 @@ def _effect(
     return max(abs(one - two) for one, two in zip(here, there, strict=True)) / longest or step
 
 
-def _value(text: str) -> float:
-    return float(text.replace(",", "."))
-
-
 def _left_open(match: re.Match[str]) -> float:
     """Return by how much a decimal may be off: a fraction of four by nothing, others by their rounding."""
-    value, half = _value(match[0]), 0.5 * 10.0 ** -len(match[1])
+    value, half = float(match[0]), 0.5 * 10.0 ** -len(match[1])
     if (4.0 * value).is_integer():
         return 0.0
     return min((off for known in KNOWN if (off := abs(value - known)) <= half), default=half)
@@ -78,7 +74,7 @@ def _left_open(match: re.Match[str]) -> float:
 def numbers_in(cell: str) -> Iterator[tuple[float, float]]:
     """Yield the numbers in a cell, each with half a unit of its last place."""
     for match in _NUMBER.finditer(cell):
-        yield _value(match[0]), 0.5 * 10.0 ** -len(match[1] or match[2] or "")
+        yield float(match[0]), 0.5 * 10.0 ** -len(match[1] or match[2] or "")
 
 
 def has_letters(cell: str) -> bool:
