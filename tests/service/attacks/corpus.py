@@ -48,6 +48,9 @@ def attacks() -> Iterator[Attack]:
         matrices = [[["cos(q1)*sin(q2)+L1"] * 4] * 4] * count
         answer = {"table": {"convention": "standard", "rows": []}, "link_matrices": matrices}
         yield Attack(f"link matrices x{count}", f"{API}/exercises/puma560/grade", _written(answer))
+    for name, text in conditions():
+        asked = {"robot": "puma560", "conditions": [text]}
+        yield Attack(f"conditions: {name}", f"{API}/check-singularities", _written(asked))
 
 
 CALLS = ("/understand", "/forward-kinematics", "/symbolic", "/workspace", "/grade")
@@ -88,6 +91,13 @@ def chains(count: int) -> Iterator[tuple[str, object]]:
     yield "joints of nothing", {"joints": [{}] * count}
     yield "joints of lists", {"joints": [[]] * count}
     yield "long joint", {"joints": [[0] * count]}
+
+
+def conditions() -> Iterator[tuple[str, str]]:
+    """Cells with conditions whose search or number grows faster than their length."""
+    for count in (1_900, 20_000, 900_000):
+        yield f"spaces x{count}", "q3 = k*pi" + " " * count + "x"
+        yield f"equations x{count}", "q3 = " + ", ".join(["0"] * (count // 3))
 
 
 def batches(count: int) -> Iterator[tuple[str, bytes]]:
