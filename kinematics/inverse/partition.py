@@ -28,6 +28,9 @@ _PARALLEL = 1e-6
 """Distance from a point, in units of the size, below which axes pass through it, and sine of the angle below
 which two are parallel."""
 
+_ALONG = 1e-12
+"""Sine of the angle to an axis below which a direction lies along it: well below every tolerance."""
+
 _HAND = np.array(((0.4142, 0.7321, 0.2361), (-0.6458, 0.3166, 0.1231), (0.3589, -0.2426, 0.7958)))
 """Three points of the hand, in units of the size; they fix its pose and lie on no axis that anybody drew."""
 
@@ -132,15 +135,30 @@ def _tail_turns(tail: Sequence[Joint], R: Array) -> list[list[float]]:
         return [[q4, _last_turn(axes[1], _rotation(tail[0], q4).T @ R)]]
     z4, z5, z6 = axes
     along = (z4 @ z5) * (z5 @ z6)
-    cosine, sine = float(z4 @ z6 - along), float(z4 @ cross_arrays(z5, z6))
-    ratio = float(z4 @ R @ z6 - along) / np.hypot(cosine, sine)
-    middle, half = np.arctan2(sine, cosine), np.arccos(np.clip(ratio, -1.0, 1.0))
+    middle = np.arctan2(float(z4 @ cross_arrays(z5, z6)), float(z4 @ z6 - along))
+    half = _half_turn(_angle(z4, z5), _angle(z5, z6), _angle(z4, R @ z6))
     found = []
     for q5 in (float(middle - half), float(middle + half)):
         R5 = _rotation(tail[1], q5)
         q4 = _turn(z4, R5 @ z6, R @ z6)
         found.append([q4, q5, _last_turn(z6, R5.T @ _rotation(tail[0], q4).T @ R)])
     return found
+
+
+def _half_turn(first: float, second: float, wanted: float) -> float:
+    """The turn of q_5 out of the plane of three axes that leaves a wanted angle between the outer ones.
+
+    cos wanted = cos first · cos second + sin first · sin second · cos turn, by half angles: the arccosine of
+    what is beside 1 has half its digits, and a wrist that is 1e-8 rad from its line would be in line.
+    """
+    sine = np.sin(0.5 * (wanted + first - second)) * np.sin(0.5 * (wanted - first + second))
+    cosine = np.sin(0.5 * (first + second + wanted)) * np.sin(0.5 * (first + second - wanted))
+    return 2.0 * float(np.arctan2(np.sqrt(max(float(sine), 0.0)), np.sqrt(max(float(cosine), 0.0))))
+
+
+def _angle(u: Array, v: Array) -> float:
+    """The angle between two directions."""
+    return float(np.arctan2(np.linalg.norm(cross_arrays(u, v)), u @ v))
 
 
 def _last_turn(axis: Array, R: Array) -> float:
@@ -152,7 +170,7 @@ def _last_turn(axis: Array, R: Array) -> float:
 def _turn(axis: Array, u: Array, v: Array) -> float:
     """The angle about an axis from u to v; 0 if either lies along it, and every angle would do."""
     u, v = u - (u @ axis) * axis, v - (v @ axis) * axis
-    if np.linalg.norm(u) < 1e-9 or np.linalg.norm(v) < 1e-9:
+    if np.linalg.norm(u) < _ALONG or np.linalg.norm(v) < _ALONG:
         return 0.0
     return float(np.arctan2(axis @ cross_arrays(u, v), u @ v))
 

@@ -4,6 +4,7 @@ import argparse
 
 from tests.kinematics.inverse.campaign import run
 from tests.kinematics.inverse.models import MODELS
+from tests.kinematics.inverse.toolbox import toolbox_models
 
 
 def main() -> None:
@@ -14,9 +15,14 @@ def main() -> None:
     )
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--only", nargs="*", help="names of models")
+    parser.add_argument(
+        "--toolbox",
+        action="store_true",
+        help="the models of roboticstoolbox instead, which is to be installed",
+    )
     arguments = parser.parse_args()
     faults = 0
-    for name, table in MODELS.items():
+    for name, table in (toolbox_models() if arguments.toolbox else MODELS).items():
         if arguments.only and name not in arguments.only:
             continue
         tally = run(name, table, arguments.poses, arguments.tried, arguments.seed)

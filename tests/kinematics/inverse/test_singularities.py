@@ -20,7 +20,7 @@ from kinematics.inverse.results import Isolation, Method
 from kinematics.inverse.search import Bounds, search
 from kinematics.inverse.wrist import WristArm
 from kinematics.table import Convention
-from tests.kinematics.inverse.arms import GENERAL, UR5, apart, random_joints, random_table
+from tests.kinematics.inverse.arms import GENERAL, STANFORD, UR5, apart, random_joints, random_table
 from tests.kinematics.inverse.campaign import is_among, questions, run, singular_configuration
 from tests.kinematics.inverse.models import MODELS
 from tests.kinematics.robots import PLANAR4, PUMA560, RX90, numeric
@@ -41,6 +41,8 @@ def test_a_small_campaign(name):
     [
         pytest.param("catalogue rx90", 5, 4, id="over a bent surface"),
         pytest.param("catalogue rx90", 47, 47, id="over a surface, by places in between"),
+        pytest.param("stanford", 103, 123, id="a wrist 8e-9 rad from its line"),
+        pytest.param("stanford", 103, 180, id="a wrist 5e-9 rad from its line"),
         pytest.param("no offsets", 4, 2, id="within the width of crossing families"),
         pytest.param("catalogue gen3", 2, 1, id="a family of a single point"),
         pytest.param("catalogue gen3", 11, 39, id="ways that leave a crossing of seven joints"),
@@ -87,8 +89,8 @@ def test_roughly_written_poses_are_read_with_a_tolerance(decimals):
     assert len(answer.solutions) == 7
 
 
-@pytest.mark.parametrize("q5", [3e-8, 1e-7, 1e-6, 1e-4])
-@pytest.mark.parametrize("table", [UR5, PUMA560, RX90], ids=["ur5", "puma", "rx90"])
+@pytest.mark.parametrize("q5", [4e-9, 8e-9, 3e-8, 1e-7, 1e-6, 1e-4])
+@pytest.mark.parametrize("table", [UR5, PUMA560, RX90, STANFORD], ids=["ur5", "puma", "rx90", "stanford"])
 def test_beside_a_wrist_in_line_no_solution_is_lost(table, q5):
     q = np.array([0.3, -0.7, 1.2, 0.5, q5, -1.4])
     answer = inverse_kinematics(table, end_pose(table, q))
