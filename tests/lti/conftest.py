@@ -14,9 +14,9 @@ from tests.live_service import running
 from tests.lti.classes import Browser, Lms, lms_process
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def lms() -> Iterator[Lms]:
-    """A platform in a process of its own."""
+    """A platform in a process of its own; it begins anew with every service."""
     with lms_process() as started:
         yield started
 

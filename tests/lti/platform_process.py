@@ -39,8 +39,12 @@ class Lms:
         key = JWK.generate(kty="RSA", size=2048)
         self.private = key.export_to_pem(private_key=True, password=None).decode()
         self.public = key.export_to_pem().decode()
-        self.tool = ""
         self.lock = threading.Lock()
+        self.begin("")
+
+    def begin(self, tool: str) -> None:
+        """Know nothing but a tool: what another one sent, of the same people and links, is gone."""
+        self.tool = tool
         self.assertions: set[str] = set()
         self.items: dict[str, dict[str, Any]] = {}
         self.scores: list[dict[str, Any]] = []
@@ -152,7 +156,8 @@ class Handler(BaseHTTPRequestHandler):
 
     def post_control(self, _: list[str], query: dict[str, str], body: bytes) -> None:
         told = json.loads(body or b"{}")
-        self.lms.tool = told.get("tool", self.lms.tool)
+        if "tool" in told:
+            self.lms.begin(told["tool"])
         self.lms.faults = told.get("faults", self.lms.faults)
         self._send(200, {})
 
