@@ -223,7 +223,8 @@ class _Second:
         left, scales, _ = np.linalg.svd(rows)
         rank = int((scales > _NOTHING * max(float(scales[0]), 1.0)).sum())
         without = b @ left[:, rank:]
-        if without.size and float(np.abs(without).max()) > _NOTHING:
+        # What is the same for every q_3 is how far a target was rounded, and tells nothing of q_3.
+        if without.size and float(np.ptp(without, axis=0).max()) > _NOTHING:
             return np.asarray(without @ np.cos(np.arange(1.0, without.shape[1] + 1.0)))
         if rank == 0:
             raise DegenerateError

@@ -126,6 +126,27 @@ def test_regular_poses_of_arms_with_joints_to_spare_are_not_singular():
             assert np.abs(end_pose(panda, member) - target).max() <= 1e-7
 
 
+@pytest.mark.parametrize(
+    "q",
+    [
+        [1.570488049002024, 0.4995038516676532, 2.0191479000604273, -3.1343171091219526],
+        [2.1828629671761544, 1.5698812766283976, -1.570639875268931, 1.1707265942145926],
+    ],
+)
+def test_rounding_that_leaves_an_arms_plane_loses_no_solution(q):
+    """Three parallel axes after an upright one: a target half of 1e-4 off their plane is meant (AL5D)."""
+    table = numeric(
+        Convention.MODIFIED,
+        ("revolute", math.pi, 0.0, -0.06858, 0.0),
+        ("revolute", math.pi / 2, 0.002, 0.0, 0.0),
+        ("revolute", math.pi, 0.14679, 0.0, 0.0),
+        ("revolute", math.pi, 0.17751, 0.0, 0.0),
+    )
+    answer = inverse_kinematics(table, end_pose(table, q).round(4), tolerance=1e-4)
+    assert answer.status is IKStatus.SOLVED
+    assert min(apart(table, np.array(q), solution.joints) for solution in answer.solutions) < 0.02
+
+
 def _links(n):
     return numeric(Convention.STANDARD, *(("revolute", 0.0, 0.3 - 0.03 * i, 0.0, 0.0) for i in range(n)))
 
