@@ -174,7 +174,9 @@ class Context:
         tables = [self.own_numbers(values) for values, _ in samples.points]
         places = {row: joint for joint, row in enumerate(tables[0].joint_rows)}
         return [
-            link_transforms(rows, convention, [joints[:, places.get(i, 0)] for _, joints in samples.points])
+            link_transforms(
+                rows, convention, [_column(joints, places.get(i)) for _, joints in samples.points]
+            )
             for i, rows in enumerate(zip(*(table.rows for table in tables), strict=True))
         ]
 
@@ -271,6 +273,11 @@ class Context:
             name: math.radians(value) if degrees and self._is_angle(name) else value
             for name, value in parameters.items()
         }
+
+
+def _column(joints: NDArray[np.float64], joint: int | None) -> NDArray[np.float64]:
+    """(k,) values of one joint among (k, n); zeros for a row without a joint, whose table may have none."""
+    return joints[:, joint] if joint is not None else np.zeros(len(joints))
 
 
 def _fraction(k: int, n: int) -> float:

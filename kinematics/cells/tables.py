@@ -119,7 +119,7 @@ class ReadTable:
     length_unit: LengthUnit
     parameters: Mapping[str, ParameterKind]
     variables: tuple[str, ...] = ()
-    last_places: Mapping[tuple[int, str], float] = field(default_factory=dict)
+    last_places: Mapping[tuple[int, str], float] = field(default_factory=dict, repr=False)
 
     def _repr_html_(self) -> str:
         from kinematics.printing.table_markup import table_html  # a notebook asks, and nobody else

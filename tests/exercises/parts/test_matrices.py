@@ -50,6 +50,16 @@ def test_right_matrices_in_many_notations() -> None:
     assert codes(report) == ["matrices_right"]
 
 
+def test_matrices_of_a_table_without_a_joint_are_judged() -> None:
+    fixed = table("standard", (0, "a3", 0, 0), (180, "a2", 0, 0), (0, 0, 0, 0), (0, 0, 0, 0))
+    identity = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]
+    first = [[1, 0, 0, "a3"], *identity[1:]]
+    second = [[1, 0, 0, "a2"], [0, -1, 0, 0], [0, 0, -1, 0], [0, 0, 0, 1]]
+    report = judged("scara", table=fixed, link_matrices=[first, second, identity, identity])
+    links = part(report, "link_matrices")
+    assert (links.correct, links.score, links.credit) == (False, 1.0, Credit.OWN_TABLE)
+
+
 def test_matrices_of_a_wrong_table_earn_their_marks() -> None:
     report = judged("scara", table=WRONG, link_matrices=WRONG_MATRICES, transform=WRONG_TRANSFORM)
     assert not part(report, "table").correct
