@@ -46,13 +46,17 @@ class KeyPose:
 @lru_cache(maxsize=KEPT)
 def true_scene(instance: Instance) -> Scene:
     """The scene with the student's own lengths."""
+    return _scene(instance, drawn=False)
+
+
+def _scene(instance: Instance, *, drawn: bool) -> Scene:
     exercise = instance.exercise
     return build_scene(
         exercise.figure,
         exercise.reference.table,
         values(instance),
         signed_axes=_shows_signs(exercise),
-        drawn=False,
+        drawn=drawn,
     )
 
 
@@ -209,16 +213,9 @@ def key_pose(instance: Instance) -> KeyPose:
 
 
 def _drawn_scene(instance: Instance) -> Scene:
-    exercise = instance.exercise
-    if not exercise.figure.lengths:
+    if not instance.exercise.figure.lengths:
         return true_scene(instance)
-    return build_scene(
-        exercise.figure,
-        exercise.reference.table,
-        values(instance),
-        signed_axes=_shows_signs(exercise),
-        drawn=True,
-    )
+    return _scene(instance, drawn=True)
 
 
 def _shows_signs(exercise: Exercise) -> bool:
