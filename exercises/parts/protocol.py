@@ -89,11 +89,12 @@ class FormField:
     """A field of the form in which a page takes an answer.
 
     Attributes:
-        name: key in the answer; what it is called is the message `field-<name>`.
+        name: key in the answer.
         shape: how it is filled in.
         labels: what the cells of a row are called, such as "q1 [°]"; as many as there are.
         rows: of a matrix how many rows it has, of a list how many it may have.
         options: what may be chosen; their names are the messages `option-<option>`.
+        caption: the message `field-<caption>` says what the field is called; the name where none is given.
     """
 
     name: str
@@ -101,11 +102,12 @@ class FormField:
     labels: tuple[str, ...] = ()
     rows: int = 1
     options: tuple[str, ...] = ()
+    caption: str = ""
 
 
-def choice_field(name: str, options: Iterable[str]) -> FormField:
+def choice_field(name: str, options: Iterable[str], caption: str = "") -> FormField:
     """Return the field in which one of some options is chosen."""
-    return FormField(name=name, shape=FieldShape.CHOICE, options=tuple(map(str, options)))
+    return FormField(name=name, shape=FieldShape.CHOICE, options=tuple(map(str, options)), caption=caption)
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

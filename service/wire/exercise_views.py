@@ -200,7 +200,7 @@ def _part(part: Part, instance: Instance, language: str) -> dict[str, Any]:
 def _field(field: FormField, language: str) -> dict[str, Any]:
     return {
         "name": field.name,
-        "label": sentence(language, f"field-{field.name}"),
+        "label": sentence(language, f"field-{field.caption or field.name}"),
         "shape": field.shape,
         "labels": list(field.labels),
         "rows": field.rows,

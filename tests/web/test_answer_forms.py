@@ -45,7 +45,7 @@ KINDS = one_of_each_kind()
 
 def label(field: FormField) -> str:
     """Return what a field is called on the English page."""
-    return sentence("en", f"field-{field.name}", {}) or field.name
+    return sentence("en", f"field-{field.caption or field.name}", {}) or field.name
 
 
 def typed(value: Any) -> str:

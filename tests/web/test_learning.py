@@ -48,7 +48,7 @@ def test_a_wrong_answer_is_repaired_from_its_feedback(open_page: OpenPage) -> No
     page = open_page("/exercises/puma560")
     put_table(page, wrong(dict(PUMA), 2, a="d3", d="a2"))
     verdict = submit(page)
-    expect(verdict).to_contain_text("Your table describes another robot.")
+    expect(verdict).to_contain_text("Your table is not right yet.")
     assert not all_right(page)
     expect(verdict.locator(".badge.bad").first).to_be_visible()
     repair = verdict.locator(".repairs li:has(a)").first
@@ -69,7 +69,7 @@ def test_a_student_may_ask_for_less_help(open_page: OpenPage) -> None:
     choice.select_option("verdict")
     put_table(page, wrong(dict(SCARA), 1, a="a3"))
     verdict = submit(page)
-    expect(verdict).to_contain_text("Your table describes another robot.")
+    expect(verdict).to_contain_text("Your table is not right yet.")
     expect(verdict.locator(".links-table, .repairs")).to_have_count(0)
     page.reload()
     expect(choice).to_have_value("verdict")

@@ -203,7 +203,7 @@ class InverseKinematicsType(PartType[InverseKinematicsPart, JointAnswerCells, Jo
                 "unit": exercise.length_unit.value,
             },
             form=(
-                choice_field("claim", claims),
+                choice_field("claim", claims, "position_claim" if position else "pose_claim"),
                 FormField(
                     name="solutions",
                     shape=FieldShape.LIST,

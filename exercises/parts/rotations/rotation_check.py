@@ -108,7 +108,7 @@ class RotationCheckType(PartType[RotationCheckPart, RotationClaimCells, Rotation
         rows = tuple(tuple(row) for row in instance.drawn[self.kind])
         return PartTask(
             message="task-rotation-check",
-            form=(choice_field("claim", RotationClaim),),
+            form=(choice_field("claim", RotationClaim, "matrix_claim"),),
             numbers=(GivenNumbers(name="matrix", labels=(), rows=rows),),
         )
 

@@ -223,7 +223,7 @@ form-matrices = Matrices
 
 form-verdict-heading = Verdict
 form-verdict-correct = Your table describes this robot.
-form-verdict-wrong = Your table describes another robot.
+form-verdict-wrong = Your table is not right yet.
 form-verdict-all = Everything that you handed in is right.
 form-verdict-some = Not everything is right yet.
 form-verdict-outdated = You have changed your answer since.

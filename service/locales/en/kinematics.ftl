@@ -1,6 +1,6 @@
 # Joint values, poses, screws and numeric tables.
 
-error-target_unanswered = Computing stopped after { $seconds } s, with { $answered } of the targets answered. Ask for this one and those after it in a request of their own.
+error-target_unanswered = The computation stopped after { $seconds } s, with { $answered } of the targets answered. Send this target and those after it in another request.
 error-joints_wrong_length =
     { $expected ->
         [one] The table has one joint, but a configuration of { $given } values was given.
@@ -15,8 +15,8 @@ error-value_undefined = The expression has no finite value for these parameters.
 error-pose_not_numbers = A pose is a 4×4 matrix of numbers.
 error-pose_wrong_shape = A pose is a 4×4 matrix of numbers; this one is { $shape }.
 error-pose_not_finite = This entry is not a finite number.
-error-pose_in_one_row = Sixteen numbers in one list are no pose: write four rows of four numbers, [[…], […], […], [0, 0, 0, 1]].
-error-inertia_in_one_row = An inertia is not written in one list: write three rows of three, [[Ixx, Ixy, Ixz], [Ixy, Iyy, Iyz], [Ixz, Iyz, Izz]], Ixy = −∫ x y dm.
+error-pose_in_one_row = Sixteen numbers in one list are not a pose: write four rows of four numbers, [[…], […], […], [0, 0, 0, 1]].
+error-inertia_in_one_row = An inertia is not one list of numbers: write three rows of three, [[Ixx, Ixy, Ixz], [Ixy, Iyy, Iyz], [Ixz, Iyz, Izz]], with Ixy = −∫ x y dm.
 error-pose_bottom_row = The bottom row of a pose is 0, 0, 0, 1.
 error-pose_not_orthonormal = The rotation part is not orthonormal (off by { $error }): its columns must be perpendicular unit vectors to within { $tolerance }. Give more digits.
 error-pose_left_handed = The rotation part is left-handed: its determinant is −1, a reflection. It must be +1.
@@ -27,12 +27,12 @@ error-notation_wrong_length =
        *[other] { $what } takes { $expected } numbers: { $names }.
     }
 error-notation_not_finite = { $name } of { $what } is not a finite number.
-error-quaternion_length = A quaternion whose length is zero or overflows is no orientation. Give a unit quaternion.
+error-quaternion_length = A quaternion whose length is zero or overflows does not describe an orientation. Give a unit quaternion.
 error-axis_length = An axis whose length is zero or overflows has no direction. Give a unit vector.
 
-error-screw_not_finite = A screw is made of six finite numbers.
-error-screw_not_unit = The angular part of a turning joint’s screw, or the linear part of a sliding one’s, has length 1.
+error-screw_not_finite = A screw consists of six finite numbers.
+error-screw_not_unit = The angular part of a revolute joint’s screw, and the linear part of a prismatic joint’s, must have length 1.
 error-screw_has_pitch = This screw has a pitch of { $pitch } per radian. A joint either turns or slides.
-error-screw_of_other_type = Screw { $joint } is said to be of another type than it is: a revolute joint has an angular part, a prismatic one has none.
-error-tree_after_unknown = Row { $row } follows frame { $given }: it has to follow the base (0) or an earlier row. Closed loops are not treated.
+error-screw_of_other_type = Screw { $joint } is not of the type that is declared: a revolute joint has an angular part, a prismatic one has none.
+error-tree_after_unknown = Row { $row } follows frame { $given }; it must follow the base (0) or an earlier row. Closed loops are not supported.
 error-frame_unknown = There is no frame { $given }; the last one is { $count }.

@@ -1,8 +1,8 @@
 ### Launches from a learning management system (LTI): what is refused, and why.
 
 error-lti_parameter_missing = The learning platform sent no { $name }.
-error-lti_platform_unknown = No platform { $issuer } is registered here. An administrator registers it first.
-error-lti_platform_ambiguous = Several clients of { $issuer } are registered; the login has to name client_id.
+error-lti_platform_unknown = No platform { $issuer } is registered here. An administrator has to register it first.
+error-lti_platform_ambiguous = Several clients of { $issuer } are registered; the login has to give client_id.
 error-lti_platform_inactive = The platform { $issuer } is registered and has not been activated yet.
 error-lti_target_foreign = The address to open is not on this site.
 error-lti_state_unknown = This launch has been used already, or is too old. Open the exercise from your course again.
@@ -17,7 +17,7 @@ error-lti_token_early = The launch message is from the future or too old. Check 
 error-lti_claim_missing = The launch message lacks { $claim }.
 error-lti_claim_wrong = The launch message has a { $claim } that does not belong to this launch.
 error-lti_nonce_used = This launch message has been used already. Open the exercise from your course again.
-error-lti_deployment_unknown = The deployment { $deployment } of this platform is not known here. An administrator adds it.
-error-lti_address_refused = { $address } is not fetched: only public https addresses are, and those that the operator trusts.
+error-lti_deployment_unknown = The deployment { $deployment } of this platform is not known here. An administrator has to add it.
+error-lti_address_refused = { $address } is not fetched: the service fetches only public https addresses and those that its operator trusts.
 error-lti_unreachable = { $address } did not answer as expected: { $reason }.
 error-lti_configuration_invalid = The platform’s configuration lacks a usable { $name }.

@@ -223,7 +223,7 @@ form-matrices = Matrices
 
 form-verdict-heading = Veredicto
 form-verdict-correct = Su tabla describe este robot.
-form-verdict-wrong = Su tabla describe otro robot.
+form-verdict-wrong = Su tabla aún no es correcta.
 form-verdict-all = Todo lo que ha entregado está bien.
 form-verdict-some = Aún no está todo bien.
 form-verdict-outdated = Desde entonces ha cambiado su respuesta.

@@ -1,6 +1,6 @@
 # Valores articulares, poses, torsores y tablas numéricas.
 
-error-target_unanswered = El cálculo se detuvo a los { $seconds } s, con { $answered } de los objetivos respondidos. Pida este y los siguientes en otra solicitud.
+error-target_unanswered = El cálculo se detuvo a los { $seconds } s, con { $answered } de los objetivos respondidos. Pida este y los siguientes en otra petición.
 error-joints_wrong_length =
     { $expected ->
         [one] La tabla tiene una articulación, pero se dio una configuración de { $given } valores.
@@ -18,8 +18,8 @@ error-pose_not_finite = Este elemento no es un número finito.
 error-pose_in_one_row = Dieciséis números en una sola lista no son una pose: escriba cuatro filas de cuatro números, [[…], […], […], [0, 0, 0, 1]].
 error-inertia_in_one_row = Una inercia no se escribe en una sola lista: escriba tres filas de tres, [[Ixx, Ixy, Ixz], [Ixy, Iyy, Iyz], [Ixz, Iyz, Izz]], Ixy = −∫ x y dm.
 error-pose_bottom_row = La última fila de una pose es 0, 0, 0, 1.
-error-pose_not_orthonormal = La parte de rotación no es ortonormal (desviación de { $error }): sus columnas deben ser vectores unitarios perpendiculares, con una tolerancia de { $tolerance }. Dé más decimales.
-error-pose_left_handed = La parte de rotación forma un sistema levógiro: su determinante es −1, una reflexión. Debe ser +1.
+error-pose_not_orthonormal = La parte de rotación no es ortonormal (se desvía en { $error }): sus columnas deben ser vectores unitarios perpendiculares, con una tolerancia de { $tolerance }. Dé más decimales.
+error-pose_left_handed = La parte de rotación forma una terna levógira: su determinante es −1, una reflexión. Debe ser +1.
 
 error-notation_wrong_length =
     { $expected ->
@@ -31,8 +31,8 @@ error-quaternion_length = Un cuaternión de longitud nula o demasiado grande no 
 error-axis_length = Un eje de longitud nula o demasiado grande no tiene dirección. Dé un vector unitario.
 
 error-screw_not_finite = Un torsor cinemático consta de seis números finitos.
-error-screw_not_unit = La parte angular del torsor de una articulación giratoria, o la parte lineal del de una prismática, tiene longitud 1.
+error-screw_not_unit = La parte angular del torsor de una articulación de rotación y la parte lineal del de una prismática deben tener longitud 1.
 error-screw_has_pitch = Este torsor tiene un paso de { $pitch } por radián. Una articulación o gira o se desliza.
 error-screw_of_other_type = El torsor { $joint } no es del tipo que se indica: una articulación de rotación tiene parte angular, una prismática no.
-error-tree_after_unknown = La fila { $row } sigue al sistema { $given }: debe seguir a la base (0) o a una fila anterior. Las cadenas cerradas no se tratan.
+error-tree_after_unknown = La fila { $row } sigue al sistema { $given }: debe seguir a la base (0) o a una fila anterior. No se admiten cadenas cerradas.
 error-frame_unknown = No existe el sistema { $given }; el último es el { $count }.

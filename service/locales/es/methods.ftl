@@ -1,10 +1,10 @@
 # Cinemática inversa.
 
-error-inverse_form_unknown = Los ejes de este brazo no se suceden de un modo cuya cinemática inversa se conozca en símbolos: han de ser perpendiculares o paralelos, con dos o tres articulaciones que se mueven en un plano y una muñeca cuyos ejes pasan por un punto. En números se resuelve igualmente.
+error-inverse_form_unknown = Los ejes de este brazo no se suceden de un modo cuya cinemática inversa se conozca en forma simbólica: han de ser perpendiculares o paralelos, con dos o tres articulaciones que se mueven en un plano y una muñeca cuyos ejes se cortan en un punto. Numéricamente se resuelve de todos modos.
 error-inverse_joint_count = La cinemática inversa admite de 1 a { $limit } articulaciones; esta tabla tiene { $count }.
 error-limits_wrong_length = El brazo tiene { $expected } articulaciones, pero se dieron { $given } límites; dé uno por articulación, null donde no haya.
-error-limits_reversed = Los límites de la articulación { $joint } son su valor mínimo y su valor máximo, en este orden.
+error-limits_reversed = Dé los límites de la articulación { $joint } como su valor mínimo y su valor máximo, en este orden.
 error-limits_too_far = Los límites de la articulación { $joint } están ambos a más de { $limit } rad de 0. Reste a ambos vueltas completas.
 error-pose_tolerance_out_of_range = La tolerancia es un número positivo no mayor que { $limit }.
-error-targets_wrong_shape = Varios objetivos se dan como una lista de matrices 4×4.
+error-targets_wrong_shape = Dé varios objetivos como una lista de matrices 4×4.
 error-workspace_condition_unmet = No se encontró ninguna configuración dentro de los límites que cumpla esta condición.

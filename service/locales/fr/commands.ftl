@@ -1,4 +1,4 @@
-### Ce que l'autovérification d'un exercice dit à son auteur.
+### Ce que l’autovérification d’un exercice dit à son auteur.
 
 check-counts = { $exercise } : { $passed ->
     [one] { $passed } vérification réussie
@@ -10,17 +10,17 @@ check-counts = { $exercise } : { $passed ->
 check-structure = La graine { $seed } change la structure du robot.
 check-figure = Graine { $seed } : la figure ne peut pas être dessinée ({ $reason }).
 check-right = Un tableau juste est refusé : { $table }
-check-certificate = Le certificat d’un tableau juste n’est pas vérifié : { $table }
+check-certificate = Le certificat d’un tableau juste ne tient pas : { $table }
 check-harmless = Un tableau faux est accepté : { $table }
 check-mistake = L’erreur { $mistake } n’est pas expliquée dans { $table }
 check-part = Graine { $seed } : une réponse juste à la partie { $part } est refusée.
 check-follow_through = Graine { $seed } : ce qui découle d’un tableau faux ne rapporte pas de points dans la partie { $part }.
-check-wrong_part = Graine { $seed } : une réponse fausse à la partie { $part } n’est pas expliquée par { $mistake }, mais par { $told }.
+check-wrong_part = Graine { $seed } : une réponse fausse à la partie { $part } n’est pas expliquée comme { $mistake }, mais comme { $told }.
 check-invalid = Un tableau mal formé est noté : { $name }.
-check-sample = L’exemple « { $name } » n’est pas jugé comme prévu ; il est dit : { $told }.
+check-sample = L’exemple « { $name } » n’est pas jugé comme prévu ; le verdict est : { $told }.
 check-rounded = Un tableau juste arrondi à { $digits } chiffres est refusé avec la règle d’outil { $rule } : { $table }
 check-tool_rule = Un tableau juste est refusé avec la règle d’outil { $rule } : { $table }
-check-crash = Graine { $seed } : la notation échoue : { $reason }
+check-crash = Graine { $seed } : l’évaluation échoue : { $reason }
 check-unneeded = Aucune réponse juste n’a besoin de { $name } : on peut choisir des repères où cette cote n’apparaît pas. Fixez le repère de la base ou celui de l’outil si la réponse doit la contenir, ou retirez-la de l’énoncé.
-warm-counts = { $exercise } : { $values } jeux de valeurs vérifiés et dessinés, { $figures } figures, { $forms } formes explicites, { $failed } échecs, { $seconds } s
+warm-counts = { $exercise } : { $values } jeux de valeurs vérifiés et dessinés, { $figures } figures, { $forms } formes littérales, { $failed } échecs, { $seconds } s
 error-nothing_to_warm = Il n’y a ni exercice ni cours avec des liens nommé { $name }.

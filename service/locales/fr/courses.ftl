@@ -1,4 +1,4 @@
-### Cours, essais conservés et lancements depuis une plateforme pédagogique : ce qui est refusé, et pourquoi.
+### Cours, essais conservés et lancements depuis une plateforme d’apprentissage : ce qui est refusé, et pourquoi.
 
 problem-title-401 = Vous n’êtes pas connecté
 problem-title-403 = Accès réservé

@@ -223,7 +223,7 @@ form-matrices = Matrices
 
 form-verdict-heading = Verdict
 form-verdict-correct = Votre tableau décrit ce robot.
-form-verdict-wrong = Votre tableau décrit un autre robot.
+form-verdict-wrong = Votre tableau n’est pas encore juste.
 form-verdict-all = Tout ce que vous avez rendu est juste.
 form-verdict-some = Tout n’est pas encore juste.
 form-verdict-outdated = Vous avez modifié votre réponse depuis.

@@ -1,4 +1,4 @@
-# Valeurs articulaires, poses, vissages et tableaux numériques.
+# Valeurs articulaires, poses, torseurs et tableaux numériques.
 
 error-target_unanswered = Le calcul s’est arrêté après { $seconds } s : { $answered } des cibles ont une réponse. Demandez celle-ci et les suivantes dans une autre requête.
 error-joints_wrong_length =
@@ -31,8 +31,8 @@ error-quaternion_length = Un quaternion de norme nulle ou trop grande n’est pa
 error-axis_length = Un axe de longueur nulle ou trop grande n’a pas de direction. Donnez un vecteur unitaire.
 
 error-screw_not_finite = Un torseur cinématique est formé de six nombres finis.
-error-screw_not_unit = La partie angulaire du torseur d’une articulation rotoïde, ou la partie linéaire de celui d’une articulation prismatique, est de longueur 1.
+error-screw_not_unit = La partie angulaire du torseur d’une articulation rotoïde et la partie linéaire de celui d’une articulation prismatique doivent être de longueur 1.
 error-screw_has_pitch = Ce torseur a un pas de { $pitch } par radian. Une articulation tourne ou coulisse, pas les deux.
 error-screw_of_other_type = Le torseur { $joint } n’est pas du type annoncé : une articulation rotoïde a une partie angulaire, une prismatique n’en a pas.
-error-tree_after_unknown = La ligne { $row } suit le repère { $given } : elle doit suivre la base (0) ou une ligne précédente. Les boucles fermées ne sont pas traitées.
+error-tree_after_unknown = La ligne { $row } suit le repère { $given } : elle doit suivre la base (0) ou une ligne précédente. Les boucles fermées ne sont pas prises en charge.
 error-frame_unknown = Il n’y a pas de repère { $given } ; le dernier est le { $count }.

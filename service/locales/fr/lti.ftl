@@ -1,4 +1,4 @@
-### Lancements depuis une plateforme pédagogique (LTI) : ce qui est refusé, et pourquoi.
+### Lancements depuis une plateforme d’apprentissage (LTI) : ce qui est refusé, et pourquoi.
 
 error-lti_parameter_missing = La plateforme d’apprentissage n’a pas envoyé { $name }.
 error-lti_platform_unknown = Aucune plateforme { $issuer } n’est enregistrée ici. Un administrateur doit d’abord l’enregistrer.
@@ -17,7 +17,7 @@ error-lti_token_early = Le message de lancement vient du futur ou est trop ancie
 error-lti_claim_missing = Il manque { $claim } au message de lancement.
 error-lti_claim_wrong = Le message de lancement contient un { $claim } qui n’est pas celui de ce lancement.
 error-lti_nonce_used = Ce message de lancement a déjà servi. Rouvrez l’exercice depuis votre cours.
-error-lti_deployment_unknown = Le déploiement { $deployment } de cette plateforme n’est pas connu ici. Un administrateur l’ajoute.
-error-lti_address_refused = { $address } n’est pas consultée : seules le sont les adresses https publiques et celles auxquelles l’exploitant fait confiance.
+error-lti_deployment_unknown = Le déploiement { $deployment } de cette plateforme n’est pas connu ici. Un administrateur doit l’ajouter.
+error-lti_address_refused = { $address } n’est pas consultée : seules sont consultées les adresses https publiques et celles auxquelles l’exploitant fait confiance.
 error-lti_unreachable = { $address } n’a pas répondu comme attendu : { $reason }.
-error-lti_configuration_invalid = Il manque à la configuration de la plateforme un { $name } utilisable.
+error-lti_configuration_invalid = Il manque un { $name } utilisable à la configuration de la plateforme.

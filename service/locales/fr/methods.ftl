@@ -1,10 +1,10 @@
 # Modèle géométrique inverse.
 
-error-inverse_form_unknown = Les axes de ce bras ne se suivent pas d’une façon dont le modèle géométrique inverse soit connu sous forme littérale : ils doivent être perpendiculaires ou parallèles, avec deux ou trois articulations qui se déplacent dans un plan et un poignet à axes concourants. En nombres, il se résout tout de même.
+error-inverse_form_unknown = Les axes de ce bras ne se suivent pas d’une façon dont le modèle géométrique inverse soit connu sous forme littérale : ils doivent être perpendiculaires ou parallèles, avec deux ou trois articulations qui se déplacent dans un plan et un poignet à axes concourants. La résolution numérique reste possible.
 error-inverse_joint_count = Le modèle géométrique inverse accepte de 1 à { $limit } articulations ; ce tableau en a { $count }.
-error-limits_wrong_length = Le bras a { $expected } articulations, mais { $given } butées ont été données ; donnez-en une par articulation, null là où il n’y en a pas.
-error-limits_reversed = Les limites de l’articulation { $joint } sont sa valeur minimale puis sa valeur maximale, dans cet ordre.
+error-limits_wrong_length = Le bras a { $expected } articulations, mais { $given } limites ont été données ; donnez-en une par articulation, null là où il n’y en a pas.
+error-limits_reversed = Donnez pour limites de l’articulation { $joint } sa valeur minimale puis sa valeur maximale, dans cet ordre.
 error-limits_too_far = Les limites de l’articulation { $joint } sont toutes deux à plus de { $limit } rad de 0. Retranchez des tours complets de l’une et de l’autre.
 error-pose_tolerance_out_of_range = La tolérance est un nombre positif, { $limit } au plus.
-error-targets_wrong_shape = Plusieurs situations à atteindre se donnent comme une liste de matrices 4×4.
-error-workspace_condition_unmet = Aucune configuration dans les limites ne remplit cette condition, autant que la recherche l’a montré.
+error-targets_wrong_shape = Donnez plusieurs poses à atteindre comme une liste de matrices 4×4.
+error-workspace_condition_unmet = Aucune configuration remplissant cette condition n’a été trouvée dans les limites.

@@ -13,15 +13,15 @@ error-urdf_name_invalid = Le nom d’un robot est une ligne de caractères visib
 error-urdf_joint_incomplete = Il manque <{ $element } link="…"/> à l’articulation « { $joint } ».
 error-urdf_link_missing = L’articulation « { $joint } » nomme le corps « { $link } », que la description n’a pas.
 error-urdf_link_unknown = La description n’a pas de corps « { $link } » ; elle a { $known }.
-error-urdf_two_parents = Le corps « { $link } » est porté par deux articulations, « { $first } » et « { $second } ». Chaque corps a un seul parent.
-error-urdf_ring = Les corps forment un anneau passant par « { $link } ». Une description est un arbre.
-error-urdf_base_needed = Corps qu’aucun autre ne porte : { $count }. Nommez-en un comme base_link : { $links }.
-error-urdf_tip_needed = La description se ramifie ; extrémités : { $count }. Nommez-en une comme tip_link : { $links }.
+error-urdf_two_parents = Le corps « { $link } » est l’enfant de deux articulations, « { $first } » et « { $second } ». Chaque corps a un seul parent.
+error-urdf_ring = Les corps forment une boucle passant par « { $link } ». Une description est un arbre.
+error-urdf_base_needed = Corps sans parent : { $count }. Indiquez-en un comme base_link : { $links }.
+error-urdf_tip_needed = La description se ramifie ; extrémités : { $count }. Indiquez-en une comme tip_link : { $links }.
 error-urdf_no_path = Aucune suite d’articulations ne mène du corps « { $base } » au corps « { $tip } ».
 error-urdf_nothing_moves = Rien ne bouge entre le corps « { $base } » et le corps « { $tip } ».
 error-urdf_too_many_joints = La chaîne a { $count } articulations mobiles ; un tableau en prend au plus { $limit }.
 error-urdf_several_freedoms = L’articulation « { $joint } » est de type { $kind } : elle a plusieurs degrés de liberté, une ligne du tableau DH n’en a qu’un.
-error-urdf_type_unknown = L’articulation « { $joint } » est du type « { $kind } » ; sont connus { $known }.
+error-urdf_type_unknown = L’articulation « { $joint } » est du type « { $kind } » ; les types connus sont { $known }.
 error-urdf_mimic = L’articulation « { $joint } » bouge avec « { $other } » et toutes deux sont dans la chaîne ; dans un tableau DH, chaque articulation a sa propre variable.
 error-urdf_mimic_unknown = L’articulation « { $joint } » imite « { $other } », qui n’est pas une articulation de la description, ou s’imite elle-même.
 error-urdf_attribute_unknown = Articulation « { $joint } » : <{ $element }> n’a pas d’attribut « { $attribute } » ; il prend { $known }.
@@ -29,15 +29,15 @@ error-urdf_element_twice = L’articulation « { $joint } » a plusieurs élé
 error-urdf_two_orientations = L’articulation « { $joint } » donne deux fois son orientation, par rpy et par quat_xyzw. N’en gardez qu’une.
 error-urdf_quaternion_zero = Le quaternion de l’articulation « { $joint } » est 0 0 0 0, ce qui n’est pas une orientation.
 error-urdf_joint_names = Un robot à { $expected } articulations prend autant de noms, tous différents et aucun n’étant fixed_base, fixed_tool ou fixed_row_… ; { $given } ont été donnés.
-error-urdf_axis_zero = L’axe de l’articulation « { $joint } » est 0 0 0 et ne pointe nulle part.
-error-urdf_limits_reversed = La butée inférieure de l’articulation « { $joint } » est au-dessus de la supérieure.
+error-urdf_axis_zero = L’axe de l’articulation « { $joint } » est 0 0 0 et n’a pas de direction.
+error-urdf_limits_reversed = La limite inférieure de l’articulation « { $joint } » est plus grande que la limite supérieure.
 error-urdf_numbers_malformed = Articulation « { $joint } » : { $attribute } dans <{ $element }> prend { $count ->
         [one] un nombre fini
        *[other] { $count } nombres finis séparés par des espaces
     }, aucun plus grand que { $limit }.
 error-urdf_limit_malformed = Articulation « { $joint } » : { $attribute } dans <limit> prend un nombre. Écrivez inf si l’articulation n’a pas de limite.
-error-urdf_length_overflow = Un URDF ne prend pas de longueurs au-delà de { $limit_in_metres } m. Elles doivent être plus petites.
-error-option_idle = Omettez { $found } : cette conversion n’en a pas l’usage.
+error-urdf_length_overflow = Les longueurs d’un URDF ne doivent pas dépasser { $limit_in_metres } m.
+error-option_idle = Omettez { $found } : cette conversion ne s’en sert pas.
 
 error-workspace_without_joints = Rien ne bouge : un espace de travail demande une ligne rotoïde ou prismatique.
-error-slide_without_limits = L’articulation { $joint } coulisse : sans valeur minimale et maximale, l’espace de travail n’a pas de fin.
+error-slide_without_limits = L’articulation { $joint } coulisse : sans valeur minimale et maximale, l’espace de travail est illimité.

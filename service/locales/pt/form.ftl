@@ -223,7 +223,7 @@ form-matrices = Matrizes
 
 form-verdict-heading = Veredicto
 form-verdict-correct = A sua tabela descreve este robô.
-form-verdict-wrong = A sua tabela descreve outro robô.
+form-verdict-wrong = A sua tabela ainda não está certa.
 form-verdict-all = Tudo o que entregou está certo.
 form-verdict-some = Ainda nem tudo está certo.
 form-verdict-outdated = Entretanto alterou a sua resposta.

@@ -1,10 +1,10 @@
 # Cinemática inversa.
 
-error-inverse_form_unknown = Os eixos deste braço não se sucedem de um modo cuja cinemática inversa seja conhecida em símbolos: têm de ser perpendiculares ou paralelos, com duas ou três juntas que se movem num plano e um punho cujos eixos passam por um ponto. Em números resolve-se na mesma.
+error-inverse_form_unknown = Os eixos deste braço não se sucedem de um modo cuja cinemática inversa seja conhecida em forma simbólica: têm de ser perpendiculares ou paralelos, com duas ou três juntas que se movem num plano e um punho cujos eixos se cruzam num ponto. Numericamente resolve-se na mesma.
 error-inverse_joint_count = A cinemática inversa admite de 1 a { $limit } juntas; esta tabela tem { $count }.
 error-limits_wrong_length = O braço tem { $expected } juntas, mas foram dados { $given } limites; dê um para cada junta, null onde não houver limite.
-error-limits_reversed = Os limites da junta { $joint } são o valor mínimo e o valor máximo, nesta ordem.
+error-limits_reversed = Dê como limites da junta { $joint } o valor mínimo e o valor máximo, nesta ordem.
 error-limits_too_far = Os limites da junta { $joint } ficam ambos a mais de { $limit } rad de 0. Subtraia de ambos voltas completas.
-error-pose_tolerance_out_of_range = A tolerância é um número positivo até { $limit }.
-error-targets_wrong_shape = Vários alvos são dados como uma lista de matrizes 4×4.
+error-pose_tolerance_out_of_range = A tolerância é um número positivo, no máximo { $limit }.
+error-targets_wrong_shape = Dê vários alvos como uma lista de matrizes 4×4.
 error-workspace_condition_unmet = Não se encontrou nenhuma configuração dentro dos limites que cumpra esta condição.

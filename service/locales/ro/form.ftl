@@ -231,7 +231,7 @@ form-matrices = Matrice
 
 form-verdict-heading = Verdict
 form-verdict-correct = Tabelul descrie acest robot.
-form-verdict-wrong = Tabelul descrie alt robot.
+form-verdict-wrong = Tabelul dumneavoastră nu este încă corect.
 form-verdict-all = Tot ce ați predat este corect.
 form-verdict-some = Încă nu totul este corect.
 form-verdict-outdated = Între timp ați modificat răspunsul.

@@ -13,15 +13,15 @@ error-urdf_name_invalid = Numele unui robot este un rând de caractere vizibile.
 error-urdf_joint_incomplete = Cuplei „{ $joint }” îi lipsește <{ $element } link="…"/>.
 error-urdf_link_missing = Cupla „{ $joint }” numește elementul „{ $link }”, pe care descrierea nu îl are.
 error-urdf_link_unknown = Descrierea nu are elementul „{ $link }”; are { $known }.
-error-urdf_two_parents = Elementul „{ $link }” este purtat de două cuple, „{ $first }” și „{ $second }”. Fiecare element are un singur părinte.
-error-urdf_ring = Elementele formează un inel prin „{ $link }”. O descriere este un arbore.
-error-urdf_base_needed = Elemente care nu sunt purtate de altul: { $count }. Numiți unul ca base_link: { $links }.
-error-urdf_tip_needed = Descrierea se ramifică; capete: { $count }. Numiți unul ca tip_link: { $links }.
+error-urdf_two_parents = Elementul „{ $link }” este copilul a două cuple, „{ $first }” și „{ $second }”. Fiecare element are un singur părinte.
+error-urdf_ring = Elementele formează o buclă prin „{ $link }”. O descriere este un arbore.
+error-urdf_base_needed = Elemente fără părinte: { $count }. Indicați unul ca base_link: { $links }.
+error-urdf_tip_needed = Descrierea se ramifică; capete: { $count }. Indicați unul ca tip_link: { $links }.
 error-urdf_no_path = Nicio succesiune de cuple nu duce de la elementul „{ $base }” la elementul „{ $tip }”.
 error-urdf_nothing_moves = Nimic nu se mișcă între elementul „{ $base }” și elementul „{ $tip }”.
 error-urdf_too_many_joints = Lanțul are { $count } cuple mobile; un tabel primește cel mult { $limit }.
 error-urdf_several_freedoms = Cupla „{ $joint }” este de tip { $kind }: are mai multe grade de libertate, iar un rând al tabelului DH are unul.
-error-urdf_type_unknown = Cupla „{ $joint }” este de tipul „{ $kind }”; sunt cunoscute { $known }.
+error-urdf_type_unknown = Cupla „{ $joint }” este de tipul „{ $kind }”; tipurile cunoscute sunt { $known }.
 error-urdf_mimic = Cupla „{ $joint }” se mișcă odată cu „{ $other }”, iar amândouă sunt în lanț; într-un tabel DH fiecare cuplă are propria variabilă.
 error-urdf_mimic_unknown = Cupla „{ $joint }” o imită pe „{ $other }”, care nu este o cuplă a descrierii, sau se imită pe sine.
 error-urdf_attribute_unknown = Cupla „{ $joint }”: <{ $element }> nu are atributul „{ $attribute }”; primește { $known }.
@@ -29,15 +29,15 @@ error-urdf_element_twice = Cupla „{ $joint }” are mai multe elemente <{ $ele
 error-urdf_two_orientations = Cupla „{ $joint }” își dă orientarea de două ori, prin rpy și prin quat_xyzw. Lăsați doar una.
 error-urdf_quaternion_zero = Cuaternionul cuplei „{ $joint }” este 0 0 0 0, ceea ce nu este o orientare.
 error-urdf_joint_names = Un robot cu { $expected } cuple primește tot atâtea nume, toate diferite și niciunul fixed_base, fixed_tool sau fixed_row_…; s-au dat { $given }.
-error-urdf_axis_zero = Axa cuplei „{ $joint }” este 0 0 0 și nu indică nicăieri.
-error-urdf_limits_reversed = Limita inferioară a cuplei „{ $joint }” este deasupra celei superioare.
+error-urdf_axis_zero = Axa cuplei „{ $joint }” este 0 0 0 și nu are direcție.
+error-urdf_limits_reversed = Limita inferioară a cuplei „{ $joint }” este mai mare decât cea superioară.
 error-urdf_numbers_malformed = Cupla „{ $joint }”: { $attribute } din <{ $element }> primește { $count ->
         [one] un număr finit
        *[other] { $count } numere finite separate prin spații
     }, niciunul mai mare decât { $limit }.
 error-urdf_limit_malformed = Cupla „{ $joint }”: { $attribute } din <limit> primește un număr. Scrieți inf dacă cupla nu are limită.
-error-urdf_length_overflow = Un URDF nu are ce face cu lungimi de peste { $limit_in_metres } m. Ele trebuie să fie mai mici.
-error-option_idle = Omiteți { $found }: această conversie nu are nevoie de așa ceva.
+error-urdf_length_overflow = Lungimile dintr-un URDF nu pot depăși { $limit_in_metres } m.
+error-option_idle = Omiteți { $found }: această conversie nu îl folosește.
 
 error-workspace_without_joints = Nimic nu se mișcă: un spațiu de lucru are nevoie de un rând de rotație sau de translație.
-error-slide_without_limits = Cupla { $joint } translează: fără o valoare minimă și una maximă, spațiul de lucru nu are capăt.
+error-slide_without_limits = Cupla { $joint } se translatează: fără o valoare minimă și una maximă, spațiul de lucru este nelimitat.

@@ -239,7 +239,7 @@ form-matrices = Матриці
 
 form-verdict-heading = Висновок
 form-verdict-correct = Ваша таблиця описує цього робота.
-form-verdict-wrong = Ваша таблиця описує іншого робота.
+form-verdict-wrong = Ваша таблиця ще неправильна.
 form-verdict-all = Усе, що ви подали, правильне.
 form-verdict-some = Ще не все правильно.
 form-verdict-outdated = Відтоді ви змінили відповідь.
