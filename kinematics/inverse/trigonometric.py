@@ -13,7 +13,10 @@ NEARLY_REAL = 3e-2
 root, and of a quadruple one by its fourth root, 2e-4; the rest is for coefficients that have lost digits."""
 
 ONE_ROOT = 1e-6
-"""Half the distance of two roots [rad] that rounding of some 1e-13 in k may have parted."""
+"""Half the distance of two roots [rad] that rounding of some 1e-13 in k may have parted, or made one."""
+
+LEAST_PARTED = 1e-8
+"""Half the distance [rad] at which two roots are tried that rounding has made one."""
 
 NOTHING = 1e-13
 """Coefficients this small beside the largest are what rounding leaves of zero."""
@@ -22,7 +25,9 @@ NOTHING = 1e-13
 def linear_roots(c: float, s: float, k: float) -> tuple[float, ...] | None:
     """Return both q with c·cos q + s·sin q = k, only the middle where |k| is too large; None if c = s = 0.
 
-    Where both are so near to the middle that rounding may have parted them, the middle is there as well.
+    Where both are so near to the middle that rounding may have parted them, the middle is there as well; and
+    where it may have made them one, both sides of the middle are: of links that fold onto each other they
+    lead in opposite directions.
 
     Source: C. C. Paden, Kinematics and control of robot manipulators (1986), as R. P. Paul's a cos + b sin
     = d.
@@ -32,14 +37,12 @@ def linear_roots(c: float, s: float, k: float) -> tuple[float, ...] | None:
         return None
     middle = math.atan2(s, c)
     across = (length - k) * (length + k)
-    half = math.atan2(math.sqrt(across), k) if across > 0.0 else (0.0 if k > 0.0 else math.pi)
-    if half == 0.0 or half == math.pi:
-        return (middle - half,)
+    half = math.atan2(math.sqrt(abs(across)), abs(k))
+    middle += math.pi if k < 0.0 else 0.0
     if half < ONE_ROOT:
+        half = max(half, LEAST_PARTED)
         return middle - half, middle + half, middle
-    if half > math.pi - ONE_ROOT:
-        return middle - half, middle + half, middle + math.pi
-    return middle - half, middle + half
+    return (middle - half, middle + half) if across > 0.0 else (middle,)
 
 
 def quadratic_roots(cc: float, cs: float, ss: float, c: float, s: float, one: float) -> list[float] | None:

@@ -146,3 +146,16 @@ def test_a_surface_that_a_family_crosses_is_one_family_of_two_dimensions():
     assert surfaces
     assert all(abs(p.greatest - p.least) <= 2.0 * math.pi + 1e-9 for s in surfaces for p in s.parameters)
     assert holds(solver, goal._replace(tolerance=answer.tolerance), answer, q)
+
+
+@pytest.mark.parametrize("elbow", [1.0, -1.0])
+@pytest.mark.parametrize("away", [4e-9, 3e-8])
+@pytest.mark.parametrize("name", ["catalogue rx90", "no offsets"])
+def test_a_forearm_folded_onto_an_equal_upper_arm_goes_both_ways(name, away, elbow):
+    """A wrist this near the shoulder: rounding makes one root of two elbows, half a turn of q_2 apart."""
+    q = np.array([0.3, -1.1, 0.0, 0.9, 1.3, 0.4])
+    q[2] = -RIGHT if name == "no offsets" else RIGHT
+    q[2] += elbow * away
+    solver, goal, answer = asked(name, q)
+    assert holds(solver, goal, answer, q)
+    assert answer.complete or any(s.family for s in answer.solutions)
