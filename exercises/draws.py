@@ -1,13 +1,13 @@
 """From where a student's own values are drawn, and the draw itself.
 
 A value follows from names (the exercise's id, the seed, the value's name) by a hash, so the same seed gives
-the same values in every process, on every machine and in every later version, whatever else is drawn.
+the same values in every process, on every machine and in every later version.
 """
 
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
@@ -62,11 +62,24 @@ class Picker:
     exercise_id: str
     seed: str | None
 
-    def value(self, usual: Fraction, draw: Draw | None, name: str) -> Fraction:
-        """Return the value of a name: the usual one without a seed or without anything to draw from."""
+    def value(
+        self, usual: Fraction, draw: Draw | None, name: str, without: Collection[Fraction] = ()
+    ) -> Fraction:
+        """Return the value of a name: the usual one without a seed or without anything to draw from.
+
+        Args:
+            usual: the value that everyone sees without a seed.
+            draw: the values to choose from.
+            name: of the value.
+            without: sizes that are not drawn, unless the draw has no others.
+        """
         if self.seed is None or draw is None:
             return usual
-        return pick(draw.values(), self.exercise_id, self.seed, name)
+        value = pick(draw.values(), self.exercise_id, self.seed, name)
+        others = [other for other in draw.values() if abs(other) not in without]
+        if abs(value) not in without or not others:
+            return value
+        return pick(others, self.exercise_id, self.seed, name)
 
     def choice(self, values: Sequence[Value], name: str) -> Value:
         """Return one of the values: the first without a seed."""

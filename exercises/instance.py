@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import lru_cache
@@ -11,7 +11,7 @@ from math import prod
 from types import MappingProxyType
 from typing import Any
 
-from exercises.definition import Exercise
+from exercises.definition import DrawnParameter, Exercise
 from exercises.draws import Picker, pick
 from exercises.errors import AnswerError
 from exercises.parts.registry import part_type
@@ -68,14 +68,25 @@ def generate(exercise: Exercise, seed: str | int | None = None) -> Instance:
     """
     text = variant_of(exercise.id, seed_text(seed), exercise.access.variants)
     picker = Picker(exercise_id=exercise.id, seed=text)
-    exact = {
-        parameter.name: picker.value(parameter.value, parameter.draw, parameter.name)
-        for parameter in exercise.parameters
-    }
+    exact = _values_kept_apart(exercise.parameters, picker)
     drawn = {part.kind: part_type(part.kind).draw(part, exercise, picker) for part in exercise.parts}
     return Instance(
         exercise=exercise, seed=text, exact=MappingProxyType(exact), drawn=MappingProxyType(drawn)
     )
+
+
+def _values_kept_apart(parameters: Sequence[DrawnParameter], picker: Picker) -> dict[str, Fraction]:
+    """Return the value of every dimension: each drawn one of another size, where its draw has a choice.
+
+    Two lengths of one size could be exchanged by mistake without a difference.
+    """
+    exact: dict[str, Fraction] = {}
+    taken = {abs(parameter.value) for parameter in parameters if parameter.draw is None}
+    for parameter in parameters:
+        value = picker.value(parameter.value, parameter.draw, parameter.name, without=taken)
+        exact[parameter.name] = value
+        taken.add(abs(value))
+    return exact
 
 
 def possible_instances(exercise: Exercise, fixed: Collection[str], most: int) -> Iterator[Instance]:

@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from exercises.draws import Draw, pick
+from exercises.draws import Draw, Picker, pick
 from exercises.errors import AnswerError
 from exercises.instance import generate
 from exercises.parts.forward.pose import PosePart
@@ -49,6 +49,22 @@ def test_drawn_values_are_among_those_that_may_be_drawn(seed: str, exercise_id: 
             for value, draw in zip(instance.drawn["pose"], part.draws, strict=True):
                 assert draw is not None
                 assert value in draw.values()
+
+
+@pytest.mark.parametrize("exercise_id", exercise_ids)
+def test_dimensions_with_different_names_are_drawn_different_sizes(exercise_id: str) -> None:
+    found = exercise(exercise_id)
+    for seed in range(100):
+        sizes = [abs(value) for value in generate(found, seed).exact.values()]
+        assert len(set(sizes)) == len(sizes), (seed, sizes)
+
+
+def test_a_draw_without_another_choice_repeats_a_size() -> None:
+    picker, only = (
+        Picker(exercise_id="x", seed="1"),
+        Draw(start=Fraction(1), stop=Fraction(1), step=Fraction(1)),
+    )
+    assert picker.value(Fraction(2), only, "L2", without={Fraction(1)}) == 1
 
 
 def test_seeds_differ_from_one_another() -> None:
