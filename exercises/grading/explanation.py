@@ -17,6 +17,7 @@ from exercises.grading.findings import (
     equally_good,
     feedback_of,
     link_findings,
+    own_table_first,
     told_repairs,
     wrong_facts,
 )
@@ -103,11 +104,12 @@ def diagnosis(
 
 def explanation(found: Diagnosis, policy: Policy, level: HelpLevel) -> Explanation:
     """Explain why an answer is wrong, as far as may be told."""
-    repairs = found.repairs
+    repairs, work = found.repairs, found.work
     links: tuple[LinkFinding, ...] = ()
     feedback: tuple[Feedback, ...] = (Feedback(code="not_equivalent"),)
     try:
-        links, feedback = _told(found.decision, repairs, found.work, policy, level)
+        repairs = own_table_first(repairs, work.table, work.reference.table)
+        links, feedback = _told(found.decision, repairs, work, policy, level)
     except Exception:
         _LOG.exception("no findings")
         repairs = ()

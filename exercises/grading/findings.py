@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 
 from exercises.grading.misconceptions import HINTS
 from exercises.grading.repairs import Repaired
@@ -53,6 +53,22 @@ def wrong_facts(
     )
 
 
+def own_table_first(
+    repairs: Sequence[Repaired], table: NumericTable, key: NumericTable
+) -> tuple[Repaired, ...]:
+    """The repairs, first the single edits that make an answer the key's own table.
+
+    Who forgets the key's last fixed row has made that slip, though a sign in the row before it might lead to
+    the frame of the tool as well.
+    """
+
+    def leads_elsewhere(repaired: Repaired) -> bool:
+        single = len(repaired.changes) == 1
+        return not (single and _is_alike(repaired.changes[0].of(table), key, float))
+
+    return tuple(sorted(repairs, key=leads_elsewhere))
+
+
 def equally_good(repairs: Sequence[Repaired], table: NumericTable, key: NumericTable) -> tuple[Change, ...]:
     """The single edits that explain an answer as well as the likeliest one does, and that one.
 
@@ -66,20 +82,29 @@ def equally_good(repairs: Sequence[Repaired], table: NumericTable, key: NumericT
         return ()
     best = singles[0]
     alike = [change for change in singles if change.extent is best.extent and change.row is not None]
-    if not best.fills_a_zero(table) and _has_frames_of(best.of(table), key):
+    if not best.fills_a_zero(table) and _is_alike(best.of(table), key, abs):
         alike = [change for change in alike if not change.fills_a_zero(table)]
     return tuple(alike)
 
 
-def _has_frames_of(table: NumericTable, key: NumericTable) -> bool:
-    """Whether a table is another but for signs and the zeros of the variables."""
+def _is_alike(table: NumericTable, key: NumericTable, by: Callable[[float], float]) -> bool:
+    """Whether a table is another but for the zeros of the variables.
+
+    Args:
+        table: the one.
+        key: the other.
+        by: by what of them entries are compared: `abs` leaves out their signs, `float` doesn't.
+    """
     if table.convention is not key.convention or len(table.rows) != len(key.rows):
         return False
     return all(
         row.joint is other.joint
-        and abs(abs(math.remainder(row.alpha, TURN)) - abs(math.remainder(other.alpha, TURN))) <= SAME
+        and abs(
+            math.remainder(by(math.remainder(row.alpha, TURN)) - by(math.remainder(other.alpha, TURN)), TURN)
+        )
+        <= SAME
         and all(
-            abs(abs(getattr(row, cell)) - abs(getattr(other, cell))) <= SAME * abs(getattr(other, cell))
+            abs(by(getattr(row, cell)) - by(getattr(other, cell))) <= SAME * abs(getattr(other, cell))
             for cell in ("a", "d")
             if cell == "a" or row.joint is not JointType.PRISMATIC
         )
@@ -213,7 +238,8 @@ def _of(change: Change, table: NumericTable, level: HelpLevel) -> Iterator[Feedb
 def _signs(changes: Sequence[Change]) -> Iterator[Feedback]:
     """Row by row, the cells of which one has the wrong sign."""
     for row in sorted({change.edit.row or 0 for change in changes}):
-        cells = ", ".join(_SIGNS[change.code] for change in changes if change.edit.row == row)
+        wrong = {change.code for change in changes if change.edit.row == row}
+        cells = ", ".join(cell for code, cell in _SIGNS.items() if code in wrong)
         yield Feedback(code="sign_wrong", row=row, params={"row": row, "cells": cells})
 
 

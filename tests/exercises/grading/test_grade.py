@@ -9,6 +9,7 @@ from itertools import permutations
 import pytest
 
 from exercises.grading import (
+    BaseRule,
     Basis,
     ConventionRule,
     DirectionRule,
@@ -715,3 +716,22 @@ def test_a_sign_that_is_free_is_not_accused() -> None:
     wrong = with_cells(turned, (4, 2, "-a2"))
     verdict = grade(KEY, read("standard", wrong), USUAL, VALUES)
     assert [(e.code, e.row) for e in verdict.feedback if e.row] == [("offset_wrong", 4)]
+
+
+def test_a_last_row_that_the_frame_of_the_tool_needs() -> None:
+    """The sign of d4 before it would lead to that frame too; the rows written are the key's own."""
+    rows: Rows = [
+        (180, 0, -0.85, "q1"),
+        (90, 0.4, 0, "q2"),
+        (0, 1.0, 0, "q3 - 90"),
+        (90, 0, -1.0, "q4"),
+        (-90, 0, 0, "q5"),
+        (90, 0, -0.2, "q6"),
+        (180, 0, 0, 180),
+    ]
+    policy = Policy(base=BaseRule.FRAME, tool=ToolRule.FRAME)
+    key, answer = read("modified", rows, "deg"), read("modified", rows[:-1], "deg")
+    verdict = grade(key, answer, policy)
+    assert [edit.code for edit in verdict.repairs[0].edits] == ["fixed_row_missing"]
+    told = grade(key, answer, policy, help_level=HelpLevel.ROW)
+    assert [entry.row for entry in told.feedback if entry.row] == [7]
