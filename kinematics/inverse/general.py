@@ -42,6 +42,12 @@ TRUSTED = 1e-3
 """What a real eigenvalue's solution may be off. Where eigenvalues coincide, eigenvectors mix their
 solutions and are off by more; another cut of the loop parts them."""
 
+COINCIDENT = 1e-4
+"""Values of q_3 [rad] that differ by less may have mixed eigenvectors."""
+
+MIXED = 0.618
+"""Weight of x_5 beside x_4: solutions with one q_3 differ in the sum but for rare chance."""
+
 _SHIFTS = ((0.4, 1.1, -0.7), (2.3, -0.9, 1.9), (-1.6, 0.3, 0.8), (1.2, 2.6, -2.1))
 """Half turns of (q_3, q_4, q_5), where tangents of half angles are infinite, are put at these angles plus
 π."""
@@ -185,16 +191,53 @@ def _middle_turns(waves: Array) -> tuple[Array, NDArray[np.bool_]] | None:
     x, vectors = np.linalg.eig(companion)
     with np.errstate(all="ignore"):
         off = np.abs(2.0 * x.imag / (1.0 + x * x))
-    near = (off <= NEARLY_REAL) & (x.imag >= 0.0)
-    x, vectors = x[near], vectors[:, near]
-    monomials = np.where(np.abs(x) > 1.0, vectors[12:], vectors[:12]).T.reshape(-1, 4, 3)
-    found = np.empty((len(x), 3))
-    found[:, 0] = 2.0 * np.arctan(x.real) + shift[0]
-    for i, v in enumerate(monomials):
-        x4 = _ratio(v[:-1], v[1:])
-        x5 = _ratio(v[:, :-1], v[:, 1:])
-        found[i, 1:] = 2.0 * np.arctan(x4) + shift[1], 2.0 * np.arctan(x5) + shift[2]
-    return found, x.imag == 0.0
+    near = off <= NEARLY_REAL
+    vectors, real = _parted(x[near], vectors.T[near])
+    found = np.empty((len(vectors), 3))
+    for i, v in enumerate(vectors):
+        x3 = _ratio(v[:12], v[12:])
+        monomials = (v[12:] if abs(x3) > 1.0 else v[:12]).reshape(4, 3)
+        tangents = x3, _ratio(monomials[:-1], monomials[1:]), _ratio(monomials[:, :-1], monomials[:, 1:])
+        found[i] = 2.0 * np.arctan(tangents) + shift
+    return found, real
+
+
+def _parted(
+    x: NDArray[np.complex128], vectors: NDArray[np.complex128]
+) -> tuple[NDArray[np.complex128], NDArray[np.bool_]]:
+    """One vector for each solution, (m, 24), and which are real, (m,); of complex pairs one alone.
+
+    Solutions with one q_3 have one eigenvalue, and their eigenvectors are any that span the same space. In it
+    x_4 and x_5 are linear maps, which have the solutions' own vectors for eigenvectors.
+    """
+    angles = 2.0 * np.arctan(x.real)
+    order = np.argsort(angles, kind="stable")
+    starts = np.flatnonzero(np.diff(angles[order], prepend=-np.inf) > COINCIDENT)
+    found: list[NDArray[np.complex128]] = []
+    real: list[bool] = []
+    for group in np.split(order, starts[1:]):
+        values, members = x[group], vectors[group]
+        if len(group) > 1:
+            _, scales, basis = np.linalg.svd(np.vstack((members.real, members.imag)), full_matrices=False)
+            basis = basis[: len(group)][scales[: len(group)] > INDEPENDENT * scales[0]]
+            values, inner = np.linalg.eig(_maps(basis))
+            members = inner.T @ basis
+        found += [v for value, v in zip(values, members, strict=True) if value.imag >= 0.0]
+        real += [bool(value.imag == 0.0) for value in values if value.imag >= 0.0]
+    return np.array(found, dtype=np.complex128).reshape(-1, 24), np.array(real, dtype=bool)
+
+
+def _maps(basis: Array) -> Array:
+    """(k, k): x_4 + MIXED x_5 as a map of a space of vectors, (k, 24), into itself."""
+    monomials = basis.reshape(len(basis), 2, 4, 3)
+    fourth = _map(monomials[:, :, :-1], monomials[:, :, 1:])
+    return fourth + MIXED * _map(monomials[:, :, :, :-1], monomials[:, :, :, 1:])
+
+
+def _map(lower: Array, upper: Array) -> Array:
+    """(k, k): what takes monomials of k vectors to their multiples, by least squares."""
+    k = len(lower)
+    return np.asarray(np.linalg.lstsq(lower.reshape(k, -1).T, upper.reshape(k, -1).T, rcond=None)[0])
 
 
 def _ratio(lower: Array, upper: Array) -> float:

@@ -159,3 +159,14 @@ def test_a_forearm_folded_onto_an_equal_upper_arm_goes_both_ways(name, away, elb
     solver, goal, answer = asked(name, q)
     assert holds(solver, goal, answer, q)
     assert answer.complete or any(s.family for s in answer.solutions)
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_solutions_with_one_value_of_a_joint_are_told_apart(seed):
+    """A Jaco in a plane: its solutions are mirror images, and two of them have one eigenvalue."""
+    rng = np.random.default_rng(seed)
+    q = np.array([0.0, RIGHT, math.pi, math.pi, 0.0, -RIGHT]) + 1e-6 * rng.normal(size=6) * (seed > 0)
+    solver, goal, answer = asked("jaco", q, 17 if seed % 2 else 8)
+    assert answer.method is Method.CLOSED_FORM
+    assert answer.complete
+    assert holds(solver, goal, answer, q)
