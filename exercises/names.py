@@ -6,14 +6,15 @@ said of what a student meant by it.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection
 from dataclasses import replace
 
 from exercises.definition import Exercise
-from exercises.grading.substitution import replaced, substituted
 from kinematics.cells import ReadTable, nearest_name
+from kinematics.cells.substitution import substitute, with_values
 from kinematics.cells.unit_words import is_symbol_of_unit
-from kinematics.errors import Fault, ParamValue
+from kinematics.cells.variables import variable_index
+from kinematics.errors import CellError, Fault, ParamValue
 from kinematics.expressions import Expression, Parameter, parameters_in
 from kinematics.table import CELLS
 
@@ -55,20 +56,56 @@ def table_faults(read: ReadTable, exercise: Exercise) -> list[Fault]:
 
 
 def without_aliases(read: ReadTable, exercise: Exercise) -> ReadTable:
-    """Return a table in the exercise's own names."""
+    """Return a table in the exercise's own names.
+
+    Raises:
+        ParameterError: a cell has no value in them, as 1/(a2 - L2) where L2 is another name of a2.
+    """
     aliases = exercise.aliases
-    if not aliases.keys() & read.parameters.keys():
-        return read
-    table = substituted(read.table, lambda name: Parameter(aliases[name]) if name in aliases else None)
+    table = with_values(read.table, _meanings(read.parameters.keys(), exercise))
     kinds = {aliases.get(name, name): kind for name, kind in read.parameters.items()}
     return replace(read, table=table, parameters=kinds)
 
 
-def renamed(expression: Expression, aliases: Mapping[str, str]) -> Expression:
-    """Return an expression in the exercise's own names."""
-    if not aliases:
-        return expression
-    return replaced(expression, lambda name: Parameter(aliases[name]) if name in aliases else None)
+def in_own_names(
+    expression: Expression,
+    exercise: Exercise,
+    where: tuple[str | int, ...] = (),
+    others: Collection[str] = (),
+    *,
+    is_constant: bool = False,
+) -> Expression:
+    """Return an expression of an answer in the exercise's own names.
+
+    Args:
+        expression: what was read.
+        exercise: the exercise.
+        where: the place of the cell.
+        others: names that may stand there besides the exercise's own.
+        is_constant: joint variables mean nothing there, which is said of their names.
+
+    Raises:
+        CellError: it holds unknown names, or has no value in the exercise's own.
+    """
+    names = parameters_in(expression)
+    unknown = sorted(names - _known(exercise) - set(others))
+    if unknown:
+        raise CellError(
+            Fault(code="joint_variable_in_number", where=where, params={"name": name})
+            if is_constant and variable_index(name) is not None
+            else unknown_name(name, exercise, where, others)
+            for name in unknown
+        )
+    try:
+        return substitute(expression, _meanings(names, exercise))
+    except ZeroDivisionError:
+        raise CellError(Fault(code="value_undefined", where=where)) from None
+
+
+def _meanings(names: Collection[str], exercise: Exercise) -> dict[str, Expression]:
+    """Return what stands in an expression for those of its names that are aliases."""
+    aliases = exercise.aliases
+    return {name: Parameter(aliases[name]) for name in names if name in aliases}
 
 
 def _known(exercise: Exercise) -> frozenset[str]:

@@ -12,8 +12,8 @@ from fractions import Fraction
 
 from exercises.definition import Exercise
 from exercises.grading import is_accepted
-from exercises.grading.substitution import substituted
 from exercises.selftest.variants import key_as_asked
+from kinematics.cells.substitution import with_values
 from kinematics.expressions import Number, Parameter, add, multiply
 
 OTHER = Fraction(7, 5)
@@ -29,7 +29,7 @@ def is_needed(exercise: Exercise, name: str) -> bool:
     """Return whether a table with another value of a dimension is a wrong answer."""
     key = key_as_asked(exercise.reference, exercise.policy)
     other = add((multiply((Number(OTHER), Parameter(name))), Number(Fraction(1, 1000))))
-    table = substituted(key.table, lambda found: other if found == name else None)
+    table = with_values(key.table, {name: other})
     return not is_accepted(exercise.reference, replace(key, table=table), exercise.policy)
 
 

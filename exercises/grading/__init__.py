@@ -6,7 +6,7 @@ certificate_report  the certificate in it
 Is it right?
   typed          how exactly an entry was typed, and what a rounded one stands for
   comparison     key and answer in numbers
-  name_values, substitution  the values at which they are compared
+  name_values    the values at which they are compared
   named_numbers  numbers that stand for names
   digits         whether the lengths and angles typed are those of the key
   judgement      whether it is right, in one way in which it may be meant

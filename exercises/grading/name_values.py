@@ -9,8 +9,7 @@ from fractions import Fraction
 from functools import cached_property, lru_cache
 from random import Random
 
-from exercises.grading.substitution import substituted
-from kinematics.cells import AngleUnit, ParameterKind, ReadTable, canonical_name
+from kinematics.cells import AngleUnit, ParameterKind, ReadTable, canonical_name, substitution
 from kinematics.errors import Fault, ParameterError
 from kinematics.expressions import Call, Number, Parameter, Power, walk
 from kinematics.table import CELLS, SymbolicTable
@@ -139,8 +138,7 @@ def with_values(read: ReadTable, names: frozenset[str], values: Values) -> Symbo
 
 @lru_cache(maxsize=1024)
 def _with_numbers(table: SymbolicTable, known: tuple[tuple[str, Fraction], ...]) -> SymbolicTable:
-    numbers = {name: Number(value) for name, value in known}
-    return substituted(table, lambda name: numbers.get(name))
+    return substitution.with_values(table, {name: Number(value) for name, value in known})
 
 
 @lru_cache(maxsize=256)

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import StrEnum
 from fractions import Fraction
@@ -21,12 +21,13 @@ from typing import TYPE_CHECKING, Any, ClassVar, Generic, TypeVar
 from exercises.definition import Exercise, Part
 from exercises.draws import Picker
 from exercises.grading import HelpLevel
-from exercises.names import table_faults, without_aliases
+from exercises.names import in_own_names, table_faults, without_aliases
 from exercises.parts.definition_keys import DefinitionKey, Start
 from exercises.parts.report import Disclosure, PartReport, shown
 from exercises.reading import Reader
 from kinematics.cells import AngleUnit, LengthUnit, Limits, ParameterKind, ReadTable
-from kinematics.errors import Fault, KinematicsError
+from kinematics.errors import CellError, Fault, KinematicsError
+from kinematics.expressions import Expression
 from kinematics.table import JointType, bind
 
 if TYPE_CHECKING:
@@ -247,13 +248,31 @@ class Reading:
         self.faults.extend(fault.within(part) for fault in unknown)
         if unknown:
             return None
-        own = without_aliases(read, exercise)
+        own = self.keep(part, lambda: without_aliases(read, exercise))
+        if own is None:
+            return None
         kinds, values = exercise.reference.parameters, values_in_unit(self.instance, own.length_unit)
         in_degrees = exercise.angle_unit is AngleUnit.DEG
         for name, kind in kinds.items():
             if kind is ParameterKind.ANGLE and in_degrees:
                 values[name] = math.radians(values[name])
         return None if self.keep(part, lambda: bind(own.table, values)) is None else own
+
+    def own_names(
+        self, expression: Expression, where: tuple[str | int, ...], others: Collection[str] = ()
+    ) -> Expression | None:
+        """Return an expression in the exercise's own names, or None; faults are kept.
+
+        Args:
+            expression: what was read.
+            where: the place of its cell in the whole answer.
+            others: names that may stand in it besides the exercise's own.
+        """
+        try:
+            return in_own_names(expression, self.instance.exercise, where, others)
+        except CellError as error:
+            self.faults.extend(error.faults)
+            return None
 
     def keep(self, part: str, read: Callable[[], Kept]) -> Kept | None:
         """Return what a function reads, or None; its faults are kept, seen from the whole answer."""

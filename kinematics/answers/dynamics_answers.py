@@ -23,6 +23,7 @@ from functools import cached_property, lru_cache
 
 import numpy as np
 
+from kinematics.cells.substitution import substitute
 from kinematics.dynamics import Derivation, RigidBody, SymbolicBody, rate_name
 from kinematics.errors import FormSizeError
 from kinematics.expressions import (
@@ -40,7 +41,6 @@ from kinematics.expressions.arrays import values_at
 from kinematics.expressions.values import holds_decimals
 from kinematics.se3 import Floats
 from kinematics.symbolic import Matrix, ProofStatus, compare
-from kinematics.symbolic.parameter_values import substitute
 from kinematics.table import SymbolicTable
 
 Pair = tuple[Expression, Expression]

@@ -15,7 +15,7 @@ From the text of a cell to an expression:
   grammar, syntax  the tree of a cell
   meaning        the exact expression in radians
 variables        which names are joint variables
-exact            exact values of sines and angles
+exact, substitution  exact values of sines and angles, also in the place of parameters
 units, scaling   units of a table, and a cell in another one
 limits           how large cells and tables may be
 refusals         why one is refused

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from fractions import Fraction
 
-from kinematics.cells.exact import absolute, inverse_trigonometric, raised, trigonometric
+from kinematics.cells.substitution import substitute
 from kinematics.cells.units import ParameterKind
 from kinematics.expressions import (
     Call,
@@ -17,7 +17,6 @@ from kinematics.expressions import (
     Product,
     Sum,
     add,
-    call,
     multiply,
 )
 
@@ -42,7 +41,9 @@ def _scaled_term(term: Expression, weight: Fraction, kinds: Kinds, ratio: Fracti
     degree = _degree(term, kinds)
     if degree is not None and degree.denominator == 1:
         return multiply((Number(weight * ratio ** int(degree)), term))
-    return multiply((Number(weight), _substituted(term, kinds, ratio)))
+    lengths = [Parameter(name) for name, kind in kinds.items() if kind is ParameterKind.LENGTH]
+    scaled = {length.name: multiply((Number(ratio), length)) for length in lengths}
+    return multiply((Number(weight), substitute(term, scaled)))
 
 
 def _degree(expression: Expression, kinds: Kinds) -> Fraction | None:
@@ -77,29 +78,3 @@ def _call_degree(function: Function, degrees: list[Fraction | None]) -> Fraction
         case Function.ATAN2:
             return Fraction(0)
     return Fraction(0) if first == 0 else None
-
-
-def _substituted(expression: Expression, kinds: Kinds, ratio: Fraction) -> Expression:
-    def inner(part: Expression) -> Expression:
-        return _substituted(part, kinds, ratio)
-
-    match expression:
-        case Parameter(name) if kinds.get(name) is ParameterKind.LENGTH:
-            return multiply((Number(ratio), expression))
-        case Sum(terms):
-            return add(inner(term) for term in terms)
-        case Product(factors):
-            return multiply(inner(factor) for factor in factors)
-        case Power(base, exponent):
-            return raised(inner(base), exponent)
-        case Call(function, arguments):
-            return _called(function, [inner(argument) for argument in arguments])
-    return expression
-
-
-def _called(function: Function, arguments: list[Expression]) -> Expression:
-    if function in {Function.SIN, Function.COS, Function.TAN}:
-        return trigonometric(function, arguments[0])
-    if function in {Function.ASIN, Function.ACOS, Function.ATAN, Function.ATAN2}:
-        return inverse_trigonometric(function, *arguments)
-    return absolute(arguments[0]) if function is Function.ABS else call(function, *arguments)

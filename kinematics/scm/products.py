@@ -19,6 +19,7 @@ from kinematics.cells import DEFAULT, AngleUnit, Cell, LengthUnit, Limits, Param
 from kinematics.cells.entries import cell_meaning
 from kinematics.cells.meaning import Position
 from kinematics.cells.refusals import CellRefusal
+from kinematics.cells.substitution import substitute
 from kinematics.cells.variables import variable_index
 from kinematics.dh import MotionKind
 from kinematics.errors import DescriptionError, Fault, FormSizeError
@@ -38,7 +39,6 @@ from kinematics.scm.differentiation import jacobian_by_differentiation
 from kinematics.scm.rows import RIGHT_ANGLE
 from kinematics.symbolic import Matrix, ProofStatus, canonical, compare, count_operations
 from kinematics.symbolic.motions import Motion
-from kinematics.symbolic.parameter_values import substitute
 from kinematics.symbolic.runs import Runs
 from kinematics.symbolic.writing import MatrixWriter
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 
+from kinematics.cells.substitution import valued
 from kinematics.errors import Fault, ParameterError
 from kinematics.expressions import ZERO, Expression
 from kinematics.scm.chain import Entry, Placement, ScmChain
-from kinematics.symbolic.parameter_values import valued
 
 
 def with_values(chain: ScmChain, values: Mapping[str, Expression]) -> ScmChain:

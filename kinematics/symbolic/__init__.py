@@ -22,7 +22,6 @@ Decisions, in a ring in which every function has one normal form:
   polynomials, quotients  functions as polynomials, and as quotients
 Beside them:
   exact_poses       numbers from outside as exact entries
-  parameter_values  values in the place of parameters
   size              how large an expression is
   interchange       to SymPy and back
 

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from kinematics.cells import AngleUnit, LengthUnit, ReadTable, in_length_unit, parameter_values, read_table
+from kinematics.cells.substitution import substitute, with_values
 from kinematics.dynamics import Derivation, MovingRobot, RigidBody, SymbolicBody, bind_links, rate_name
 from kinematics.dynamics.reading import ReadBodies, read_bodies
 from kinematics.errors import DescriptionError, Fault
@@ -19,7 +20,6 @@ from kinematics.expressions import Expression, Number, evaluate, parameters_in
 from kinematics.inverse.lengths import check_lengths
 from kinematics.printing import Format, MatrixPrinter, Notation, Purpose
 from kinematics.symbolic import Matrix
-from kinematics.symbolic.parameter_values import substitute, with_values
 from kinematics.table import JointType, SymbolicTable, bind
 from service.http.problems import located
 from service.schemas.dynamics_request import (

@@ -8,10 +8,10 @@ from typing import Any, Protocol
 
 from kinematics.cells import AngleUnit, ParameterKind, ReadTable, canonical_name, parameter_values, read_table
 from kinematics.cells.exact import snapped
+from kinematics.cells.substitution import with_values
 from kinematics.expressions import Expression, pi_times
 from kinematics.se3 import check_transform
 from kinematics.symbolic.exact_poses import decimal, exact_pose
-from kinematics.symbolic.parameter_values import with_values
 from kinematics.table import table_parameters
 from service.http.problems import located
 from service.schemas.inverse_forms import SymbolicInverseRequest

@@ -158,6 +158,25 @@ def test_an_alias_means_its_dimension() -> None:
     assert report.correct
 
 
+def test_an_alias_that_leaves_a_cell_without_a_value_is_refused_at_its_place() -> None:
+    found = generate(replace(exercise("scara"), aliases={"L1": "a2"}))
+    rows = [(0, "a2", 0, "q1"), (180, "a3/(L1-a2)", 0, "q2"), (0, 0, "q3", 0), (0, 0, 0, "q4")]
+    with pytest.raises(AnswerError) as error:
+        parse(
+            found,
+            RawAnswer(
+                table=table("standard", *rows),
+                transform=edited(SCARA_TRANSFORM, 0, 3, "a3/(L1-a2)"),
+                workspace=RadiiCells(inner="1/(a2-L1)", outer=2),
+            ),
+        )
+    assert {".".join(map(str, fault.where)): fault.code for fault in error.value.faults} == {
+        "table.rows.1.a": "value_undefined",
+        "transform.0.3": "value_undefined",
+        "workspace.inner": "value_undefined",
+    }
+
+
 def test_weights_change_marks_and_nothing_else() -> None:
     found = exercise("scara")
     wrong = RawAnswer(

@@ -15,7 +15,6 @@ from typing import TypeAlias, cast
 import numpy as np
 from numpy.typing import NDArray
 
-from exercises.names import renamed, unknown_name
 from exercises.parts.protocol import Reading
 from exercises.parts.samples import Samples
 from kinematics.cells import AngleUnit, Cell, Limits
@@ -185,15 +184,9 @@ def read_row(
     reading.faults.extend(entry for entry in read if isinstance(entry, Fault))
     if len(found) < len(cells):
         return None
-    exercise = reading.instance.exercise
-    known = {*exercise.reference.parameters, *exercise.aliases, *names}
-    unknown = [
-        unknown_name(name, exercise, (part, *where, k), names)
-        for k, entry in enumerate(found)
-        for name in sorted(parameters_in(entry) - known)
-    ]
-    reading.faults.extend(unknown)
-    return None if unknown else tuple(renamed(entry, exercise.aliases) for entry in found)
+    own = [reading.own_names(entry, (part, *where, k), names) for k, entry in enumerate(found)]
+    row = tuple(entry for entry in own if entry is not None)
+    return row if len(row) == len(own) else None
 
 
 def read_numbers(cells: CellMatrix, reading: Reading, part: str, *where: str) -> NDArray[np.float64] | None:
@@ -217,21 +210,12 @@ def _in_known_names(
     matrix: SymbolicMatrix, reading: Reading, part: str, *where: str | int
 ) -> SymbolicMatrix | None:
     """Return a matrix in the exercise's own names; None if it holds one that means nothing there."""
-    exercise = reading.instance.exercise
-    known = {*exercise.reference.parameters, *exercise.aliases}
-    unknown = [
-        unknown_name(name, exercise, (part, *where, r, c))
-        for r, row in enumerate(matrix.entries if matrix.names() - known else ())
-        for c, entry in enumerate(row)
-        for name in sorted(parameters_in(entry) - known)
-    ]
-    reading.faults.extend(unknown)
-    if unknown:
-        return None
-    if not exercise.aliases:
-        return matrix
-    rows = tuple(tuple(renamed(entry, exercise.aliases) for entry in row) for row in matrix.entries)
-    return SymbolicMatrix(rows)
+    rows: list[tuple[Expression, ...]] = []
+    for r, row in enumerate(matrix.entries):
+        own = [reading.own_names(entry, (part, *where, r, c)) for c, entry in enumerate(row)]
+        rows.append(tuple(entry for entry in own if entry is not None))
+    is_whole = all(len(own) == len(row) for own, row in zip(rows, matrix.entries, strict=True))
+    return SymbolicMatrix(tuple(rows)) if is_whole else None
 
 
 def write_matrix(matrix: Matrix, n_joints: int, parameters: Sequence[str]) -> CellMatrix:

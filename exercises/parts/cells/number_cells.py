@@ -10,15 +10,14 @@ import numpy as np
 
 from exercises.consistency import values_in_radians
 from exercises.instance import Instance
-from exercises.names import renamed, unknown_name
+from exercises.names import in_own_names
 from exercises.parts.protocol import Reading
 from kinematics.cells import DEFAULT, Cell
 from kinematics.cells.entries import cell_meaning, plain_number
 from kinematics.cells.meaning import Position
 from kinematics.cells.refusals import CellRefusal
-from kinematics.cells.variables import variable_index
 from kinematics.errors import CellError, Fault, KinematicsError
-from kinematics.expressions import evaluate, parameters_in
+from kinematics.expressions import evaluate
 from kinematics.se3 import Floats
 
 DECIMALS = 4
@@ -57,12 +56,7 @@ def number_of(
         meaning = cell_meaning(cell, position, unit, DEFAULT, lambda _: None)
     except CellRefusal as refusal:
         raise CellError(refusal.at(*where)) from None
-    expression = renamed(meaning.expression, exercise.aliases)
-    unknown = sorted(parameters_in(expression) - set(exercise.reference.parameters))
-    if unknown and variable_index(unknown[0]) is not None:
-        raise CellError(Fault(code="joint_variable_in_number", where=where, params={"name": unknown[0]}))
-    if unknown:
-        raise CellError(unknown_name(unknown[0], exercise, where))
+    expression = in_own_names(meaning.expression, exercise, where, is_constant=True)
     values = values_in_radians(instance.parameters, exercise.reference.parameters, exercise.angle_unit)
     try:
         value = evaluate(expression, values)

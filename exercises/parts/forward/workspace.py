@@ -20,7 +20,7 @@ from exercises.figures.camera import Array
 from exercises.figures.points import Points
 from exercises.grading import Feedback, HelpLevel
 from exercises.instance import Instance
-from exercises.names import renamed, unknown_name
+from exercises.names import in_own_names
 from exercises.parts.cells.by_name import ByName, read_by_name
 from exercises.parts.cells.comparison import inverse
 from exercises.parts.context import Context
@@ -30,10 +30,9 @@ from exercises.parts.protocol import PartTask, PartType, Reading, RobotFacts
 from exercises.parts.report import Credit, PartReport, fact, judged, told_from
 from exercises.reading import Reader
 from kinematics.cells import AngleUnit, Cell, ParameterKind, read_cell
-from kinematics.cells.variables import variable_index
 from kinematics.chain import chain_of_table
 from kinematics.errors import CellError, Fault, KinematicsError
-from kinematics.expressions import evaluate, parameters_in
+from kinematics.expressions import evaluate
 from kinematics.table import JointType, NumericTable
 
 Key = tuple[float, float, float]
@@ -286,16 +285,9 @@ def _interval(limit: tuple[Fraction, Fraction], degrees: bool) -> tuple[float, f
 
 
 def _radius(cell: Cell, name: str, reading: Reading) -> float:
-    exercise = reading.instance.exercise
     try:
-        expression = renamed(
-            read_cell(cell, ParameterKind.LENGTH, angle_unit=reading.angle_unit, variable=lambda _: None),
-            exercise.aliases,
-        )
-        for unknown in sorted(parameters_in(expression) - set(exercise.reference.parameters)):
-            if variable_index(unknown) is not None:
-                raise CellError(Fault(code="joint_variable_in_number", params={"name": unknown}))
-            raise CellError(unknown_name(unknown, exercise, ()))
+        typed = read_cell(cell, ParameterKind.LENGTH, angle_unit=reading.angle_unit, variable=lambda _: None)
+        expression = in_own_names(typed, reading.instance.exercise, is_constant=True)
         value = evaluate(expression, reading.values)
     except KinematicsError as error:
         raise type(error)(

@@ -14,7 +14,6 @@ from exercises.draws import Draw, Picker
 from exercises.grading import Feedback, Finding, HelpLevel
 from exercises.grading.verdict import ParamValue
 from exercises.instance import Instance
-from exercises.names import renamed, unknown_name
 from exercises.parts.cells.number_cells import DECIMALS, read_numbers_of
 from exercises.parts.context import Context
 from exercises.parts.definition_keys import DefinitionKey, Start, choice, joint_keys
@@ -45,7 +44,7 @@ from kinematics.answers.singularity_answers import (
 from kinematics.cells import Cell
 from kinematics.cells.meaning import Position
 from kinematics.errors import Fault, FormSizeError
-from kinematics.expressions import Expression, joint_variables_in, parameters_in
+from kinematics.expressions import Expression, joint_variables_in
 from kinematics.printing import Format, MatrixPrinter, Notation, Purpose
 from kinematics.symbolic.determinants import MotionRows, largest_minor
 from kinematics.table import JointType
@@ -179,19 +178,14 @@ class SingularitiesType(PartType[SingularitiesPart, SingularityCells, Singularit
         before = len(reading.faults)
         exercise = reading.instance.exercise
         types = exercise.reference.table.joint_types
-        known = {*exercise.reference.parameters, *exercise.aliases}
         rows: list[tuple[Expression, ...]] = []
         for i, (cell,) in enumerate(raw.conditions or ()):
             where = (self.kind, "conditions", i, 0)
             found = read_conditions(cell, types, exercise.angle_unit, where)
             functions = [entry for entry in found if not isinstance(entry, Fault)]
             reading.faults.extend(entry for entry in found if isinstance(entry, Fault))
-            reading.faults.extend(
-                unknown_name(name, exercise, where)
-                for entry in functions
-                for name in sorted(parameters_in(entry) - known)
-            )
-            rows.append(tuple(renamed(entry, exercise.aliases) for entry in functions))
+            own = [reading.own_names(entry, where) for entry in functions]
+            rows.append(tuple(entry for entry in own if entry is not None))
         lost = None
         part = next(part for part in exercise.parts if isinstance(part, SingularitiesPart))
         if raw.lost is not None and reading.is_row_of(

@@ -14,6 +14,7 @@ from kinematics.answers.jacobian_forms import (
     judge_force_form,
     judge_jacobian_form,
 )
+from kinematics.cells.substitution import substitute
 from kinematics.chain import chain_of_table
 from kinematics.errors import JointValueError
 from kinematics.expressions import ZERO, Parameter, add, call, evaluate, multiply, negate, power
@@ -22,7 +23,6 @@ from kinematics.jacobian import JacobianFrame
 from kinematics.rates import analytic_jacobian
 from kinematics.rotations.sequences import SEQUENCES, EulerSequence
 from kinematics.symbolic import ProofStatus
-from kinematics.symbolic.parameter_values import substitute
 from kinematics.table import bind
 from tests.kinematics.answers.jacobian_forms import cases, entries, robot
 

@@ -6,6 +6,7 @@ import random
 
 import pytest
 
+from kinematics.cells.substitution import substitute, valued, with_values
 from kinematics.errors import ParameterError
 from kinematics.expressions import (
     ZERO,
@@ -21,7 +22,6 @@ from kinematics.expressions import (
     pi_times,
     power,
 )
-from kinematics.symbolic.parameter_values import substitute, valued, with_values
 from kinematics.table import Convention, DHRow, DHTable, JointType
 from tests.kinematics.symbolic.rewriting import PARAMETERS, random_expression
 

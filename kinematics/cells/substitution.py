@@ -1,10 +1,10 @@
-"""Values in the place of parameters."""
+"""Numbers, names and expressions in the place of parameters."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 
-from kinematics.cells.exact import raised, trigonometric
+from kinematics.cells.exact import absolute, inverse_trigonometric, raised, trigonometric
 from kinematics.errors import Fault, ParameterError
 from kinematics.expressions import (
     ZERO,
@@ -24,6 +24,7 @@ from kinematics.expressions import (
 from kinematics.table import CELLS, DHRow, DHTable, SymbolicRow, SymbolicTable
 
 _TRIGONOMETRIC = (Function.SIN, Function.COS, Function.TAN)
+_INVERSE = (Function.ASIN, Function.ACOS, Function.ATAN, Function.ATAN2)
 
 
 def substitute(expression: Expression, values: Mapping[str, Expression]) -> Expression:
@@ -42,11 +43,16 @@ def substitute(expression: Expression, values: Mapping[str, Expression]) -> Expr
         case Power(base, exponent):
             return raised(substitute(base, values), exponent)
         case Call(function, arguments):
-            replaced = tuple(substitute(argument, values) for argument in arguments)
-            if function in _TRIGONOMETRIC:
-                return trigonometric(function, replaced[0])
-            return call(function, *replaced)
+            return _called(function, [substitute(argument, values) for argument in arguments])
     return expression
+
+
+def _called(function: Function, arguments: list[Expression]) -> Expression:
+    if function in _TRIGONOMETRIC:
+        return trigonometric(function, arguments[0])
+    if function in _INVERSE:
+        return inverse_trigonometric(function, *arguments)
+    return absolute(arguments[0]) if function is Function.ABS else call(function, *arguments)
 
 
 def with_values(table: SymbolicTable, values: Mapping[str, Expression]) -> SymbolicTable:
