@@ -207,7 +207,7 @@ async def _watch(metrics: Metrics, collection: Collection) -> None:
     """Keep figures that another process of this server tells for this one; look for garbage now and then."""
     while True:
         metrics.note_occupancy()
-        collection.look_at_all()
+        collection.look_at_all(metrics.idle_seconds)
         await asyncio.sleep(WATCH_SECONDS)
 
 

@@ -59,6 +59,7 @@ class Metrics:
         """
         disable_created_metrics()  # type: ignore[no-untyped-call]
         self._occupancy = occupancy
+        self._asked = time.monotonic()
         self._registry = CollectorRegistry()
         self._outbox = OutboxCollector(outbox) if outbox else None
         own: dict[str, Any] = {"registry": self._registry}
@@ -88,6 +89,7 @@ class Metrics:
 
     def requested(self, method: str, route: str, status: int, seconds: float) -> None:
         """Count a request that is over; status 0 says that the caller went away before its answer."""
+        self._asked = time.monotonic()
         known = method if method in METHODS else UNMATCHED
         self._requests.labels(known, route, str(status)).observe(seconds)
 
@@ -99,6 +101,12 @@ class Metrics:
         """Count a judgement: right, wrong, or earning a part of its points; kept in a course, or not."""
         outcome = "right" if correct else "partial" if score > 0 else "wrong"
         self._grades.labels(outcome, "yes" if kept else "no").inc()
+
+    @property
+    def idle_seconds(self) -> float:
+        """Time since the last request of this process was over [s]; none while anything runs or waits."""
+        is_busy = any(running or waiting for running, waiting in self._occupancy().values())
+        return 0.0 if is_busy else time.monotonic() - self._asked
 
     def note_occupancy(self) -> None:
         """Write down what runs and waits in this process now."""

@@ -7,7 +7,6 @@ from functools import partial
 from typing import Annotated, Any
 
 import numpy as np
-from anyio.to_thread import run_sync
 from fastapi import Body
 from numpy.typing import NDArray
 
@@ -39,6 +38,7 @@ from service.wire.fault_pointers import traced
 from service.wire.motion_products import products_task, written_products
 from service.wire.pose_matrices import pose_matrix
 from service.wire.prepared_chains import PreparedChain, prepared_chain, written_structure
+from service.work.threads import in_thread
 from service.work.workers import Lane
 
 router = api_router("scm")
@@ -146,7 +146,7 @@ async def inverse_kinematics(
     limits = None if body.limits is None else _scaled(body.limits, prepared)
     question = (prepared.chain, pose_matrix(body.target, prepared.angle, "target"), prepared.values, limits)
     with traced(body):
-        found = await run_sync(_directly, *question)
+        found = await in_thread(_directly, *question)
     if found is None:
         found = await request.resources.workers.run(Lane.SLOW, _search, *question)
     found = found.nearest_first([row.joint for row in prepared.chain.rows], start)

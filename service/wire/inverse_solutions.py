@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from typing import Any, TypeAlias
 
 import numpy as np
-from anyio.to_thread import run_sync
 
 from kinematics.errors import Fault, JointValueError
 from kinematics.inverse import ArmReach, IKSolution, InverseKinematics, NearestPose, Solver, solver_of
@@ -33,6 +32,7 @@ from service.wire.fault_pointers import traced
 from service.wire.pose_matrices import base_and_tool, placed_matrix, pose_matrix
 from service.wire.prepared_robots import PreparedRobot
 from service.work.allotted_time import each_in_time
+from service.work.threads import in_thread
 from service.work.workers import Lane, Workers
 
 Matrix: TypeAlias = Any
@@ -53,7 +53,7 @@ async def solved(
     """
     with traced(request):
         question = _question(request, robot)
-        answer = await run_sync(_directly, question)
+        answer = await in_thread(_directly, question)
     if answer is None:
         answer = await workers.run(Lane.SLOW, _search, question)
     return _answer(answer.nearest_first(robot.table.joint_types, question.start), robot)

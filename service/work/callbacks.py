@@ -8,8 +8,9 @@ from collections.abc import Callable
 from typing import Any
 from urllib.parse import urlsplit
 
-import anyio.to_thread
 import orjson
+
+from service.work.threads import in_thread
 
 SIGNATURE = "X-Framewise-Signature"
 _MOST_AT_ONCE = 64
@@ -59,7 +60,7 @@ class Callbacks:
 
     async def _deliver(self, address: str, request_id: str, compute: Callable[[], Any]) -> None:
         try:
-            body = orjson.dumps(await anyio.to_thread.run_sync(compute))
+            body = orjson.dumps(await in_thread(compute))
         except Exception:
             _log.exception("what was asked for with request %s could not be computed", request_id)
             return

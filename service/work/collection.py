@@ -1,17 +1,16 @@
 """How the collector of cyclic garbage goes over the objects of a server process.
 
-What a process keeps (modules, exercises, instances, verdicts, figures) grows to hundreds of thousands of
-objects, and a full collection looks at each of them while all threads wait: a tenth of a second and more.
-What has outlived two collections stands in a cache, nearly always, and goes by its reference count when the
-cache forgets it. It is put aside at once, and looked at again once in a while if more is held by then: what a
-request of many values holds is put aside as well, and gone with its answer.
+A process starts with two hundred thousand objects (modules, routes, schemas), and keeps some ten thousand
+more (exercises, verdicts, figures). All threads wait while the collector looks at objects: for a tenth of a
+second and more if it looks at all. So it looks at few at a time, thrice at each, and puts aside what is left
+after that: it stands in a cache, nearly always, and goes by its reference count when the cache forgets it.
+All are looked at again only if much more is held than the last time, and while nobody asks for anything.
 """
 
 from __future__ import annotations
 
 import gc
 import sys
-import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
@@ -19,19 +18,18 @@ from typing import Any
 YOUNG = 2_000
 """Net new objects between two collections: a millisecond of work."""
 ROUNDS = 5
-"""Collections of the youngest after which those that outlived one are looked at, and put aside."""
-FULL_AFTER = 100
-"""Times that objects were put aside until it is seen how much is held: at most a million new objects."""
+"""Collections of the youngest after which those that outlived one are looked at again: 10 000 at most."""
+OLD_ROUNDS = 4
+"""Collections of those after which what outlived two is looked at, and put aside: 50 000 at most, 30 ms."""
 GROWN = 1.25
 """Times the memory held when all objects were looked at, beyond which all are looked at again."""
-FULL_SECONDS = 600.0
-"""Time after which all objects are looked at again if any were put aside [s]."""
-_NEVER = 1_000_000_000
-"""Collections after which all objects would be looked at unasked: more than a process lives to see."""
+IDLE_SECONDS = 5.0
+"""Time that nobody has asked for anything before all objects are looked at [s]."""
+_OLDEST = 2
 
 
 class Collection:
-    """Puts aside what has outlived two collections.
+    """Puts aside what has outlived three collections.
 
     Attributes:
         times: how often that was, since all objects were looked at.
@@ -41,43 +39,37 @@ class Collection:
         self._looked()
 
     def _looked(self) -> None:
-        self.times, self._due = 0, FULL_AFTER
-        self._since, self._held = time.monotonic(), sys.getallocatedblocks()
+        self.times, self._held = 0, sys.getallocatedblocks()
 
     def __call__(self, phase: str, info: dict[str, Any]) -> None:
         """Take note of a collection, as `gc.callbacks` asks for."""
-        if phase == "stop" and info["generation"] > 0:
+        if phase == "stop" and info["generation"] == _OLDEST:
             self.times += 1
             gc.freeze()
 
-    def look_at_all(self) -> bool:
-        """Look at all objects, if it is time to; return whether it was."""
-        if not (self._is_late() or self._has_grown()):
+    def look_at_all(self, idle_seconds: float) -> bool:
+        """Look at all objects if much has been put aside, and nobody waits; return whether it was so.
+
+        Args:
+            idle_seconds: time since anybody asked for anything [s].
+        """
+        if idle_seconds < IDLE_SECONDS or not self._has_grown():
             return False
         gc.unfreeze()
-        gc.collect()
-        gc.freeze()
+        _put_all_aside()
         self._looked()
         return True
 
-    def _is_late(self) -> bool:
-        return self.times > 0 and time.monotonic() - self._since > FULL_SECONDS
-
     def _has_grown(self) -> bool:
-        if self.times < self._due:
-            return False
-        self._due = self.times + FULL_AFTER
-        return sys.getallocatedblocks() > GROWN * self._held
+        return self.times > 0 and sys.getallocatedblocks() > GROWN * self._held
 
 
 @contextmanager
 def new_objects_alone() -> Iterator[Collection]:
     """Have the collector look at new objects alone, while an application runs; switch it on if it is off."""
     found, thresholds = Collection(), gc.get_threshold()
-    if not gc.get_freeze_count():
-        gc.collect()
-    gc.freeze()
-    gc.set_threshold(YOUNG, ROUNDS, _NEVER)
+    _put_all_aside()
+    gc.set_threshold(YOUNG, ROUNDS, OLD_ROUNDS)
     gc.callbacks.append(found)
     gc.enable()
     try:
@@ -86,3 +78,15 @@ def new_objects_alone() -> Iterator[Collection]:
         gc.callbacks.remove(found)
         gc.set_threshold(*thresholds)
         gc.unfreeze()
+
+
+def _put_all_aside() -> None:
+    """Put aside all objects that are no garbage.
+
+    The collector looks at the oldest only when a quarter as many are new as it found the last time: it is
+    shown that it finds none now.
+    """
+    if not gc.get_freeze_count():
+        gc.collect()
+    gc.freeze()
+    gc.collect()

@@ -71,7 +71,10 @@ class Gathering(Generic[_Thing, _Result]):
             self._running += starts
         if starts:
             self._threads.submit(self._run)
-        return await future
+        try:
+            return await future
+        finally:
+            del future  # or an error would know itself by this frame
 
     def close(self) -> None:
         """Finish what waits, and end the threads."""
@@ -79,12 +82,17 @@ class Gathering(Generic[_Thing, _Result]):
 
     def _run(self) -> None:
         while batch := self._next():
-            found = self._found([thing for thing, _ in batch])
-            answered = list(zip((future for _, future in batch), found, strict=True))
-            for loop in {future.get_loop() for future, _ in answered}:
-                mine = [each for each in answered if each[0].get_loop() is loop]
-                with suppress(RuntimeError):  # the loop has been closed: nobody waits
-                    loop.call_soon_threadsafe(_deliver, mine)
+            self._answer([future for _, future in batch], self._found([thing for thing, _ in batch]))
+            del batch  # or an error would know itself by this frame
+
+    def _answer(
+        self, futures: Sequence[asyncio.Future[_Result]], found: Sequence[_Result | Exception]
+    ) -> None:
+        answered = list(zip(futures, found, strict=True))
+        for loop in {future.get_loop() for future in futures}:
+            mine = [each for each in answered if each[0].get_loop() is loop]
+            with suppress(RuntimeError):  # the loop has been closed: nobody waits
+                loop.call_soon_threadsafe(_deliver, mine)
 
     def _next(self) -> list[tuple[_Thing, asyncio.Future[_Result]]]:
         if 0 < len(self._waiting) < MOST and (seconds := self._pause()) > 0.0:

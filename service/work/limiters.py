@@ -10,10 +10,10 @@ from enum import StrEnum
 from typing import TypeVar
 
 import anyio
-import anyio.to_thread
 
 from service.settings import Settings
 from service.work.fair_queue import FairQueue, Slot
+from service.work.threads import in_thread
 
 COURSE_THREADS = 16
 """Requests that wait for the database, or for a platform, at the same time."""
@@ -123,7 +123,7 @@ class ThreadSlot:
 
     async def run(self, work: Callable[[], _Result]) -> _Result:
         """Do a part of the work in a thread."""
-        return await anyio.to_thread.run_sync(work, limiter=self._threads)
+        return await in_thread(work, limiter=self._threads)
 
     def release(self) -> None:
         """Give the slot back; once is enough, twice does no harm."""

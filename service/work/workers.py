@@ -114,7 +114,11 @@ class LaneProcesses:
         if shared is None:
             shared = self._answering[key] = _Shared(asyncio.ensure_future(self._performed(task)))
             shared.task.add_done_callback(lambda _: self._answering.pop(key, None))
-        outcome, value = pickle.loads(await shared.wait())  # noqa: S301  from our own process
+        try:
+            reply = await shared.wait()
+        finally:
+            del shared  # or an error would know itself by this frame
+        outcome, value = pickle.loads(reply)  # noqa: S301  from our own process
         if outcome == WorkOutcome.OUT_OF_MEMORY:
             raise _out_of_memory(self._confinement.memory)
         if outcome == WorkOutcome.ERROR:
@@ -175,6 +179,8 @@ class LaneProcesses:
             doing.add_done_callback(lambda _: process.close())
             self.heal()
             raise
+        finally:
+            del doing  # as `shared` above
         self._busy.discard(process)
         self._idle.append(process)
         return reply
@@ -195,6 +201,7 @@ class _Shared:
             self._waiting -= 1
             if self._waiting == 0 and not self.task.done():
                 self.task.cancel()
+            del self  # as `shared` above
 
 
 def _out_of_time(seconds: float) -> RequestError:

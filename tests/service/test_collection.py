@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import gc
 import sys
+import time
 import weakref
 from collections.abc import Iterator
 from types import SimpleNamespace
 
 import pytest
 
-from service.work.collection import FULL_AFTER, FULL_SECONDS, ROUNDS, YOUNG, Collection, new_objects_alone
+from service.metrics import Metrics
+from service.work.collection import IDLE_SECONDS, OLD_ROUNDS, ROUNDS, YOUNG, Collection, new_objects_alone
 
 
 class Knot:
@@ -22,78 +24,115 @@ class Knot:
 
 @pytest.fixture
 def collection() -> Iterator[Collection]:
-    found, thresholds, enabled = Collection(), gc.get_threshold(), gc.isenabled()
-    gc.callbacks.append(found)
-    yield found
-    gc.callbacks.remove(found)
+    enabled = gc.isenabled()
+    with new_objects_alone() as found:
+        yield found
     if not enabled:
         gc.disable()
-    gc.unfreeze()
-    gc.set_threshold(*thresholds)
 
 
 def aged() -> Knot:
-    """Something that has outlived two collections."""
+    """Something that has outlived three collections."""
     knot = Knot()
-    gc.collect(1)
+    gc.collect()
     return knot
 
 
-def test_what_outlives_two_collections_is_put_aside(collection: Collection) -> None:
-    gc.collect(0)
+@pytest.fixture
+def looks() -> Iterator[list[tuple[int, int]]]:
+    """The generation of each collection, with how many objects it looked at."""
+    found: list[tuple[int, int]] = []
+
+    def note(phase: str, info: dict[str, int]) -> None:
+        if phase == "start":
+            oldest = info["generation"]
+            found.append((oldest, sum(len(gc.get_objects(age)) for age in range(oldest + 1))))
+
+    gc.callbacks.insert(0, note)
+    yield found
+    gc.callbacks.remove(note)
+
+
+def test_what_outlives_the_collections_is_put_aside(collection: Collection) -> None:
+    gc.collect(1)
     assert collection.times == 0
     before = gc.get_freeze_count()
     kept = [Knot() for _ in range(1000)]
-    gc.collect(1)
+    gc.collect()
     assert collection.times == 1
     assert gc.get_freeze_count() - before >= len(kept)
 
 
-def test_garbage_among_it_goes_when_all_is_looked_at(
+def test_no_collection_looks_at_many_objects(collection: Collection, looks: list[tuple[int, int]]) -> None:
+    """However many are held: what a process started with, caches that fill, and what is under way."""
+    kept: list[Knot] = []
+    under_way: list[Knot] = []
+    for _ in range(300_000):
+        kept.append(Knot())
+        under_way = [*under_way[-500:], Knot()]
+    assert len(kept) == 300_000
+    assert {generation for generation, _ in looks} == {0, 1, 2}
+    assert max(seen for _, seen in looks) <= 1.1 * YOUNG * (ROUNDS + 1) * (OLD_ROUNDS + 1)
+
+
+def test_garbage_that_outlives_two_collections_goes(collection: Collection) -> None:
+    """As of a request that was under way meanwhile."""
+    knot = Knot()
+    watched = weakref.ref(knot)
+    gc.collect(1)
+    del knot
+    gc.collect(1)
+    assert watched() is not None
+    for _ in range(2 * OLD_ROUNDS):
+        gc.collect(1)
+    kept = [Knot() for _ in range(2 * YOUNG * ROUNDS * OLD_ROUNDS)]
+    assert collection.times > 0
+    assert watched() is None
+    del kept
+
+
+def test_garbage_that_was_put_aside_goes_when_all_is_looked_at(
     collection: Collection, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr("service.work.collection.GROWN", 0.0)
     watched = weakref.ref(aged())
     gc.collect()
     assert watched() is not None
-    collection.times = FULL_AFTER
-    assert collection.look_at_all()
+    assert not collection.look_at_all(IDLE_SECONDS)
+    monkeypatch.setattr("service.work.collection.GROWN", 0.0)
+    assert not collection.look_at_all(0.0)  # somebody would wait
+    assert watched() is not None
+    assert collection.look_at_all(IDLE_SECONDS)
     assert watched() is None
     assert collection.times == 0
-    assert not collection.look_at_all()
+    assert not collection.look_at_all(IDLE_SECONDS)
 
 
 def test_what_is_gone_with_its_request_does_not_make_all_be_looked_at(collection: Collection) -> None:
-    """Or a caller who sends many values has all threads wait for a fifth of a second, again and again."""
-    gc.enable()
-    gc.set_threshold(YOUNG, ROUNDS, 1_000_000_000)
-    for _ in range(2 * FULL_AFTER * ROUNDS):
+    for _ in range(2 * OLD_ROUNDS * ROUNDS):
         values: list[list[int]] = [[] for _ in range(2 * YOUNG)]
         del values
-    assert collection.times >= FULL_AFTER
-    assert not collection.look_at_all()
+    gc.collect()
+    assert not collection.look_at_all(IDLE_SECONDS)
 
 
 def test_what_stays_makes_all_be_looked_at(collection: Collection, monkeypatch: pytest.MonkeyPatch) -> None:
     held = sys.getallocatedblocks()
-    for times, blocks in ((FULL_AFTER, 1.2 * held), (FULL_AFTER + 1, 2 * held)):
+    gc.collect()
+    for blocks, is_due in ((1.2 * held, False), (1.4 * held, True)):
         monkeypatch.setattr(
             "service.work.collection.sys", SimpleNamespace(getallocatedblocks=lambda n=blocks: n)
         )
-        collection.times = times
-        assert not collection.look_at_all()  # the second time, because it was just seen how much is held
-    collection.times = 2 * FULL_AFTER
-    assert collection.look_at_all()
+        assert collection.look_at_all(IDLE_SECONDS) == is_due
 
 
-def test_a_quiet_process_looks_at_all_after_a_time(
-    collection: Collection, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    watched = weakref.ref(aged())
-    assert not collection.look_at_all()
-    monkeypatch.setattr("service.work.collection.FULL_SECONDS", -FULL_SECONDS)
-    assert collection.look_at_all()
-    assert watched() is None
+def test_a_process_is_idle_when_nobody_asks_and_nothing_runs() -> None:
+    running = {"grading": (0, 0)}
+    metrics = Metrics(lambda: running, None)
+    before = metrics.idle_seconds
+    time.sleep(0.001)
+    assert metrics.idle_seconds > before
+    running["grading"] = (1, 0)
+    assert metrics.idle_seconds == 0.0
 
 
 def test_an_application_leaves_the_collector_as_it_found_it() -> None:
