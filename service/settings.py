@@ -70,13 +70,13 @@ class Settings(BaseSettings):
     workers: PositiveInt = Field(1, description="server processes")
     access_log: bool = Field(False, description="log a line for each request")
     log_format: LogFormat = Field(LogFormat.TEXT, description="how the log is written: text, or json")
-    metrics: Literal["on", "off"] = Field("on", description="tell Prometheus metrics at /metrics")
+    metrics: Literal["on", "off"] = Field("on", description="serve Prometheus metrics at /metrics")
     traces: str = Field(
         "",
         description="OpenTelemetry collector (OTLP over HTTP) for traces; needs the extra telemetry",
     )
     shutdown_seconds: PositiveInt = Field(
-        10, description="time that requests have to end when the server is told to stop [s]"
+        10, description="time for requests to finish when the server is told to stop [s]"
     )
     prefix: str = Field("", description="path under which a reverse proxy serves this, such as /dh")
     trusted_proxies: Names = Field(
@@ -88,7 +88,7 @@ class Settings(BaseSettings):
         ("'self'",), description="origins that may show the pages in a frame (CSP frame-ancestors)"
     )
     cors_origins: Names = Field((), description="origins whose pages may call the API from a browser")
-    static_directory: Path | None = Field(None, description="folder of the web form, if not the packaged one")
+    static_directory: Path | None = Field(None, description="folder of the web form; none: the packaged one")
 
     body_limit: PositiveInt = Field(1 * MIB, description="largest request body [byte]")
     batch_body_limit: PositiveInt = Field(
@@ -117,7 +117,7 @@ class Settings(BaseSettings):
     fault_limit: PositiveInt = Field(
         50, le=50, description="most faults listed in one problem document, at most 50"
     )
-    table_cache: PositiveInt = Field(512, description="tables that are kept parsed")
+    table_cache: PositiveInt = Field(512, description="parsed tables in the cache")
     symbolic_workers: PositiveInt = Field(1, description="processes for closed forms")
     symbolic_queue: NonNegativeInt = Field(256, description="closed forms that may wait for their turn")
     symbolic_seconds: PositiveFloat = Field(
@@ -131,30 +131,31 @@ class Settings(BaseSettings):
     )
 
     storage: Literal["on", "off"] = Field(
-        "on", description="keep courses and attempts; off serves what needs no storage, and nothing else"
+        "on", description="store courses and attempts; off: serve only what needs no storage"
     )
     data_folder: Path = Field(Path("data"), description="folder of the SQLite file")
     database_url: str = Field(
         "", description="PostgreSQL instead of SQLite: postgresql://user:password@host/database"
     )
     public_url: str = Field(
-        "", description="address that browsers and platforms reach this under, if not what requests say"
+        "",
+        description="address under which browsers and platforms reach the service; none: that of the request",
     )
     lti_trusted_origins: Names = Field(
-        (), description="origins of platforms that are asked though they are not public or not https"
+        (), description="origins of platforms that may be called although they are not public or not https"
     )
     people_days: int = Field(
         400,
         ge=1,
         le=LONGEST_DAYS,
-        description="how long what belongs to a person is kept after their last visit [day]",
+        description="time to keep a person's data after their last visit [day]",
     )
     access_days: int = Field(
-        400, ge=1, le=LONGEST_DAYS, description="how long lines of the audit log are kept [day]"
+        400, ge=1, le=LONGEST_DAYS, description="time to keep lines of the audit log [day]"
     )
 
     purge: Literal["daily", "by_hand"] = Field(
-        "daily", description="when what is older than that is removed; by_hand: by framewise people purge"
+        "daily", description="when older data is deleted; by_hand: by framewise people purge"
     )
 
     publishing: Publishers = Field(
@@ -163,14 +164,15 @@ class Settings(BaseSettings):
         "key, such keys alone; nobody",
     )
     exercise_folders: Annotated[tuple[Path, ...], NoDecode] = Field(
-        (), description="folders with exercises of your own; one of them goes before a packaged one of its id"
+        (),
+        description="folders with your own exercises, which override packaged ones of the same id",
     )
     grading_threads: PositiveInt = Field(2, description="wrong answers that are explained at the same time")
     grading_queue: NonNegativeInt = Field(
-        4096, description="answers, figures and sign-ins that may wait for their turn, each kind for itself"
+        4096, description="answers, figures and sign-ins that may wait for their turn, counted by kind"
     )
     explained_queue: NonNegativeInt = Field(
-        64, description="answers that may wait before wrong ones are told no more than which rows are wrong"
+        64, description="waiting answers beyond which a wrong one is only told which of its rows are wrong"
     )
 
     secret: SecretStr | None = Field(
@@ -183,7 +185,8 @@ class Settings(BaseSettings):
         None, description="file of the keys that sign receipts (framewise receipts rotate), if not the secret"
     )
     api_keys: Path | None = Field(
-        None, description="file of the keys that programs call with (framewise keys); with none, all may call"
+        None,
+        description="file of the keys with which programs call (framewise keys); none: no key needed",
     )
     cost_per_minute: NonNegativeInt = Field(
         0,
@@ -191,7 +194,7 @@ class Settings(BaseSettings):
         "0: no limit",
     )
     callback_hosts: Names = Field(
-        (), description="hosts (host or host:port) to which feedback may be sent that is asked for later"
+        (), description="hosts (host or host:port) to which feedback requested for later may be sent"
     )
 
     @property
