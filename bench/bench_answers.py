@@ -31,7 +31,7 @@ BARS = {"right": 1e-3, "wrong, explained": 1e-2}
 
 def rows() -> list[Outcome]:
     """Measure."""
-    from exercises.loader import packaged
+    from exercises.library import packaged
     from exercises.parts.registry import part_types
 
     library = packaged()

@@ -119,7 +119,7 @@ def _in_process() -> list[Outcome]:
     from exercises.drawings import figure_svg
     from exercises.grading import accept
     from exercises.instance import generate
-    from exercises.loader import packaged
+    from exercises.library import packaged
     from kinematics.cells import AngleUnit, RawRow, RawTable, read_table
     from kinematics.table import Convention
 

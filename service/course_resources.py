@@ -18,7 +18,8 @@ from courses.storage import Store, open_store
 from courses.submissions import JudgedSubmission, store_submissions
 from exercises.authoring.draft import draft_of_files
 from exercises.definition import Exercise
-from exercises.loader import Library, read_exercise
+from exercises.library import Library
+from exercises.loader import read_exercise
 from kinematics.errors import Fault
 from service.lti.fetching import Fetcher, origin_of
 from service.lti.launch_errors import PlatformError

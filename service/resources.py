@@ -12,7 +12,7 @@ from fastapi import Depends, Request
 
 from exercises.access import lowest
 from exercises.grading import HelpLevel
-from exercises.loader import Library
+from exercises.library import Library
 from kinematics.errors import Fault
 from service.course_resources import CourseResources
 from service.http.problems import NotFoundError, RequestPart

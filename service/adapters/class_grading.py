@@ -12,7 +12,7 @@ from hashlib import blake2b
 from pathlib import Path
 
 from exercises.errors import UnknownExerciseError
-from exercises.loader import Library, packaged
+from exercises.library import Library, packaged
 from kinematics.errors import Fault
 from service.adapters.gradebook import Mark
 from service.adapters.hand_ins import HandIn

@@ -13,7 +13,7 @@ from pydantic import TypeAdapter
 from exercises.answers import parse
 from exercises.errors import ExerciseError
 from exercises.grader import grade
-from exercises.loader import Library, packaged
+from exercises.library import Library, packaged
 from kinematics.cells import DEFAULT, Limits
 from kinematics.errors import Fault, KinematicsError
 from service.http.problems import ServiceError

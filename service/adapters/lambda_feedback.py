@@ -11,7 +11,7 @@ from typing import Any
 from pydantic import ValidationError
 
 from exercises.errors import UnknownExerciseError
-from exercises.loader import Library
+from exercises.library import Library
 from kinematics.errors import Fault
 from service.adapters import mued
 from service.adapters.judging import JudgedAnswer, judge, told_fault

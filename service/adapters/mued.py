@@ -7,7 +7,7 @@ from contextlib import suppress
 from typing import Any
 
 from exercises.grading import HelpLevel
-from exercises.loader import Library
+from exercises.library import Library
 from kinematics.errors import Fault
 from service.adapters.class_grading import exercise_named
 from service.adapters.judging import JudgedAnswer, NotGraded, judge, told_fault, with_joint_types

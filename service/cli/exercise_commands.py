@@ -19,7 +19,8 @@ from exercises.authoring.sources import (
 from exercises.consistency import FILE
 from exercises.definition import Exercise
 from exercises.instance import generate
-from exercises.loader import ROOT, Library, load_exercise
+from exercises.library import ROOT, Library
+from exercises.loader import load_exercise
 from exercises.selftest.checks import check
 from exercises.selftest.findings import Failure, Findings
 from service.cli.environment import count, settings_of_environment

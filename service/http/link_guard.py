@@ -12,7 +12,7 @@ from starlette.responses import Response
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from exercises.access import Tool
-from exercises.loader import Library
+from exercises.library import Library
 from kinematics.errors import Fault
 from service.http.link_context import COOKIE, QUERY, LinkContext, token_of, verified
 from service.http.problems import ForbiddenError, RequestPart, ServiceError

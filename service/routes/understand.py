@@ -13,7 +13,7 @@ from fastapi.openapi.models import Example
 from exercises.access import Tool
 from exercises.definition import Exercise
 from exercises.errors import UnknownExerciseError
-from exercises.loader import Library
+from exercises.library import Library
 from exercises.names import table_faults
 from exercises.parts.cells.matrix_cells import read_entries
 from kinematics.cells import (

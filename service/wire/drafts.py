@@ -84,6 +84,7 @@ def preview_body(draft: ExerciseDraft, admission: PolicyAdmission, language: str
     """A draft as students will see it, and what its policy leaves free."""
     exercise = exercise_of(draft)
     instance = generate(exercise)
+    robot = robot_facts(exercise.reference, exercise.robot)
     return {
         "exercise": exercise_view(instance, language),
         "figure": figure_file(instance, language).decode(),
@@ -99,7 +100,7 @@ def preview_body(draft: ExerciseDraft, admission: PolicyAdmission, language: str
         },
         "key": written_table(exercise.reference),
         "dimensions": _dimensions(instance, language),
-        "kinds": [_kind(kind, robot_facts(exercise), language) for kind in part_types()],
+        "kinds": [_kind(kind, robot, language) for kind in part_types()],
     }
 
 

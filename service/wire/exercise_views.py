@@ -12,7 +12,7 @@ from exercises.definition import Exercise, Part
 from exercises.drawings import figure_geometry, figure_sentences
 from exercises.grading import ConventionRule, HelpLevel
 from exercises.instance import Instance, kept_instance
-from exercises.loader import Library
+from exercises.library import Library
 from exercises.needs import unneeded_dimensions
 from exercises.parts.mistakes.frame_mistake import frames_shown
 from exercises.parts.protocol import TABLE, FormField, GivenNumbers

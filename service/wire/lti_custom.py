@@ -9,7 +9,7 @@ from typing import Any
 from courses.enrolment import Arrival
 from courses.model import Platform, Role
 from exercises.errors import ExerciseError
-from exercises.loader import Library
+from exercises.library import Library
 from service.lti.launch import Launch
 
 EXERCISE, SETTINGS = "exercise", "settings"

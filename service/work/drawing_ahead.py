@@ -19,7 +19,7 @@ from courses.storage import Store
 from exercises.definition import Exercise
 from exercises.errors import ExerciseError
 from exercises.instance import Instance, possible_instances
-from exercises.loader import Library
+from exercises.library import Library
 from exercises.parts.mistakes.frame_mistake import FrameMistakeType
 from kinematics.errors import KinematicsError
 from service.course_resources import now

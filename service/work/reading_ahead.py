@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from exercises.loader import Library
+from exercises.library import Library
 from service.work.background import BackgroundThread
 
 

@@ -13,7 +13,7 @@ from queue import SimpleQueue
 
 from courses.model import Attempt, LinkSettings
 from courses.regrading import Rejudged
-from exercises.loader import Library
+from exercises.library import Library
 from kinematics.cells import Limits
 from service.settings import Settings
 from service.work.processes import Confinement, ProcessDiedError, UnansweredError, WorkerProcess

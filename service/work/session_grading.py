@@ -22,7 +22,7 @@ from exercises.errors import UnknownExerciseError
 from exercises.grader import Report, allowed_help, grade
 from exercises.grading import HelpLevel
 from exercises.instance import kept_instance
-from exercises.loader import Library
+from exercises.library import Library
 from kinematics.cells import Limits
 from kinematics.errors import Fault
 from service.course_resources import now

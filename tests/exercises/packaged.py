@@ -1,6 +1,6 @@
 """The exercises of the package, at hand."""
 
-from exercises.loader import packaged
+from exercises.library import packaged
 
 exercise = packaged().exercise
 exercise_ids = packaged().ids

@@ -8,11 +8,12 @@ from typing import Any
 
 import pytest
 
-from exercises import loader
+from exercises import library, loader
 from exercises.definition import Exercise
 from exercises.errors import DefinitionError, UnknownExerciseError
 from exercises.grading import BaseRule, HelpLevel, ToolRule
-from exercises.loader import Library, exercise_of_files, load_exercise
+from exercises.library import Library
+from exercises.loader import exercise_of_files, load_exercise
 from exercises.parts.forward.pose import PosePart
 from exercises.parts.forward.workspace import ReachFrom, WorkspacePart
 from kinematics.errors import Fault
@@ -214,7 +215,7 @@ def test_a_start_checks_ones_own_exercises_and_not_the_packaged_ones(
         return []
 
     monkeypatch.setattr(loader, "inconsistencies", noted)
-    monkeypatch.setattr(loader, "exercise_of_files", noting)
+    monkeypatch.setattr(library, "exercise_of_files", noting)
     folder(tmp_path, name="two")
     Library([tmp_path]).read_own()
     assert checked == read == ["two"]

@@ -28,7 +28,7 @@ from exercises.authoring.draft import exercise_of_draft
 from exercises.errors import ExerciseError
 from exercises.grader import grade
 from exercises.instance import Instance, generate
-from exercises.loader import packaged
+from exercises.library import packaged
 from exercises.written_table import written_table
 from kinematics.cells import Limits, ParameterKind, read_cell
 from kinematics.errors import KinematicsError

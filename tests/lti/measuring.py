@@ -23,7 +23,7 @@ from courses.regrading import Scope, apply, begin, changes, rejudge
 from courses.sessions import session_of
 from courses.statistics import link_statistics, misconceptions, unexplained
 from courses.storage import Store, open_store
-from exercises.loader import packaged
+from exercises.library import packaged
 from kinematics.cells import DEFAULT
 from service.course_resources import now
 from service.schemas.exercises import ExerciseAnswer

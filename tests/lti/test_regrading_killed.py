@@ -17,7 +17,7 @@ from courses.enrolment import arrive
 from courses.model import LinkSettings, Role
 from courses.regrading import BATCH
 from courses.storage import Store, open_store
-from exercises.loader import packaged
+from exercises.library import packaged
 from kinematics.cells import DEFAULT
 from service.course_resources import now
 from service.work.session_grading import Grader

@@ -17,7 +17,7 @@ from courses.refusals import AttemptError
 from courses.storage import Store, open_store
 from exercises.grading import HelpLevel
 from exercises.instance import generate, kept_instance
-from exercises.loader import Library
+from exercises.library import Library
 from kinematics.cells import DEFAULT
 from service.course_resources import CourseResources, now
 from service.schemas.exercises import ExerciseAnswer

@@ -18,7 +18,7 @@ from courses.storage import Store, open_store
 from exercises.definition import Exercise
 from exercises.errors import DefinitionError
 from exercises.instance import generate, possible_instances
-from exercises.loader import packaged
+from exercises.library import packaged
 from kinematics.errors import Fault
 from service.course_resources import now
 from service.wire import figure_files

@@ -14,7 +14,7 @@ import sqlalchemy as sa
 from courses.records import prepared_answer
 from courses.storage import Store, open_store
 from exercises.instance import generate
-from exercises.loader import packaged
+from exercises.library import packaged
 from service.settings import Settings
 from service.wire import answer_cache, figure_files
 from service.work.shared_answers import SharedAnswers

@@ -7,9 +7,10 @@ from typing import Any
 
 import pytest
 
-from exercises import loader
+from exercises import library
 from exercises.definition import Exercise
-from exercises.loader import Library, exercise_of_files
+from exercises.library import Library
+from exercises.loader import exercise_of_files
 from service.app import create_app
 from service.settings import Settings
 from service.work.reading_ahead import ReadingAhead
@@ -27,7 +28,7 @@ def read(monkeypatch: pytest.MonkeyPatch) -> list[str]:
         found.append(exercise_id)
         return exercise_of_files(exercise_id, files, **options)
 
-    monkeypatch.setattr(loader, "exercise_of_files", noting)
+    monkeypatch.setattr(library, "exercise_of_files", noting)
     return found
 
 

@@ -12,7 +12,7 @@ import segno
 
 from exercises.drawings import figure_svg
 from exercises.instance import generate
-from exercises.loader import packaged
+from exercises.library import packaged
 from service.receipts.figure_on_paper import outline
 from service.receipts.paper import WIDTH
 from service.receipts.sheet import Sheet, pdf_of

@@ -15,7 +15,7 @@ import pytest
 from playwright.sync_api import Locator, Page, expect
 
 from exercises.authoring.draft import ExerciseDraft, draft_of_files, exercise_of_draft
-from exercises.loader import packaged
+from exercises.library import packaged
 from exercises.parts.registry import part_types
 from tests.web.conftest import OpenPage
 

@@ -21,7 +21,8 @@ from exercises.authoring.draft import (
 )
 from exercises.authoring.toml_text import toml_text
 from exercises.errors import DefinitionError
-from exercises.loader import ROOT, load_exercise, packaged
+from exercises.library import ROOT, packaged
+from exercises.loader import load_exercise
 from tests.exercises.folders import TWO_LINKS, draft_of, folder
 
 NUMBERS = st.one_of(st.integers(-(2**53), 2**53), st.floats(allow_nan=False, allow_infinity=False, width=64))

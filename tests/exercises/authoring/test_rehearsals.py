@@ -16,7 +16,8 @@ from exercises.drawings import values
 from exercises.errors import DefinitionError
 from exercises.grading import BaseRule, ConventionRule, DirectionRule, HelpLevel, Policy, ToolRule, ZeroRule
 from exercises.instance import generate
-from exercises.loader import load_exercise, packaged
+from exercises.library import packaged
+from exercises.loader import load_exercise
 from exercises.needs import unneeded_dimensions
 from exercises.selftest.answers import judged_answer
 from exercises.selftest.checks import check_values

@@ -29,7 +29,7 @@ def asking(kind: str) -> Exercise:
     if found is not None:
         return found
     scara, judge = exercise("scara"), part_types()[kind]
-    robot = robot_facts(scara)
+    robot = robot_facts(scara.reference, scara.robot)
     part = judge.define(Reader(judge.start(robot), ("parts", 0), []), Fraction(10), robot)
     return replace(scara, parts=(part,))
 

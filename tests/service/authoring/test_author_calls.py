@@ -11,7 +11,7 @@ from typing import Any
 import httpx
 import pytest
 
-from exercises.loader import ROOT, packaged
+from exercises.library import ROOT, packaged
 from service.schemas.examples_authoring import DRAWING, TWO_LINKS
 from service.settings import Settings
 from tests.live_service import running
