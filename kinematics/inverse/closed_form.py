@@ -15,7 +15,7 @@ from typing import Protocol
 
 import numpy as np
 
-from kinematics.inverse.arm import Arm, ArmReach, Array
+from kinematics.inverse.arm import Arm, ArmReach, Array, low_discrepancy
 from kinematics.inverse.general import general_arm_of
 from kinematics.inverse.parallel import parallel_arm_of
 from kinematics.inverse.partition import partition_of, placement_of
@@ -28,6 +28,13 @@ NEARLY = 0.1
 STANDING_STILL = 0.05
 """Largest turn [rad] of the joint that was added to an arm of five: at a double root rounding moves it most,
 by its square root, 1e-6 or so."""
+
+TARGETS_BESIDE = 8
+"""Targets beside one without an answer, some of which have an answer each."""
+
+BESIDE = 1e-3
+"""How far they are from it [rad, and parts of the size]: nearer ones have as few digits as the target
+itself, and from farther ones Newton steps lead astray."""
 
 
 class InverseClosedForm(Protocol):
@@ -90,6 +97,23 @@ def closed_form_of(arm: Arm) -> InverseClosedForm | None:
     longer = _with_one_more(arm)
     inner = _either_way(longer, [parallel_arm_of]) or general_arm_of(longer)
     return None if inner is None else WithoutLast(inner)
+
+
+def candidates_beside(closed_form: InverseClosedForm, arm: Arm, target: Array) -> Array:
+    """(m, n) configurations near solutions of a target for which a closed form has no answer itself.
+
+    Some poses, as of an arm folded into a plane, make its equations dependent; beside them they are not.
+    """
+    found = [np.empty((0, arm.n_joints))]
+    for x, y, z, a, b, c in BESIDE * (2.0 * low_discrepancy(TARGETS_BESIDE, 6) - 1.0):
+        half = 0.5 * np.array(((0.0, -c, b), (c, 0.0, -a), (-b, a, 0.0)))
+        beside = target.copy()
+        beside[:3, :3] = np.linalg.solve(np.eye(3) - half, (np.eye(3) + half) @ target[:3, :3])
+        beside[:3, 3] += arm.size * np.array((x, y, z))
+        candidates = closed_form.candidates(beside)
+        if candidates is not None:
+            found.append(candidates)
+    return np.concatenate(found)
 
 
 def _either_way(

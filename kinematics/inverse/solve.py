@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from kinematics.errors import Fault, PoseError, TableError
 from kinematics.inverse.arm import Arm, ArmReach, Array, arm_of
-from kinematics.inverse.closed_form import InverseClosedForm, closed_form_of
+from kinematics.inverse.closed_form import InverseClosedForm, candidates_beside, closed_form_of
 from kinematics.inverse.components import components_of
 from kinematics.inverse.families import Follower
 from kinematics.inverse.goals import Goal, read_goal
@@ -213,7 +213,12 @@ class Solver:
         return self._search_within_limits(goal, outside, method)
 
     def _search(self, goal: Goal, bounds: Bounds) -> SearchResult:
-        near = None if self.locked is None else self.locked.starts(goal.pose)
+        near = None
+        if self.locked is not None:
+            near = self.locked.starts(goal.pose)
+        elif self.closed_form is not None and self.closed_form.candidates(goal.pose) is None:
+            beside = candidates_beside(self.closed_form, self.arm, goal.pose)
+            near = solutions_of(self.arm, beside, goal.pose, goal.tolerance)
         if near is not None and bounds is Bounds.KEPT:
             near, _ = within_limits(near, self.arm.revolute, self.box, self.arm.size)
         return search(self.arm, goal.pose, self.box, bounds, goal.tolerance, near)

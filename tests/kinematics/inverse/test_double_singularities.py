@@ -170,3 +170,12 @@ def test_solutions_with_one_value_of_a_joint_are_told_apart(seed):
     assert answer.method is Method.CLOSED_FORM
     assert answer.complete
     assert holds(solver, goal, answer, q)
+
+
+def test_a_pose_that_makes_the_equations_dependent_keeps_its_own_configuration():
+    """A Jaco folded into a plane, for which no eigenproblem is regular: those of poses beside it are."""
+    q = [RIGHT, -math.pi, -math.pi, -RIGHT, -math.pi, 0.0]
+    solver, goal, answer = asked("jaco", q)
+    assert answer.method is Method.SEARCH
+    assert not answer.complete
+    assert holds(solver, goal, answer, q)
