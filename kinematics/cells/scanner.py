@@ -91,6 +91,9 @@ _FROM_DEGREES = re.compile(r"(?:radians|deg2rad)(?= *\()")
 """What programs call the function whose argument is in degrees."""
 _DEGREE_POWER = re.compile(r"\^ *(?:\{ *(?:\\circ|°) *\}|\\circ(?![A-Za-z])|°)")
 _SUPERSCRIPT = re.compile(f"{SUPERSCRIPT_MINUS}?[{''.join(SUPERSCRIPTS)}]+")
+_FORTRAN_EXPONENT = re.compile(r"[dD]([+-][0-9]+)(?![0-9A-Za-z_.(])")
+"""What Fortran writes for e: 1.5D-03. Behind a number it may be a name too: 2D-3 is 2*D - 3."""
+_TIMES_TEN = re.compile(rf" ?[xX](?= ?10 ?(?:\^|\*\*|{SUPERSCRIPT_MINUS}|[{''.join(SUPERSCRIPTS)}]))")
 _ALIEN_NUMBER = re.compile(r"0[xXbBoO][0-9A-Fa-f]+|[0-9.]+_[0-9_.]*|[0-9]*\.[0-9]*\.[0-9.]*")
 
 
@@ -174,7 +177,27 @@ def _number(plain: str, start: int, limits: Limits) -> Scanned:
     text = match.group()
     if sum(character.isdigit() for character in text) > limits.digits:
         raise CellRefusal("number_too_long", column=start + 1, limit=limits.digits)
-    return [_token("NUMBER", text, start)], match.end()
+    fortran = _FORTRAN_EXPONENT.match(plain, match.end())
+    if fortran:
+        return [_token("NUMBER", f"{text}e{_fortran_exponent(fortran, text, start)}", start)], fortran.end()
+    tokens = [_token("NUMBER", text, start)]
+    times = _TIMES_TEN.match(plain, match.end())
+    return ([*tokens, _token("STAR", "x", match.end())], times.end()) if times else (tokens, match.end())
+
+
+def _fortran_exponent(match: re.Match[str], number: str, start: int) -> str:
+    """The exponent where it has zeros before it, as a program writes and nobody subtracts."""
+    exponent = match.group(1)
+    if len(exponent) > 2 and exponent[1] == "0":
+        return exponent
+    typed, sign, rest = match.group(), exponent[0], exponent[1:]
+    raise CellRefusal(
+        "exponent_ambiguous",
+        column=start + 1,
+        text=number + typed,
+        number=f"{number}e{exponent}",
+        difference=f"{number}*{typed[0]} {sign} {rest}",
+    )
 
 
 def _name(plain: str, start: int, limits: Limits) -> Scanned:

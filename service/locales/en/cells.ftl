@@ -46,6 +46,7 @@ error-parenthesis_not_closed = At character { $column }: this parenthesis is nev
 error-parenthesis_not_opened = At character { $column }: this parenthesis closes nothing.
 error-number_after_value = At character { $column }: a number cannot follow a value directly. Is an operator missing?
 error-division_ambiguous = At character { $column }: it is unclear what this divides by. Write a/(b*c) or (a/b)*c.
+error-exponent_ambiguous = At character { $column }: { $text } may mean { $number } or { $difference }. Write one of these.
 
 error-exponent_not_constant = At character { $column }: an exponent is a rational number.
 error-exponent_out_of_range = At character { $column }: an exponent is at most { $limit } in size, and so is its denominator.

@@ -46,6 +46,7 @@ error-parenthesis_not_closed = En el carácter { $column }: este paréntesis no 
 error-parenthesis_not_opened = En el carácter { $column }: este paréntesis no cierra nada.
 error-number_after_value = En el carácter { $column }: un número no puede ir justo después de un valor. ¿Falta un operador?
 error-division_ambiguous = En el carácter { $column }: no está claro entre qué se divide. Escriba a/(b*c) o (a/b)*c.
+error-exponent_ambiguous = En el carácter { $column }: { $text } puede significar { $number } o { $difference }. Escriba uno de los dos.
 
 error-exponent_not_constant = En el carácter { $column }: un exponente es un número racional.
 error-exponent_out_of_range = En el carácter { $column }: un exponente vale como máximo { $limit } en valor absoluto, y su denominador también.

@@ -46,6 +46,7 @@ error-parenthesis_not_closed = Au caractère { $column } : cette parenthèse n�
 error-parenthesis_not_opened = Au caractère { $column } : cette parenthèse ne ferme rien.
 error-number_after_value = Au caractère { $column } : un nombre ne peut pas suivre directement une valeur. Manque-t-il un opérateur ?
 error-division_ambiguous = Au caractère { $column } : on ne sait pas par quoi diviser. Écrivez a/(b*c) ou (a/b)*c.
+error-exponent_ambiguous = Au caractère { $column } : { $text } peut signifier { $number } ou { $difference }. Écrivez l’un des deux.
 
 error-exponent_not_constant = Au caractère { $column } : un exposant est un nombre rationnel.
 error-exponent_out_of_range = Au caractère { $column } : un exposant vaut au plus { $limit } en valeur absolue, son dénominateur aussi.

@@ -46,6 +46,7 @@ error-parenthesis_not_closed = No carácter { $column }: este parêntese nunca �
 error-parenthesis_not_opened = No carácter { $column }: este parêntese não fecha nada.
 error-number_after_value = No carácter { $column }: um número não pode vir logo depois de um valor. Falta um operador?
 error-division_ambiguous = No carácter { $column }: não está claro por que se divide. Escreva a/(b*c) ou (a/b)*c.
+error-exponent_ambiguous = No carácter { $column }: { $text } pode significar { $number } ou { $difference }. Escreva um dos dois.
 
 error-exponent_not_constant = No carácter { $column }: um expoente é um número racional.
 error-exponent_out_of_range = No carácter { $column }: um expoente tem módulo de no máximo { $limit }, e o seu denominador também.

@@ -46,6 +46,7 @@ error-parenthesis_not_closed = La caracterul { $column }: această paranteză nu
 error-parenthesis_not_opened = La caracterul { $column }: această paranteză nu închide nimic.
 error-number_after_value = La caracterul { $column }: un număr nu poate urma direct după o valoare. Lipsește un operator?
 error-division_ambiguous = La caracterul { $column }: nu este clar la ce se împarte. Scrieți a/(b*c) sau (a/b)*c.
+error-exponent_ambiguous = La caracterul { $column }: { $text } poate însemna { $number } sau { $difference }. Scrieți una dintre ele.
 
 error-exponent_not_constant = La caracterul { $column }: exponentul este un număr rațional.
 error-exponent_out_of_range = La caracterul { $column }: exponentul, ca și numitorul lui, este în valoare absolută cel mult { $limit }.

@@ -42,6 +42,7 @@ error-parenthesis_not_closed = Символ { $column }: цю дужку не з
 error-parenthesis_not_opened = Символ { $column }: ця дужка нічого не закриває.
 error-number_after_value = Символ { $column }: число не може стояти одразу після значення. Пропущено знак дії?
 error-division_ambiguous = Символ { $column }: незрозуміло, на що ділити. Пишіть a/(b*c) або (a/b)*c.
+error-exponent_ambiguous = Символ { $column }: { $text } може означати { $number } або { $difference }. Напишіть одне з цих двох.
 
 error-exponent_not_constant = Символ { $column }: показник степеня має бути раціональним числом.
 error-exponent_out_of_range = Символ { $column }: показник степеня за модулем щонайбільше { $limit }, його знаменник теж.

@@ -169,6 +169,8 @@ REFUSED = [
     ("₁", "script_misplaced", 1),
     ("⁻", "script_misplaced", 1),
     ("°", "symbol_misplaced", 1),
+    ("2D-3", "exponent_ambiguous", 1),
+    ("L1 + 1.5d-10", "exponent_ambiguous", 6),
     ("1/2L1", "division_ambiguous", 2),
     ("1/-2L1", "division_ambiguous", 2),
     ("foo(1)", "function_unknown", 1),
