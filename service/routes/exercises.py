@@ -117,7 +117,7 @@ def _asked_instance(request: ApiRequest) -> Instance:
         NotFoundError: there is no such exercise.
         RequestError: the seed is too long.
     """
-    seed = seed_of(request, request.query_params.get("seed"))
+    seed = seed_of(request)
     try:
         with known_exercise():
             return instance_of(resources_of(request).exercises, request.path_params["exercise_id"], seed)
@@ -127,7 +127,7 @@ def _asked_instance(request: ApiRequest) -> Instance:
 
 async def _first(request: ApiRequest, what: str, work: Callable[[], _Result]) -> _Result:
     """What follows from the values that the address names a seed for; of one exercise all take as long."""
-    context, seed = context_of(request), seed_of(request, request.query_params.get("seed"))
+    context, seed = context_of(request), seed_of(request)
     exercise_id = request.path_params["exercise_id"]
     question = (what, exercise_id, seed, language_of(request), context)
     return (
@@ -162,7 +162,7 @@ async def _figure(request: ApiRequest, caching: str, asked: str | None = None) -
     responses=problems(404, 503),
     openapi_extra={
         **request_body(ExerciseAnswer, examples.ANSWERS),
-        "parameters": [examples.EXERCISE_ID, examples.LANGUAGE],
+        **_ONE_STUDENTS,
     },
     summary="Judge an answer to an exercise",
 )
@@ -198,10 +198,12 @@ async def _judged(request: ApiRequest) -> Report:
     return await resources.limiters[WorkKind.GRADING].run(work)
 
 
-def seed_of(request: Request, asked: str | None) -> str | None:
-    """Return the seed of the link that the student came by, else the one that is asked for."""
+def seed_of(request: Request, asked: str | None = None) -> str | None:
+    """Return the seed of the student's link, else that of the body, else that of the address."""
     context = context_of(request)
-    return asked if context is None or context.seed is None else context.seed
+    if context is not None and context.seed is not None:
+        return context.seed
+    return request.query_params.get("seed") if asked is None else asked
 
 
 def help_of(

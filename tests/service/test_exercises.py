@@ -194,6 +194,13 @@ def test_puma_in_numbers_is_right_for_its_own_seed_only(client: httpx.Client) ->
     assert not grade(client, "puma560", {"table": table}).json()["correct"]
 
 
+def test_a_seed_in_the_address_is_the_students_too(client: httpx.Client) -> None:
+    body = {"table": PUMA_BY_CRAIG}
+    at = "/api/v1/exercises/puma560/grade?seed=7"
+    assert client.post(at, json=body).json() == grade(client, "puma560", body | {"seed": "7"}).json()
+    assert client.post(at, json=body | {"seed": "3"}).json()["seed"] == "3"
+
+
 def test_every_part_of_the_answer_is_judged(client: httpx.Client) -> None:
     body = grade(client, "scara", ANSWERS["all parts"]).json()
     scores = {kind: part["score"] for kind, part in body["parts"].items()}
