@@ -8,13 +8,13 @@ from functools import lru_cache
 from kinematics.cells import AngleUnit
 from kinematics.expressions import Expression, Number, Pi, Power, Sum, add, multiply, number, pi_fraction
 from kinematics.printing.notation import Names
-from kinematics.printing.text import text_writer
+from kinematics.printing.text import TextWriter
 
 
 @lru_cache(maxsize=4096)
 def expression_text(expression: Expression) -> str:
     """The expression as infix text."""
-    return text_writer(Names()).text(expression)
+    return TextWriter(Names()).text(expression)
 
 
 @lru_cache(maxsize=4096)

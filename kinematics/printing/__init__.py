@@ -6,7 +6,7 @@ entries         a matrix entry by entry, with named intermediates
 notation        short and full: c23 or cos(q2 + q3)
 numbers, symbols  how a number is written, and the name of a parameter
 ledger, writer  what all writers share: each node is met once
-infix, text     on one line, as the cell grammar reads it
+text            on one line, as the cell grammar reads it
 latex           LaTeX
 mathml, content  MathML to be drawn, and what it means
 trees           plain data, for JSON

@@ -31,7 +31,7 @@ from kinematics.expressions import Expression, JointVariable, add, evaluate, mul
 from kinematics.printing.latex import LatexWriter
 from kinematics.printing.mathml import MathmlWriter
 from kinematics.printing.notation import Names
-from kinematics.printing.text import text_writer
+from kinematics.printing.text import TextWriter
 from kinematics.table import CELLS, DHRow, JointType, SymbolicRow
 from service.http.languages import language_for
 from service.http.link_guard import switched_off
@@ -169,7 +169,7 @@ def _told(entry: Expression, names: Names, value: float | None) -> Meaning:
 def _written(entry: Expression, names: Names) -> tuple[str, str, str]:
     """An entry as a math element, in LaTeX and as a cell takes it; a class types the same few."""
     mathml = f'<math xmlns="{MATHML}">{MathmlWriter(names).presentation(entry)}</math>'
-    return mathml, LatexWriter(names).text(entry), text_writer(Names()).text(entry)
+    return mathml, LatexWriter(names).text(entry), TextWriter(Names()).text(entry)
 
 
 def _read_what_can_be(

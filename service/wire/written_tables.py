@@ -12,7 +12,7 @@ from kinematics.cells import DEFAULT, AngleUnit, LengthUnit, ParameterKind
 from kinematics.cells.exact import snapped
 from kinematics.expressions import Expression, pi_fraction, rational_value
 from kinematics.printing.notation import Names
-from kinematics.printing.text import text_writer
+from kinematics.printing.text import TextWriter
 from kinematics.table import JointType, NumericRow, NumericTable, SymbolicRow, SymbolicTable
 
 WireCell: TypeAlias = int | float | str
@@ -83,7 +83,7 @@ class TableWriter:
                 return readable_degrees(float(value))
         if value is not None:
             return _number(value)
-        return text_writer(Names()).text(entry)
+        return TextWriter(Names()).text(entry)
 
 
 def numeric_table(table: NumericTable, angle_unit: AngleUnit, length_unit: LengthUnit) -> WireTable:

@@ -27,7 +27,7 @@ from kinematics.expressions import (
 )
 from kinematics.inverse.limits import read_limits
 from kinematics.printing.notation import Names
-from kinematics.printing.text import text_writer
+from kinematics.printing.text import TextWriter
 from kinematics.se3 import Transform
 from kinematics.table import Convention, DHTable, JointType
 from kinematics.urdf import check_joint_names
@@ -172,7 +172,7 @@ def _product(one: Entries, other: Entries) -> Entries:
 
 def _entry(entry: Expression) -> WireCell:
     if parameters_in(entry):
-        return text_writer(Names()).text(entry)
+        return TextWriter(Names()).text(entry)
     return evaluate(entry) + 0.0
 
 

@@ -30,7 +30,7 @@ from kinematics.expressions import (
 )
 from kinematics.printing.notation import Names, Notation
 from kinematics.printing.numbers import decimal_text
-from kinematics.printing.text import text_writer
+from kinematics.printing.text import TextWriter
 from kinematics.symbolic import closed_form, same_function
 from tests.kinematics.symbolic.rewriting import random_expression
 from tests.kinematics.symbolic.tables import random_table
@@ -41,11 +41,11 @@ AMPLE = Limits(cell_characters=10**6, cell_depth=500, cell_symbols=64, digits=60
 
 
 def full(expression: Expression) -> str:
-    return text_writer(Names()).text(expression)
+    return TextWriter(Names()).text(expression)
 
 
 def short(expression: Expression, **names: object) -> str:
-    return text_writer(Names(notation=Notation.SHORT, **names)).text(expression)  # type: ignore[arg-type]
+    return TextWriter(Names(notation=Notation.SHORT, **names)).text(expression)  # type: ignore[arg-type]
 
 
 @pytest.mark.parametrize(
@@ -131,7 +131,7 @@ def test_the_cell_grammar_reads_it_back_as_the_same_function(seed: int) -> None:
 def test_entries_of_closed_forms_are_cells(seed: int) -> None:
     rng = random.Random(seed)
     transform = closed_form(random_table(rng, 3, fixed=1)).transform
-    writer = text_writer(Names())
+    writer = TextWriter(Names())
     for line in transform:
         for entry in line:
             parse(writer.text(entry), AMPLE)
@@ -145,5 +145,5 @@ def test_trees_that_no_constructor_made_are_written_as_they_are() -> None:
 
 def test_a_shared_node_is_written_once_and_reads_the_same_everywhere() -> None:
     shared = add((L1, multiply((L2, Pi()))))
-    writer = text_writer(Names())
+    writer = TextWriter(Names())
     assert writer.text(multiply((shared, shared))) == "(L1 + L2*pi)*(L1 + L2*pi)"

@@ -19,7 +19,7 @@ from kinematics.expressions import (
 )
 from kinematics.jacobian import JacobianFrame
 from kinematics.printing.notation import Names, Notation
-from kinematics.printing.text import text_writer
+from kinematics.printing.text import TextWriter
 from kinematics.scm import (
     closed_form_scm,
     derivative,
@@ -44,7 +44,7 @@ def numbers_of(matrix, parameters, q):
 
 
 def printed(matrix):
-    writer = text_writer(Names(notation=Notation.SHORT))
+    writer = TextWriter(Names(notation=Notation.SHORT))
     return [[writer.text(entry) for entry in row] for row in matrix]
 
 

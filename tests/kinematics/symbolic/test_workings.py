@@ -10,7 +10,7 @@ from kinematics.catalogue import robots
 from kinematics.expressions import Parameter, pi_times
 from kinematics.jacobian import JacobianFrame
 from kinematics.printing.notation import Names, Notation
-from kinematics.printing.text import text_writer
+from kinematics.printing.text import TextWriter
 from kinematics.symbolic import Matrix, Workings, closed_form, count_operations, inverse, jacobian
 from kinematics.table import Convention, SymbolicTable
 from tests.kinematics.symbolic.tables import HALF, puma, random_table, row, table
@@ -23,7 +23,7 @@ def robot(name: str) -> SymbolicTable:
 
 
 def text(matrix: Matrix) -> list[list[str]]:
-    writer = text_writer(Names(notation=Notation.SHORT))
+    writer = TextWriter(Names(notation=Notation.SHORT))
     return [[writer.text(entry) for entry in line] for line in matrix]
 
 
