@@ -19,6 +19,7 @@ from kinematics.inverse.components import Component, belongs, components_of
 from kinematics.inverse.distinct import differences
 from kinematics.inverse.families import FamilyPath, Follower, nearest_on
 from kinematics.inverse.goals import Goal, read_goal
+from kinematics.inverse.isolation import lost_value
 from kinematics.inverse.residuals import are_solutions, error_vectors
 from kinematics.inverse.results import InverseKinematics
 from kinematics.inverse.search import descend, polish, unbounded
@@ -31,6 +32,11 @@ ROUGH = 6
 """With as many decimals or fewer a tolerance of one unit of the last is asked for."""
 
 STARTS = 500
+SAMPLES = 200
+NEIGHBOURS = 12
+"""Of arms with two joints or more to spare so many solutions are sampled, and ways looked for from each to so
+many that are near it: what such ways join is one family."""
+
 AWAY = 1e-3
 """What brute force found counts as another solution if it is farther than this from all and not joined to
 one."""
@@ -116,6 +122,7 @@ def run(name: str, table: DHTable, poses: int, tried: int, seed: int = 1) -> Tal
         elif not (
             _is_on_a_family(solver, goal, q, answer)
             or is_among(solver, goal, q, np.array([s.joints for s in answer.solutions]))
+            or _is_on_a_surface(solver, goal, q, np.array([s.joints for s in answer.solutions]))
         ):
             tally.faults.append(("own lost", name, k))
         if answer.complete:
@@ -169,6 +176,25 @@ def _is_on_a_family(solver: Solver, goal: Goal, q: np.ndarray, answer: InverseKi
     )
 
 
+def _is_on_a_surface(solver: Solver, goal: Goal, q: np.ndarray, known: np.ndarray) -> bool:
+    """Whether ways from sample to sample lead from a configuration to a solution, of two joints to spare."""
+    arm = solver.arm
+    if arm.spare < 2 or not len(known):
+        return False
+    x = np.vstack((q, known, _samples(solver, goal, SAMPLES, seed=0))) / arm.units
+    apart = np.abs(differences((x * arm.units)[:, None], (x * arm.units)[None], arm)).sum(axis=2)
+    np.fill_diagonal(apart, np.inf)
+    near = np.argsort(apart, axis=1, kind="stable")[:, :NEIGHBOURS]
+    family = np.arange(len(x))
+    for others in near.T:
+        apart_yet = np.flatnonzero(family != family[others])
+        follower = Follower(arm, goal.pose, goal.tolerance)
+        led = follower.leads(x[apart_yet], x[others[apart_yet]], lost_value(goal.tolerance))
+        for one, other in zip(apart_yet[led], others[apart_yet[led]], strict=True):
+            family[family == family[other]] = family[one]
+    return bool((family[1 : 1 + len(known)] == family[0]).any())
+
+
 def _is_on(follower: Follower, goal: Goal, q: np.ndarray, path: FamilyPath) -> bool:
     """Whether the nearest chord of a path, corrected, leads to a configuration."""
     x = q / follower.arm.units
@@ -190,13 +216,19 @@ def _straight(solver: Solver, goal: Goal, q: np.ndarray, apart: np.ndarray) -> b
 
 def _another(solver: Solver, goal: Goal, known: np.ndarray, seed: int) -> bool:
     """Whether descents from random starts find a solution that is not among the known ones."""
+    found = _samples(solver, goal, STARTS, seed)
+    far = [q for q in found if np.abs(differences(q, known, solver.arm)).max(axis=1).min() > AWAY]
+    return any(not is_among(solver, goal, q, known) for q in far)
+
+
+def _samples(solver: Solver, goal: Goal, starts: int, seed: int) -> np.ndarray:
+    """(m, n) solutions that descents from so many random starts find."""
     arm = solver.arm
     rng = np.random.default_rng(seed)
     spans = np.where(arm.revolute, np.pi, arm.size + np.linalg.norm(goal.pose[:3, 3]))
-    starts = rng.uniform(-spans, spans, (STARTS, arm.n_joints))
-    descent = descend(arm, goal.pose, starts, unbounded(arm.n_joints))
+    descent = descend(
+        arm, goal.pose, rng.uniform(-spans, spans, (starts, arm.n_joints)), unbounded(arm.n_joints)
+    )
     found = polish(arm, goal.pose, descent.joints[descent.errors < 1e-4])
     e = error_vectors(arm.frames(found)[-1], goal.pose, arm.size)
-    found = found[are_solutions(e, arm, goal.tolerance)]
-    far = [q for q in found if np.abs(differences(q, known, arm)).max(axis=1).min() > AWAY]
-    return any(not is_among(solver, goal, q, known) for q in far)
+    return np.asarray(found[are_solutions(e, arm, goal.tolerance)])
