@@ -211,6 +211,7 @@ def in_named_lengths(drawing: AxesDrawing) -> dict[tuple[int, str], Expression]:
     usual = _lengths_in(drawing.table())
     scale = max((abs(value) for value in drawing.lengths.values()), default=1.0) or 1.0
     together = {name: value * (1 + STEP * (k + 2)) for k, (name, value) in enumerate(drawing.lengths.items())}
+    steps = [_with(drawing.lengths, name)[name] - value for name, value in drawing.lengths.items()]
     try:
         changed = [_lengths_in(drawing.table(_with(drawing.lengths, name))) for name in names]
         all_changed = _lengths_in(drawing.table(together))
@@ -221,8 +222,7 @@ def in_named_lengths(drawing: AxesDrawing) -> dict[tuple[int, str], Expression]:
     found: dict[tuple[int, str], Expression] = {}
     for place, value in usual.items():
         coefficients = [
-            _nice((table[place] - value) / (_with(drawing.lengths, name)[name] - drawing.lengths[name]))
-            for name, table in zip(names, changed, strict=True)
+            _nice((table[place] - value) / step) for step, table in zip(steps, changed, strict=True)
         ]
         rest = value - sum(
             float(c) * drawing.lengths[name] for c, name in zip(coefficients, names, strict=True)
@@ -239,7 +239,8 @@ def in_named_lengths(drawing: AxesDrawing) -> dict[tuple[int, str], Expression]:
 
 
 def _with(lengths: Values, name: str) -> dict[str, float]:
-    return {**lengths, name: lengths[name] * (1 + STEP) or STEP}
+    changed = lengths[name] * (1 + STEP)
+    return {**lengths, name: changed if changed != lengths[name] else STEP}
 
 
 def _nice(coefficient: float) -> Fraction:

@@ -12,8 +12,9 @@ from hashlib import blake2b
 from pathlib import Path
 
 from exercises.errors import UnknownExerciseError
-from exercises.library import Library, packaged
+from exercises.library import Library
 from kinematics.errors import Fault
+from service.adapters.exercise_names import exercise_named
 from service.adapters.gradebook import Mark
 from service.adapters.hand_ins import HandIn
 from service.adapters.judging import JudgedAnswer, judge, told_fault, with_joint_types
@@ -82,12 +83,6 @@ def grade_class(found: Iterable[HandIn], settings: ClassSettings, jobs: int | No
 def misconceptions(marks: Iterable[Mark]) -> Counter[str]:
     """Count what was found, over all wrong answers."""
     return Counter(code for mark in marks if not mark.correct for code in mark.codes)
-
-
-def exercise_named(name: str, library: Library | None = None) -> str | None:
-    """Return the exercise that a file means by a robot's name: its id, whatever the case and the spaces."""
-    bare = "".join(letter for letter in name.lower() if letter.isalnum())
-    return next((known for known in (library or packaged()).ids if known.replace("-", "") == bare), None)
 
 
 class _Chunk:

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from kinematics.errors import Fault
-from service.adapters.class_grading import exercise_named
+from service.adapters.exercise_names import exercise_named
 from service.adapters.hand_ins import hand_ins
 from service.adapters.judging import JudgedAnswer, NotGraded, judge, with_joint_types
 from service.adapters.table_files import TableSettings

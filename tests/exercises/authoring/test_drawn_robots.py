@@ -52,6 +52,12 @@ def test_the_table_of_a_drawn_arm_is_in_its_lengths() -> None:
     ]
 
 
+@pytest.mark.parametrize("length", [5e-324, 1e-320, 1e-310, 1e-200, 0])
+def test_a_length_too_small_to_be_changed_by_a_share_is_taken(length: float) -> None:
+    source = read_source({"axes": {**UR5, "lengths": {**LENGTHS, "d1": length}}})
+    assert [row.a for row in source.table.rows] == ["0", "0", "a2", "a3", "0", "0"]
+
+
 def test_the_self_test_of_a_drawn_arm_is_green() -> None:
     exercise = exercise_of_draft(started("ur5-like", read_source({"axes": UR5})))
     findings = check_values((None, 1), exercise, 4)
