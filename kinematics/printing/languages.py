@@ -117,7 +117,7 @@ class C(Language, C99CodePrinter):
     """C99; the matrix is the last argument."""
 
     settings: ClassVar[dict[str, Any]] = {"math_macros": {}}  # M_PI is no part of the standard
-    words = f"{reserved.C} {' '.join(cxx.reserved['C++17'])}"
+    words = f"{reserved.C} {reserved.CPP} {' '.join(cxx.reserved['C++17'])}"
     pi = "3.14159265358979323846"
 
     def _lines(self) -> list[str]:

@@ -12,6 +12,10 @@ drem significand finite isinff isnanf sincos pow10 j0 j1 jn y0 y1 yn labs div ex
 constexpr nullptr static_assert thread_local bool true false alignas alignof typeof_unqual
 """
 """Besides the keywords: macros, and functions of the standard headers, which compilers know by name."""
+CPP = """
+catch register char8_t concept consteval constinit co_await co_return co_yield requires
+"""
+"""What SymPy's list of the keywords of C++17 lacks, and those of C++20."""
 MATLAB = """
 break case catch classdef continue else elseif end for function global if otherwise parfor persistent return
 spmd switch try while endfunction endif endfor endwhile end_try_catch unwind_protect do until
