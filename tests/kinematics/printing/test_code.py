@@ -38,7 +38,8 @@ CODE = tuple(Format(name) for name in LANGUAGES)
 _HOSTILE = """
 lambda int for in end pi PI I E e i j q T J t1 c1 s1 c23 s23 sin cos sqrt math np len float double void
 linux unix M_PI NAN gamma y0 y1 j0 struct let var new this eval arguments Math q_ c1_ t1_ lambda_ function
-assert numel ans None True false null class async await yield return ValueError inf pow M_SQRT2 catch register concept co_await
+assert numel ans None True false null class async await yield return ValueError inf pow M_SQRT2
+catch register concept co_await
 """
 HOSTILE = _HOSTILE.split()
 
