@@ -20,7 +20,7 @@ _CODE, _SESSION = "administrator", "administrator-session"
 
 
 def invite_administrator(store: Store, now: datetime) -> str:
-    """A code that signs an administrator in, once."""
+    """Return a code that signs an administrator in, once."""
     return issue_code(store, _CODE, {}, now, INVITED)
 
 

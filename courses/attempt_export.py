@@ -38,7 +38,7 @@ class ExportedAttempt:
 
 
 def exported_attempts(store: Store, link: Link) -> Iterator[ExportedAttempt]:
-    """Every attempt of a link's students, oldest first; those of staff and of previews are left out."""
+    """Yield every attempt of a link's students, oldest first; those of staff and of previews are left out."""
     table, again, grade = records.attempt, records.regraded, records.grade
     own = judged((link.id,))
     same = sa.and_(grade.c.link_id == table.c.link_id, grade.c.person_id == table.c.person_id)

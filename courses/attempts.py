@@ -38,7 +38,7 @@ def check_open(session: CourseSession, now: datetime) -> None:
 
 
 def shown_now(session: CourseSession, made: int, now: datetime) -> Shown:
-    """How much of a student's judgements may be shown now."""
+    """Return how much of a student's judgements may be shown now."""
     return disclosed(
         session.link.settings.policy,
         made,
@@ -49,7 +49,7 @@ def shown_now(session: CourseSession, made: int, now: datetime) -> Shown:
 
 
 def by_key(store: Store, session: CourseSession, key: str) -> Attempt | None:
-    """The attempt that was stored with an idempotency key, or None."""
+    """Return the attempt that was stored with an idempotency key, or None."""
     own = _own(_TABLE, {"link_id": session.link.id, "person_id": session.person.id})
     with store.reading() as connection:
         row = connection.execute(sa.select(_TABLE).where(own, _TABLE.c.key == key)).first()
@@ -61,7 +61,7 @@ Code: TypeAlias = tuple[str, str, int | None]
 
 
 def finding_rows(attempt_id: int, link_id: int, path: Iterable[Code]) -> list[dict[str, Any]]:
-    """The codes of a report as rows beside its attempt, for statistics."""
+    """Return the codes of a report as rows beside its attempt, for statistics."""
     return [
         {"attempt_id": attempt_id, "position": i, "link_id": link_id, "kind": kind, "code": code, "row": row}
         for i, (kind, code, row) in enumerate(islice(path, MOST_FINDINGS))
@@ -130,7 +130,7 @@ _DRAFTED = sa.select(records.participation.c.draft, records.participation.c.draf
 
 
 def attempt_numbered(store: Store, link_id: int, person_id: int, number: int) -> Attempt:
-    """One attempt.
+    """Return one attempt.
 
     Raises:
         UnknownRecordError: there is no such attempt.
@@ -144,7 +144,7 @@ def attempt_numbered(store: Store, link_id: int, person_id: int, number: int) ->
 
 
 def attempt_of(row: Any) -> Attempt:
-    """A row of the relation as a record."""
+    """Return a row of the relation as a record."""
     return Attempt(**{name: getattr(row, name) for name in _NAMES})
 
 

@@ -98,12 +98,12 @@ def judged(link_ids: Collection[int]) -> sa.CTE:
 
 
 def of_students(attempts: sa.CTE) -> sa.ColumnElement[bool]:
-    """Attempts of staff, and those of previews, are in no number."""
+    """Return the attempts of staff, and those of previews, are in no number."""
     return attempts.c.role == "learner"
 
 
 def attempts_behind(store: Store, link_id: int, asked: AttemptFilter) -> list[dict[str, Any]]:
-    """The attempts behind a number of a link, newest first."""
+    """Return the attempts behind a number of a link, newest first."""
     own = judged((link_id,))
     whole = sa.select(
         own,

@@ -24,7 +24,7 @@ class LinkSettingsError(CourseError):
 
 
 def written(settings: LinkSettings) -> dict[str, Any]:
-    """Settings as JSON, without the exercise."""
+    """Return the settings as JSON, without the exercise."""
     policy = settings.policy
     return {
         "parts": list(settings.parts),
@@ -45,7 +45,7 @@ def written(settings: LinkSettings) -> dict[str, Any]:
 
 
 def read(exercise_id: str | None, values: Mapping[str, Any]) -> LinkSettings:
-    """Settings from JSON; what is left out has its default.
+    """Return the settings from JSON; what is left out has its default.
 
     Raises:
         LinkSettingsError: a value cannot be meant; each with its place.
@@ -94,7 +94,7 @@ class _SettingsReader:
         )
 
     def whole(self, name: str, otherwise: int | None, least: int, most: int) -> int | None:
-        """A whole number, or what it is otherwise."""
+        """Return a whole number, or what it is otherwise."""
         value = self.values.get(name)
         if value is None:
             return otherwise
@@ -104,7 +104,7 @@ class _SettingsReader:
         return otherwise
 
     def number(self, name: str, otherwise: float, least: float, most: float) -> float:
-        """A number."""
+        """Return a number."""
         value = self.values.get(name)
         if value is None:
             return otherwise
@@ -114,7 +114,7 @@ class _SettingsReader:
         return otherwise
 
     def text(self, name: str) -> str | None:
-        """A short text."""
+        """Return a short text."""
         value = self.values.get(name)
         if value is None or (isinstance(value, str) and len(value) <= 64):
             return value or None
@@ -122,7 +122,7 @@ class _SettingsReader:
         return None
 
     def choice(self, name: str, otherwise: Choice) -> Choice:
-        """One of the values of an enumeration."""
+        """Return one of the values of an enumeration."""
         value = self.values.get(name)
         if value is None:
             return otherwise
@@ -133,7 +133,7 @@ class _SettingsReader:
         return otherwise
 
     def instant(self, name: str) -> datetime | None:
-        """A time with its zone (RFC 3339)."""
+        """Return a time with its zone (RFC 3339)."""
         value = self.values.get(name)
         if value is None or value == "":
             return None

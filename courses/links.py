@@ -24,7 +24,7 @@ _LINK, _PART = records.link, records.participation
 
 
 def link_in(store: Store, course_id: int, link_id: int) -> Link:
-    """A link of a course.
+    """Return a link of a course.
 
     Raises:
         UnknownRecordError: the course has no such link.
@@ -39,7 +39,7 @@ def link_in(store: Store, course_id: int, link_id: int) -> Link:
 
 
 def link_of(row: Any, link_id: int, title: str) -> Link:
-    """A link, from a row with the columns of one that are in no other table."""
+    """Return a link, from a row with the columns of one that are in no other table."""
     return Link(
         id=link_id,
         course_id=row.course_id,
@@ -70,7 +70,7 @@ def links_of_course(store: Store, called: str) -> list[tuple[LinkSettings, tuple
 
 
 def newest_links(store: Store, count: int) -> list[LinkSettings]:
-    """What the newest links ask."""
+    """Return what the newest links ask."""
     wanted = sa.select(_LINK.c.exercise_id, _LINK.c.settings).order_by(_LINK.c.id.desc()).limit(count)
     with store.reading() as connection:
         return [read(row.exercise_id, row.settings) for row in connection.execute(wanted)]
@@ -141,7 +141,7 @@ def _regrade_all(connection: sa.Connection, link_id: int, now: datetime) -> None
 
 
 def attempt_in(store: Store, course_id: int, attempt_id: int) -> tuple[Attempt, str]:
-    """An attempt of a course by its id, and the key of its student.
+    """Return an attempt of a course by its id, and the key of its student.
 
     Raises:
         UnknownRecordError: the course has no such attempt.

@@ -49,7 +49,7 @@ def lease_scores(store: Store, now: datetime, limit: int = 10) -> list[ScoreToSe
 
 
 def next_timestamp(last: datetime | None, now: datetime) -> datetime:
-    """A whole second that is later than the last one, and not before now."""
+    """Return a whole second that is later than the last one, and not before now."""
     whole = now.replace(microsecond=0)
     return whole if last is None else max(whole, last + timedelta(seconds=1))
 
@@ -157,7 +157,7 @@ class OutboxState:
 
 
 def outbox_state(store: Store, now: datetime) -> OutboxState:
-    """How the outbox is, for those who watch it."""
+    """Return how the outbox is, for those who watch it."""
     unsent = sa.and_(
         _OUTBOX.c.revision > _OUTBOX.c.sent_revision,
         _OUTBOX.c.dead.is_(False),

@@ -68,13 +68,13 @@ def add_platform(store: Store, platform: Platform, deployments: tuple[str, ...],
 
 
 def platforms(store: Store) -> list[Platform]:
-    """Every platform, in the order of their registration."""
+    """Return every platform, in the order of their registration."""
     with store.reading() as connection:
         return [_platform(row) for row in connection.execute(sa.select(_PLATFORM).order_by(_PLATFORM.c.id))]
 
 
 def platform_by_id(store: Store, platform_id: int) -> Platform:
-    """One platform.
+    """Return one platform.
 
     Raises:
         UnknownRecordError: there is no such platform.
@@ -96,7 +96,7 @@ def platforms_of(store: Store, issuer: str, client_id: str | None) -> list[Platf
 
 
 def deployments_of(store: Store, platform_id: int) -> tuple[str, ...]:
-    """The deployments of a platform that may launch."""
+    """Return the deployments of a platform that may launch."""
     table = records.deployment
     with store.reading() as connection:
         found = connection.scalars(
@@ -147,7 +147,7 @@ def _platform(row: Any) -> Platform:
 
 
 def stored_keys(store: Store) -> list[StoredKey]:
-    """The service's keys, oldest first."""
+    """Return the service's keys, oldest first."""
     table = records.tool_key
     with store.reading() as connection:
         return [
@@ -194,7 +194,7 @@ def remember_login(store: Store, state: str, login: Login, now: datetime) -> Non
 
 
 def meet_login(store: Store, state: str, now: datetime) -> Login | None:
-    """What was remembered of a state, once; None if it is unknown, used or too old."""
+    """Return what was remembered of a state, once; None if it is unknown, used or too old."""
     table = records.login
     own = table.c.state_hash == hashed(state)
     with store.writing() as connection:
@@ -212,7 +212,7 @@ def meet_login(store: Store, state: str, now: datetime) -> Login | None:
 
 
 def invite(store: Store, note: str, now: datetime) -> str:
-    """A one-time secret for dynamic registration; what is stored is its hash."""
+    """Return a one-time secret for dynamic registration; what is stored is its hash."""
     secret = new_token()
     with store.writing() as connection:
         connection.execute(
@@ -224,7 +224,7 @@ def invite(store: Store, note: str, now: datetime) -> str:
 
 
 def invitations(store: Store) -> list[Registration]:
-    """Every invitation, newest first."""
+    """Return every invitation, newest first."""
     table = records.registration
     with store.reading() as connection:
         return [

@@ -105,7 +105,7 @@ def deadline(policy: AttemptPolicy, allowance: Allowance = NO_ALLOWANCE) -> date
 
 
 def attempts_allowed(policy: AttemptPolicy, allowance: Allowance = NO_ALLOWANCE) -> int | None:
-    """How many attempts a student has; None for any number."""
+    """Return how many attempts a student has; None for any number."""
     return None if policy.attempts is None else policy.attempts + allowance.extra_attempts
 
 
@@ -130,14 +130,14 @@ def refusal(policy: AttemptPolicy, made: int, allowance: Allowance, now: datetim
 
 
 def worth(policy: AttemptPolicy, outcome: AttemptOutcome) -> float:
-    """What an attempt is worth, 0 … 1: its score less the penalty for each attempt before it."""
+    """Return what an attempt is worth, 0 … 1: its score less the penalty for each attempt before it."""
     return min(1.0, max(0.0, outcome.score - policy.penalty * (outcome.number - 1)))
 
 
 def counted(
     policy: AttemptPolicy, outcomes: Sequence[AttemptOutcome], allowance: Allowance = NO_ALLOWANCE
 ) -> Counted | None:
-    """The attempt that makes the grade; None if none does. What was handed in late does not count.
+    """Return the attempt that makes the grade; None if none does. What was handed in late does not count.
 
     Of several best ones the first counts.
     """
@@ -163,7 +163,7 @@ def advanced(
     outcome: AttemptOutcome,
     allowance: Allowance = NO_ALLOWANCE,
 ) -> Counted | None:
-    """What makes the grade after one more attempt: `counted` of all, from what it was of those before.
+    """Return what makes the grade after one more attempt: `counted` of all, from what it was of those before.
 
     Args:
         policy: the link's.
@@ -186,7 +186,7 @@ def advanced(
 def disclosed(
     policy: AttemptPolicy, made: int, now: datetime, *, released: bool, longest: timedelta = timedelta()
 ) -> Shown:
-    """How much of a student's judgements may be shown now.
+    """Return how much of a student's judgements may be shown now.
 
     Args:
         policy: the link's.

@@ -41,7 +41,7 @@ def person_in(store: Store, course_id: int, key: str) -> None:
 
 
 def export_person(store: Store, key: str) -> dict[str, Any]:
-    """Everything that is stored about one person, as JSON.
+    """Return everything that is stored about one person, as JSON.
 
     Raises:
         UnknownRecordError: there is no such person.

@@ -65,5 +65,5 @@ class NoExerciseError(CourseError):
 
 
 def unknown_record(kind: str) -> UnknownRecordError:
-    """The refusal of a record that is not there, or belongs to another course."""
+    """Return the refusal of a record that is not there, or belongs to another course."""
     return UnknownRecordError(Fault(code="record_unknown", params={"kind": kind}))

@@ -54,7 +54,7 @@ Judge = Callable[[Sequence[Attempt]], Sequence[Rejudged]]
 
 
 def begin(store: Store, link_id: int, scope: Scope, version: str, now: datetime) -> int:
-    """A run; one of this link, scope and version that was not applied yet is taken up again."""
+    """Return a run; one of this link, scope and version that was not applied yet is taken up again."""
     same = sa.and_(
         _RUN.c.link_id == link_id,
         _RUN.c.scope == scope.value,
@@ -112,7 +112,7 @@ def _waiting(store: Store, run: int) -> list[Attempt]:
 
 
 def changes(store: Store, run: int) -> list[dict[str, Any]]:
-    """Who would change, and by how much: attempts whose score differs, largest change first."""
+    """Return who would change, and by how much: attempts whose score differs, largest change first."""
     person = records.person
     wanted = (
         sa.select(
@@ -183,6 +183,6 @@ def _replace_findings(connection: sa.Connection, link_id: int, run: int) -> None
 
 
 def path_kept(judgement: Mapping[str, Any]) -> Iterable[Code]:
-    """The codes of a judgement that a run keeps; runs of earlier versions kept the full report."""
+    """Return the codes of a judgement that a run keeps; runs of earlier versions kept the full report."""
     path = judgement.get("path")
     return path_of_codes(judgement["analysis"]) if path is None else map(tuple, path)

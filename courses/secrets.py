@@ -28,7 +28,7 @@ def new_token() -> str:
 
 
 def hashed(token: str) -> str:
-    """What is stored of a token. It has 256 random bits: no salt is needed."""
+    """Return what is stored of a token. It has 256 random bits: no salt is needed."""
     return hashlib.sha256(token.encode()).hexdigest()
 
 
@@ -48,7 +48,7 @@ def _secret(store: Store, name: str) -> bytes:
 
 
 def issue_code(store: Store, purpose: str, content: Mapping[str, Any], now: datetime, life: timedelta) -> str:
-    """A code that brings content back once."""
+    """Return a code that brings content back once."""
     code = new_token()
     with store.writing() as connection:
         connection.execute(
@@ -60,7 +60,7 @@ def issue_code(store: Store, purpose: str, content: Mapping[str, Any], now: date
 
 
 def redeem_code(store: Store, purpose: str, code: str, now: datetime) -> dict[str, Any]:
-    """What a code was issued for; it works once.
+    """Return what a code was issued for; it works once.
 
     Raises:
         SessionError: it was used, is too old, or was never issued.

@@ -65,7 +65,7 @@ _SESSION = (
 
 
 def session_of(store: Store, token: str, now: datetime) -> CourseSession:
-    """Who is signed in by a token; using a session keeps it alive.
+    """Return who is signed in by a token; using a session keeps it alive.
 
     Raises:
         SessionError: nobody is: it has expired, or was never given out.
@@ -77,7 +77,7 @@ def session_of(store: Store, token: str, now: datetime) -> CourseSession:
 
 
 def sessions_of(store: Store, tokens: Sequence[str], now: datetime) -> list[CourseSession | SessionError]:
-    """Who is signed in by each of some tokens, asked in one query; using a session keeps it alive."""
+    """Return who is signed in by each of some tokens, asked in one query; using a session keeps it alive."""
     hashes = [hashed(token) for token in tokens]
     with store.asking() as connection:
         wanted = _SESSION.where(records.session.c.token_hash.in_(hashes))

@@ -92,5 +92,5 @@ def _insert(dialect: str, table: sa.Table) -> Any:
 
 
 def record_of(row: Any) -> dict[str, Any]:
-    """A row by the names of its columns, which are plain text and no kind of it."""
+    """Return a row by the names of its columns, which are plain text and no kind of it."""
     return {str(name): value for name, value in row._mapping.items()}

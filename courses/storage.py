@@ -140,7 +140,7 @@ def open_store(url: str, folder: Path) -> Store:
 
 
 def connect(url: str, folder: Path) -> Store:
-    """A store as it is, without migration.
+    """Return a store as it is, without migration.
 
     Raises:
         StorageError: the address or the folder cannot be used.
@@ -176,18 +176,18 @@ def migrate(store: Store, target: str = "head") -> None:
 
 
 def newest_revision() -> str:
-    """The revision of this program's schema; the files of its history are named by them."""
+    """Return the revision of this program's schema; the files of its history are named by them."""
     return max(path.name[1:5] for path in (MIGRATIONS / "versions").glob("r[0-9]*.py"))
 
 
 def revision_of(store: Store) -> str:
-    """The revision of the database's schema; "" for an empty database."""
+    """Return the revision of the database's schema; "" for an empty database."""
     with store.reading() as connection:
         return revision_in(connection)
 
 
 def revision_in(connection: sa.Connection) -> str:
-    """The revision of the schema that a transaction sees; "" for an empty database."""
+    """Return the revision of the schema that a transaction sees; "" for an empty database."""
     if not sa.inspect(connection).has_table(_REVISION.name):
         return ""
     return connection.scalar(sa.select(_REVISION.c.version_num)) or ""

@@ -19,7 +19,7 @@ FILE = "exercise.toml"
 
 
 def inconsistencies(exercise: Exercise) -> Iterator[Fault]:
-    """What does not fit together, each at (file, key, …)."""
+    """Yield what does not fit together, each at (file, key, …)."""
     yield from _figure_faults(exercise)
     yield from _name_faults(exercise)
     yield from _part_faults(exercise)

@@ -17,7 +17,7 @@ STATEMENT = re.compile(r"statement\.([a-z]{2})\.md")
 
 
 def files_of_folder(folder: Traversable) -> Mapping[str, bytes]:
-    """The files of a folder that say something of its exercise, by name."""
+    """Return the files of a folder that say something of its exercise, by name."""
     found = folder.iterdir() if folder.is_dir() else ()
     return {
         file.name: file.read_bytes()
@@ -27,7 +27,7 @@ def files_of_folder(folder: Traversable) -> Mapping[str, bytes]:
 
 
 def read_definition(files: Mapping[str, bytes]) -> Mapping[str, Any]:
-    """The keys of exercise.toml, which is one of the files.
+    """Return the keys of exercise.toml, which is one of the files.
 
     Raises:
         DefinitionError: it is not there, or no TOML.
@@ -45,7 +45,7 @@ def read_definition(files: Mapping[str, bytes]) -> Mapping[str, Any]:
 
 
 def read_statements(files: Mapping[str, bytes]) -> Mapping[str, str]:
-    """The texts of the statements among the files, by language.
+    """Return the texts of the statements among the files, by language.
 
     Raises:
         DefinitionError: one is no UTF-8.

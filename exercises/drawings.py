@@ -45,7 +45,7 @@ class KeyPose:
 
 @lru_cache(maxsize=KEPT)
 def true_scene(instance: Instance) -> Scene:
-    """The scene with the student's own lengths."""
+    """Return the scene with the student's own lengths."""
     return _scene(instance, drawn=False)
 
 
@@ -69,7 +69,7 @@ def figure_svg(
     note: str = "",
     frames: Sequence[DrawnFrame] = (),
 ) -> str:
-    """The figure as SVG.
+    """Return the figure as SVG.
 
     Args:
         instance: the exercise with the student's values.
@@ -84,7 +84,7 @@ def figure_svg(
 
 
 def figure_drawing(instance: Instance, note: str = "", frames: Sequence[DrawnFrame] = ()) -> SvgDrawing:
-    """The figure without the words that tell of it.
+    """Return the figure without the words that tell of it.
 
     Args:
         instance: the exercise with the student's values.
@@ -116,7 +116,7 @@ class FigureDimensions:
 
 
 def figure_dimensions(instance: Instance, note: str = "") -> FigureDimensions:
-    """The dimensions of the figure as `figure_svg` draws it with the same note."""
+    """Return the dimensions of the figure as `figure_svg` draws it with the same note."""
     exercise = instance.exercise
     figure = exercise.figure
     scene = _drawn_scene(instance)
@@ -140,7 +140,7 @@ def _mark(mark: DimensionMark) -> dict[str, object]:
 
 
 def figure_sentences(instance: Instance) -> tuple[Sentence, ...]:
-    """The figure in words."""
+    """Return the figure in words."""
     exercise = instance.exercise
     sentences = list(describe(true_scene(instance), exercise.figure.view, exercise.length_unit.value))
     if exercise.figure.lengths:
@@ -224,6 +224,6 @@ def _shows_signs(exercise: Exercise) -> bool:
 
 
 def values(instance: Instance) -> Mapping[str, float]:
-    """The student's values as the kinematics takes them."""
+    """Return the student's values as the kinematics takes them."""
     exercise = instance.exercise
     return values_in_radians(instance.parameters, exercise.reference.parameters, exercise.angle_unit)

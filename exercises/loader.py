@@ -29,7 +29,7 @@ from kinematics.errors import Fault
 
 
 def load_exercise(folder: Traversable) -> Exercise:
-    """The exercise in a folder.
+    """Return the exercise in a folder.
 
     Args:
         folder: holds exercise.toml and a statement.<language>.md in one language or more; its name is the id.
@@ -41,7 +41,7 @@ def load_exercise(folder: Traversable) -> Exercise:
 
 
 def exercise_of_files(exercise_id: str, files: Mapping[str, bytes], *, is_checked: bool = False) -> Exercise:
-    """The exercise that the files of a folder describe.
+    """Return the exercise that the files of a folder describe.
 
     Args:
         exercise_id: names it.
@@ -65,7 +65,7 @@ def read_exercise(
     *,
     is_checked: bool = False,
 ) -> Exercise:
-    """The exercise that a definition and its statements describe.
+    """Return the exercise that a definition and its statements describe.
 
     Args:
         exercise_id: names it.

@@ -13,7 +13,7 @@ MOST_WEIGHT = 100.0
 
 
 def read_policy(reader: Reader) -> Policy:
-    """What a table is held to; faults go to the reader."""
+    """Return what a table is held to; faults go to the reader."""
     inner = reader.table("tolerance")
     usual = Tolerance()
     tolerance = Tolerance(

@@ -21,13 +21,13 @@ class Reader(KeyReader):
     )
 
     def length(self, key: str, default: Cell | None = None) -> Expression:
-        """A length: a number or an expression in the exercise's dimensions."""
+        """Return a length: a number or an expression in the exercise's dimensions."""
         return self._cell(self.values.get(key, default), key) if self._known(key, default) else ZERO
 
     def lengths(
         self, key: str, default: Sequence[Cell] | None = None
     ) -> tuple[Expression, Expression, Expression]:
-        """Three lengths."""
+        """Return three lengths."""
         value = self.values.get(key, default) if self._known(key, default) else (0, 0, 0)
         if not isinstance(value, list | tuple) or len(value) != 3:
             self.mistyped(ValueKind.CELLS, key, count=3)
@@ -38,7 +38,7 @@ class Reader(KeyReader):
     def direction(
         self, key: str, default: tuple[float, float, float] | None
     ) -> tuple[float, float, float] | None:
-        """Three numbers, not all zero; the default where the key is missing."""
+        """Return three numbers, not all zero; the default where the key is missing."""
         if not self.given(key):
             return default
         entries = self.exacts(key)
@@ -49,7 +49,7 @@ class Reader(KeyReader):
         return x, y, z
 
     def name(self, text: str, *where: str | int) -> str:
-        """A dimension's name in its one spelling."""
+        """Return a dimension's name in its one spelling."""
         name = canonical_name(text)
         if name is None:
             self.fault("name_invalid", *where, name=text)

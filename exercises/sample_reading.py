@@ -21,7 +21,7 @@ class Expectation(StrEnum):
 def read_raw_table(
     reader: Reader, angle_unit: AngleUnit = AngleUnit.DEG, length_unit: LengthUnit = LengthUnit.M
 ) -> RawTable | None:
-    """A DH table as handed in; None if its shape is wrong (faults go to the reader)."""
+    """Return a DH table as handed in; None if its shape is wrong (faults go to the reader)."""
     before = len(reader.faults)
     convention = reader.choice("convention", Convention)
     angle_unit = reader.choice("angle_unit", AngleUnit, angle_unit)
@@ -33,7 +33,7 @@ def read_raw_table(
 
 
 def read_samples(reader: Reader, reference: ReadTable) -> tuple[Sample, ...]:
-    """The [[tests.samples]] of a definition."""
+    """Return the [[tests.samples]] of a definition."""
     samples: list[Sample] = []
     for i, entry in enumerate(reader.entries("samples")):
         name = entry.text("name", f"sample {i + 1}")

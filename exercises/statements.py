@@ -27,7 +27,7 @@ _CONTROL = re.compile("[\x00-\x08\x0b-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069]")
 
 
 def to_html(markdown: str) -> str:
-    """The statement as HTML; no markup of the source survives but what is listed above."""
+    """Return the statement as HTML; no markup of the source survives but what is listed above."""
     return "\n".join(_blocks(markdown))
 
 
@@ -45,7 +45,7 @@ def text_faults(text: str, longest: int) -> Iterator[Fault]:
 
 
 def variable_html(name: str) -> str:
-    """A dimension's name, typeset: <var>L<sub>1</sub></var>."""
+    """Return a dimension's name, typeset: <var>L<sub>1</sub></var>."""
     match = _NAME.fullmatch(name)
     if match is None:
         return f"<var>{escape(name)}</var>"
@@ -54,7 +54,7 @@ def variable_html(name: str) -> str:
 
 
 def names_in(markdown: str) -> frozenset[str]:
-    """The names of dimensions and points that a statement speaks of."""
+    """Return the names of dimensions and points that a statement speaks of."""
     return frozenset(
         match[3] for match in _INLINE.finditer(markdown) if match[3] is not None and _NAME.fullmatch(match[3])
     )
@@ -98,7 +98,7 @@ def _marked(match: re.Match[str]) -> str:
 
 
 def first_sentence(markdown: str) -> str:
-    """The first sentence of a statement as plain text."""
+    """Return the first sentence of a statement as plain text."""
     block = next(
         (block for block in re.split(r"\n[ \t]*\n", markdown.strip()) if not block.startswith("#")), ""
     )

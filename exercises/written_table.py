@@ -9,7 +9,7 @@ from kinematics.table import JointType, SymbolicRow
 
 
 def written_table(read: ReadTable) -> RawTable:
-    """A table as it would be typed."""
+    """Return a table as it would be typed."""
     rows: list[RawRow] = []
     for i, row in enumerate(read.table.rows):
         number = read.table.joint_rows.index(i) + 1 if row.joint is not JointType.FIXED else 0

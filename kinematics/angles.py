@@ -29,7 +29,7 @@ twelfths."""
 
 
 def cos_sin(angle: float) -> tuple[float, float]:
-    """Cosine and sine of an angle, exact where it counts as a multiple of π/12.
+    """Return the cosine and sine of an angle, exact where it counts as a multiple of π/12.
 
     Args:
         angle: [rad], finite.

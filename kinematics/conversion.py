@@ -52,7 +52,7 @@ class Conversion(Generic[Entry]):
     tool: XScrew[Entry] | None
 
     def as_rows(self) -> DHTable[Entry]:
-        """The same in one table: base and tool as fixed rows at its ends."""
+        """Return the same in one table: base and tool as fixed rows at its ends."""
         rows: list[DHRow[Entry]] = list(self.table.rows)
         if self.base is not None:
             rows.insert(0, fixed_row(self.base))
@@ -98,13 +98,13 @@ def convert(
 
 
 def fixed_row(screw: XScrew[Entry]) -> DHRow[Entry]:
-    """The fixed row that makes this motion, the same in both conventions."""
+    """Return the fixed row that makes this motion, the same in both conventions."""
     zero = _zero_like(screw.a)
     return DHRow(joint=JointType.FIXED, theta=zero, d=zero, a=screw.a, alpha=screw.alpha)
 
 
 def bind_screw(screw: XScrew[Expression], parameters: Mapping[str, float] | None = None) -> XScrew[float]:
-    """The motion with numbers.
+    """Return the motion with numbers.
 
     Raises:
         ParameterError: a parameter has no value, or an entry no finite value.
@@ -113,7 +113,7 @@ def bind_screw(screw: XScrew[Expression], parameters: Mapping[str, float] | None
 
 
 def screw_transform(screw: XScrew[float] | None) -> Transform:
-    """The motion as a (4, 4) transform; the identity of None."""
+    """Return the motion as a (4, 4) transform; the identity of None."""
     motion = screw or XScrew(a=0.0, alpha=0.0)
     return link_transform(fixed_row(motion), Convention.STANDARD)
 

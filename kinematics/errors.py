@@ -42,7 +42,7 @@ class Fault:
         return f"{self.code}{place}" + (f" ({values})" if values else "")
 
     def within(self, *prefix: str | int) -> Fault:
-        """The same fault, seen from an enclosing object that holds the read one at `prefix`."""
+        """Return the same fault, seen from an enclosing object that holds the read one at `prefix`."""
         return Fault(code=self.code, where=(*prefix, *self.where), params=self.params)
 
 

@@ -61,7 +61,7 @@ class ForwardKinematics:
 def forward_kinematics(
     table: NumericTable, joints: ArrayLike, *, base: ArrayLike | None = None, tool: ArrayLike | None = None
 ) -> ForwardKinematics:
-    """Poses of every frame: T = base · A_1 ⋯ A_N · tool.
+    """Return the poses of every frame: T = base · A_1 ⋯ A_N · tool.
 
     Args:
         table: the DH table.
@@ -87,7 +87,7 @@ def forward_kinematics(
 def end_pose(
     table: NumericTable, joints: ArrayLike, *, base: ArrayLike | None = None, tool: ArrayLike | None = None
 ) -> Transform:
-    """Pose of the end frame alone, (4, 4): what `forward_kinematics` calls `transform`.
+    """Return the pose of the end frame alone, (4, 4): what `forward_kinematics` calls `transform`.
 
     Args:
         table: the DH table.
@@ -108,7 +108,7 @@ def end_pose(
 def end_poses(
     table: NumericTable, joints: ArrayLike, *, base: ArrayLike | None = None, tool: ArrayLike | None = None
 ) -> Transform:
-    """Poses of the end frame at many configurations.
+    """Return the poses of the end frame at many configurations.
 
     Cosine and sine come from one tangent here (see `kinematics.angles`), so a pose may differ from that of
     `end_pose` in the last digits: by a few 1e-16 for each row, times the length of the chain.

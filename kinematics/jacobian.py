@@ -185,7 +185,7 @@ def _mobility(plain: Numbers, scaled: Numbers, sampled: Numbers, tolerance: floa
 
 
 def characteristic_length(chain: LinkMotions) -> float:
-    """Sum of |a| and |d| over the rows [m]; 1 where all are zero."""
+    """Return the sum of |a| and |d| over the rows [m]; 1 where all are zero."""
     shifts = (MotionKind.SHIFT_X, MotionKind.SHIFT_Z)
     constant = [m for link in chain.links for m in link if m.joint is None and m.kind in shifts]
     return sum(abs(motion.first) for motion in constant) or 1.0

@@ -21,7 +21,7 @@ _FLOAT = frozenset({float})
 
 
 def configurations(joints: ArrayLike, n_joints: int) -> list[float] | Floats:
-    """One configuration as a list of n finite floats, or many as an (m, n) array of them.
+    """Return one configuration as a list of n finite floats, or many as an (m, n) array of them.
 
     One-dimensional arrays and lists of floats, the usual arguments, are read first and at a fifth of the cost
     of

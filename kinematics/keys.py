@@ -83,7 +83,7 @@ class KeyReader:
         self.fault(self.codes.missing, key, key=key)
 
     def given(self, key: str) -> bool:
-        """Whether a key is in the table; it counts as asked for."""
+        """Return whether a key is in the table; it counts as asked for."""
         self._asked.add(key)
         return key in self.values
 
@@ -101,13 +101,13 @@ class KeyReader:
         return type(self)(value if isinstance(value, dict) else {}, (*self.where, key), faults)
 
     def tables(self, key: str) -> Iterator[tuple[str, Self]]:
-        """The readers of the tables inside a table, with their names."""
+        """Yield the readers of the tables inside a table, with their names."""
         inner = self.table(key)
         for name in inner.values:
             yield name, inner.table(name)
 
     def entries(self, key: str, *, needed: bool = False) -> Iterator[Self]:
-        """The readers of a list of tables."""
+        """Yield the readers of a list of tables."""
         value = self.value(key, list, ValueKind.TABLES, _MISSING if needed else [])
         for i, entry in enumerate(value if isinstance(value, list) else []):
             if isinstance(entry, dict):
@@ -116,46 +116,46 @@ class KeyReader:
                 self.mistyped(ValueKind.TABLE, key, i)
 
     def text(self, key: str, default: Any = _MISSING) -> str:
-        """A text; one that must be given is not empty."""
+        """Return a text; one that must be given is not empty."""
         value = self.value(key, str, ValueKind.TEXT, default)
         if default is _MISSING and isinstance(value, str) and not value.strip():
             self.mistyped(ValueKind.TEXT, key)
         return value if isinstance(value, str) else ""
 
     def texts(self, key: str, *, default: Any = _MISSING) -> tuple[str, ...]:
-        """A list of texts."""
+        """Return a list of texts."""
         value = self.value(key, list, ValueKind.TEXTS, default)
         return self._each(key, value, ValueKind.TEXT, lambda entry: isinstance(entry, str))
 
     def integer(self, key: str, default: Any = _MISSING) -> int:
-        """A whole number."""
+        """Return a whole number."""
         value = self.value(key, int, ValueKind.INTEGER, default)
         return value if isinstance(value, int) else 0
 
     def exact(self, key: str, default: Any = _MISSING) -> Fraction:
-        """A number, as it is written: 0.1 is a tenth."""
+        """Return a number, as it is written: 0.1 is a tenth."""
         value = self.value(key, (int, float, Fraction), ValueKind.NUMBER, default)
         return self._fraction(value, key)
 
     def exacts(self, key: str, default: Any = _MISSING) -> tuple[Fraction, ...]:
-        """A list of numbers, as they are written."""
+        """Return a list of numbers, as they are written."""
         value = self.value(key, list, ValueKind.NUMBERS, default)
         entries = self._each(key, value, ValueKind.NUMBER, is_number)
         return tuple(self._fraction(entry, key, i) for i, entry in enumerate(entries))
 
     def cell(self, key: str) -> Any:
-        """A value whose meaning is read elsewhere; 0 with a fault where there is none."""
+        """Return a value whose meaning is read elsewhere; 0 with a fault where there is none."""
         if self.given(key):
             return self.values[key]
         self.missing(key)
         return 0
 
     def number(self, key: str, default: Any = _MISSING) -> float:
-        """A finite number."""
+        """Return a finite number."""
         return float(self.exact(key, default))
 
     def numbers(self, key: str, length: int) -> tuple[float, ...]:
-        """A list of `length` finite numbers; zeros where it is something else."""
+        """Return a list of `length` finite numbers; zeros where it is something else."""
         value = self.value(key, list, ValueKind.NUMBERS, _MISSING, count=length)
         if are_numbers(value, length):
             return tuple(map(float, value))
@@ -164,7 +164,7 @@ class KeyReader:
         return (0.0,) * length
 
     def rows(self, key: str, length: int | None, width: int) -> list[list[Any]]:
-        """A list of lists of `width` entries each, `length` of them where that is given."""
+        """Return a list of lists of `width` entries each, `length` of them where that is given."""
         params: dict[str, ParamValue] = {"width": width, "count": length or 0}
         value = self.value(key, list, ValueKind.ROWS, _MISSING, **params)
         if not isinstance(value, list):
@@ -175,7 +175,7 @@ class KeyReader:
         return []
 
     def choice(self, key: str, kind: type[Choice], default: Choice | None = None) -> Choice:
-        """One of the values of an enumeration."""
+        """Return one of the values of an enumeration."""
         value = self.value(key, str, ValueKind.TEXT, _MISSING if default is None else default.value)
         if value is None:
             return default if default is not None else next(iter(kind))
@@ -186,7 +186,7 @@ class KeyReader:
             return default if default is not None else next(iter(kind))
 
     def choices(self, key: str, kind: type[Choice], default: Any = _MISSING) -> tuple[Choice, ...]:
-        """A list of values of an enumeration."""
+        """Return a list of values of an enumeration."""
         found = []
         for i, text in enumerate(self.texts(key, default=default)):
             if text in set(kind):
@@ -206,7 +206,7 @@ class KeyReader:
         return next((step for step in reversed((*self.where, *where)) if isinstance(step, str)), "")
 
     def guarded(self, read: Callable[[], Read], *where: str | int) -> Read | None:
-        """What a function of the domain returns; its faults are kept, seen from here."""
+        """Return what a function of the domain returns; its faults are kept, seen from here."""
         try:
             return read()
         except KinematicsError as error:
@@ -252,12 +252,12 @@ class KeyReader:
 
 
 def is_number(value: object) -> bool:
-    """Whether a value is a number; neither true nor false is one."""
+    """Return whether a value is a number; neither true nor false is one."""
     return isinstance(value, int | float | Fraction) and not isinstance(value, bool)
 
 
 def are_numbers(value: object, length: int) -> bool:
-    """Whether a value is a list of `length` finite numbers."""
+    """Return whether a value is a list of `length` finite numbers."""
     return (
         isinstance(value, list)
         and len(value) == length

@@ -17,7 +17,7 @@ Floats: TypeAlias = NDArray[np.float64]
 
 
 def quaternions_from_transforms(transforms: Floats) -> Floats:
-    """Unit quaternions (w, x, y, z), (…, 4)."""
+    """Return the unit quaternions (w, x, y, z), (…, 4)."""
     r = transforms[..., :3, :3]
     xx, yy, zz = r[..., 0, 0], r[..., 1, 1], r[..., 2, 2]
     trace = xx + yy + zz
@@ -52,7 +52,7 @@ def rpys_from_transforms(transforms: Floats) -> Floats:
 
 
 def axis_angles_from_transforms(transforms: Floats) -> tuple[Floats, Floats]:
-    """Axes (…, 3) and angles (…) [rad, 0 … π]."""
+    """Return the axes (…, 3) and angles (…) [rad, 0 … π]."""
     quaternions = quaternions_from_transforms(transforms)
     vectors = quaternions[..., 1:]
     length = np.linalg.norm(vectors, axis=-1)

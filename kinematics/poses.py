@@ -85,7 +85,7 @@ class PoseNotations(NamedTuple):
 
 
 def pose_notations(transform: Transform) -> PoseNotations:
-    """Position and orientation of a pose in every notation at once.
+    """Return the position and orientation of a pose in every notation at once.
 
     Args:
         transform: (4, 4) rigid transform; it is not checked (see `se3.check_transform`).
@@ -99,7 +99,7 @@ def pose_notations(transform: Transform) -> PoseNotations:
 
 
 def quaternion_from_transform(transform: Transform) -> Quaternion:
-    """Unit quaternion of a pose's orientation, w ≥ 0.
+    """Return the unit quaternion of a pose's orientation, w ≥ 0.
 
     The largest of the four components is found first and the others are divided by it, so nothing is lost
     near half turns. Within 1e-15 of a half turn w counts as 0 and the first of x, y, z
@@ -122,7 +122,7 @@ def rpy_from_transform(transform: Transform) -> RollPitchYaw:
 
 
 def axis_angle_from_transform(transform: Transform) -> AxisAngle:
-    """Axis and angle of a pose's orientation; see `axis_angle_from_quaternion`."""
+    """Return the axis and angle of a pose's orientation; see `axis_angle_from_quaternion`."""
     return axis_angle_from_quaternion(quaternion_from_transform(transform))
 
 
@@ -137,7 +137,7 @@ def xyzabc_from_transform(transform: Transform) -> XYZABC:
 
 
 def axis_angle_from_quaternion(quaternion: Quaternion) -> AxisAngle:
-    """Axis and angle of a unit quaternion with w ≥ 0.
+    """Return the axis and angle of a unit quaternion with w ≥ 0.
 
     Accurate at both ends, since the angle is 2·atan2(|v|, w). A rotation below 2e-15 rad has no axis worth
     the name: its angle is 0 and its axis z.
@@ -152,7 +152,7 @@ def axis_angle_from_quaternion(quaternion: Quaternion) -> AxisAngle:
 def transform_from_quaternion(
     quaternion: Sequence[float], position: Sequence[float] = (0, 0, 0)
 ) -> Transform:
-    """Pose with the orientation of a quaternion (w, x, y, z) of any length but zero.
+    """Return the pose with the orientation of a quaternion (w, x, y, z) of any length but zero.
 
     Raises:
         PoseError: not four finite numbers, or all of them zero.
@@ -187,7 +187,7 @@ def transform_from_rpy(rpy: Sequence[float], position: Sequence[float] = (0, 0, 
 
 
 def transform_from_xyzabc(xyzabc: Sequence[float]) -> Transform:
-    """Pose Trans(x, y, z) Rot_z(a) Rot_y(b) Rot_x(c) from its six numbers.
+    """Return the pose Trans(x, y, z) Rot_z(a) Rot_y(b) Rot_x(c) from its six numbers.
 
     Raises:
         PoseError: not six finite numbers.
@@ -201,7 +201,7 @@ def transform_from_xyzabc(xyzabc: Sequence[float]) -> Transform:
 def transform_from_axis_angle(
     axis: Sequence[float], angle: float, position: Sequence[float] = (0, 0, 0)
 ) -> Transform:
-    """Pose turned by an angle [rad] about an axis of any length but zero.
+    """Return the pose turned by an angle [rad] about an axis of any length but zero.
 
     Raises:
         PoseError: not finite, or the axis is zero.

@@ -65,7 +65,7 @@ class ProductOfExponentials:
 def product_of_exponentials(
     table: NumericTable, *, base: ArrayLike | None = None, tool: ArrayLike | None = None
 ) -> ProductOfExponentials:
-    """The screws and the home pose of a table.
+    """Return the screws and the home pose of a table.
 
     Args:
         table: the DH table; fixed rows go into the screws behind them and into the home pose.
@@ -108,7 +108,7 @@ def pose_of_product(product: ProductOfExponentials, joints: ArrayLike) -> Transf
 
 
 def table_of_product(product: ProductOfExponentials, convention: Convention) -> FrameAssignment:
-    """A DH table of a product of exponentials, by the assignment of frames to its axes.
+    """Return a DH table of a product of exponentials, by the assignment of frames to its axes.
 
     Axes that are parallel but for a tilt of 1e-10 to 5e-3 rad are joined by a fixed dummy row, so the table
     is the product for every q and its lengths are the robot's.
@@ -150,7 +150,7 @@ def _triple(values: Sequence[float]) -> Vector:
 
 
 def joint_axis(screw: Screw, where: tuple[str | int, ...] = ()) -> JointAxis:
-    """The axis of a joint's screw: direction, and of a revolute joint the point nearest to the origin.
+    """Return the axis of a joint's screw: direction, and of a revolute joint the point nearest to the origin.
 
     Raises:
         DescriptionError: a number is NaN or infinite, ω is neither zero nor a unit vector, v is no unit
@@ -195,7 +195,7 @@ def exponential(screw: Screw, q: float) -> Transform:
 
 
 def logarithm(transform: Transform) -> Screw:
-    """The twist (v, ω) with exp([(v, ω)]) = T and |ω| ≤ π.
+    """Return the twist (v, ω) with exp([(v, ω)]) = T and |ω| ≤ π.
 
     Accurate for the smallest motions and near half turns; at a half turn exactly, ω points as the axis of
     `axis_angle_from_transform` does.

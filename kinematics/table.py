@@ -122,7 +122,7 @@ SymbolicTable: TypeAlias = DHTable[Expression]
 
 
 def table_parameters(table: SymbolicTable) -> tuple[str, ...]:
-    """Names of the parameters of a table, in the order in which they first stand in it."""
+    """Return the names of the parameters of a table, in the order in which they first stand in it."""
     names: dict[str, None] = {}
     for row in table.rows:
         for cell in CELLS:
@@ -131,7 +131,7 @@ def table_parameters(table: SymbolicTable) -> tuple[str, ...]:
 
 
 def bind(table: SymbolicTable, parameters: Mapping[str, float] | None = None) -> NumericTable:
-    """The table with a number in every cell.
+    """Return the table with a number in every cell.
 
     Args:
         table: entries exact, possibly with parameters.

@@ -77,7 +77,7 @@ class ReadTree:
         return tuple(frame for frame in range(1, len(self.after) + 1) if frame not in self.after)
 
     def path(self, frame: int) -> tuple[int, ...]:
-        """The frames from the base to one, that one included."""
+        """Return the frames from the base to one, that one included."""
         found: list[int] = []
         while frame:
             found.append(frame)
@@ -85,7 +85,7 @@ class ReadTree:
         return tuple(found[::-1])
 
     def joints(self, frame: int) -> tuple[int, ...]:
-        """The numbers of the joints that move a frame, from 1."""
+        """Return the numbers of the joints that move a frame, from 1."""
         moving = [row.joint is not JointType.FIXED for row in self.read.table.rows[1::2]]
         return tuple(sum(moving[:k]) for k in self.path(frame) if moving[k - 1])
 
@@ -127,7 +127,7 @@ def read_tree(
 
 
 def path_table(tree: ReadTree, table: DHTable[Entry], frame: int) -> DHTable[Entry]:
-    """The modified table of the serial arm from the base to a frame.
+    """Return the modified table of the serial arm from the base to a frame.
 
     Args:
         tree: whose path it is.
@@ -144,7 +144,7 @@ def path_table(tree: ReadTree, table: DHTable[Entry], frame: int) -> DHTable[Ent
 
 
 def tree_frames(tree: ReadTree, table: NumericTable, joints: Sequence[float]) -> list[Transform]:
-    """Poses of frames 1 … n in frame 0.
+    """Return the poses of frames 1 … n in frame 0.
 
     Args:
         tree: the tree.

@@ -102,7 +102,7 @@ def _rank(route: BaseRoute) -> int:
 
 
 def create_app(settings: Settings | None = None) -> FastAPI:
-    """The service with the given settings; those of the environment if left out."""
+    """Return the service with the given settings; those of the environment if left out."""
     settings = settings or Settings()
     app = FastAPI(
         title="Framewise",
@@ -212,7 +212,7 @@ async def _watch(metrics: Metrics, collection: Collection) -> None:
 
 
 def problem_response(request: Request, problem: Problem) -> Response:
-    """The problem document in the caller's language."""
+    """Return the problem document in the caller's language."""
     language = language_for(request.headers.get("accept-language"))
     resources_of(request).metrics.refused(problem.faults[0].code)
     settings = resources_of(request).settings

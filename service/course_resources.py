@@ -100,7 +100,7 @@ class CourseResources:
         self.store.close()
 
     async def signed_in(self, token: str) -> CourseSession:
-        """Who is signed in by a token; what follows in this request counts as theirs.
+        """Return who is signed in by a token; what follows in this request counts as theirs.
 
         Raises:
             SessionError: nobody is.
@@ -117,18 +117,18 @@ class CourseResources:
         return session
 
     def person(self, authorization: str) -> Proven | None:
-        """Who was signed in before by the token of an Authorization field; None where nobody is known.
+        """Return who was signed in before by the token of an Authorization field; None where nobody is known.
 
         It says whose turn it is, and lets nobody in: that a session has ended meanwhile makes no difference.
         """
         return self._people.get(bearer_token(authorization))
 
     def outbox(self) -> OutboxState:
-        """How the outbox of scores is."""
+        """Return how the outbox of scores is."""
         return outbox_state(self.store, now())
 
     def answers(self) -> bool:
-        """Whether the database answers; asked at most every two seconds."""
+        """Return whether the database answers; asked at most every two seconds."""
         with self._lock:
             known, until = self._answered
             if time.monotonic() < until:
@@ -170,7 +170,7 @@ class CourseResources:
         return self._editions[exercise_id]
 
     def knows_edition(self, exercise_id: str | None) -> bool:
-        """Whether the address of an exercise is known without asking the database."""
+        """Return whether the address of an exercise is known without asking the database."""
         return exercise_id is None or exercise_id in self._editions or exercise_id in self._published
 
     def class_members(self, course: Course) -> dict[str, str | None] | None:
@@ -203,7 +203,7 @@ class CourseResources:
         return found
 
     def keys(self) -> list[StoredKey]:
-        """The tool's keys; the first one is made when it is first needed."""
+        """Return the tool's keys; the first one is made when it is first needed."""
         found = stored_keys(self.store)
         if not found:
             add_key(self.store, _new_key(now(), at_once=True), only_if_none=True)
@@ -211,7 +211,7 @@ class CourseResources:
         return found
 
     def signing(self) -> StoredKey:
-        """The key that signs now."""
+        """Return the key that signs now."""
         chosen = signing_key(self.keys(), now())
         assert isinstance(chosen, StoredKey)
         return chosen
@@ -245,13 +245,13 @@ class CourseResources:
 
 
 def bearer_token(authorization: str) -> str:
-    """The token in an Authorization field; empty if there is none."""
+    """Return the token in an Authorization field; empty if there is none."""
     scheme, _, token = authorization.partition(" ")
     return token.strip() if scheme.lower() == "bearer" else ""
 
 
 def now() -> datetime:
-    """The time."""
+    """Return the time."""
     return datetime.now(UTC)
 
 

@@ -30,7 +30,7 @@ _log = logging.getLogger(__name__)
 
 @cache
 def languages() -> tuple[str, ...]:
-    """The languages that have a folder, in alphabetical order."""
+    """Return the languages that have a folder, in alphabetical order."""
     return tuple(sorted(folder.name for folder in LOCALES.iterdir() if folder.is_dir()))
 
 
@@ -71,7 +71,7 @@ def _bundle(language: str) -> FluentBundle:
 
 
 def has_sentence(language: str, identifier: str) -> bool:
-    """Whether a language has a message of its own."""
+    """Return whether a language has a message of its own."""
     return identifier in _sources(language)
 
 
@@ -143,13 +143,13 @@ def _argument(value: object) -> str | int:
 
 @cache
 def refusal_codes() -> frozenset[str]:
-    """Every code that has a message."""
+    """Return every code that has a message."""
     identifiers = _sources(DEFAULT_LANGUAGE)
     return frozenset(name.removeprefix("error-") for name in identifiers if name.startswith("error-"))
 
 
 def template(language: str, identifier: str) -> str:
-    """The message with the names of its parameters in braces; of a choice, the usual form."""
+    """Return the message with the names of its parameters in braces; of a choice, the usual form."""
     (message,) = FluentParser().parse(_sources(language)[identifier]).body[:1]
     assert isinstance(message, ast.Message)
     assert message.value

@@ -115,7 +115,7 @@ class Metrics:
             self._waiting.labels(lane).set(waiting)
 
     def exposition(self) -> bytes:
-        """The figures of all processes in Prometheus's text format."""
+        """Return the figures of all processes in Prometheus's text format."""
         self.note_occupancy()
         registry = self._registry
         if folder := os.environ.get(SHARED):
@@ -140,7 +140,7 @@ class OutboxCollector(Collector):
         self._until = float("-inf")
 
     def collect(self) -> Iterable[Metric]:
-        """The state of the outbox, and whether the database answers."""
+        """Yield the state of the outbox, and whether the database answers."""
         found = self._state()
         up = "Whether the database answers"
         yield GaugeMetricFamily("framewise_storage_up", up, value=0.0 if found is None else 1.0)

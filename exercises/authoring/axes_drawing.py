@@ -69,7 +69,7 @@ class AxesDrawing:
     lengths: Values
 
     def axes(self, lengths: Values | None = None) -> tuple[JointAxis, ...]:
-        """The axes at values of the lengths; those of the drawing if none are given."""
+        """Return the axes at values of the lengths; those of the drawing if none are given."""
         values = self.lengths if lengths is None else lengths
         placed: list[_DrawnAxis] = []
         for point, direction in zip(self.points, self.directions, strict=True):
@@ -83,7 +83,7 @@ class AxesDrawing:
         )
 
     def table(self, lengths: Values | None = None) -> NumericTable:
-        """The modified DH table of the axes.
+        """Return the modified DH table of the axes.
 
         Frame 0 is the frame in which they were drawn where the convention can hold it: then the height of
         the base is in the table, too.
@@ -101,7 +101,7 @@ class AxesDrawing:
 
 
 def read_drawing(reader: Reader) -> AxesDrawing:
-    """The drawing that a document describes; faults go to the reader."""
+    """Return the drawing that a document describes; faults go to the reader."""
     given = reader.table("lengths")
     lengths = {given.name(name): given.number(name) for name in given.values}
     entries = list(reader.entries("axes"))

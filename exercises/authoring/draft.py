@@ -43,7 +43,7 @@ class ExerciseDraft:
 
 
 def exercise_of_draft(draft: ExerciseDraft) -> Exercise:
-    """The exercise that a draft describes; what reads folders reads drafts.
+    """Return the exercise that a draft describes; what reads folders reads drafts.
 
     Raises:
         DefinitionError: every fault that was found, each at (file, key, …); an id or a size that no folder
@@ -55,7 +55,7 @@ def exercise_of_draft(draft: ExerciseDraft) -> Exercise:
 
 
 def draft_of_files(exercise_id: str, files: Mapping[str, bytes]) -> ExerciseDraft:
-    """The draft that the files of a folder hold.
+    """Return the draft that the files of a folder hold.
 
     Raises:
         DefinitionError: exercise.toml is missing or no TOML, or a statement no text.
@@ -64,7 +64,7 @@ def draft_of_files(exercise_id: str, files: Mapping[str, bytes]) -> ExerciseDraf
 
 
 def files_of_draft(draft: ExerciseDraft) -> dict[str, bytes]:
-    """The files of the folder that a draft describes; `draft_of_files` reads the same draft from them.
+    """Return the files of the folder that a draft describes; `draft_of_files` reads the same draft from them.
 
     Raises:
         DefinitionError: a value of the definition is none that TOML knows.

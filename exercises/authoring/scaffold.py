@@ -71,7 +71,7 @@ def scaffold(exercise_id: str, source: ExerciseSource, into: Path) -> Path:
 
 
 def started(exercise_id: str, source: ExerciseSource) -> ExerciseDraft:
-    """The draft of a new exercise: everything that has to be said, in words that may stay.
+    """Return the draft of a new exercise: everything that has to be said, in words that may stay.
 
     Raises:
         DefinitionError: the id is no name of a folder.

@@ -59,7 +59,7 @@ class ExerciseSource:
 
 
 def read_source(document: Mapping[str, Any], where: str = "source") -> ExerciseSource:
-    """What an exercise is to be about, from a document with one of the keys of `FORMS`.
+    """Return what an exercise is to be about, from a document with one of the keys of `FORMS`.
 
     Raises:
         DefinitionError: every fault with its key.
@@ -94,7 +94,7 @@ def _refuse(faults: Sequence[Fault]) -> NoReturn:
 
 
 def from_table_file(path: Path) -> ExerciseSource:
-    """A table in JSON (as the API takes it) or TOML; see `from_table`.
+    """Return a table in JSON (as the API takes it) or TOML; see `from_table`.
 
     Raises:
         DefinitionError: the file cannot be read; every fault with its key.
@@ -103,7 +103,7 @@ def from_table_file(path: Path) -> ExerciseSource:
 
 
 def from_table(reader: Reader) -> ExerciseSource:
-    """A DH table, with the values of its parameters under `parameters`.
+    """Return a DH table, with the values of its parameters under `parameters`.
 
     Lengths that are plain numbers get the names of their columns, a2 or d4, so that the figure can show them.
 
@@ -125,7 +125,7 @@ def from_table(reader: Reader) -> ExerciseSource:
 
 
 def from_robot(robot_id: str) -> ExerciseSource:
-    """A robot of the catalogue.
+    """Return a robot of the catalogue.
 
     Raises:
         DefinitionError: the catalogue holds no such robot.
@@ -144,7 +144,7 @@ def from_robot(robot_id: str) -> ExerciseSource:
 
 
 def from_axes_file(path: Path) -> ExerciseSource:
-    """Joint axes in JSON or TOML; see `from_axes`.
+    """Return the joint axes in JSON or TOML; see `from_axes`.
 
     Raises:
         DefinitionError: the file cannot be read; every fault with its key.
@@ -202,7 +202,7 @@ def from_scm(reader: Reader) -> ExerciseSource:
 
 
 def from_urdf_file(path: Path) -> ExerciseSource:
-    """The one serial chain of a URDF file.
+    """Return the one serial chain of a URDF file.
 
     Raises:
         DefinitionError: the file cannot be read, or its chain is none that a DH table can hold.
@@ -214,7 +214,7 @@ def from_urdf_file(path: Path) -> ExerciseSource:
 
 
 def from_urdf(text: str, where: str) -> ExerciseSource:
-    """The one serial chain of a URDF description.
+    """Return the one serial chain of a URDF description.
 
     Raises:
         DefinitionError: it is none, or its chain is none that a DH table can hold.
@@ -232,7 +232,7 @@ def from_numeric_table(
     named: Mapping[tuple[int, str], Expression] | None = None,
     lengths: Mapping[str, float] | None = None,
 ) -> ExerciseSource:
-    """A table of numbers, in [rad] and a length unit; angles that are nearly nice become so.
+    """Return a table of numbers, in [rad] and a length unit; angles that are nearly nice become so.
 
     Args:
         table: the numbers.
@@ -261,7 +261,7 @@ def from_numeric_table(
 
 
 def nice_angle(angle: float) -> Expression:
-    """A multiple of π/12 if the angle is one but for rounding, else degrees to four decimals [rad]."""
+    """Return a multiple of π/12 if the angle is one but for rounding, else degrees to four decimals [rad]."""
     steps = angle / math.pi * STEPS_OF_PI
     if abs(steps - round(steps)) < 1e-6:
         return pi_times(Fraction(round(steps), STEPS_OF_PI))
@@ -269,7 +269,7 @@ def nice_angle(angle: float) -> Expression:
 
 
 def nice_length(length: float) -> Expression:
-    """The length to six decimals."""
+    """Return the length to six decimals."""
     return Number(Fraction(repr(round(length, 6))) if abs(length) > TINY else Fraction(0))
 
 

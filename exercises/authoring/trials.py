@@ -38,7 +38,7 @@ def trial(draft: ExerciseDraft) -> PolicyAdmission:
 
 
 def self_test(draft: ExerciseDraft, seed: int | None) -> Findings:
-    """One round of the exercise's own tests, with the values of one seed.
+    """Return one round of the exercise's own tests, with the values of one seed.
 
     Raises:
         DefinitionError: every fault of the draft.
@@ -56,7 +56,7 @@ def rehearsed_right(draft: ExerciseDraft, count: int) -> tuple[RehearsedAnswer, 
 
 
 def rehearsed_mistakes(draft: ExerciseDraft) -> tuple[RehearsedAnswer, ...]:
-    """Every misconception about the draft's robot, with what it earns.
+    """Return every misconception about the draft's robot, with what it earns.
 
     Raises:
         DefinitionError: every fault of the draft, or it asks for no table.

@@ -64,7 +64,7 @@ class Body:
 
 
 def body_of(axis: FigureJointAxis, size: float, camera: Camera) -> Body:
-    """The body of a joint at the usual proportions."""
+    """Return the body of a joint at the usual proportions."""
     direction = np.array(axis.direction)
     if direction @ camera.eye < 0:
         direction = -direction

@@ -47,7 +47,7 @@ class Camera:
 
 
 def camera_for(view: View) -> Camera:
-    """The camera of a view, at scale 1."""
+    """Return the camera of a view, at scale 1."""
     ca, sa = math.cos(view.azimuth), math.sin(view.azimuth)
     ce, se = math.cos(view.elevation), math.sin(view.elevation)
     return Camera(
@@ -60,7 +60,7 @@ def camera_for(view: View) -> Camera:
 def fitted(
     camera: Camera, points: Iterable[ArrayLike], *, width: float, height: float, most: float
 ) -> Camera:
-    """The camera scaled so that the points fit into a box of paper with its corner at the origin.
+    """Return the camera scaled so that the points fit into a box of paper with its corner at the origin.
 
     Args:
         camera: where from.
@@ -78,5 +78,5 @@ def fitted(
 
 
 def replace_scale(camera: Camera, scale: float, shift: tuple[float, float]) -> Camera:
-    """The same view at another scale and place."""
+    """Return the same view at another scale and place."""
     return Camera(right=camera.right, up=camera.up, eye=camera.eye, scale=scale, shift=shift)

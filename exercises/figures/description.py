@@ -37,7 +37,7 @@ class Sentence:
 
 
 def describe(scene: Scene, view: View, unit: str) -> Iterator[Sentence]:
-    """The sentences of a scene, in the order in which they are read.
+    """Yield the sentences of a scene, in the order in which they are read.
 
     Coordinates count to the right, away from the reader and up, from where the robot is fixed.
 

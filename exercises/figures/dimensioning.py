@@ -38,7 +38,7 @@ class DimensionLine:
     label: Array
 
     def drawn_line(self) -> tuple[Array, Array]:
-        """Ends of the line that is drawn, with the tails of arrows that stand outside."""
+        """Return the ends of the line that is drawn, with the tails of arrows that stand outside."""
         if not self.outside:
             return self.start, self.end
         along = _unit(self.end - self.start) * _TAIL

@@ -51,7 +51,7 @@ Style = dict[str, Any]
 def draw_figure(
     scene: Scene, view: View, width: float = 480.0, *, note: str = "", frames: Sequence[DrawnFrame] = ()
 ) -> SvgDrawing:
-    """The figure of a scene.
+    """Return the figure of a scene.
 
     Args:
         scene: what is drawn.

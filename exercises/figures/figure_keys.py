@@ -28,7 +28,7 @@ _FORMS = "frame and at; between and ratio; from and by; from, joint and distance
 
 
 def read_figure(reader: Reader, joint_types: Sequence[JointType], degrees: bool) -> FigureSpecification:
-    """What a [figure] says; faults go to the reader.
+    """Return what a [figure] says; faults go to the reader.
 
     Args:
         reader: of the [figure].

@@ -116,7 +116,7 @@ def build_scene(
     signed_axes: bool,
     drawn: bool,
 ) -> Scene:
-    """The scene of a robot at the specification's posture.
+    """Return the scene of a robot at the specification's posture.
 
     Args:
         specification: points, links, dimensions; what it leaves out follows from the table.
@@ -159,7 +159,7 @@ def build_scene(
 
 
 def scene_points(scene: Scene) -> Iterator[Vector]:
-    """Every point that must be visible."""
+    """Yield every point that must be visible."""
     for chain in scene.links:
         yield from chain
     for axis in scene.axes:
@@ -242,7 +242,7 @@ def _gripper(points: Points, gripper: FigureGripper) -> GripperPose | None:
 
 
 def close(a: Array, b: Array) -> bool:
-    """Whether two points are one, but for rounding."""
+    """Return whether two points are one, but for rounding."""
     return bool((np.abs(a - b) <= 1e-8 + 1e-5 * np.abs(b)).all())
 
 

@@ -30,7 +30,7 @@ class Written:
 def number_places(
     axis: FigureJointAxis, body: Body, ends: Array, camera: Camera, paper: PaperMap
 ) -> Places[Written]:
-    """A joint's number beyond either end of its axis, or beside its body.
+    """Return a joint's number beyond either end of its axis, or beside its body.
 
     Args:
         axis: of the joint.
@@ -62,7 +62,7 @@ def number_places(
 
 
 def name_places(name: str, centre: Array, paper: PaperMap) -> Places[Written]:
-    """A name around a point."""
+    """Return a name around a point."""
     width = text_width(name, NAME_SIZE)
     turned = np.abs(_TURNS) @ np.array([width / 2, NAME_SIZE / 2])
     centres = centre + _TURNS * (turned + _AWAY)[:, None]

@@ -76,7 +76,7 @@ class PaperMap:
         return self.cells(np.stack([xs[column], ys[row]], axis=-1))
 
     def window(self, length: float) -> int:
-        """How many cells in a row, or in a column, a stretch covers wherever it begins."""
+        """Return how many cells in a row, or in a column, a stretch covers wherever it begins."""
         return ceil(length / CELL) + 1
 
     def firsts(self, centres: Array, width: float, height: float) -> tuple[Cells, Cells]:
@@ -86,7 +86,7 @@ class PaperMap:
         return rows.astype(np.intp), columns.astype(np.intp)
 
     def view(self, row: int, column: int, height: int, width: int) -> Array:
-        """What is on the map of a window of cells."""
+        """Return what is on the map of a window of cells."""
         return self.taken[max(row, 0) : max(row + height, 0), max(column, 0) : max(column + width, 0)]
 
     def window_cost(self, row: int, column: int, height: int, width: int) -> float:
@@ -148,7 +148,7 @@ def places(
     lines: Cells | None = None,
     faint: Cells | None = None,
 ) -> Places[Choice]:
-    """The ways to draw a thing whose name, of a size, is centred on one of (n, m, 2) points."""
+    """Return the ways to draw a thing whose name, of a size, is centred on one of (n, m, 2) points."""
     width, height = size
     rows, columns = paper.firsts(centres, width, height)
     return Places(
@@ -174,7 +174,7 @@ class Placer(Generic[Choice]):
     _placed: dict[int, tuple[int, int]] = field(default_factory=dict)
 
     def place(self, things: Sequence[Places[Choice]], sweeps: int = 3) -> list[Choice]:
-        """The cheapest place for each thing, in the order of the things."""
+        """Return the cheapest place for each thing, in the order of the things."""
         for _ in range(sweeps):
             before = dict(self._placed)
             for i, thing in enumerate(things):

@@ -49,7 +49,7 @@ class Points:
         self._resolved: dict[str, Array] = {}
 
     def axis_pose(self, joint: int) -> Transform:
-        """The frame whose z axis is the axis of a joint."""
+        """Return the frame whose z axis is the axis of a joint."""
         return self.frames[self.reference.axis_frames[joint - 1]]
 
     def point(self, name: str, *where: str | int) -> Array:
@@ -74,7 +74,7 @@ class Points:
         return value
 
     def number(self, expression: Expression, *where: str | int) -> float:
-        """The value of a length."""
+        """Return the value of a length."""
         try:
             return evaluate(expression, self.values)
         except ParameterError as error:

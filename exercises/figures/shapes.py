@@ -18,7 +18,7 @@ FINGER = 0.05
 
 
 def axis_ends(axis: FigureJointAxis, body: Body, size: float) -> tuple[Array, Array]:
-    """Ends in space of the axis as drawn, against its direction first."""
+    """Return the ends in space of the axis as drawn, against its direction first."""
     reach = body.half + REACH * size * axis.reach
     direction = np.array(axis.direction)
     return body.centre - direction * reach, body.centre + direction * reach
@@ -79,7 +79,7 @@ def ground_lines(scene: Scene, camera: Camera) -> list[tuple[Array, float]]:
 
 
 def trimmed(chain: Array, scene: Scene) -> Array:
-    """The chain, ending at the palm where it would run on between the jaws of the gripper."""
+    """Return the chain, ending at the palm where it would run on between the jaws of the gripper."""
     gripper = scene.gripper
     if gripper is None or not close(chain[-1], np.array(gripper.at)):
         return chain

@@ -45,7 +45,7 @@ APART = 0.14
 
 
 def says_all(specification: FigureSpecification, reference: SymbolicTable) -> bool:
-    """Whether a specification leaves nothing out that `completed` adds, but names of points."""
+    """Return whether a specification leaves nothing out that `completed` adds, but names of points."""
     joints = range(1, reference.n_joints + 1)
     return bool(specification.links and specification.dimensions) and all(
         joint in specification.joints for joint in joints
@@ -198,7 +198,7 @@ def _runs_along(axis: Array, direction: Array) -> bool:
 
 
 def usual_dimensions(table: SymbolicTable) -> list[DimensionMark]:
-    """One dimension for each constant length, named as in the table; a name is drawn once."""
+    """Return one dimension for each constant length, named as in the table; a name is drawn once."""
     standard = table.convention is Convention.STANDARD
     marks: dict[str, DimensionMark] = {}
     for i, row in enumerate(table.rows, 1):

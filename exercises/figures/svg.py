@@ -67,7 +67,7 @@ SUBSCRIPT = 0.7
 
 
 def split_name(name: str) -> tuple[str, str]:
-    """The letters of a name and the index behind them: ("L", "1") of L1 or L_1."""
+    """Return the letters of a name and the index behind them: ("L", "1") of L1 or L_1."""
     stem = name.rstrip("0123456789")
     return (stem.rstrip("_") or name, name[len(stem) :]) if stem else (name, "")
 
@@ -79,7 +79,7 @@ def text_width(name: str, size: float) -> float:
 
 
 def line(points: Sequence[Array] | Array) -> str:
-    """Path data of a polyline."""
+    """Return the path data of a polyline."""
     return "M" + "L".join([f"{x:.1f} {y:.1f}" for x, y in np.asarray(points).tolist()])
 
 
@@ -97,7 +97,7 @@ class SvgDrawing:
 
 
 def document(drawing: SvgDrawing, *, title: str, description: str, language: str) -> str:
-    """The file.
+    """Return the file.
 
     Args:
         drawing: what is drawn.

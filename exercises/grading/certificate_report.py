@@ -17,7 +17,7 @@ from kinematics.table import JointType
 def certificate_report(
     certificate: Certificate, exact: ExactCertificate | None, comparison: Comparison, submission: ReadTable
 ) -> CertificateReport:
-    """The certificate in the submission's units, at the first draw of the parameters."""
+    """Return the certificate in the submission's units, at the first draw of the parameters."""
     types = comparison.reference.joint_types
     return CertificateReport(
         joint_signs=certificate.joint_signs,
@@ -35,7 +35,7 @@ def certificate_report(
 
 
 def in_unit(offset: float, joint: JointType, unit: AngleUnit) -> float:
-    """A joint offset in the unit in which the joint's variable is given."""
+    """Return a joint offset in the unit in which the joint's variable is given."""
     return math.degrees(offset) if joint is JointType.REVOLUTE and unit is AngleUnit.DEG else offset
 
 

@@ -82,7 +82,7 @@ class Comparison:
 def comparisons(
     reference: ReadTable, submission: ReadTable, parameters: Mapping[str, float] | None
 ) -> tuple[Comparison, ...]:
-    """The ways in which an answer may be meant: in names, in numbers, in names here and numbers there.
+    """Return the ways in which an answer may be meant: in names, in numbers, in names here and numbers there.
 
     Args:
         reference: the key.

@@ -55,7 +55,7 @@ def beyond_digits(
 
 
 def floors(invariants: Invariants, reference: Reference) -> Floats:
-    """What the arithmetic may do to invariants, (q,)."""
+    """Return what the arithmetic may do to invariants, (q,)."""
     return FLOOR * np.array([1.0 if shape.is_angle else reference.size for shape in invariants.shapes])
 
 
@@ -66,7 +66,7 @@ def tightened(
     policy: Policy,
     share: float,
 ) -> Invariants:
-    """The invariants of the key, each with the slack that the digits of an answer leave it.
+    """Return the invariants of the key, each with the slack that the digits of an answer leave it.
 
     Args:
         reference: the key.

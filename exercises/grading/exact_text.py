@@ -13,7 +13,7 @@ from kinematics.printing.text import TextWriter
 
 @lru_cache(maxsize=4096)
 def expression_text(expression: Expression) -> str:
-    """The expression as infix text."""
+    """Return the expression as infix text."""
     return TextWriter(Names()).text(expression)
 
 

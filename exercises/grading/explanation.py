@@ -149,7 +149,7 @@ def clearest(
 
 
 def work_on(comparison: Comparison, tables: tuple[ReadTable, ReadTable], policy: Policy) -> Work:
-    """The key and an answer, with what edits of it are tried against."""
+    """Return the key and an answer, with what edits of it are tried against."""
     strict = policy_of(comparison, policy)
     share = share_of(comparison)
     references = tuple(
@@ -184,7 +184,7 @@ def _told(
 
 
 def without_idle_rows(read: ReadTable) -> tuple[ReadTable, tuple[int, ...]]:
-    """A table without the fixed rows of zeros, which change nothing, and the rows that are left.
+    """Return a table without the fixed rows of zeros, which change nothing, and the rows that are left.
 
     Returns:
         The table, with at least one row, and the number of each of its rows in the original, from 0.
@@ -204,7 +204,7 @@ def without_idle_rows(read: ReadTable) -> tuple[ReadTable, tuple[int, ...]]:
 
 
 def renumbered(told: Explanation, kept: Sequence[int], rows: int) -> Explanation:
-    """What was said of a table without its idle rows, in the numbers of the whole table.
+    """Return what was said of a table without its idle rows, in the numbers of the whole table.
 
     Args:
         told: what was said.

@@ -54,7 +54,7 @@ class Weights:
     table: float = 3.0
 
     def of(self, measure: Measure) -> float:
-        """The weight of a fact."""
+        """Return the weight of a fact."""
         if measure is Measure.ANGLE:
             return self.twist
         return self.length if measure is Measure.DISTANCE else self.offset
@@ -81,7 +81,7 @@ class Facts:
     sign: float
 
     def wrong(self, axes: Sequence[Axis], found: Floats | None = None) -> float:
-        """The weight of the facts that an answer does not have.
+        """Return the weight of the facts that an answer does not have.
 
         Args:
             axes: its joint axes between base and tool, as those of the key.

@@ -39,7 +39,7 @@ SAME = 0.01
 def wrong_facts(
     decision: Decision, repairs: Sequence[Repaired], alike: Sequence[Change], table: NumericTable
 ) -> frozenset[tuple[int, str]]:
-    """The wrong facts as (row counted from 0, fact): of the likeliest repair, else of the diagnosis.
+    """Return the wrong facts as (row counted from 0, fact): of the likeliest repair, else of the diagnosis.
 
     Where other cells would mend the table as well, nobody can say which one is wrong, and all of them count.
     """
@@ -56,7 +56,7 @@ def wrong_facts(
 def own_table_first(
     repairs: Sequence[Repaired], table: NumericTable, key: NumericTable
 ) -> tuple[Repaired, ...]:
-    """The repairs, first the single edits that make an answer the key's own table.
+    """Return the repairs, first the single edits that make an answer the key's own table.
 
     Who forgets the key's last fixed row has made that slip, though a sign in the row before it might lead to
     the frame of the tool as well.
@@ -70,7 +70,7 @@ def own_table_first(
 
 
 def equally_good(repairs: Sequence[Repaired], table: NumericTable, key: NumericTable) -> tuple[Change, ...]:
-    """The single edits that explain an answer as well as the likeliest one does, and that one.
+    """Return the single edits that explain an answer as well as the likeliest one does, and that one.
 
     A mirrored arm has one handedness that is wrong, and as many signs that set it right, in one row or in
     several; an offset along parallel axes may be wrong in any of their rows. Edits of a cell are as good as
@@ -164,7 +164,7 @@ def link_findings(
 
 
 def all_right(table: NumericTable) -> tuple[LinkFinding, ...]:
-    """The findings of a right answer."""
+    """Return the findings of a right answer."""
     return tuple(
         LinkFinding(row=row + 1, **dict.fromkeys(FACTS, Finding.OK)) for row in range(len(table.rows))
     )
@@ -180,7 +180,7 @@ def feedback_of(
     policy: Policy,
     level: HelpLevel,
 ) -> tuple[Feedback, ...]:
-    """What to tell of a wrong answer, as far as the help level goes."""
+    """Return what to tell of a wrong answer, as far as the help level goes."""
     told: list[Feedback] = []
     if not decision.same_robot:
         told.append(Feedback(code="not_equivalent"))
@@ -295,7 +295,7 @@ def _rule(mismatch: Mismatch, policy: Policy) -> str | None:
 
 
 def told_repairs(repairs: Sequence[Repaired], level: HelpLevel) -> tuple[Repair, ...]:
-    """The repairs, if the help level goes so far."""
+    """Return the repairs, if the help level goes so far."""
     if not level.includes(HelpLevel.REPAIR):
         return ()
     return tuple(Repair(edits=_edits(repaired)) for repaired in repairs)

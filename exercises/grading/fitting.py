@@ -71,7 +71,7 @@ def measured(
 def fitting_values(
     work: Work, tables: Sequence[NumericTable], wanted: Sequence[Unsolved]
 ) -> list[dict[Place, list[float]]]:
-    """Values of cells, other than those they have, that make an invariant fit which does not.
+    """Return the values of cells, other than those they have, that make an invariant fit which does not.
 
     Args:
         work: the key and its invariants.
@@ -138,7 +138,7 @@ class _Functions:
     def solved(
         self, strained: Sequence[int], own: int, first: int, here: float, *, angular: bool
     ) -> list[float]:
-        """Values of a cell with which the worst of the strained invariants that it changes fits.
+        """Return the values of a cell with which the worst of the strained invariants that it changes fits.
 
         Args:
             strained: the invariants.
@@ -217,7 +217,7 @@ def _turns(square: float, beside: float, here: float, target: float) -> Iterator
 def fitted_table(
     work: Work, table: NumericTable, places: Sequence[Place], choice: int
 ) -> NumericTable | None:
-    """The table with some cells changed so that it fits the key as a whole; None if they cannot.
+    """Return the table with some cells changed so that it fits the key as a whole; None if they cannot.
 
     Args:
         work: the key.

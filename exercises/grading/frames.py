@@ -35,7 +35,7 @@ def explained(
     exact: ExactCertificate | None,
     unit: AngleUnit,
 ) -> tuple[Feedback, ...]:
-    """What to say of a right answer.
+    """Return what to say of a right answer.
 
     Args:
         key: the key, in the answer's length unit.

@@ -78,7 +78,7 @@ def is_accepted(
     policy: Policy,
     parameters: Mapping[str, float] | None = None,
 ) -> bool:
-    """Whether `accept` has a verdict, without the proof in symbols that stands in one.
+    """Return whether `accept` has a verdict, without the proof in symbols that stands in one.
 
     Args and raises as in `grade`.
     """

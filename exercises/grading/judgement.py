@@ -22,7 +22,7 @@ REFUTED = Decision(certificate=None, mismatches=(), same_robot=False)
 
 
 def policy_of(comparison: Comparison, policy: Policy) -> Policy:
-    """What an answer is held to as it was meant: names, where nothing was rounded, are exact."""
+    """Return what an answer is held to as it was meant: names, where nothing was rounded, are exact."""
     if not comparison.exact:
         return policy
     lengths, angles = policy.tolerance.length, policy.tolerance.angle
@@ -36,7 +36,7 @@ def share_of(comparison: Comparison) -> float:
 
 
 def judged(comparison: Comparison, policy: Policy) -> Decision:
-    """Whether an answer is right: as it was typed, and, where entries were rounded, as it was meant.
+    """Return whether an answer is right: as it was typed, and, where entries were rounded, as it was meant.
 
     What is wrong is looked for in the answer as it was meant; so no 1.57 is taken for a mistake.
     """
@@ -76,7 +76,7 @@ def _beyond_digits(comparison: Comparison, policy: Policy, draw: int = 0) -> Inv
 
 
 def diagnosed(comparison: Comparison, policy: Policy) -> Decision:
-    """What does not fit in an answer of which a length or an angle is wrong."""
+    """Return what does not fit in an answer of which a length or an angle is wrong."""
     answer = comparison.meant[0]
     chain = chain_of_table(answer)
     reference = prepared(comparison.references[0]).beside(chain)

@@ -78,7 +78,7 @@ class Misconception:
         return self.told_as or (self.code,)
 
     def may_be(self, slip: TableSlip) -> bool:
-        """Whether a slip may be this misconception."""
+        """Return whether a slip may be this misconception."""
         return slip.cell in self.cells if slip.code is None else slip.code in self.codes
 
 
@@ -304,5 +304,5 @@ def changes_beforehand(work: Work) -> Iterator[Change]:
 
 
 def repair_codes() -> frozenset[str]:
-    """The code of every edit that may be told."""
+    """Return the code of every edit that may be told."""
     return frozenset(code for entry in CATALOGUE for code in entry.codes)

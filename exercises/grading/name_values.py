@@ -45,7 +45,7 @@ class Values:
 def values_of(
     reference: ReadTable, submission: ReadTable, parameters: Mapping[str, float], scale: float
 ) -> Values:
-    """What is known of the parameters of two tables; given lengths are exact as typed.
+    """Return what is known of the parameters of two tables; given lengths are exact as typed.
 
     Args:
         reference: the key.
@@ -101,7 +101,7 @@ def _fault(
 
 
 def drawn_value(name: str, attempt: int, values: Values) -> float:
-    """A value for a parameter.
+    """Return a value for a parameter.
 
     At first it owes nothing to the given one, so that what is right in names is so whatever a student is
     given; after some attempts in vain it comes nearer and nearer to that, so that roots exist.
@@ -131,7 +131,7 @@ def _deviation(name: str, attempt: int, spread: float) -> float:
 
 
 def with_values(read: ReadTable, names: frozenset[str], values: Values) -> SymbolicTable:
-    """The table with some of its parameters replaced by their values."""
+    """Return the table with some of its parameters replaced by their values."""
     known = tuple((name, Fraction(values.given[name])) for name in read.parameters if name in names)
     return _with_numbers(read.table, known) if known else read.table
 
@@ -143,7 +143,7 @@ def _with_numbers(table: SymbolicTable, known: tuple[tuple[str, Fraction], ...])
 
 @lru_cache(maxsize=256)
 def typical_length(table: SymbolicTable) -> float:
-    """Mean of the plain numbers that stand as lengths, or 1."""
+    """Return the mean of the plain numbers that stand as lengths, or 1."""
     entries = [entry for row in table.rows for entry in (row.a, row.d)]
     lengths = [float(abs(entry.value)) for entry in entries if isinstance(entry, Number) and entry.value]
     return sum(lengths) / len(lengths) if lengths else 1.0

@@ -77,7 +77,7 @@ def _has_no_more_than_zeros(work: Work, standard: _Standard) -> bool:
 
 
 def lost(decision: Decision, work: Work, weights: Weights) -> float:
-    """The weight of the facts that are wrong, and of the rules that are not kept."""
+    """Return the weight of the facts that are wrong, and of the rules that are not kept."""
     policy, table = work.policy, work.table
     wrong = _wrong(work, _standard(work.reference, policy, weights))
     if decision.same_robot:

@@ -63,7 +63,7 @@ def tried(
     *,
     finishing: bool = True,
 ) -> list[list[Trial]]:
-    """The edits of a catalogue, tried on tables.
+    """Return the edits of a catalogue, tried on tables.
 
     Args:
         works: tables for one key, at the same draw.
@@ -106,7 +106,7 @@ def _wanted(work: Work, catalogue: Catalogue) -> list[Change]:
 
 
 def tried_unchanged(work: Work) -> Trial | None:
-    """The answer as it stands; None if its joints are not those of the key."""
+    """Return the answer as it stands; None if its joints are not those of the key."""
     if not work.has_the_joints():
         return None
     invariants = work.invariants
@@ -129,7 +129,7 @@ def _fits(works: Sequence[Work]) -> list[dict[tuple[int, str], list[float]]]:
 
 
 def finishing_reaches(works: Sequence[Work]) -> list[tuple[int, int]]:
-    """What an edit has to do with in each table, so that it may make it the robot."""
+    """Return what an edit has to do with in each table, so that it may make it the robot."""
     found = [work.reach for work in works]
     for excess in (-1, 1):
         off = [k for k, work in enumerate(works) if work.excess == excess and work.reach is EVERYWHERE]
@@ -170,7 +170,7 @@ class _Batch:
         self._found = _judged(works[0], measured(works[0], self._tables, self._variations))
 
     def trials(self) -> list[Trial | None]:
-        """What came of each change; None where a row was put in that does not fit there."""
+        """Return what came of each change; None where a row was put in that does not fit there."""
         return [
             Trial(change, *found) if change.code != "row_missing" or self._fits_elsewhere(k, change) else None
             for k, ((_, change), found) in enumerate(zip(self._made, self._found, strict=True))
@@ -186,7 +186,7 @@ class _Batch:
         return start <= joint <= end
 
     def solved(self, trials: Sequence[Trial | None], *, finishing: bool) -> list[tuple[int, Change]]:
-        """The changes that put a value that fits in one more of their unsolved cells; each table once.
+        """Return the changes that put a value that fits in one more of their unsolved cells; each table once.
 
         Angles are solved for before lengths; with a length first, an angle that fails is never mended.
         """

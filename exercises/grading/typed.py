@@ -64,7 +64,7 @@ def meant(
     last_places: Mapping[Place, float] = NOTHING_TYPED,
     given: Collection[Fraction] = (),
 ) -> Typed:
-    """What a table was meant to say.
+    """Return what a table was meant to say.
 
     Args:
         table: the table as read.
@@ -94,7 +94,7 @@ def meant(
 def half_steps(
     table: SymbolicTable, unit: AngleUnit, last_places: Mapping[Place, float] = NOTHING_TYPED
 ) -> dict[Place, float]:
-    """Half a unit of the last place, for every entry that is a decimal and matters.
+    """Return half a unit in the last place for every entry that is a decimal and matters.
 
     A zero is as exact as the most exact entry of its kind in the table; where there is none, it is exact. The
     offset of a joint's own variable is left out: no answer depends on it, unless the figure fixes it.
@@ -118,7 +118,7 @@ def half_steps(
 
 
 def meant_in_radians(angle: float) -> float:
-    """What an angle [rad] was meant to be, if radians were typed where degrees are declared.
+    """Return what an angle [rad] was meant to be, if radians were typed where degrees are declared.
 
     Of a multiple of π/12 two decimals are enough: they were chosen before anybody looked at the unit.
     """

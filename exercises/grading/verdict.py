@@ -30,7 +30,7 @@ class HelpLevel(StrEnum):
     REPAIR = "repair"
 
     def includes(self, needed: HelpLevel) -> bool:
-        """Whether this level tells what is told from another one on."""
+        """Return whether this level tells what is told from another one on."""
         levels = list(HelpLevel)
         return levels.index(self) >= levels.index(needed)
 

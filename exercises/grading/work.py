@@ -110,13 +110,13 @@ class Change(NamedTuple):
         return TableSlip(self.row, self.cell, self.code, self.params)
 
     def fills_a_zero(self, table: NumericTable) -> bool:
-        """Whether it puts a length where none was typed; a typed one is likelier wrong."""
+        """Return whether it puts a length where none was typed; a typed one is likelier wrong."""
         if self.extent is not Extent.CELL or self.row is None or self.cell not in ("a", "d"):
             return False
         return self.row < len(table.rows) and getattr(table.rows[self.row], self.cell) == 0.0
 
     def of(self, table: NumericTable) -> NumericTable:
-        """The table that a table becomes."""
+        """Return the table that a table becomes."""
         found = table if self.table is None else self.table
         changed: dict[int, dict[str, float]] = {}
         for row, cell, value in self.cells:
@@ -196,7 +196,7 @@ class Work:
         return self.table.n_joints - self.reference.table.n_joints
 
     def is_near(self, first: int, last: int | None = None) -> bool:
-        """Whether an edit in a row, or in rows from … to, may mend all that is wrong.
+        """Return whether an edit in a row, or in rows from … to, may mend all that is wrong.
 
         An edit changes how the axes before it lie to those after it; what it leaves alone, it cannot mend.
         """
@@ -205,7 +205,7 @@ class Work:
         return start <= counts[first if last is None else last] and counts[first] <= end
 
     def is_place(self, joint: int) -> bool:
-        """Whether the joint that is missing may have this place, counted from 1."""
+        """Return whether the joint that is missing may have this place, counted from 1."""
         start, end = self.reach
         return start <= joint <= end
 
@@ -230,18 +230,18 @@ class Work:
         return () if self.angular else self.rows
 
     def has_the_joints(self, table: NumericTable | None = None) -> bool:
-        """Whether the table, or another, has the key's types of joints in order."""
+        """Return whether the table, or another, has the key's types of joints in order."""
         return (table or self.table).joint_types == self.reference.table.joint_types
 
     def is_a_joint_off(self, table: NumericTable) -> bool:
-        """Whether a table has the key's types of joints in order, but for one too many or too few."""
+        """Return whether a table has the key's types of joints in order, but for one too many or too few."""
         shorter, longer = sorted((table.joint_types, self.reference.table.joint_types), key=len)
         return len(longer) == len(shorter) + 1 and any(
             (*longer[:k], *longer[k + 1 :]) == shorter for k in range(len(longer))
         )
 
     def at(self, draw: int) -> Work:
-        """The answer at another draw."""
+        """Return the answer at another draw."""
         table = self.comparison.meant[draw]
         return replace(self, draw=draw, table=table, fits={}, reach=EVERYWHERE, angular=False, only=None)
 
@@ -253,7 +253,7 @@ class Work:
         angular: bool = False,
         kept: frozenset[Place] = frozenset(),
     ) -> Work:
-        """The table with an edit made, and what another has to do with then."""
+        """Return the table with an edit made, and what another has to do with then."""
         return replace(self, table=change.of(self.table), fits={}, reach=reach, angular=angular, kept=kept)
 
     def leaves(self, columns: Sequence[str], *, sliders: bool = True) -> bool:
@@ -270,7 +270,7 @@ class Work:
         return frozenset(row for row, cell in self.kept if cell in ROW_CELLS)
 
     def accepts(self, change: Change, effort: Effort) -> bool:
-        """Whether an edit makes the table right, at this draw."""
+        """Return whether an edit makes the table right, at this draw."""
         return self._are_right((self.reference,), (change.of(self.table),), effort)
 
     def accepts_alike(self, changes: Sequence[Change], effort: Effort, *, first: int = 0) -> bool:
@@ -334,7 +334,7 @@ def _pairs_of_entries(here: Work, there: Work, row: int, cell: str) -> Iterator[
 
 
 def after(first: Change, second: Change) -> Change:
-    """A second change as it concerns the answer, of which the first one may have moved the rows.
+    """Return a second change as it concerns the answer, of which the first one may have moved the rows.
 
     Args:
         first: the change made before.
@@ -364,11 +364,11 @@ def after(first: Change, second: Change) -> Change:
 
 
 def with_row(table: NumericTable, index: int, row: NumericRow) -> NumericTable:
-    """The table with one row exchanged."""
+    """Return the table with one row exchanged."""
     rows = table.rows
     return DHTable(convention=table.convention, rows=(*rows[:index], row, *rows[index + 1 :]))
 
 
 def with_rows(table: NumericTable, rows: Iterable[NumericRow]) -> NumericTable:
-    """A table of the same convention with these rows."""
+    """Return a table of the same convention with these rows."""
     return DHTable(convention=table.convention, rows=tuple(rows))

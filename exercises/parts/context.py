@@ -151,7 +151,7 @@ class Context:
     def own_links(
         self, samples: Samples, convention: Convention | None = None
     ) -> Sequence[NDArray[np.float64]]:
-        """The matrices of the student's own rows at samples, (k, 4, 4) each, computed once.
+        """Return the matrices of the student's own rows at samples, (k, 4, 4) each, computed once.
 
         Args:
             samples: where the table holds.
@@ -181,7 +181,7 @@ class Context:
         ]
 
     def own_numbers(self, values: Mapping[str, float]) -> NumericTable:
-        """The student's own table with these values, made once.
+        """Return the student's own table with these values, made once.
 
         Raises:
             ParameterError: an entry has no value there.
@@ -197,7 +197,7 @@ class Context:
         return {}
 
     def samples(self, names: frozenset[str]) -> Samples:
-        """Where functions are compared: the exercise's values with joint values, then others of both.
+        """Return where functions are compared: the exercise's values with joint values, then others of both.
 
         The last one is the first sample with every length twice as long. Other values are left out where the
         student's own table does not hold for them.
@@ -221,7 +221,7 @@ class Context:
         return {}
 
     def own_poses(self, values: Mapping[str, float], joints: Sequence[float]) -> ForwardKinematics:
-        """Poses of the student's own table; lengths in the student's unit.
+        """Return the poses of the student's own table; lengths in the student's unit.
 
         Raises:
             ParameterError: an entry has no value there.
@@ -229,7 +229,7 @@ class Context:
         return forward_kinematics(self.own_numbers(values), joints)
 
     def own_names(self) -> frozenset[str]:
-        """The parameters of the student's own table."""
+        """Return the parameters of the student's own table."""
         return frozenset(self.own.parameters) if self.own else frozenset()
 
     @cached_property
@@ -257,7 +257,7 @@ class Context:
         return True
 
     def scaled(self, values: Mapping[str, float], factor: float) -> dict[str, float]:
-        """The values with every length multiplied."""
+        """Return the values with every length multiplied."""
         return {name: value if self._is_angle(name) else value * factor for name, value in values.items()}
 
     def _is_angle(self, name: str) -> bool:

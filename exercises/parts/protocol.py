@@ -232,7 +232,7 @@ class Reading:
     def is_row_of(
         self, count: int, row: Sequence[Any], *where: str | int, code: str = "joint_row_length"
     ) -> bool:
-        """Whether a row has as many entries as it must; if not, keep a fault at its place."""
+        """Return whether a row has as many entries as it must; if not, keep a fault at its place."""
         if len(row) != count:
             self.fault(code, *where, expected=count, given=len(row))
         return len(row) == count

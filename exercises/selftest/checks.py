@@ -196,7 +196,7 @@ def _check_invalid(findings: Findings, exercise: Exercise) -> None:
 
 
 def malformed(right: RawTable) -> Iterator[tuple[str, RawTable]]:
-    """Tables that nobody can grade."""
+    """Yield the tables that nobody can grade."""
     first = right.rows[0]
 
     def starting_with(row: RawRow) -> RawTable:
@@ -225,7 +225,7 @@ def _check_samples(findings: Findings, exercise: Exercise) -> None:
 
 
 def certificate_holds(instance: Instance, read: ReadTable, verdict: Verdict, rng: Random) -> bool:
-    """Whether F_s(σ∘q + δ) = B · F_r(q) · E, evaluated here and now."""
+    """Return whether F_s(σ∘q + δ) = B · F_r(q) · E, evaluated here and now."""
     certificate = verdict.certificate
     assert certificate is not None
     exercise = instance.exercise

@@ -74,7 +74,7 @@ def right_answers(exercise: Exercise, count: int) -> tuple[RehearsedAnswer, ...]
 
 
 def usual_mistakes(exercise: Exercise) -> tuple[RehearsedAnswer, ...]:
-    """Every misconception that can be had about this robot, made in the key, the likeliest first.
+    """Return every misconception that can be had about this robot, made in the key, the likeliest first.
 
     Of the ways in which one can be made the first is taken that is a mistake here and can be judged.
     """

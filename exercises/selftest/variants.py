@@ -68,7 +68,7 @@ def small_changes(
 
 
 def key_as_asked(key: ReadTable, policy: Policy) -> ReadTable:
-    """The key in a convention that the policy accepts: itself, or the other form of it."""
+    """Return the key in a convention that the policy accepts: itself, or the other form of it."""
     if key.table.convention in _conventions(policy):
         return key
     rows = modified_rows(key.table)
@@ -78,7 +78,7 @@ def key_as_asked(key: ReadTable, policy: Policy) -> ReadTable:
 
 
 def modified_rows(table: SymbolicTable) -> Rows:
-    """The rows of a modified table with the same ⁰T_N."""
+    """Return the rows of a modified table with the same ⁰T_N."""
     if table.convention is Convention.MODIFIED:
         return list(table.rows)
     columns = [(ZERO, ZERO), *((row.alpha, row.a) for row in table.rows)]
@@ -88,7 +88,7 @@ def modified_rows(table: SymbolicTable) -> Rows:
 
 
 def standard_table(rows: Rows) -> SymbolicTable:
-    """The standard table with the ⁰T_N of modified rows."""
+    """Return the standard table with the ⁰T_N of modified rows."""
     columns = [(row.alpha, row.a) for row in rows[1:]] + [(ZERO, ZERO)]
     shifted = [replace(row, alpha=alpha, a=a) for row, (alpha, a) in zip(rows, columns, strict=True)]
     first = rows[0]

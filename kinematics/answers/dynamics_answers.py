@@ -217,7 +217,7 @@ class _EntryJudge:
         return found
 
     def agrees(self, given: Sequence[Expression], other: Sequence[Expression]) -> bool:
-        """Whether an answer is some other one than the right one."""
+        """Return whether an answer is some other one than the right one."""
         before = self.proof
         found = all(self.vector(given, other)) and any(entry != ZERO for entry in other)
         self.proof = before

@@ -23,14 +23,14 @@ __all__ = [
 
 @cache
 def robot_ids() -> tuple[str, ...]:
-    """Ids of all robots, in alphabetical order."""
+    """Return the ids of all robots, in alphabetical order."""
     names = (file.name for file in files(__package__).iterdir())
     return tuple(sorted(name.removesuffix(".toml") for name in names if name.endswith(".toml")))
 
 
 @cache
 def robot(robot_id: str) -> Robot:
-    """The robot of that id.
+    """Return the robot of that id.
 
     Raises:
         KeyError: the catalogue holds none.
@@ -42,5 +42,5 @@ def robot(robot_id: str) -> Robot:
 
 
 def robots() -> tuple[Robot, ...]:
-    """Every robot of the catalogue, in alphabetical order of the ids."""
+    """Return every robot of the catalogue, in alphabetical order of the ids."""
     return tuple(map(robot, robot_ids()))

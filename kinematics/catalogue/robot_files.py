@@ -54,7 +54,7 @@ class RobotKeys(KeyReader):
 
 
 def read_robot(robot_id: str, text: str) -> Robot:
-    """The robot that a catalogue file describes.
+    """Return the robot that a catalogue file describes.
 
     Args:
         robot_id: the file's name without its ending.

@@ -16,7 +16,7 @@ _ENDS = {"PLUS", "MINUS", "STAR", "RPAR", "RBRACE", "COMMA", "FUNCTION"}
 
 
 def with_braces(tokens: list[Token]) -> list[Token]:
-    """The tokens with braces about the bare digits, and π, that are parts of a fraction."""
+    """Return the tokens with braces about the bare digits, and π, that are parts of a fraction."""
     found: list[Token] = []
     awaited = [0]  # parts of a fraction that are still to come, in each brace that is open
     rest = tokens[::-1]
@@ -45,7 +45,7 @@ def with_braces(tokens: list[Token]) -> list[Token]:
 
 
 def with_brackets(tokens: list[Token]) -> list[Token]:
-    """The tokens with brackets about bare arguments, and powers of functions behind their values."""
+    """Return the tokens with brackets about bare arguments, and powers of functions behind their values."""
     found: list[Token] = []
     pending: list[tuple[int, list[Token]]] = []
     opened = 0

@@ -18,7 +18,7 @@ from kinematics.table import DHRow, DHTable, NumericTable, SymbolicRow, bind
 
 
 def bind_parameters(read: ReadTable, parameters: Mapping[str, float]) -> NumericTable:
-    """The table with a number in every cell: angles in [rad], lengths in the table's unit.
+    """Return the table with a number in every cell: angles in [rad], lengths in the table's unit.
 
     Args:
         read: the table.
@@ -38,7 +38,7 @@ def bind_parameters(read: ReadTable, parameters: Mapping[str, float]) -> Numeric
 def parameter_values(
     kinds: Mapping[str, ParameterKind], angle_unit: AngleUnit, parameters: Mapping[str, float]
 ) -> dict[str, float]:
-    """The value of each parameter by its canonical name, angles in [rad], in the order of `kinds`.
+    """Return the value of each parameter by its canonical name, angles in [rad], in the order of `kinds`.
 
     Args:
         kinds: the parameters that are needed, and what each measures.
@@ -69,7 +69,7 @@ def parameter_values(
 
 
 def in_length_unit(read: ReadTable, unit: LengthUnit) -> ReadTable:
-    """The same mechanism with its lengths, and its length parameters, in another unit; exact.
+    """Return the same mechanism with its lengths, and its length parameters, in another unit; exact.
 
     With s old units in a new one and length parameters p, a cell that gives a length becomes c(p·s)/s and a
     cell that gives an angle c(p·s).

@@ -75,7 +75,7 @@ _ALLOWED = re.compile(
 
 
 def translated(text: str) -> str:
-    """The text in the characters that the scanner knows, as many as before.
+    """Return the text in the characters that the scanner knows, as many as before.
 
     Raises:
         CellRefusal: a character has no meaning in a cell; the first such one, with its column.

@@ -30,7 +30,7 @@ def read_cell(
     limits: Limits = DEFAULT,
     variable: Callable[[str], int | None] = variable_index,
 ) -> Expression:
-    """The exact expression that one cell means.
+    """Return the exact expression that one cell means.
 
     Args:
         cell: a number or text.
@@ -60,7 +60,7 @@ def read_cell(
 def cell_meaning(
     cell: Cell | NoCell, position: Position, angle_unit: AngleUnit, limits: Limits, variable_of: VariableOf
 ) -> CellMeaning:
-    """What a cell means, and the kinds of its parameters.
+    """Return what a cell means, and the kinds of its parameters.
 
     Raises:
         CellRefusal: the cell cannot be read.
@@ -71,7 +71,7 @@ def cell_meaning(
 def entry_of(
     node: Node | Fraction, position: Position, angle_unit: AngleUnit, limits: Limits, variable_of: VariableOf
 ) -> CellMeaning:
-    """What a cell means whose syntax tree, or plain number, is known.
+    """Return what a cell means whose syntax tree, or plain number, is known.
 
     Raises:
         CellRefusal: the cell has no meaning here, or no finite value.
@@ -85,7 +85,7 @@ def entry_of(
 
 
 def plain_number(cell: Cell, position: Position, angle_unit: AngleUnit, limits: Limits) -> float | None:
-    """The value of a cell that is a number and nothing else, an angle in [rad]; None of any other.
+    """Return the value of a cell that is a number and nothing else, an angle in [rad]; None of any other.
 
     Raises:
         CellRefusal: the cell cannot be read.
@@ -98,7 +98,7 @@ def plain_number(cell: Cell, position: Position, angle_unit: AngleUnit, limits: 
 
 
 def cell_syntax(cell: Cell | NoCell, limits: Limits) -> Node | Fraction:
-    """The syntax tree of a cell, or the value of one that is a plain number.
+    """Return the syntax tree of a cell, or the value of one that is a plain number.
 
     Raises:
         CellRefusal: the cell cannot be read.

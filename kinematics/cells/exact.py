@@ -82,7 +82,7 @@ def raised(base: Expression, exponent: Fraction) -> Expression:
 
 
 def absolute(value: Expression) -> Expression:
-    """The absolute value; folded for numbers and multiples of π."""
+    """Return the absolute value; folded for numbers and multiples of π."""
     turns = pi_fraction(value)
     return call(Function.ABS, value) if turns is None else pi_times(abs(turns))
 

@@ -202,7 +202,7 @@ def _parser() -> Lark:
 
 @lru_cache(maxsize=8192)
 def parse(text: str, limits: Limits) -> Node:
-    """The syntax tree of a cell.
+    """Return the syntax tree of a cell.
 
     Raises:
         CellRefusal: the text is not a cell, or passes a limit.

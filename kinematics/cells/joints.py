@@ -44,7 +44,7 @@ class RowJoint:
     stated: bool
 
     def variable(self, name: str, cell: str) -> int | None:
-        """The number of the joint variable that a name is in one of this row's cells, or None."""
+        """Return the number of the joint variable that a name is in one of this row's cells, or None."""
         if cell == "d" and self.joint is JointType.PRISMATIC and name == f"d{self.number}":
             return self.number
         return variable_index(name)
@@ -53,7 +53,7 @@ class RowJoint:
 def row_joints(
     stated: Sequence[JointType | None], syntax: Sequence[Syntax]
 ) -> tuple[tuple[RowJoint, ...], tuple[Fault, ...]]:
-    """The joint of every row, and what is wrong with how the variables are numbered.
+    """Return the joint of every row, and what is wrong with how the variables are numbered.
 
     Args:
         stated: the type that each row states, or None.
@@ -161,5 +161,5 @@ def _holds_own(joint: RowJoint, cells: Syntax) -> bool:
 
 
 def sound(joint: RowJoint, cell: str, node: Node) -> bool:
-    """Whether every variable in a cell enters as ±q."""
+    """Return whether every variable in a cell enters as ±q."""
     return all(use.fault is None for use in uses(node, lambda name: joint.variable(name, cell) is not None))

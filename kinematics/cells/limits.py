@@ -47,7 +47,7 @@ class Limits:
         return max(value.numerator.bit_length(), value.denominator.bit_length()) <= RESULT_BITS
 
     def admits(self, value: Fraction) -> bool:
-        """Whether a number is of a size that is read."""
+        """Return whether a number is of a size that is read."""
         numerator, denominator = abs(value.numerator), value.denominator
         if not numerator or (denominator == 1 and numerator < self.largest and self.smallest < 1.0):
             return True

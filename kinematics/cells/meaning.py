@@ -88,7 +88,7 @@ class CellMeaning:
 def interpret(
     node: Node, position: Position, angle_unit: AngleUnit, limits: Limits, variable_of: VariableOf
 ) -> CellMeaning:
-    """The exact expression that a cell means.
+    """Return the exact expression that a cell means.
 
     Args:
         node: the cell's syntax tree.
@@ -130,7 +130,7 @@ class _Interpreter:
         return self.angle_unit is AngleUnit.DEG
 
     def angle(self, value: _Value) -> Expression:
-        """The value in radians: a plain number of a table in degrees is converted."""
+        """Return the value in radians: a plain number of a table in degrees is converted."""
         return _from_degrees(value.expression) if self.in_degrees and not value.is_angle else value.expression
 
     def value(self, node: Node, position: Position) -> _Value:

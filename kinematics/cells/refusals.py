@@ -24,16 +24,16 @@ class CellRefusal(Exception):  # noqa: N818 - it becomes a Fault of a CellError 
         return column
 
     def at(self, *where: str | int) -> Fault:
-        """The fault, at its place."""
+        """Return the fault, at its place."""
         return fault(self.code, *where, **self.params)
 
 
 def size_refusal(value: Fraction, column: int, limits: Limits) -> CellRefusal:
-    """The refusal of a number that is larger or smaller in size than what is read."""
+    """Return the refusal of a number that is larger or smaller in size than what is read."""
     size = "small" if abs(value) < 1 else "large"
     return CellRefusal("number_out_of_range", column=column, size=size, largest=limits.largest)
 
 
 def fault(code: str, *where: str | int, **params: ParamValue) -> Fault:
-    """The fault of a refusal, at its place."""
+    """Return the fault of a refusal, at its place."""
     return Fault(code=code, where=where, params=params)

@@ -61,7 +61,7 @@ class RowMeaning:
 
 @lru_cache(maxsize=REMEMBERED)
 def row_syntax(row: RawRow, limits: Limits) -> RowSyntax:
-    """The cells of a row, before anything is known of its joint."""
+    """Return the cells of a row, before anything is known of its joint."""
     trees: dict[str, Node] = {}
     numbers: dict[str, Fraction] = {}
     faults: dict[str, Fault] = {}
@@ -82,7 +82,7 @@ def row_syntax(row: RawRow, limits: Limits) -> RowSyntax:
 
 @lru_cache(maxsize=REMEMBERED)
 def row_meaning(row: RawRow, joint: RowJoint, angle_unit: AngleUnit, limits: Limits) -> RowMeaning:
-    """The exact entries of a row whose joint is known."""
+    """Return the exact entries of a row whose joint is known."""
     syntax = row_syntax(row, limits)
     sign = 1
     entries: dict[str, Expression] = dict.fromkeys(CELLS, ZERO)

@@ -98,7 +98,7 @@ _ALIEN_NUMBER = re.compile(r"0[xXbBoO][0-9A-Fa-f]+|[0-9.]+_[0-9_.]*|[0-9]*\.[0-9
 
 
 def scan(text: str, limits: Limits = DEFAULT) -> list[Token]:
-    """The tokens of a cell.
+    """Return the tokens of a cell.
 
     Raises:
         CellRefusal: a character, a number or a name is none of a cell's; the first one, with its column.
@@ -143,7 +143,7 @@ def _translated(text: str) -> str:
 
 @lru_cache(maxsize=4096)
 def canonical_name(text: str) -> str | None:
-    """The one spelling of a name: L1 for L_1, L_{1}, L₁; None if the text is not one name."""
+    """Return the one spelling of a name: L1 for L_1, L_{1}, L₁; None if the text is not one name."""
     try:
         tokens = scan(text)
     except CellRefusal:

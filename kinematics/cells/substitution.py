@@ -28,7 +28,7 @@ _INVERSE = (Function.ASIN, Function.ACOS, Function.ATAN, Function.ATAN2)
 
 
 def substitute(expression: Expression, values: Mapping[str, Expression]) -> Expression:
-    """The expression with some parameters replaced, and folded where that made it exact.
+    """Return the expression with some parameters replaced, and folded where that made it exact.
 
     Raises:
         ZeroDivisionError: it now divides by zero.
@@ -56,7 +56,7 @@ def _called(function: Function, arguments: list[Expression]) -> Expression:
 
 
 def with_values(table: SymbolicTable, values: Mapping[str, Expression]) -> SymbolicTable:
-    """The table with some of its parameters replaced.
+    """Return the table with some of its parameters replaced.
 
     Raises:
         ParameterError: a cell now has no value (1/0, the root of -1), at ("rows", i, cell).
@@ -85,7 +85,7 @@ def with_values(table: SymbolicTable, values: Mapping[str, Expression]) -> Symbo
 
 
 def valued(cell: Expression, values: Mapping[str, Expression]) -> Expression:
-    """The cell with some of its parameters replaced, having made sure that it has a value.
+    """Return the cell with some of its parameters replaced, having made sure that it has a value.
 
     Raises:
         ZeroDivisionError: it now divides by zero.

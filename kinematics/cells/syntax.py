@@ -104,7 +104,7 @@ class Application(Node):
 
 
 def children(node: Node) -> tuple[Node, ...]:
-    """The parts of a node, from left to right."""
+    """Return the parts of a node, from left to right."""
     match node:
         case (
             Degrees(operand=part)
@@ -121,7 +121,7 @@ def children(node: Node) -> tuple[Node, ...]:
 
 
 def names_in(node: Node) -> Iterator[Name]:
-    """Every name in a tree, from left to right."""
+    """Yield every name in a tree, from left to right."""
     stack = [node]
     while stack:
         top = stack.pop()

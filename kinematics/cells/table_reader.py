@@ -19,7 +19,7 @@ from kinematics.table import CELLS, DHTable
 
 
 def read_table(raw: RawTable, limits: Limits = DEFAULT) -> ReadTable:
-    """The exact table that a table as handed in means.
+    """Return the exact table that a table as handed in means.
 
     Args:
         raw: the table, cells as numbers or text.

@@ -50,7 +50,7 @@ class RawRow:
 
 
 def as_cell(value: object) -> Cell | NoCell:
-    """The value as a cell: a plain int, float or str; of any other type, what is said about it."""
+    """Return the value as a cell: a plain int, float or str; of any other type, what is said about it."""
     if type(value) in _CELL_TYPES:
         return value  # type: ignore[return-value]
     if isinstance(value, bool):

@@ -32,7 +32,7 @@ _VALUE_AND_WORD = re.compile(
 
 
 def unit_refusal(text: str) -> CellRefusal | None:
-    """The refusal of the first unit behind a value, with the cell as it is without any; or None."""
+    """Return the refusal of the first unit behind a value, with the cell as it is without any; or None."""
     units = [found for found in _VALUE_AND_WORD.finditer(text) if _is_unit(found[2])]
     if not units:
         return None

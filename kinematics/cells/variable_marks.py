@@ -19,7 +19,7 @@ _INDEX = ("LPAR", "NUMBER", "RPAR")
 
 
 def without_marks(tokens: list[Token]) -> list[Token]:
-    """The tokens with marked joint variables as plain names."""
+    """Return the tokens with marked joint variables as plain names."""
     if len(tokens) < 2:
         return tokens
     found: list[Token] = []

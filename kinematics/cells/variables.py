@@ -40,7 +40,7 @@ IsVariable = Callable[[str], bool]
 
 
 def variable_index(name: str) -> int | None:
-    """The k of q_k or θ_k, given its canonical name; None if the name is not a joint variable's."""
+    """Return the k of q_k or θ_k, given its canonical name; None if the name is not a joint variable's."""
     match = _VARIABLE.fullmatch(name)
     return int(match.group(1)) if match else None
 
@@ -90,7 +90,7 @@ class Use:
 
 
 def uses(node: Node, is_variable: IsVariable) -> Iterator[Use]:
-    """Every occurrence of a joint variable in a cell, from left to right."""
+    """Yield every occurrence of a joint variable in a cell, from left to right."""
     yield from _uses(node, is_variable, Fraction(1), None)
 
 

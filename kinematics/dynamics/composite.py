@@ -169,7 +169,7 @@ class Composite:
             couple[j] = ring.add(couple[j], ring.multiply(by, force[i]))
 
     def expanded(self, form: Form) -> Form:
-        """A form in which masses and moments are what they are in the links."""
+        """Return a form in which masses and moments are what they are in the links."""
         return self._reader.ring.replaced(form, _WEIGHT, self._weights)
 
     def _weight(self, form: Form) -> Form:

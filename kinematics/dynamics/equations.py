@@ -33,7 +33,7 @@ _HALF = Fraction(1, 2)
 
 
 def rate_name(joint: int) -> str:
-    """The name in closed forms of the rate q̇_i: dq1 and so on."""
+    """Return the name in closed forms of the rate q̇_i: dq1 and so on."""
     return f"dq{joint}"
 
 
@@ -180,7 +180,7 @@ class Derivation:
         return tuple(tuple(written[min(i, j), max(i, j)] for j in self._joints) for i in self._joints)
 
     def equations(self) -> EquationsOfMotion:
-        """All of them."""
+        """Return all of them."""
         return EquationsOfMotion(
             mass=self.mass, gravity=self.gravity, coriolis=self.coriolis, velocity=self.velocity
         )

@@ -176,19 +176,19 @@ class WaveTable:
         return self._arena.sum(*summands)
 
     def symbol(self, expression: Expression) -> Nested:
-        """A symbol beside the waves, such as a joint's rate."""
+        """Return a symbol beside the waves, such as a joint's rate."""
         return self._arena.read(expression)
 
     def negative(self, nested: Nested) -> Nested:
-        """What was written, with the other sign."""
+        """Return what was written, with the other sign."""
         return self._arena.negative(nested)
 
     def total(self, parts: Iterable[tuple[Nested, Nested]]) -> Nested:
-        """The sum of some products."""
+        """Return the sum of some products."""
         return self._arena.sum(*(self._arena.product(a, b) for a, b in parts))
 
     def expression(self, nested: Nested) -> Expression:
-        """What was written, as an expression."""
+        """Return what was written, as an expression."""
         return self._arena.expression(nested)
 
     def _power(self, powers: Exponents) -> Term:
@@ -230,7 +230,7 @@ def _steps(turn: Fraction) -> Rational:
 
 
 def combined(parts: Iterable[tuple[int, Waves]]) -> Waves:
-    """The sum of some multiples of functions."""
+    """Return the sum of some multiples of functions."""
     found: dict[Wave, int] = {}
     for factor, waves in parts:
         for wave, weight in waves.items():

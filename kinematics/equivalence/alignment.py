@@ -65,7 +65,7 @@ def align(step: Step, direction: Vector, point: Vector, sign: int) -> Alignment:
 
 
 def aligning_motion(step: Step, direction: Vector, point: Vector, sign: int) -> tuple[Motion, Vector, Vector]:
-    """The motion of `align` by itself, for where it does not matter how well it does.
+    """Return the motion of `align` by itself, for where it does not matter how well it does.
 
     Returns:
         The motion; the axis's direction, reversed for sign -1, after it; what is left from its point to the

@@ -50,7 +50,7 @@ class AxisBatch(NamedTuple):
 
 
 def axis_batch(chains: Sequence[Sequence[Axis]]) -> AxisBatch:
-    """Lines that are known already, those of one chain after those of another."""
+    """Return the lines that are known already, those of one chain after those of another."""
     directions = np.array([[axis.direction for axis in axes] for axes in chains], dtype=np.float64)
     points = np.array([[axis.point for axis in axes] for axes in chains], dtype=np.float64)
     return AxisBatch(directions.transpose(1, 2, 0), points.transpose(1, 2, 0))
@@ -59,7 +59,7 @@ def axis_batch(chains: Sequence[Sequence[Axis]]) -> AxisBatch:
 def axes_of_tables(
     tables: Sequence[NumericTable], variations: Sequence[Variation], policy: Policy
 ) -> AxisBatch:
-    """The axes of `axes_of`, for tables in which some cells are changed.
+    """Return the axes of `axes_of`, for tables in which some cells are changed.
 
     Args:
         tables: tables with the same number of joints.

@@ -88,7 +88,7 @@ def upper_bound(reference: Reference, submission: Chain, candidate: CertificateC
 
 
 def surely_apart(reference: Reference, submission: Chain, tolerance: Tolerance) -> bool:
-    """Whether neighbouring axes lie so differently to each other that no certificate can stand.
+    """Return whether neighbouring axes lie so differently to each other that no certificate can stand.
 
     Angles are compared, and distances of parallel axes; False says nothing.
     """

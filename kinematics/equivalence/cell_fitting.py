@@ -125,7 +125,7 @@ def _linearised(
 
 
 def motion_with_cell(table: NumericTable, place: Place, frames: Transform) -> NDArray[np.float64]:
-    """How frame N turns and moves with a cell, (samples, 6).
+    """Return how frame N turns and moves with a cell, (samples, 6).
 
     α and a turn about and move along x, θ and d about and along z: of the frame before the row, or of the one
     behind it where the row ends with that.

@@ -87,7 +87,7 @@ def _along(step: Step, motion: Motion) -> float:
 
 
 def offsets_and_first(plan: Plan, path: CertificatePath, zero: ZeroRule) -> tuple[list[float], list[Motion]]:
-    """The ε_i with g_i = exp(S_i ε_i) g_{i-1}, and the g_i themselves.
+    """Return the ε_i with g_i = exp(S_i ε_i) g_{i-1}, and the g_i themselves.
 
     Every motion is pushed down the chain: its part in exp(S_i ℝ) stays as ε_i, the rest goes on to joint i-1.
 
@@ -109,7 +109,7 @@ def offsets_and_first(plan: Plan, path: CertificatePath, zero: ZeroRule) -> tupl
 def candidate_from(
     chains: tuple[Chain, Chain], plan: Plan, path: CertificatePath, zero: ZeroRule, *, tool_turns: bool
 ) -> CertificateCandidate:
-    """The certificate that a path of alignments amounts to.
+    """Return the certificate that a path of alignments amounts to.
 
     Where a turn of frame 0 about the first joint's axis, or of frame N about the last one's, does the same as
     an offset of that joint, the offset is chosen such that B and E come as near to the identity as they can.

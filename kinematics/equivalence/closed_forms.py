@@ -52,12 +52,12 @@ MOST_ANGLE_SUMS = 300
 
 
 def length_atoms(tables: Iterable[SymbolicTable]) -> list[Expression]:
-    """What the lengths of the tables are sums of, numbers and rational factors apart."""
+    """Return what the lengths of the tables are sums of, numbers and rational factors apart."""
     return _atoms(entry for table in tables for row in table.rows for entry in (row.a, row.d))
 
 
 def angle_atoms(tables: Iterable[SymbolicTable]) -> list[Expression]:
-    """What the angles of the tables are sums of, multiples of π and rational factors apart."""
+    """Return what the angles of the tables are sums of, multiples of π and rational factors apart."""
     entries = [
         entry
         for table in tables
@@ -141,7 +141,7 @@ class LengthForms:
         self._sums = np.einsum("sk,skd->sd", signs, padded[which])
 
     def form(self, values: Sequence[float]) -> Expression | None:
-        """The combination of atoms and of a decimal number that takes these values at the draws.
+        """Return the combination of atoms and of a decimal number that takes these values at the draws.
 
         A sum or difference of at most three atoms and a number is told by a few draws. If there are more
         draws than atoms, any linear combination with known coefficients is tried after that.
@@ -217,7 +217,7 @@ def _sums(n: int) -> tuple[NDArray[np.int16], NDArray[np.int8]]:
 def angle_form(
     values: Sequence[float], atoms: Sequence[Expression], draws: Sequence[Mapping[str, float]]
 ) -> Expression | None:
-    """A multiple of π/12, plus or minus some of the atoms, that takes these values at these draws."""
+    """Return a multiple of π/12, plus or minus some of the atoms, that takes these values at these draws."""
     known = [[evaluate(atom, draw) for draw in draws] for atom in atoms]
     for chosen in islice(_choices(range(len(atoms))), MOST_ANGLE_SUMS):
         rest = list(values)

@@ -101,7 +101,7 @@ def _measured(
 
 
 def convention_fits(convention: Convention, rule: ConventionRule) -> bool:
-    """Whether a table's convention is one that the rule allows."""
+    """Return whether a table's convention is one that the rule allows."""
     return rule is ConventionRule.ANY or rule.value == convention.value
 
 
@@ -114,7 +114,7 @@ def certify(
     *,
     measured: bool = True,
 ) -> Certificate | None:
-    """The verified certificate of a submission, whatever its convention; None if there is none.
+    """Return the verified certificate of a submission, whatever its convention; None if there is none.
 
     Its residual is that at the samples where a bound shows that it stands at every configuration; or the
     bound, where nobody wants to know more than that.
@@ -190,7 +190,7 @@ _RULES: tuple[tuple[Kind, str, BaseRule | ToolRule | ZeroRule | DirectionRule], 
 
 
 def mechanism_only(policy: Policy) -> Policy:
-    """The policy that asks for nothing but the same mechanism, at the same tolerance."""
+    """Return the policy that asks for nothing but the same mechanism, at the same tolerance."""
     return Policy(tool=ToolRule.FREE, tolerance=policy.tolerance)
 
 

@@ -67,7 +67,7 @@ class Trail:
 def diagnose(
     reference: Reference, table: NumericTable, submission: Chain, policy: Policy
 ) -> tuple[Mismatch, ...]:
-    """The smallest set of wrong facts that explains a submission with as many joints as the reference.
+    """Return the smallest set of wrong facts that explains a submission with as many joints as the reference.
 
     If every fact is right by itself, but not all together, their precision is what is wrong.
 
@@ -100,7 +100,7 @@ _KIND_OF_MEASURE = {
 def mismatches_of(
     invariants: Invariants, reference: Reference, table: NumericTable, submission: Chain, policy: Policy
 ) -> tuple[Mismatch, ...]:
-    """Invariants that a submission does not share with the reference, as what does not fit."""
+    """Return the invariants that a submission does not share with the reference, as what does not fit."""
     sizes = invariants.sizes(invariants.measured(axis_batch([axes_of(submission, policy)])))
     off = np.abs(sizes - invariants.sizes(invariants.values))[:, 0].tolist()
     last = len(reference.chain.axes)
@@ -117,7 +117,7 @@ def mismatches_of(
 
 
 def likely_signs(reference: Reference, submission: Chain, policy: Policy) -> list[tuple[int, ...]]:
-    """Choices of signs with which a submission fits best, the best first."""
+    """Return the choices of signs with which a submission fits best, the best first."""
     near = reference.nearnesses(policy.tolerance)[0]
     plan = reference.plans(BaseRule.FREE, ZeroRule.FREE, near)[0]
     return [trail.signs for trail in _trails(plan, reference, submission, policy)]
@@ -182,7 +182,7 @@ class _Judge:
     length: float
 
     def of(self, step: Step, axis: Axis, found: Alignment, joint: int) -> tuple[list[Mismatch], float]:
-        """The wrong facts at a joint, and the largest misfit in units of what is none."""
+        """Return the wrong facts at a joint, and the largest misfit in units of what is none."""
         target = step.axis
         wrong: list[Mismatch] = []
         strain = _excess(found.angle, self.angle)

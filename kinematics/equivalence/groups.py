@@ -75,32 +75,32 @@ NOTHING = Group(Rotations.NONE)
 
 
 def about_point(point: Vector) -> Group:
-    """All rotations about a point."""
+    """Return all rotations about a point."""
     return Group(Rotations.ABOUT_POINT, point=point)
 
 
 def about_direction(axis: Vector) -> Group:
-    """All translations, and the rotations about a direction."""
+    """Return all translations, and the rotations about a direction."""
     return Group(Rotations.ABOUT_LINE, axis=axis, translations=SPACE)
 
 
 def cylinder(point: Vector, axis: Vector) -> Group:
-    """Rotations about and translations along a line."""
+    """Return the rotations about and translations along a line."""
     return Group(Rotations.ABOUT_LINE, point=point, axis=axis, translations=(axis,))
 
 
 def distance_to_line(p: Vector, point: Vector, axis: Vector) -> float:
-    """Distance of p from the line through a point along a unit axis."""
+    """Return the distance of p from the line through a point along a unit axis."""
     return norm(rejection(subtract(p, point), axis))
 
 
 def are_parallel(a: Vector, b: Vector, near: Nearness) -> bool:
-    """Whether two unit vectors are parallel or antiparallel."""
+    """Return whether two unit vectors are parallel or antiparallel."""
     return norm(rejection(a, b)) <= near.angle
 
 
 def outside(v: Vector, basis: tuple[Vector, ...]) -> Vector:
-    """The part of v that is perpendicular to a space with this orthonormal basis."""
+    """Return the part of v that is perpendicular to a space with this orthonormal basis."""
     for b in basis:
         v = rejection(v, b)
     return v
@@ -114,7 +114,7 @@ def _along(basis: tuple[Vector, ...], direction: Vector, near: Nearness) -> tupl
 
 
 def fixing_direction(group: Group, direction: Vector, near: Nearness) -> Group:
-    """The subgroup whose motions keep a direction as it is."""
+    """Return the subgroup whose motions keep a direction as it is."""
     if group.rotations is Rotations.ABOUT_POINT:
         return Group(Rotations.ABOUT_LINE, point=group.point, axis=direction, translations=group.translations)
     if group.rotations is Rotations.ABOUT_LINE and not are_parallel(group.axis, direction, near):
@@ -123,7 +123,7 @@ def fixing_direction(group: Group, direction: Vector, near: Nearness) -> Group:
 
 
 def fixing_line(group: Group, point: Vector, direction: Vector, near: Nearness) -> Group:
-    """The subgroup whose motions keep an oriented line as it is (and may slide it along itself)."""
+    """Return the subgroup whose motions keep an oriented line as it is (and may slide it along itself)."""
     along = _along(group.translations, direction, near)
     if len(group.translations) == len(SPACE):
         turning = group.rotations is Rotations.ABOUT_POINT or (
@@ -145,12 +145,12 @@ def fixing_line(group: Group, point: Vector, direction: Vector, near: Nearness) 
 
 
 def with_rotations_about(group: Group, point: Vector, direction: Vector) -> Group:
-    """The group of a line's fixing motions, together with the rotations about that line."""
+    """Return the group of a line's fixing motions, together with the rotations about that line."""
     return Group(Rotations.ABOUT_LINE, point=point, axis=direction, translations=group.translations)
 
 
 def with_translations_along(group: Group, direction: Vector, near: Nearness) -> Group:
-    """The group, together with the translations along a direction."""
+    """Return the group, together with the translations along a direction."""
     rest = outside(direction, group.translations)
     if norm(rest) <= near.slide:
         return group
@@ -163,7 +163,7 @@ def with_translations_along(group: Group, direction: Vector, near: Nearness) -> 
 
 
 def departure(group: Group, g: Motion) -> tuple[float, float]:
-    """How far a motion is from belonging to the group.
+    """Return how far a motion is from belonging to the group.
 
     Returns:
         Angle [rad] and length, both zero for a member.

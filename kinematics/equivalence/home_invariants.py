@@ -24,7 +24,7 @@ FARTHEST = 4
 
 @lru_cache(maxsize=4096)
 def home_invariants_of(reference: Reference, policy: Policy) -> Invariants:
-    """The angles and distances between axes that are no neighbours, all variables zero.
+    """Return the angles and distances between axes that are no neighbours, all variables zero.
 
     None where the policy leaves the zeros of the variables free. Their slacks are what the tolerance of the
     end frame allows.

@@ -90,7 +90,7 @@ class Invariants:
         )
 
     def some(self, which: Sequence[int]) -> Invariants:
-        """Some of them."""
+        """Return some of them."""
         return Invariants(tuple(self.shapes[i] for i in which), self.values[which], self.slacks[which])
 
     def beside(self, others: Invariants) -> Invariants:
@@ -104,12 +104,12 @@ class Invariants:
         )
 
     def held_to(self, slacks: Floats) -> Invariants:
-        """The same with other slacks, (q, 1), where these are smaller."""
+        """Return the same with other slacks, (q, 1), where these are smaller."""
         return replace(self, slacks=np.minimum(self.slacks, slacks))
 
 
 def axes_of(chain: Chain, policy: Policy) -> list[Axis]:
-    """The joint axes, with what the policy fixes at the ends as further axes.
+    """Return the joint axes, with what the policy fixes at the ends as further axes.
 
     A fixed origin or tool point stands for itself as an axis along the neighbouring joint's; frames and lines
     stand as their z axis. Index 0 is always the base's place, whether it is fixed or not.
@@ -124,7 +124,7 @@ def axes_of(chain: Chain, policy: Policy) -> list[Axis]:
 
 @lru_cache(maxsize=1024)
 def invariants_of(reference: Reference, policy: Policy) -> Invariants:
-    """The invariants of a reference, and of the frames that a policy fixes."""
+    """Return the invariants of a reference, and of the frames that a policy fixes."""
     axes = axes_of(reference.chain, policy)
     if not axes:
         return Invariants((), np.empty((0, 1)), np.empty((0, 1)))

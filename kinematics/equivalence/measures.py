@@ -91,7 +91,7 @@ class Gauge:
 
 @lru_cache(maxsize=1024)
 def gauge_of(shapes: tuple[Shape, ...]) -> Gauge:
-    """The invariants as arrays; remembered, for they are those of a key."""
+    """Return the invariants as arrays; remembered, for they are those of a key."""
     numbers: dict[tuple[int, int], int] = {}
     angles: tuple[list[int], list[int]] = [], []
     normals: tuple[list[int], list[int]] = [], []

@@ -26,13 +26,13 @@ FURTHER_ROWS_TOGETHER = 2
 
 
 def per_batch(tables: int, rows: int, invariants: int) -> int:
-    """What it costs to try tables all at once, with so many rows and invariants each."""
+    """Return what it costs to try tables all at once, with so many rows and invariants each."""
     further = max(rows - MOST_ROWS_OF_A_ROBOT, 0) // FURTHER_ROWS_TOGETHER
     return PER_BATCH + tables * (PER_TABLE + further) + tables * (rows + invariants) // ROWS_TOGETHER
 
 
 def per_certificate(joints: int) -> int:
-    """What it costs to make a certificate of an arm and to look at it."""
+    """Return what it costs to make a certificate of an arm and to look at it."""
     return PER_CERTIFICATE + PER_FURTHER_JOINT * max(joints - USUAL_JOINTS, 0)
 
 

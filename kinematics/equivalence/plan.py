@@ -106,7 +106,7 @@ class Plan:
 
 
 def plans_for(chain: Chain, base: BaseRule, zero: ZeroRule, near: Nearness, size: float) -> tuple[Plan, ...]:
-    """The chains of groups of a reference, one per way in which the policy lets frame 0 lie."""
+    """Return the chains of groups of a reference, one per way in which the policy lets frame 0 lie."""
     return tuple(
         _plan(chain, group, starts, zero, near, size) for group, starts in _beginnings(chain, base, near)
     )
@@ -156,7 +156,7 @@ def _plan(
 
 
 def prepare(axis: Axis, group: Group, near: Nearness, size: float) -> Step:
-    """What is needed to align something with an axis by means of a group."""
+    """Return what is needed to align something with an axis by means of a group."""
     direction = axis.direction
     if axis.prismatic:
         stabiliser = fixing_direction(group, direction, near)

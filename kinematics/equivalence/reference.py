@@ -32,7 +32,7 @@ _PRIMES = [p for p in range(2, 400) if all(p % k for k in range(2, int(p**0.5) +
 
 
 def sample_joints(n: int) -> NDArray[np.float64]:
-    """Configurations that fill the joint space evenly and lie on no grid.
+    """Return the configurations that fill the joint space evenly and lie on no grid.
 
     A Kronecker sequence in √2, √3, √5, …
 
@@ -71,14 +71,14 @@ class Reference:
     )
 
     def beside(self, submission: Chain) -> Reference:
-        """The reference at the size of a submission, if it has none of its own."""
+        """Return the reference at the size of a submission, if it has none of its own."""
         if not self.scaleless:
             return self
         size = submission.extent if submission.extent > NO_LENGTH else 1.0
         return _at_size(self.table, self.chain, size, scaleless=True)
 
     def sampled_at(self, joints: NDArray[np.float64]) -> Reference:
-        """The reference with more configurations, (n, k), among the samples."""
+        """Return the reference with more configurations, (n, k), among the samples."""
         return replace(
             self,
             joints=np.concatenate([self.joints, joints], axis=1),
@@ -86,7 +86,7 @@ class Reference:
         )
 
     def plans(self, base: BaseRule, zero: ZeroRule, near: Nearness) -> tuple[Plan, ...]:
-        """The chains of groups, as `plans_for` makes them."""
+        """Return the chains of groups, as `plans_for` makes them."""
         key = (base, zero, near)
         found = self._plans.get(key)
         if found is None:
@@ -94,7 +94,7 @@ class Reference:
         return found
 
     def nearnesses(self, tolerance: Tolerance) -> tuple[Nearness, ...]:
-        """Which axes count as parallel or meeting: those that do exactly; those within the tolerance.
+        """Return which axes count as parallel or meeting: those that do exactly; those within the tolerance.
 
         And, for what may slide along them, those so nearly parallel that a displacement within the tolerance,
         or a smaller one, slides it by about the robot's size.
@@ -117,7 +117,7 @@ class Reference:
         yield from self.further_levels(base, zero, tolerance)
 
     def further_levels(self, base: BaseRule, zero: ZeroRule, tolerance: Tolerance) -> tuple[int, ...]:
-        """Those of the levels that come after the first.
+        """Return those of the levels that come after the first.
 
         Where the strictest notion and the loosest make one chain, so do those between them.
         """
@@ -139,14 +139,14 @@ class Reference:
 
 @lru_cache(maxsize=1024)
 def prepared(table: NumericTable) -> Reference:
-    """The reference of a table; remembered, for the same one is asked for again and again."""
+    """Return the reference of a table; remembered, for the same one is asked for again and again."""
     chain = chain_of_table(table)
     size = size_of(chain)
     return _at_size(table, chain, size or 1.0, scaleless=size == 0.0)
 
 
 def prepared_for(key: NumericTable, answer: NumericTable) -> Reference:
-    """The reference of a key, at the size of an answer if it has none of its own."""
+    """Return the reference of a key, at the size of an answer if it has none of its own."""
     reference = prepared(key)
     return reference.beside(chain_of_table(answer)) if reference.scaleless else reference
 

@@ -82,7 +82,7 @@ def refine(
     offsets_free: bool,
     meter: Meter | None = None,
 ) -> tuple[CertificateCandidate, Residual] | None:
-    """The certificate near a given one that stands, and its residual; None if none was found.
+    """Return the certificate near a given one that stands, and its residual; None if none was found.
 
     Least squares comes first. Once it has settled, the largest error is brought down, unless it is seen that
     no certificate nearby keeps every sample within the tolerance. One that stands at the samples, but not
@@ -175,7 +175,7 @@ class Model:
     damping: float
 
     def curvature(self, tolerance: Tolerance) -> float:
-        """How far the linear function may be off, in units of the tolerance."""
+        """Return how far the linear function may be off, in units of the tolerance."""
         return max(self.found) ** 2 / tolerance.angle
 
     def after(self, step: Matrix) -> Matrix:
@@ -184,12 +184,12 @@ class Model:
         return np.asarray(np.sqrt(np.einsum("ij,ij->i", rest, rest)), dtype=np.float64)
 
     def mean_square(self, step: Matrix | None = None) -> float:
-        """Mean square of the errors, now or after a step."""
+        """Return the mean square of the errors, now or after a step."""
         sizes = self.after(np.zeros(self.jacobian.shape[1]) if step is None else step)
         return float(np.mean(sizes**2))
 
     def least_squares(self, weights: Matrix | None = None) -> Matrix:
-        """The step that leaves the least sum of weighted squares.
+        """Return the step that leaves the least sum of weighted squares.
 
         What hardly changes the errors (frames may be turned together; lines that are nearly parallel) is
         damped: it would only follow the rounding.
@@ -204,7 +204,7 @@ class Model:
         return np.asarray(step * min(1.0, LONGEST_STEP / (np.abs(step).max() + 1e-300)), dtype=np.float64)
 
     def least_largest(self) -> tuple[Matrix, float]:
-        """A step that leaves nearly the smallest largest error, and how large that is at least.
+        """Return a step that leaves nearly the smallest largest error, and how large that is at least.
 
         Lawson's iteration: weighted least squares, the weights multiplied by the squares of the errors every
         time. A weighted mean of squares is never more than the largest, so every iteration bounds from below
@@ -252,7 +252,7 @@ class RefinementProblem:
         return scales
 
     def linearised(self, candidate: CertificateCandidate) -> Model:
-        """The errors at a certificate, and how they change with it."""
+        """Return the errors at a certificate, and how they change with it."""
         if self.meter is not None:
             self.meter.charge(PER_ROUND)
         size = self.reference.size
@@ -270,7 +270,7 @@ class RefinementProblem:
         )
 
     def with_columns(self, model: Model, columns: Sequence[Matrix]) -> Model:
-        """A model in which more may change: (samples, 6) how frame N turns and moves with each."""
+        """Return a model in which more may change: (samples, 6) how frame N turns and moves with each."""
         more = [(column / self._units).reshape(-1, 1) for column in columns]
         return replace(model, jacobian=np.concatenate([model.jacobian, *more], axis=1))
 
@@ -280,7 +280,7 @@ class RefinementProblem:
         return np.repeat((self.tolerance.angle, self.tolerance.length * self.reference.size), 3)
 
     def moved(self, candidate: CertificateCandidate, step: Matrix) -> CertificateCandidate:
-        """The certificate after a step."""
+        """Return the certificate after a step."""
         n = len(candidate.offsets) if self.offsets_free else 0
         k = self.base_twists.shape[1]
         offsets = candidate.offsets

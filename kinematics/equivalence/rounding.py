@@ -12,7 +12,7 @@ from kinematics.table import Convention, JointType, NumericTable
 def rounding_tolerance(
     reference: NumericTable, table: NumericTable, *, length_step: float, angle_step: float
 ) -> Tolerance:
-    """The tolerance within which a right table stays, however its entries are rounded.
+    """Return the tolerance within which a right table stays, however its entries are rounded.
 
     Every entry may be off by half a step, and all may add up. A length that is off moves frame N by as much;
     an angle moves it by that times the lever, the largest distance at which frame N can be from the line that

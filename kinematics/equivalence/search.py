@@ -133,7 +133,7 @@ class Search:
     unfinished: list[Unfinished] = field(default_factory=list)
 
     def run(self) -> Found | None:
-        """The first certificate that stands for every draw, signs +1 preferred; None if there is none.
+        """Return the first certificate that stands for every draw, signs +1 preferred; None if there is none.
 
         Only when no certificate stands as it is are the best of them refined.
         """
@@ -157,7 +157,7 @@ class Search:
         return None
 
     def near(self, draw: int) -> Nearness:
-        """The notion of nearness at a draw."""
+        """Return the notion of nearness at a draw."""
         return self.references[draw].nearnesses(self.policy.tolerance)[self.level]
 
     def _descend(
@@ -318,7 +318,7 @@ def _promise(unfinished: Unfinished) -> float:
 
 
 def forced_path(plan: Plan, submission: Chain, start: Motion, signs: Sequence[int]) -> CertificatePath:
-    """The best alignments with given signs, however good or bad."""
+    """Return the best alignments with given signs, however good or bad."""
     here = start
     motions: list[Motion] = []
     totals: list[Motion] = []
@@ -331,7 +331,7 @@ def forced_path(plan: Plan, submission: Chain, start: Motion, signs: Sequence[in
 
 
 def base_twists(plan: Plan, rule: BaseRule) -> Matrix:
-    """The twists by which B may change from the left, in the submission's frame 0."""
+    """Return the twists by which B may change from the left, in the submission's frame 0."""
     if rule is BaseRule.FREE:
         return FREE_TWISTS
     if rule is BaseRule.ORIGIN:

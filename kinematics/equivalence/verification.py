@@ -26,11 +26,11 @@ class Residual(NamedTuple):
     length: float
 
     def within(self, tolerance: Tolerance) -> bool:
-        """Whether both are within the tolerance."""
+        """Return whether both are within the tolerance."""
         return self.angle <= tolerance.angle and self.length <= tolerance.length
 
     def excess(self, tolerance: Tolerance) -> float:
-        """The larger of the two, in units of its tolerance; at most 1 is within."""
+        """Return the larger of the two, in units of its tolerance; at most 1 is within."""
         return max(self.angle / tolerance.angle, self.length / tolerance.length)
 
 
@@ -58,12 +58,12 @@ def residual(reference: Reference, submission: Chain, candidate: CertificateCand
 
 
 def largest(difference: NDArray[np.float64], size: float) -> Residual:
-    """The largest rotation and relative displacement among differences of poses (samples, 4, 4)."""
+    """Return the largest rotation and relative displacement among differences of poses (samples, 4, 4)."""
     squares = np.einsum("sij,sij->sj", difference, difference)
     turn = rotation_from_square(squares[:, :3].sum(axis=1).max())
     return Residual(turn, float(np.sqrt(squares[:, 3].max())) / size)
 
 
 def rotation_from_square(square: float) -> float:
-    """The angle between two rotations [rad], given ‖R - R'‖² = 8 sin²(angle/2)."""
+    """Return the angle between two rotations [rad], given ‖R - R'‖² = 8 sin²(angle/2)."""
     return 2.0 * float(np.arcsin(min(float(np.sqrt(square / 8.0)), 1.0)))

@@ -72,7 +72,7 @@ def judged(
     *,
     measured: bool = True,
 ) -> Residual:
-    """How far a certificate is from standing: at the samples, or, if it stands at these, at the worst.
+    """Return how far a certificate is from standing: at the samples, or, if it stands at these, at the worst.
 
     Differences no larger than the errors of the arithmetic are nothing to climb on; nor is anything gained
     by climbing where a bound over all configurations shows that the certificate stands.
@@ -97,7 +97,7 @@ def judged(
 
 
 def worst_case(reference: Reference, submission: Chain, candidate: CertificateCandidate) -> WorstCase:
-    """The largest differences between the two sides of equation (1), over all configurations.
+    """Return the largest differences between the two sides of equation (1), over all configurations.
 
     Revolute joints go all the way round, sliders as far as the robot's size either way. Half of the climbs
     go after the largest displacement, half after the largest rotation.

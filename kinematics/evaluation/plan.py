@@ -78,7 +78,7 @@ class Computation:
         self.once: Evaluator = self._checked if self._may_overflow else self._walk
 
     def many(self, joints: Floats) -> Floats:
-        """The quantity at many configurations, given as (m, n) finite floats; (m, …)."""
+        """Return the quantity at many configurations, given as (m, n) finite floats; (m, …)."""
         out = np.empty((len(joints), *self.shape))
         if out.size:
             flat = out.reshape(len(joints), -1)
@@ -138,7 +138,7 @@ class EvaluationPlan:
         self._others: dict[Quantity, Computation] = {Quantity.POSE: self.pose}
 
     def of(self, quantity: Quantity) -> Computation:
-        """The computation of a quantity."""
+        """Return the computation of a quantity."""
         found = self._others.get(quantity)
         if found is None:
             found = self._others[quantity] = Computation(self.chain, quantity)
@@ -155,7 +155,7 @@ class _Plans:
         self._lock = Lock()
 
     def between(self, base: ArrayLike | None, tool: ArrayLike | None) -> EvaluationPlan:
-        """The plan with a base and a tool; the few used last are kept."""
+        """Return the plan with a base and a tool; the few used last are kept."""
         base, tool = (
             None if pose is None else check_transform(pose, where=(name,))
             for name, pose in (("base", base), ("tool", tool))
@@ -176,7 +176,7 @@ class _Plans:
 def plan_of(
     table: NumericTable, base: ArrayLike | None = None, tool: ArrayLike | None = None
 ) -> EvaluationPlan:
-    """The plan of a table, made if there is none yet.
+    """Return the plan of a table, made if there is none yet.
 
     Raises:
         TableError: an entry of the table is NaN or infinite.

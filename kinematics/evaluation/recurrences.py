@@ -66,7 +66,7 @@ def motions_of_table(
 
 
 def compose(left: Rows, right: Rows) -> Rows:
-    """Product of two poses."""
+    """Return the product of two poses."""
     (a, b, c) = (_times(row, right) for row in left)
     return a, b, c
 
@@ -88,7 +88,7 @@ def link_poses(chain: LinkMotions, values: Sequence[JointValue]) -> list[Rows]:
 
 
 def frame_poses(chain: LinkMotions, values: Sequence[JointValue]) -> list[Rows]:
-    """Poses base · A_1 ⋯ A_i of frames i = 1 … N in the world."""
+    """Return the poses base · A_1 ⋯ A_i of frames i = 1 … N in the world."""
     cursor = _Cursor(chain.base or IDENTITY)
     frames = []
     for motions in chain.links:
@@ -104,7 +104,7 @@ def joint_axes(chain: LinkMotions, values: Sequence[JointValue]) -> list[tuple[S
 
 
 def base_jacobian(chain: LinkMotions, values: Sequence[JointValue]) -> list[tuple[Scalar, ...]]:
-    """Columns of J0: (z_i × (p − p_i), z_i) of a revolute joint, (z_i, 0) of a prismatic one.
+    """Return the columns of J0: (z_i × (p − p_i), z_i) of a revolute joint, (z_i, 0) of a prismatic one.
 
     z_i is the direction of joint i, p_i a point of its axis, p the origin of the tool, in the world's axes.
     """
@@ -118,7 +118,7 @@ def base_jacobian(chain: LinkMotions, values: Sequence[JointValue]) -> list[tupl
 
 
 def end_jacobian(chain: LinkMotions, values: Sequence[JointValue]) -> list[tuple[Scalar, ...]]:
-    """Columns of Jn: the same velocities as in J0, in the axes of the tool.
+    """Return the columns of Jn: the same velocities as in J0, in the axes of the tool.
 
     With the tool's pose (x, y, z, p) in the frame of joint i, the joint moves p by z_i × p = (−p_y, p_x, 0),
     and both vectors are taken to the tool's axes by their products with x, y and z.
@@ -175,17 +175,17 @@ class _Cursor:
             self._p = [p + row[0] * first for p, row in zip(self._p, self._turned(), strict=True)]
 
     def z(self) -> Scalars:
-        """Direction of the z-axis."""
+        """Return the direction of the z-axis."""
         r0, r1, r2 = self._rows
         return r0[2], r1[2], r2[2]
 
     def origin(self) -> Scalars:
-        """The origin."""
+        """Return the origin."""
         x, y, z = self._p
         return x, y, z
 
     def pose(self) -> Rows:
-        """The frame's pose."""
+        """Return the frame's pose."""
         r0, r1, r2 = ((*row, p) for row, p in zip(self._turned(), self._p, strict=True))
         return r0, r1, r2
 

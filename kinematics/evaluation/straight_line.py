@@ -43,7 +43,7 @@ _TYPE_PARAMETERS: dict[str, Any] = {"type_params": []} if sys.version_info >= (3
 
 
 def straight_line(tape: Tape, joint_types: Sequence[JointType], shape: tuple[int, ...]) -> Evaluator:
-    """The function that does what a tape says.
+    """Return the function that does what a tape says.
 
     Args:
         tape: its inputs are cos q_i (of a revolute joint) or q_i (of a prismatic one) for every joint, then
@@ -128,7 +128,7 @@ class _CodeWriter:
         self._pending: dict[int, tuple[ast.expr, int]] = {}
 
     def computed(self) -> tuple[list[ast.stmt], list[ast.expr]]:
-        """One assignment for each register that is used more than once, and the results."""
+        """Return one assignment for each register that is used more than once, and the results."""
         body: list[ast.stmt] = []
         for register, (operator, left, right) in enumerate(self._tape.operations, self._tape.n_inputs):
             (a, depth_a), (b, depth_b) = self._operand(left), self._operand(right)

@@ -124,7 +124,7 @@ class Recorder:
         return scaled if (right > 0.0) == (left.sign > 0) else -scaled
 
     def tape(self, results: Sequence[RecordedNumber | float]) -> Tape:
-        """The tape that computes the results, without what none of them needs.
+        """Return the tape that computes the results, without what none of them needs.
 
         A negated register is handed out as 0 − register, a negated difference a − b as b − a.
         """

@@ -100,22 +100,22 @@ PI = Pi()
 
 
 def number(value: int | Fraction | str) -> Number:
-    """A rational number, from an integer, a fraction or a decimal literal such as "0.4318"."""
+    """Return a rational number, from an integer, a fraction or a decimal literal such as "0.4318"."""
     return Number(Fraction(value))
 
 
 def pi_times(factor: int | Fraction) -> Expression:
-    """The exact angle factor·π [rad]."""
+    """Return the exact angle factor·π [rad]."""
     return multiply((Number(Fraction(factor)), PI))
 
 
 def rational_value(expression: Expression) -> Fraction | None:
-    """The value of a rational number, or None of anything else."""
+    """Return the value of a rational number, or None of anything else."""
     return expression.value if isinstance(expression, Number) else None
 
 
 def pi_fraction(expression: Expression) -> Fraction | None:
-    """The r of an exact angle r·π (0 included), or None of anything else."""
+    """Return the r of an exact angle r·π (0 included), or None of anything else."""
     match expression:
         case Number(value) if value == 0:
             return Fraction(0)
@@ -154,7 +154,7 @@ def add(terms: Iterable[Expression]) -> Expression:
 
 
 def multiply(factors: Iterable[Expression]) -> Expression:
-    """Product of the factors: flattened, rational numbers multiplied exactly and put first."""
+    """Return the product of the factors: flattened, rational numbers multiplied exactly and put first."""
     weight: Fraction | None = None
     rest: list[Expression] = []
     for given in factors:
@@ -176,7 +176,7 @@ def multiply(factors: Iterable[Expression]) -> Expression:
 
 
 def negate(expression: Expression) -> Expression:
-    """The expression with the opposite sign; a sum is negated term by term."""
+    """Return the expression with the opposite sign; a sum is negated term by term."""
     if isinstance(expression, Sum):
         return add(multiply((MINUS_ONE, term)) for term in expression.terms)
     return multiply((MINUS_ONE, expression))

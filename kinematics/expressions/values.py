@@ -73,7 +73,7 @@ def evaluate(
 
 
 def parameters_in(expression: Expression) -> frozenset[str]:
-    """Names of the parameters that an expression contains."""
+    """Return the names of the parameters that an expression contains."""
     if isinstance(expression, Number):  # what most cells hold
         return _NOTHING
     return frozenset(node.name for node in walk(expression) if isinstance(node, Parameter))
@@ -85,7 +85,7 @@ def joint_variables_in(expression: Expression) -> frozenset[int]:
 
 
 def walk(expression: Expression) -> Iterator[Expression]:
-    """Every node of the tree, the root first."""
+    """Yield every node of the tree, the root first."""
     stack = [expression]
     while stack:
         node = stack.pop()

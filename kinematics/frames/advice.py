@@ -21,7 +21,7 @@ from kinematics.table import Convention
 
 
 def direction_advice(frame: Pose, place: FramePlace) -> list[FrameFinding]:
-    """Whether z follows the joint's positive direction, and x leads from axis i to axis i+1.
+    """Return whether z follows the joint's positive direction, and x leads from axis i to axis i+1.
 
     Source: seed 000 §3.2.1; seed 002 step 4; seed 004 cases 2 and 3.
     """
@@ -36,7 +36,7 @@ def direction_advice(frame: Pose, place: FramePlace) -> list[FrameFinding]:
 
 
 def vanishing_advice(frame: Pose, before: Pose, place: FramePlace) -> list[FrameFinding]:
-    """Whether d_i = 0 was to be had where the origin slides, or θ_i = 0 where x may be turned.
+    """Return whether d_i = 0 was to be had where the origin slides, or θ_i = 0 where x may be turned.
 
     Args:
         frame: frame i, i ≥ 2: what frame 1 leaves is frame 0's matter.
@@ -61,7 +61,7 @@ def vanishing_advice(frame: Pose, before: Pose, place: FramePlace) -> list[Frame
 
 
 def first_advice(frame: Pose, after: Pose, place: FramePlace) -> list[FrameFinding]:
-    """Whether frame 0 could be simpler: modified, on frame 1 at zero; standard, d_1 = 0 and θ_1 = 0.
+    """Return whether frame 0 could be simpler: modified, on frame 1 at zero; standard, d_1 = 0 and θ_1 = 0.
 
     Source: seed 000 §3.2.2; seed 002 step 6.
     """
@@ -78,7 +78,7 @@ def first_advice(frame: Pose, after: Pose, place: FramePlace) -> list[FrameFindi
 
 
 def last_advice(frame: Pose, before: Pose, place: FramePlace) -> list[FrameFinding]:
-    """Whether d_N = 0 and θ_N = 0 were to be had.
+    """Return whether d_N = 0 and θ_N = 0 were to be had.
 
     Source: seed 000 §3.2.2; seed 002 step 7.
     """

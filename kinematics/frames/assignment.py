@@ -151,7 +151,7 @@ def assign_frames(
     lengths: LengthSigns = LengthSigns.POSITIVE,
     intersecting: CrossProduct = CrossProduct.FEWEST,
 ) -> FrameAssignment:
-    """A DH table for a robot of which the joint axes are known.
+    """Return a DH table for a robot of which the joint axes are known.
 
     base · table · tool reproduces every axis and the tool at every q: exactly (to 1e-10 rad and 1e-10 of the
     robot's size) unless axes are near-parallel; those are taken as parallel, with a warning that states the

@@ -83,7 +83,7 @@ class PartialPose:
 
 
 def read_axes(axes: Sequence[JointAxis]) -> list[AxisLine]:
-    """The axes as directed lines.
+    """Return the axes as directed lines.
 
     Raises:
         DescriptionError: no axes or more than 64, an unknown joint, three finite numbers missing, a zero
@@ -116,7 +116,7 @@ def read_axes(axes: Sequence[JointAxis]) -> list[AxisLine]:
 
 
 def gripper_frame(gripper: Gripper) -> Transform:
-    """The end frame of a gripper: z towards the object, y across the jaws, x = y × z.
+    """Return the end frame of a gripper: z towards the object, y across the jaws, x = y × z.
 
     Returns:
         (4, 4) pose, in the coordinates in which the gripper is given.
@@ -145,7 +145,7 @@ def gripper_frame(gripper: Gripper) -> Transform:
 
 
 def pose_of(transform: ArrayLike, name: str) -> Pose:
-    """The frame that a 4×4 matrix describes, its axes made exactly perpendicular.
+    """Return the frame that a 4×4 matrix describes, its axes made exactly perpendicular.
 
     Raises:
         PoseError: not the matrix of a rigid motion; at (name,).
@@ -157,14 +157,14 @@ def pose_of(transform: ArrayLike, name: str) -> Pose:
 
 
 def matrix(pose: Pose) -> Transform:
-    """The 4×4 matrix of a frame."""
+    """Return the 4×4 matrix of a frame."""
     y = cross(pose.z, pose.x)
     (ox, oy, oz), (xx, xy, xz), (zx, zy, zz) = pose.origin, pose.x, pose.z
     return np.array([[xx, y[0], zx, ox], [xy, y[1], zy, oy], [xz, y[2], zz, oz], [0.0, 0.0, 0.0, 1.0]])
 
 
 def read_point(value: Sequence[float], where: tuple[str | int, ...], faults: list[Fault]) -> Vector:
-    """Three finite numbers; if they are not, a fault is added to the list."""
+    """Return three finite numbers; if they are not, a fault is added to the list."""
     try:
         x, y, z = (float(component) for component in value)
     except (TypeError, ValueError, OverflowError):

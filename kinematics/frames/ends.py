@@ -14,28 +14,28 @@ from kinematics.table import Convention
 
 
 def may_start(first: Pose, axis: AxisLine, convention: Convention) -> bool:
-    """Whether a given frame has the orientation of a frame 0; the place of axis 1 aside."""
+    """Return whether a given frame has the orientation of a frame 0; the place of axis 1 aside."""
     if convention is Convention.STANDARD:
         return _same(first.z, axis.direction)
     return abs(dot(first.x, axis.direction)) <= EXACT_ANGLE
 
 
 def may_end(last: Pose, axis: AxisLine, convention: Convention) -> bool:
-    """Whether a given frame has the orientation of a frame N; the place of axis N aside."""
+    """Return whether a given frame has the orientation of a frame N; the place of axis N aside."""
     if convention is Convention.STANDARD:
         return abs(dot(last.x, axis.direction)) <= EXACT_ANGLE
     return _same(last.z, axis.direction)
 
 
 def entering(first: Pose, axis: AxisLine, convention: Convention, size: float) -> Vector | None:
-    """Where the normal from a given frame 0 meets axis 1; None if the frame cannot be frame 0."""
+    """Return where the normal from a given frame 0 meets axis 1; None if the frame cannot be frame 0."""
     if convention is Convention.MODIFIED:
         return _crossing(first, axis, size)
     return first.origin if _lies_on(first.origin, axis, size) else None
 
 
 def leaving(last: Pose, axis: AxisLine, convention: Convention, size: float) -> Vector | None:
-    """Where the normal to a given frame N leaves axis N; None if the frame cannot be frame N."""
+    """Return where the normal to a given frame N leaves axis N; None if the frame cannot be frame N."""
     if convention is Convention.STANDARD:
         return _crossing(last, axis, size)
     return last.origin if _lies_on(last.origin, axis, size) else None

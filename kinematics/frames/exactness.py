@@ -19,7 +19,7 @@ _ROUNDING = 1e-14
 
 
 def clean_angle(angle: float) -> float:
-    """The angle, or the multiple of π/12 within 1e-10 of it; in (-π, π] for an angle in [-π, π]."""
+    """Return the angle, or the multiple of π/12 within 1e-10 of it; in (-π, π] for an angle in [-π, π]."""
     k = nearest_twelfth(angle, EXACT_ANGLE)
     return angle if k is None else math.pi if k == -12 else twelfths(k)
 
@@ -33,7 +33,7 @@ def clean_length(length: float, size: float) -> float:
 
 
 def exact_table(table: NumericTable) -> SymbolicTable:
-    """The table with exact entries: multiples of π/12 as such, all else as the decimal it is."""
+    """Return the table with exact entries: multiples of π/12 as such, all else as the decimal it is."""
     return DHTable(
         convention=table.convention,
         rows=tuple(

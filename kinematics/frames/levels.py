@@ -20,7 +20,7 @@ def settle_levels(
     start: Vector | None,
     end: Vector | None,
 ) -> list[tuple[Vector, Vector]]:
-    """Both feet of every common normal, those that may slide put where d vanishes.
+    """Return both feet of every common normal, those that may slide put where d vanishes.
 
     Args:
         lines: the N axes.

@@ -55,7 +55,7 @@ class CommonNormal:
 
 
 def common_normal(first: AxisLine, second: AxisLine, size: float) -> CommonNormal:
-    """The common normal of two axes.
+    """Return the common normal of two axes.
 
     With c = z_1 × z_2 and w = p_2 - p_1, the feet of the normal are p_1 + ((w × z_2)·c / c²) z_1 and
     p_2 + ((w × z_1)·c / c²) z_2.

@@ -56,7 +56,7 @@ class Tilt:
 
 
 def straighten(lines: Sequence[AxisLine], tolerance: float) -> tuple[list[AxisLine], list[Tilt]]:
-    """The axes with near-parallel neighbours made parallel.
+    """Return the axes with near-parallel neighbours made parallel.
 
     Every axis of a run is compared with the first of the run, so tilts do not add up unnoticed.
 
@@ -89,7 +89,7 @@ def straighten(lines: Sequence[AxisLine], tolerance: float) -> tuple[list[AxisLi
 def with_dummies(
     lines: Sequence[AxisLine], tolerance: float, size: float
 ) -> tuple[list[AxisLine], list[Tilt]]:
-    """The axes with a fixed, crossing axis between near-parallel neighbours.
+    """Return the axes with a fixed, crossing axis between near-parallel neighbours.
 
     The dummy axis runs from one to the other across both, through their points nearest to the robot's middle.
     """

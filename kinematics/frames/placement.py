@@ -18,7 +18,7 @@ from kinematics.table import JointType
 def draw_prismatic_axes(
     lines: Sequence[AxisLine], size: float, *, start: Vector | None = None, end: Vector | None = None
 ) -> list[AxisLine]:
-    """The axes with a line chosen for every prismatic joint.
+    """Return the axes with a line chosen for every prismatic joint.
 
     Args:
         lines: the axes; the points of prismatic ones are overwritten, unless all axes are prismatic.

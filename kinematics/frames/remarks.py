@@ -13,7 +13,7 @@ from kinematics.table import Convention, NumericTable
 def tilt_remarks(
     tilts: Sequence[Tilt], table: NumericTable, axis_points: Sequence[Vector], policy: NearParallel
 ) -> list[Fault]:
-    """One warning for each tilt.
+    """Return one warning for each tilt.
 
     A turn about an axis that is tilted by ε moves a point at distance r from the pivot by at most 2 ε r; r is
     bounded by the lengths of the rows from that joint on.
@@ -52,7 +52,7 @@ def tilt_remarks(
 
 
 def unfit_base(convention: Convention) -> Fault:
-    """The warning that a given frame cannot be frame 0."""
+    """Return the warning that a given frame cannot be frame 0."""
     standard = convention is Convention.STANDARD
     return Fault(
         code="base_not_frame_zero_standard" if standard else "base_not_frame_zero_modified", where=("base",)
@@ -60,7 +60,7 @@ def unfit_base(convention: Convention) -> Fault:
 
 
 def unfit_tool(convention: Convention) -> Fault:
-    """The warning that a given frame cannot be frame N."""
+    """Return the warning that a given frame cannot be frame N."""
     standard = convention is Convention.STANDARD
     return Fault(
         code="tool_not_last_frame_standard" if standard else "tool_not_last_frame_modified", where=("tool",)
@@ -68,7 +68,7 @@ def unfit_tool(convention: Convention) -> Fault:
 
 
 def tolerance_fault(least: float, greatest: float) -> Fault:
-    """The fault of a tolerance outside its range."""
+    """Return the fault of a tolerance outside its range."""
     return Fault(
         code="parallel_tolerance_out_of_range",
         where=("parallel_tolerance",),

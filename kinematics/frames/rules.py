@@ -107,19 +107,19 @@ class FramePlace:
 
 
 def own_axis(index: int, count: int, convention: Convention) -> int | None:
-    """Number of the axis along which z_i lies: i in a modified table, i+1 in a standard one."""
+    """Return the number of the axis along which z_i lies: i in a modified table, i+1 in a standard one."""
     own = index if convention is Convention.MODIFIED else index + 1
     return own if 1 <= own <= count else None
 
 
 def partner_axis(index: int, count: int, convention: Convention) -> int | None:
-    """Number of the axis that x_i crosses: i+1 in a modified table, i in a standard one."""
+    """Return the number of the axis that x_i crosses: i+1 in a modified table, i in a standard one."""
     partner = index + 1 if convention is Convention.MODIFIED else index
     return partner if 1 <= partner <= count else None
 
 
 def broken_rules(frame: PartialPose, place: FramePlace) -> list[FrameFinding]:
-    """The rules of the convention that a frame breaks, as far as it has been chosen.
+    """Return the rules of the convention that a frame breaks, as far as it has been chosen.
 
     Source: seed 000 §3.2.4; seed 002 steps 2 to 7; seed 003 rules 2 and 3; seed 004 cases 1 to 3.
     """
@@ -161,12 +161,12 @@ def _crossing_rules(x: Vector, origin: Vector | None, place: FramePlace) -> list
 
 
 def parallel(u: Vector, v: Vector) -> bool:
-    """Whether two unit directions are the same or opposite, as far as a student can tell."""
+    """Return whether two unit directions are the same or opposite, as far as a student can tell."""
     return norm(cross(u, v)) <= ANGLE_TOLERANCE
 
 
 def broken(rule: RuleCode, part: FramePart, **params: int) -> FrameFinding:
-    """A finding that breaks the convention."""
+    """Return a finding that breaks the convention."""
     return FrameFinding(rule=rule, part=part, severity=Severity.BROKEN, params=params)
 
 

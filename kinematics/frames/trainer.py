@@ -111,7 +111,7 @@ def check_frames(
     tool: ArrayLike | Gripper | None = None,
     rounding: float = 0.0,
 ) -> JudgedFrames:
-    """The rules that chosen frames break, what to choose from, and the table that follows.
+    """Return the rules that chosen frames break, what to choose from, and the table that follows.
 
     The line of a sliding joint is where the student draws it: through the origin of the frame whose z is that
     axis. A z against the positive direction of its joint is allowed; the joint variable then enters the table

@@ -61,7 +61,7 @@ class PlantedFrame:
 
 
 def right_handed(origin: Vector, x: Vector, z: Vector) -> DrawnFrame:
-    """The frame whose y is z × x; x and z are unit vectors at right angles."""
+    """Return the frame whose y is z × x; x and z are unit vectors at right angles."""
     return DrawnFrame(origin, x, cross(z, x), z)
 
 
@@ -114,7 +114,7 @@ def mends(
     *,
     rounding: float = 0.0,
 ) -> bool:
-    """Whether the frames are right with another one in the place of one of them.
+    """Return whether the frames are right with another one in the place of one of them.
 
     Args and raises as in `frame_mistakes`.
     """
@@ -125,7 +125,7 @@ def mends(
 def plantable_in_frames(
     axes: Sequence[JointAxis], convention: Convention, frames: Sequence[DrawnFrame]
 ) -> dict[str, tuple[PlantedFrame, ...]]:
-    """Every way to spoil one of some right frames so that exactly one thing is wrong, by what that is.
+    """Return every way to spoil one of some right frames so that exactly one thing is wrong, by what that is.
 
     Args and raises as in `frame_mistakes`.
     """

@@ -86,7 +86,7 @@ class Arm:
         return np.array(basis).reshape(self.n_joints, 3, 16)
 
     def frames(self, q: Array) -> Array:
-        """Poses before each joint and at the end, for many configurations.
+        """Return the poses before each joint and at the end, for many configurations.
 
         Args:
             q: (m, n) joint variables.
@@ -159,7 +159,7 @@ class Arm:
 
 
 def arm_of(table: NumericTable, base: Transform | None = None, tool: Transform | None = None) -> Arm:
-    """The chain of a DH table.
+    """Return the chain of a DH table.
 
     Args:
         table: the table.
@@ -181,7 +181,7 @@ def arm_of(table: NumericTable, base: Transform | None = None, tool: Transform |
 
 
 def low_discrepancy(count: int, dimension: int, skip: int = 0) -> Array:
-    """Points of the additive recurrence x_k = frac(½ + k·α), α from the generalised golden ratio.
+    """Return the points of the additive recurrence x_k = frac(½ + k·α), α from the generalised golden ratio.
 
     Args:
         count: how many.

@@ -72,7 +72,7 @@ class InverseKinematicsBatch:
 
 
 def solve_many(solver: Solver, targets: ArrayLike) -> InverseKinematicsBatch:
-    """Solutions for many targets; what each has is what `Solver.solve` returns, in another order.
+    """Return the solutions for many targets; what each has is what `Solver.solve` returns, in another order.
 
     Args:
         solver: the arm.

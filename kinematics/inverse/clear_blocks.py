@@ -42,7 +42,7 @@ class ClearSolutions(NamedTuple):
 
 
 def clear_solutions(clear: ClearWrist, targets: Array) -> ClearSolutions:
-    """All solutions of those targets that have eight and are away from singularities.
+    """Return all solutions of those targets that have eight and are away from singularities.
 
     Args:
         clear: the arm.

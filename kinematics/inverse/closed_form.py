@@ -41,7 +41,7 @@ class InverseClosedForm(Protocol):
     """A method that yields candidates among which all solutions are."""
 
     def candidates(self, target: Array) -> Array | None:
-        """Configurations among which all solutions are.
+        """Return the configurations among which all solutions are.
 
         Args:
             target: (4, 4).
@@ -81,7 +81,7 @@ class WithoutLast:
 
 
 def closed_form_of(arm: Arm) -> InverseClosedForm | None:
-    """The closed form of an arm, or None if there is none."""
+    """Return the closed form of an arm, or None if there is none."""
     if arm.n_joints > 6 or arm.spare:
         return None
     if arm.reach is not ArmReach.POSE:
@@ -131,7 +131,7 @@ def _either_way(
 
 
 def reversed_arm(arm: Arm) -> Arm:
-    """The chain seen from the hand: T⁻¹ = K_n⁻¹ J_n(-q_n) ⋯ J_1(-q_1) K_0⁻¹."""
+    """Return the chain seen from the hand: T⁻¹ = K_n⁻¹ J_n(-q_n) ⋯ J_1(-q_1) K_0⁻¹."""
     return replace(
         arm, constants=inverse_transform(arm.constants)[::-1].copy(), revolute=arm.revolute[::-1].copy()
     )

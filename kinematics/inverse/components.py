@@ -84,7 +84,7 @@ class Component:
 
 
 def components_of(arm: Arm, target: Array, joints: Array, tolerance: float) -> list[Component]:
-    """The components that solutions belong to, each once.
+    """Return the components that solutions belong to, each once.
 
     Args:
         arm: the arm.
@@ -124,7 +124,7 @@ def components_of(arm: Arm, target: Array, joints: Array, tolerance: float) -> l
 
 
 def belongs(arm: Arm, target: Array, component: Component, q: Array, tolerance: float) -> bool:
-    """Whether a solution belongs to a component.
+    """Return whether a solution belongs to a component.
 
     Args:
         arm: the arm.

@@ -60,7 +60,7 @@ family that is within 15° of one of them, and most that are farther."""
 def branches(
     follower: Follower, path: FamilyPath, step: float, blind: float
 ) -> Iterator[tuple[Array, Array]]:
-    """Configurations beside a path, on others that leave it where the Jacobian loses one rank more.
+    """Yield the configurations beside a path, on others that leave it where the Jacobian loses one rank more.
 
     Each comes with the direction from the path, in units; several may be on one path.
 
@@ -80,7 +80,7 @@ def branches(
 
 
 def tangents(follower: Follower, x: Array, blind: Array, smallest: float) -> list[Array]:
-    """Unit directions along which families may leave a solution.
+    """Return the unit directions along which families may leave a solution.
 
     Of several directions that the Jacobian does not see, families leave along those in which it stays blind:
     l·(∂J/∂v) v = 0 for every l that it does not reach. In a plane these are looked for by angle; elsewhere

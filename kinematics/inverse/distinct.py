@@ -20,14 +20,14 @@ parts of the size]; beside a singularity an arm does not stay so near."""
 
 
 def differences(q: Array, other: Array, arm: Arm) -> Array:
-    """Joint differences, turns in [-π, π), slides divided by the size."""
+    """Return the joint differences, turns in [-π, π), slides divided by the size."""
     difference = q - other
     turned = (difference + np.pi) % (2.0 * np.pi) - np.pi
     return np.where(arm.revolute, turned, difference / arm.size)
 
 
 def distinct(arm: Arm, target: Array, joints: Array) -> Array:
-    """The configurations without repetitions; of several the first is kept.
+    """Return the configurations without repetitions; of several the first is kept.
 
     Args:
         arm: the arm.

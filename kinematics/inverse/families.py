@@ -114,7 +114,7 @@ def blind_directions(J: Array, smallest: float) -> Array:
 
 
 def weighing_alike(arm: Arm) -> Arm:
-    """The arm with its lengths in the unit of a tolerance, of which there are as many as radians."""
+    """Return the arm with its lengths in the unit of a tolerance, of which there are as many as radians."""
     return replace(arm, size=1.0) if arm.size > 1.0 and bool(arm.revolute.all()) else arm
 
 
@@ -140,7 +140,7 @@ class Follower:
         return self.spent >= MOST_CORRECTIONS
 
     def reached(self, e: Array) -> bool:
-        """Whether an error vector is within the tolerance."""
+        """Return whether an error vector is within the tolerance."""
         return bool(are_solutions(e[None], self.arm, self.tolerance)[0])
 
     def corrected(self, x: Array, held: Array) -> tuple[Array, Array, Array]:
@@ -149,7 +149,7 @@ class Follower:
         return found[0], e[0], J[0]
 
     def corrected_all(self, x: Array, held: Array) -> tuple[Array, Array, Array]:
-        """The same of many, (m, n), each with its own held rows, (m, k, n)."""
+        """Return the same of many, (m, n), each with its own held rows, (m, k, n)."""
         self._count(len(x))
         return corrected(self.arm, self.target, x, held)
 
@@ -168,11 +168,11 @@ class Follower:
         return [one if ok else None for one, ok in zip(moved, there.tolist(), strict=True)]
 
     def joined(self, x: Array, other: Array) -> bool:
-        """Whether the straight way between two solutions, corrected across it, keeps the target."""
+        """Return whether the straight way between two solutions, corrected across it, keeps the target."""
         return bool(self.joined_each(x[None], other[None])[0])
 
     def joined_each(self, x: Array, others: Array) -> NDArray[np.bool_]:
-        """The same of many pairs, (m, n) and (m, n)."""
+        """Return the same of many pairs, (m, n) and (m, n)."""
         ways = others - x
         lengths = np.linalg.norm(ways, axis=1)
         apart = np.flatnonzero(lengths >= TOGETHER)
@@ -236,7 +236,7 @@ class Follower:
         return np.asarray(rows.transpose(0, 2, 1) @ rows)
 
     def path(self, x: Array, direction: Array, held: Array) -> FamilyPath:
-        """The component through x along a direction, both ways.
+        """Return the component through x along a direction, both ways.
 
         Args:
             x: (n,) a solution, in units.

@@ -20,7 +20,7 @@ may lead to another."""
 
 
 def way_through_gaps(follower: Follower, joints: Array, path: FamilyPath, gap: float) -> FamilyPath:
-    """The path on which a family lies, followed through gaps.
+    """Return the path on which a family lies, followed through gaps.
 
     Args:
         follower: of the family's target.

@@ -98,7 +98,7 @@ class GeneralArm:
 
 
 def general_arm_of(arm: Arm) -> GeneralArm | None:
-    """The eigenproblem of an arm, or None if it is not one of six turning joints."""
+    """Return the eigenproblem of an arm, or None if it is not one of six turning joints."""
     return GeneralArm(arm) if arm.n_joints == 6 and bool(arm.revolute.all()) else None
 
 

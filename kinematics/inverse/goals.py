@@ -45,7 +45,7 @@ class Goal(NamedTuple):
 
 
 def read_goal(target: ArrayLike, tolerance: float | None, where: tuple[str | int, ...]) -> Goal:
-    """The target as a rigid motion that can be computed with, and its tolerance.
+    """Return the target as a rigid motion that can be computed with, and its tolerance.
 
     The rotation part is replaced by the nearest rotation, if it is off by more than rounding.
 

@@ -34,22 +34,22 @@ where it is at most √(2εκ), nor long, where it is at most ε/LONG."""
 
 
 def fold_length(tolerance: float) -> float:
-    """What is no longer than this [rad, or parts of the size] is one solution, not a family."""
+    """Return what is no longer than this [rad, or parts of the size] is one solution, not a family."""
     return max(LONG, ACROSS_A_FOLD * math.sqrt(tolerance))
 
 
 def lost_value(tolerance: float) -> float:
-    """Least singular value of the Jacobian above which a solution is not of a family."""
+    """Return the least singular value of the Jacobian above which a solution is not of a family."""
     return max(tolerance / LONG * 2.0, LOST, math.sqrt(tolerance))
 
 
 def merging_value(tolerance: float) -> float:
-    """Least singular value of the Jacobian above which a solution stands alone."""
+    """Return the least singular value of the Jacobian above which a solution stands alone."""
     return MERGING * math.sqrt(tolerance)
 
 
 def can_move(arm: Arm, targets: Array, joints: Array, tolerance: float) -> NDArray[np.bool_]:
-    """Whether solutions can be moved as far as those of families, or in more than one direction.
+    """Return whether solutions can be moved as far as those of families, or in more than one direction.
 
     Args:
         arm: without joints to spare.
@@ -111,7 +111,7 @@ def joined_rows(
     rows: Indices,
     tolerance: float,
 ) -> Indices:
-    """Those rows of which the solution may be joined to another of the same target.
+    """Return those rows of which the solution may be joined to another of the same target.
 
     Args:
         arm: without joints to spare.

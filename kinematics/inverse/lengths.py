@@ -27,16 +27,16 @@ def check_lengths(table: NumericTable) -> None:
 
 
 def is_far(pose: Transform) -> bool:
-    """Whether a pose is too far away to be computed with."""
+    """Return whether a pose is too far away to be computed with."""
     return is_long(np.abs(pose[:3, 3]).max())
 
 
 def is_long(length: float) -> bool:
-    """Whether a length is beyond `LARGEST_LENGTH`."""
+    """Return whether a length is beyond `LARGEST_LENGTH`."""
     return abs(length) > LARGEST_LENGTH
 
 
 def too_long(where: Sequence[str | int]) -> Fault:
-    """What is said of a length that is."""
+    """Return what is said of a length that is."""
     params = {"limit": LARGEST_LENGTH}
     return Fault(code="result_not_finite", where=tuple(where), params=params)

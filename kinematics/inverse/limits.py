@@ -26,7 +26,7 @@ FARTHEST_TURN = 1e4
 
 
 def read_limits(limits: JointLimits | None, revolute: Sequence[bool]) -> Box:
-    """The limits as arrays, infinite where there are none.
+    """Return the limits as arrays, infinite where there are none.
 
     Args:
         limits: (least, greatest) of each joint.
@@ -78,7 +78,7 @@ def _fault(i: int, low: float, high: float, turns: bool) -> Fault | None:
 def within_limits(
     q: Array, revolute: NDArray[np.bool_], box: Box, size: float
 ) -> tuple[Array, NDArray[np.bool_]]:
-    """Joint variables by turns of 2π into their ranges, and which configurations fit.
+    """Return the joint variables moved into their ranges by turns of 2π, and which configurations fit.
 
     Of several turns within the range the one nearest to 0 is taken, so that without limits q is in (-π, π].
 

@@ -162,7 +162,7 @@ class ParallelArm:
 
 
 def parallel_arm_of(arm: Arm) -> ParallelArm | None:
-    """The closed form of an arm, or None if neither joints 1, 2, 3 nor 2, 3, 4 of it are parallel."""
+    """Return the closed form of an arm, or None if neither joints 1, 2, 3 nor 2, 3, 4 of it are parallel."""
     if arm.n_joints != 6 or not arm.revolute.all():
         return None
     z, p, end = arm.screws
@@ -251,7 +251,7 @@ def _turns_to(h: Array, z5: Array, z6: Array, v: Array) -> tuple[float, ...] | N
 
 
 def angle_about(z: Array, u: Array, v: Array) -> float:
-    """The angle about an axis from u to v."""
+    """Return the angle about an axis from u to v."""
     u, v = u - (u @ z) * z, v - (v @ z) * z
     return math.atan2(float(z @ cross_arrays(u, v)), float(u @ v))
 

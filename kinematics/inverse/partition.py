@@ -70,7 +70,7 @@ class PartitionedArm:
 
 
 def partition_of(arm: Arm) -> PartitionedArm | None:
-    """The way to take an arm apart, or None if there is none."""
+    """Return the way to take an arm apart, or None if there is none."""
     directions, points, end = arm.screws
     joints = [
         Joint(bool(turns), axis, point)
@@ -82,7 +82,7 @@ def partition_of(arm: Arm) -> PartitionedArm | None:
 
 
 def placement_of(arm: Arm) -> PartitionedArm | None:
-    """The way to bring the tool's origin to a place, or None of more than three joints."""
+    """Return the way to bring the tool's origin to a place, or None of more than three joints."""
     directions, points, end = arm.screws
     if arm.n_joints > LONGEST_HEAD:
         return None

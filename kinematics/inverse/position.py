@@ -61,7 +61,7 @@ class Joint:
     point: Array
 
     def moved(self, points: Array, q: float) -> Array:
-        """The (k, 3) points moved by q."""
+        """Return the (k, 3) points moved by q."""
         if not self.turns:
             return points + q * self.axis
         v = points - self.point
@@ -78,7 +78,7 @@ class Joint:
         return float(np.linalg.norm(v - (v @ self.axis)[:, None] * self.axis, axis=1).max())
 
     def to(self, points: Array, places: Array) -> float:
-        """The q that brings (k, 3) points to their places, as nearly as may be; 0 if every q does."""
+        """Return the q that brings (k, 3) points to their places, as nearly as may be; 0 if every q does."""
         if not self.turns:
             return float(((places - points) @ self.axis).mean())
         u, v = points - self.point, places - self.point
@@ -155,7 +155,7 @@ class _Second:
         self.heights = places @ self.functionals.T / size
 
     def system(self, y: Array) -> _System:
-        """The equations for given y = E_3(q_3) w, (k, 3)."""
+        """Return the equations for given y = E_3(q_3) w, (k, 3)."""
         return self._turning(y) if self.second.turns else self._sliding(y)
 
     def _turning(self, y: Array) -> _System:
@@ -188,7 +188,7 @@ class _Second:
         return _System(np.concatenate(A), np.concatenate(b), (float(beta[0]), float(gamma[0])))
 
     def values(self, system: _System) -> Iterator[float]:
-        """Candidates for q_2."""
+        """Yield the candidates for q_2."""
         A, b = system.A, system.b
         left, scales, right = np.linalg.svd(A, full_matrices=False)
         if self.second.turns:
@@ -216,7 +216,7 @@ class _Second:
             yield from ((-beta - root) / 2.0 * self.size, (-beta + root) / 2.0 * self.size)
 
     def eliminant(self, systems: Sequence[_System]) -> Array:
-        """The equation that remains when q_2 is eliminated, at many q_3; zero at solutions."""
+        """Return the equation that remains when q_2 is eliminated, at many q_3; zero at solutions."""
         A = np.array([system.A for system in systems])
         b = np.array([system.b for system in systems])
         rows = A.transpose(1, 0, 2).reshape(A.shape[1], -1)

@@ -32,7 +32,7 @@ end."""
 def families_within(
     arm: Arm, follower: Follower, component: Component, box: Box
 ) -> list[tuple[Array, Family]]:
-    """The parts of a family within the limits, each with a member.
+    """Return the parts of a family within the limits, each with a member.
 
     Args:
         arm: the arm.

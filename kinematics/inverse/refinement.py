@@ -25,7 +25,7 @@ across what the Jacobian does not see."""
 
 
 def solutions_of(arm: Arm, candidates: Array, target: Transform, tolerance: float) -> Array:
-    """The candidates that are solutions, refined; the same solution may be there more than once.
+    """Return the candidates that are solutions, refined; the same solution may be there more than once.
 
     Args:
         arm: the arm.

@@ -19,7 +19,7 @@ _PARTS = np.array(([0.0, 1.0], [0.0, 1.0], [0.0, 1.0], [1.0, 0.0]) * 3)
 
 
 def pose_errors(poses: Array, targets: Array) -> tuple[Array, Array]:
-    """Distance [m] of the origins and angle [rad] between the orientations.
+    """Return the distance [m] of the origins and angle [rad] between the orientations.
 
     The angle is 2 asin(‖R - R*‖_F / √8), exact to rounding near zero.
 
@@ -51,7 +51,7 @@ def residuals(poses: Array, targets: Array) -> Array:
 
 
 def are_solutions(errors: Array, arm: Arm, tolerance: float) -> NDArray[np.bool_]:
-    """Whether error vectors are those of solutions: distance [m] and angle [rad] within the tolerance.
+    """Return whether error vectors are those of solutions: distance [m] and angle [rad] within the tolerance.
 
     Args:
         errors: (m, 6) from `error_vectors`.
@@ -64,7 +64,7 @@ def are_solutions(errors: Array, arm: Arm, tolerance: float) -> NDArray[np.bool_
 
 
 def errors_of(arm: Arm, poses: Array, target: Array) -> Array:
-    """Error vectors of an arm's poses, without what its `reach` leaves free.
+    """Return the error vectors of an arm's poses, without what its `reach` leaves free.
 
     Of an axis the rotation vector is the shortest one that turns the tool's z axis to the target's.
 
@@ -94,7 +94,7 @@ def errors_of(arm: Arm, poses: Array, target: Array) -> Array:
 
 
 def errors_and_jacobians(arm: Arm, x: Array, target: Array) -> tuple[Array, Array]:
-    """Error vectors and Jacobians at configurations.
+    """Return the error vectors and Jacobians at configurations.
 
     Args:
         arm: the arm.

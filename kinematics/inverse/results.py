@@ -155,7 +155,7 @@ class InverseKinematics(NamedTuple):
     def nearest_first(
         self, joint_types: Sequence[JointType], start: Sequence[float] | None
     ) -> InverseKinematics:
-        """The same answer, its solutions sorted by their distance from a start, if there is one.
+        """Return the same answer, its solutions sorted by their distance from a start, if there is one.
 
         Args:
             joint_types: of the arm; turns are measured on the circle.

@@ -188,7 +188,7 @@ def search(
     tolerance: float = TOLERANCE,
     near: Array | None = None,
 ) -> SearchResult:
-    """Solutions from many starts, and the nearest configuration.
+    """Return the solutions from many starts, and the nearest configuration.
 
     Rounds of starts, each as large as all before it, go on until one brings nothing new (of arms with
     joints to

@@ -68,7 +68,7 @@ class Solver:
     box: Box
 
     def solve(self, target: ArrayLike, tolerance: float | None = None) -> InverseKinematics:
-        """The joint variables that reach a target.
+        """Return the joint variables that reach a target.
 
         Args:
             target: (4, 4) pose of the tool in the world.
@@ -85,7 +85,7 @@ class Solver:
         return self._searched(goal)
 
     def solve_by_search(self, target: ArrayLike, tolerance: float | None = None) -> InverseKinematics:
-        """What there is to say where `solve_directly` has no answer.
+        """Return what there is to say where `solve_directly` has no answer.
 
         Arguments and refusals are those of `solve`.
         """
@@ -267,7 +267,7 @@ def inverse_kinematics(
     tolerance: float | None = None,
     reach: ArmReach = ArmReach.POSE,
 ) -> InverseKinematics:
-    """The joint variables at which the arm reaches a target: base · A_1(q) ⋯ A_N(q) · tool = target.
+    """Return the joint variables at which the arm reaches a target: base · A_1(q) ⋯ A_N(q) · tool = target.
 
     Arms with a closed form yield every solution. Others are searched from many starts: what is returned are
     solutions, but there may be more. The residual of a solution is some 1e-15 of the arm's size in

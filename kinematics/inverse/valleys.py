@@ -72,7 +72,7 @@ def along_valleys(arm: Arm, target: Array, joints: Array) -> Array:
 
 
 def across_folds(arm: Arm, target: Array, q: Array, least: float) -> Array:
-    """The nearest poses beside configurations at folds, reached by steps in the directions that count.
+    """Return the nearest poses beside configurations at folds, reached by steps in the directions that count.
 
     What is out of reach there is so for every configuration near; a step that is to make up for it, as
     `polish` takes one, leads away along the fold.
@@ -93,7 +93,7 @@ def across_folds(arm: Arm, target: Array, q: Array, least: float) -> Array:
 
 
 def least_error(arm: Arm, target: Array, joints: Array, low: Array, high: Array) -> Array:
-    """The (n,) configuration of least error near one, within bounds, to rounding.
+    """Return the (n,) configuration of least error near one, within bounds, to rounding.
 
     Descents end where the error no longer changes, and that is √rounding away from where it is least.
 

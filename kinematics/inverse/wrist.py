@@ -86,7 +86,7 @@ class WristArm:
         return None if found is None else np.array(found).reshape(-1, 6)
 
     def turns_of(self, target: Array) -> list[Sequence[float]] | None:
-        """The candidates as tuples."""
+        """Return the candidates as tuples."""
         T = self.before @ target @ self.after
         r0, r1, r2 = T[:3].tolist()
         heads = head_turns(self.head, r0[3] / self.size, r1[3] / self.size, r2[3] / self.size)
@@ -215,7 +215,7 @@ def wrist_turns(twists: tuple[float, float, float, float], N: Rows) -> tuple[Tur
 
 
 def wrist_arm_of(arm: Arm) -> WristArm | None:
-    """The closed form of an arm, or None if its last three axes do not pass through one point."""
+    """Return the closed form of an arm, or None if its last three axes do not pass through one point."""
     if arm.n_joints != 6 or not arm.revolute.all():
         return None
     z, p, end = arm.screws
@@ -263,7 +263,7 @@ def wrist_arm_of(arm: Arm) -> WristArm | None:
 
 
 def common_point(z: Array, p: Array) -> Array | None:
-    """The point through which all axes pass (lengths in units of the arm's size), or None."""
+    """Return the point through which all axes pass (lengths in units of the arm's size), or None."""
     if all(float(np.linalg.norm(cross_arrays(z[i], z[i + 1]))) <= ALMOST for i in range(len(z) - 1)):
         return None
     across = np.eye(3) - z[:, :, None] * z[:, None, :]

@@ -33,14 +33,14 @@ class Roots(NamedTuple):
 
 
 def has_blocks(wrist: WristArm) -> bool:
-    """Whether an arm's equations have two roots each."""
+    """Return whether an arm's equations have two roots each."""
     head = wrist.head
     level = abs(head.sa2) <= ALMOST < abs(head.sa1)
     return level or (abs(head.sa2) > ALMOST and (abs(head.a1) <= ALMOST or abs(head.sa1) <= ALMOST))
 
 
 def candidates_of_many(wrist: WristArm, targets: Array) -> tuple[Array, NDArray[np.intp]]:
-    """Candidates for many targets.
+    """Return the candidates for many targets.
 
     Args:
         wrist: the arm; see `has_blocks`.

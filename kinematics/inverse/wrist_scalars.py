@@ -108,7 +108,7 @@ class ClearWrist:
     seen: Callable[..., tuple[float, ...]]
 
     def solutions(self, target: Array, tolerance: float) -> list[IKSolution] | None:
-        """All solutions, the one with the smallest joint values first.
+        """Return all solutions, the one with the smallest joint values first.
 
         None near a singularity, at the edge of the reach, or beyond it.
 
@@ -233,7 +233,7 @@ def _in_range(angle: float) -> float:
 
 
 def clear_wrist_of(arm: Arm, wrist: WristArm) -> ClearWrist | None:
-    """The scalar closed form of an arm.
+    """Return the scalar closed form of an arm.
 
     None if axes 2 and 3 are not parallel, or axes 3 and 4, 4 and 5 or 5 and 6 not at right angles.
     """

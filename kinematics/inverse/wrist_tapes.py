@@ -81,7 +81,7 @@ def plane_tape(a1: float, ca1: float, sa1: float, aside: float) -> Tape:
 
 
 def run_on_arrays(tape: Tape, inputs: Sequence[Array]) -> list[Array]:
-    """The outputs of a tape for inputs that are arrays, which broadcast against each other."""
+    """Return the outputs of a tape for inputs that are arrays, which broadcast against each other."""
     registers: list[Array] = list(inputs)
 
     def operand(x: int) -> Array | float:

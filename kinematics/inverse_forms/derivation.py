@@ -65,7 +65,7 @@ _UNIT: tuple[Axis, ...] = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
 
 
 def inverse_form(table: SymbolicTable, taken: Sequence[str] = ()) -> InverseForm:
-    """The inverse kinematics of a table in closed form.
+    """Return the inverse kinematics of a table in closed form.
 
     Angles come out beyond (-π, π] where two are added; they are right up to full turns. Each branch sign may
     be +1 or -1. Every solution of a regular pose is that of one choice of signs.
@@ -202,7 +202,7 @@ class _Writer:
         )
 
     def form(self) -> InverseForm | None:
-        """The equations, or None if there are none for these joints."""
+        """Return the equations, or None if there are none for these joints."""
         parts, write = self.parts, self.write
         turning = len(parts.planar) == 3
         by_position = not parts.tail and not turning

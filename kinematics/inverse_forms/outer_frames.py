@@ -18,7 +18,7 @@ _POSITION = ("t_x", "t_y", "t_z")
 def with_base_and_tool(
     form: InverseForm, base: Matrix | None, tool: Matrix | None, taken: Sequence[str] = ()
 ) -> InverseForm:
-    """The form for targets base · ⁰T_N · tool, its first steps ⁰T_N = base⁻¹ · target · tool⁻¹.
+    """Return the form for targets base · ⁰T_N · tool, its first steps ⁰T_N = base⁻¹ · target · tool⁻¹.
 
     Args:
         form: for ⁰T_N.

@@ -69,11 +69,11 @@ class JointPlane:
         return dot(joint.axis, self.h)
 
     def way(self, joint: SignedJoint) -> tuple[int, int]:
-        """Direction of a slide."""
+        """Return the direction of a slide."""
         return dot(joint.axis, self.f), dot(joint.axis, self.g)
 
     def turn_of(self, joints: Sequence[SignedJoint]) -> Expression:
-        """The sum of the angles by which joints turn the plane."""
+        """Return the sum of the angles by which joints turn the plane."""
         return add(signed(self.sense(j), j.angle) for j in joints if j.turns)
 
 

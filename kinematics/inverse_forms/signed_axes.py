@@ -74,7 +74,7 @@ class SignedArm:
 
 
 def signed_arm_of(table: SymbolicTable) -> SignedArm | None:
-    """The arm of a table, or None if an axis is not at right angles to the others."""
+    """Return the arm of a table, or None if an axis is not at right angles to the others."""
     walker = _Walker(table)
     for row in motions_of(table):
         for motion in row:
@@ -97,7 +97,7 @@ class _Walker:
         self._types = [row.joint for row in table.rows if row.joint is not JointType.FIXED]
 
     def takes(self, motion: Motion) -> bool:
-        """Whether a motion leaves the axes at right angles."""
+        """Return whether a motion leaves the axes at right angles."""
         x, _, z = self.columns
         if motion.joint:
             turns = motion.kind is MotionKind.TURN_Z
@@ -143,12 +143,12 @@ class _Walker:
 
 
 def opposite(axis: Axis) -> Axis:
-    """The axis the other way round."""
+    """Return the axis the other way round."""
     return -axis[0], -axis[1], -axis[2]
 
 
 def dot(one: Axis, other: Axis) -> int:
-    """Cosine of the angle between two axes: 1, 0 or -1."""
+    """Return the cosine of the angle between two axes: 1, 0 or -1."""
     return sum(a * b for a, b in zip(one, other, strict=True))
 
 
@@ -169,13 +169,13 @@ def signed(sign: int, x: Expression) -> Expression:
 
 
 def scaled(axis: Axis, length: Expression) -> Vector:
-    """A length along an axis."""
+    """Return a length along an axis."""
     a, b, c = (signed(entry, length) for entry in axis)
     return a, b, c
 
 
 def plus(v: Vector, w: Vector) -> Vector:
-    """Sum of two vectors."""
+    """Return the sum of two vectors."""
     a, b, c = (add(pair) for pair in zip(v, w, strict=True))
     return a, b, c
 
@@ -186,7 +186,7 @@ def minus(v: Vector, w: Vector) -> Vector:
 
 
 def turned(axis: Axis, cosine: Expression, sine: Expression, v: Vector) -> Vector:
-    """A vector turned about an axis: (a·v) a + cos (v - (a·v) a) + sin a × v."""
+    """Return a vector turned about an axis: (a·v) a + cos (v - (a·v) a) + sin a × v."""
     kept = scaled(axis, along(axis, v))
     across = minus(v, kept)
     aside = [along(cross(unit, axis), v) for unit in (_X, _Y, _Z)]  # unit·(axis × v) = (unit × axis)·v
@@ -195,7 +195,7 @@ def turned(axis: Axis, cosine: Expression, sine: Expression, v: Vector) -> Vecto
 
 
 def circular(function: Function, angle: Expression) -> Expression:
-    """Sine or cosine of an angle; of 0 what it is."""
+    """Return the sine or cosine of an angle; of 0 what it is."""
     if angle == ZERO:
         return ONE if function is Function.COS else ZERO
     return call(function, angle)

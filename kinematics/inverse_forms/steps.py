@@ -115,7 +115,7 @@ class InverseDerivation:
         self._taken = set(taken)
 
     def fresh(self, name: str) -> str:
-        """The name, or one like it that nothing else has."""
+        """Return the name, or one like it that nothing else has."""
         fresh = next(
             each for each in chain((name,), (f"{name}{k}" for k in count(2))) if each not in self._taken
         )
@@ -123,7 +123,7 @@ class InverseDerivation:
         return fresh
 
     def let(self, name: str, value: Expression, *conditions: InverseCondition) -> Expression:
-        """A name for a value; a value that is a number or a name already is left alone."""
+        """Return a name for a value; a value that is a number or a name already is left alone."""
         if not conditions and isinstance(value, Number | Parameter):
             return value
         name = self.fresh(name)
@@ -131,7 +131,7 @@ class InverseDerivation:
         return Parameter(name)
 
     def sign(self) -> Expression:
-        """A new branch sign."""
+        """Return a new branch sign."""
         self.branches.append(self.fresh(f"sigma{len(self.branches) + 1}"))
         return Parameter(self.branches[-1])
 
@@ -155,17 +155,17 @@ class InverseDerivation:
 
 
 def reachable(value: Expression) -> InverseCondition:
-    """The value is 0 or more."""
+    """Return the condition that a value is 0 or more."""
     return InverseCondition(kind=ConditionKind.REACHABLE, value=value)
 
 
 def fulfilled(value: Expression) -> InverseCondition:
-    """The value is 0."""
+    """Return the condition that a value is 0."""
     return InverseCondition(kind=ConditionKind.FULFILLED, value=value)
 
 
 def determined(*values: Expression) -> InverseCondition:
-    """The values are not all 0."""
+    """Return the condition that values are not all 0."""
     (first, *more) = values
     value = add(square(each) for each in values) if more else first
     return InverseCondition(kind=ConditionKind.DETERMINED, value=value)
@@ -177,7 +177,7 @@ def square(value: Expression) -> Expression:
 
 
 def positive(value: Expression) -> Expression:
-    """The value or its opposite, whichever has no minus sign before it."""
+    """Return the value or its opposite, whichever has no minus sign before it."""
     head = value.factors[0] if isinstance(value, Product) else value
     return negate(value) if isinstance(head, Number) and head.value < 0 else value
 
@@ -188,7 +188,7 @@ def root(value: Expression) -> Expression:
 
 
 def atan2(y: Expression, x: Expression) -> Expression:
-    """The angle of (x, y); 0 where y is 0 and x a positive number."""
+    """Return the angle of (x, y); 0 where y is 0 and x a positive number."""
     if y == ZERO and isinstance(x, Number) and x.value > 0:
         return ZERO
     return call(Function.ATAN2, y, x)
@@ -205,11 +205,11 @@ def over(value: Expression, divisor: Expression) -> Expression:
 
 
 def halved(value: Expression) -> Expression:
-    """Value / 2."""
+    """Return the value / 2."""
     return multiply((Number(Fraction(1, 2)), value))
 
 
 def product_with(matrix: Sequence[Vector], axis: Axis) -> Vector:
-    """A matrix, given by its rows, times an axis."""
+    """Return a matrix, given by its rows, times an axis."""
     x, y, z = (along(axis, row) for row in matrix)
     return x, y, z

@@ -44,7 +44,7 @@ class ContentWriter(Writer[str]):
         self._names = names
 
     def table(self, matrix: Entered) -> str:
-        """A matrix in the ledger."""
+        """Return a matrix in the ledger."""
         rows = "".join(f"<matrixrow>{''.join(row)}</matrixrow>" for row in self.entries(matrix))
         return f"<matrix>{rows}</matrix>"
 

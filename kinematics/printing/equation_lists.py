@@ -58,7 +58,7 @@ class EquationPrinter:
         self._trees = TreeWriter(names, ledger)
 
     def value(self, expression: Expression, formats: Iterable[EquationFormat]) -> dict[str, Any]:
-        """An expression in the formats that are no source."""
+        """Return an expression in the formats that are no source."""
         written: dict[str, Any] = {}
         for chosen in formats:
             if chosen is EquationFormat.TEXT:
@@ -70,11 +70,11 @@ class EquationPrinter:
         return written
 
     def name(self, equation: NamedValue) -> str:
-        """What is defined, as it stands in text."""
+        """Return what is defined, as it stands in text."""
         return self._names.variable(equation.joint) if equation.joint else equation.name
 
     def equation(self, equation: NamedValue, formats: Iterable[EquationFormat]) -> dict[str, Any]:
-        """An equation: its name, and its value; in LaTeX the whole of it."""
+        """Return an equation: its name, and its value; in LaTeX the whole of it."""
         name = self.name(equation)
         written = {"name": name, **self.value(equation.value, formats)}
         if "latex" in written:
@@ -101,7 +101,7 @@ def source_of(
     chosen: EquationFormat,
     purpose: Purpose = VALUES,
 ) -> str:
-    """A function of the arguments that computes results from equations, in a programming language."""
+    """Return a function of the arguments that computes results from equations, in a programming language."""
     from kinematics.printing.languages import LANGUAGES  # this imports SymPy
 
     language = LANGUAGES[chosen.value](_program(equations, tuple(arguments), results, purpose))
@@ -158,7 +158,7 @@ class _ProgramSteps:
         self._steps.append(ProgramStep(symbol, word, converted))
 
     def converted(self, value: Expression) -> sympy.Expr:
-        """A value in SymPy's nodes; sines and cosines in it that are new become steps."""
+        """Return a value in SymPy's nodes; sines and cosines in it that are new become steps."""
         import sympy
 
         found = self._nodes.convert(value)
@@ -175,11 +175,11 @@ class _ProgramSteps:
         return found
 
     def atoms(self) -> dict[str, Expression]:
-        """What the symbols stand for that no step defines."""
+        """Return what the symbols stand for that no step defines."""
         return {symbol: node for symbol, node in self._atoms.known.items() if symbol not in self._known}
 
     def needed(self, entries: Sequence[Sequence[sympy.Expr]]) -> list[ProgramStep]:
-        """The steps that entries rest on."""
+        """Return the steps that entries rest on."""
         used = {symbol.name for row in entries for entry in row for symbol in entry.free_symbols}
         kept: list[ProgramStep] = []
         for step in reversed(self._steps):
@@ -239,7 +239,7 @@ SOURCE_FORMATS = frozenset(_TEMPLATES)
 
 
 def symbols_of(names: Names, expressions: Iterable[Expression]) -> dict[str, str]:
-    """What the short names in some expressions stand for: c23 for cos(q2 + q3)."""
+    """Return what the short names in some expressions stand for: c23 for cos(q2 + q3)."""
     writer = TextWriter(replace(names, notation=Notation.FULL))
     found = {}
     for expression in expressions:

@@ -98,7 +98,7 @@ class MatrixPrinter:
         }
 
     def write(self, matrix: Matrix, formats: Iterable[Format], purpose: Purpose) -> dict[str, Any]:
-        """The matrix in the wanted formats.
+        """Return the matrix in the wanted formats.
 
         Raises:
             FormSizeError: written out, it has more operations than the limit; as a function it may still do.
@@ -111,7 +111,7 @@ class MatrixPrinter:
         return self._answers[question]
 
     def symbols(self, matrices: Iterable[Matrix]) -> dict[str, str]:
-        """What the short names in some matrices stand for: c23 for cos(q2 + q3).
+        """Return what the short names in some matrices stand for: c23 for cos(q2 + q3).
 
         With ten joints or more there are two names for one thing: c2,3 is typeset, c2_3 stands in text.
         """

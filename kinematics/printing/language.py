@@ -64,7 +64,7 @@ class Language(Printer):
         return [*self.words.split(), *Function, *getattr(self, "reserved_words", ())]
 
     def take(self, wanted: str) -> str:
-        """The wanted name, or one like it that nothing else has."""
+        """Return the wanted name, or one like it that nothing else has."""
         name = self.identifier(wanted)
         while type(self).fold(name) in self.taken:
             name += self.suffix
@@ -72,7 +72,7 @@ class Language(Printer):
         return name
 
     def identifier(self, wanted: str) -> str:
-        """A name made of letters, digits and underscores, a letter first."""
+        """Return a name made of letters, digits and underscores, a letter first."""
         name = wanted if _PLAIN.fullmatch(wanted) else _FOREIGN.sub("_", wanted)
         return name if name[:1].isalpha() else f"p{name}"
 
@@ -90,7 +90,7 @@ class Language(Printer):
         return self.names[symbol.name]
 
     def comments(self, prefix: str = "") -> list[str]:
-        """What a reader must know: the joint variables, and parameters that had to be renamed."""
+        """Return what a reader must know: the joint variables, and parameters that had to be renamed."""
         lines = [self.purpose.meaning]
         if self.program.n_joints:
             lines.append(f"q: the {self.program.n_joints} joint variables. All angles are in radians.")
@@ -101,34 +101,34 @@ class Language(Printer):
         return [prefix + line for line in lines]
 
     def imports(self) -> list[str]:
-        """What the function needs before it, known once everything is written."""
+        """Return what the function needs before it, known once everything is written."""
         return []
 
     def wrong_length(self) -> str:
-        """What is said when q does not have one element for each joint."""
+        """Return what is said when q does not have one element for each joint."""
         return f"q holds {self.program.n_joints} joint variables"
 
     def signature(self, argument: str = "{}") -> str:
-        """The arguments after q."""
+        """Return the arguments after q."""
         return "".join(f", {argument.format(name)}" for name in self.arguments.values())
 
     def steps(self, step: str) -> list[str]:
-        """Assignments of what is computed first, by a format of name and value."""
+        """Return the assignments of what is computed first, by a format of name and value."""
         return [
             step.format(self.names[symbol], self._print(value)) for symbol, _, value in self.program.steps
         ]
 
     def rows(self) -> list[list[str]]:
-        """The entries, written."""
+        """Return the entries, written."""
         return [[self._print(entry) for entry in row] for row in self.program.entries]
 
     def listed(self, row: str, *, between: str = ",", last: str = ",") -> list[str]:
-        """The rows as one nested literal, by a format of a row."""
+        """Return the rows as one nested literal, by a format of a row."""
         rows = [row.format(", ".join(entries)) for entries in self.rows()]
         return [line + (last if i == len(rows) else between) for i, line in enumerate(rows, 1)]
 
     def assigned(self, entry: str) -> list[str]:
-        """Assignments of the entries, by a format of row, column and value."""
+        """Return the assignments of the entries, by a format of row, column and value."""
         return [
             entry.format(i, j, value)
             for i, row in enumerate(self.rows(), self.first)
@@ -136,7 +136,7 @@ class Language(Printer):
         ]
 
     def source(self) -> str:
-        """The source of the function."""
+        """Return the source of the function."""
         return "\n".join([*self._lines(), ""])
 
     @abstractmethod

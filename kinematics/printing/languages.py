@@ -44,12 +44,12 @@ class Python(Language, PythonCodePrinter):
         return [*self.imports(), *lines]
 
     def imports(self) -> list[str]:
-        """What is used of the module math."""
+        """Return what is used of the module math."""
         used = set(self.module_imports["math"]) | ({"pi"} if "o:pi" in self.names else set())
         return [f"from math import {', '.join(sorted(used))}", "", ""] if used else []
 
     def docstring(self, *more: str) -> list[str]:
-        """The comments as a docstring."""
+        """Return the comments as a docstring."""
         first, *rest = [*self.comments(), *more]
         if not rest:
             return [f'    """{first}"""']

@@ -37,11 +37,11 @@ class LatexWriter(Typesetter):
         self._names = names
 
     def matrix(self, matrix: Sequence[Sequence[Expression]]) -> str:
-        """A matrix in square brackets."""
+        """Return a matrix in square brackets."""
         return self.bmatrix(self.ledger.matrix(matrix))
 
     def bmatrix(self, matrix: Entered) -> str:
-        """The same, for a matrix in the ledger."""
+        """Return the same, for a matrix in the ledger."""
         rows = map(" & ".join, self.lines(matrix))
         return "\\begin{bmatrix}\n" + " \\\\\n".join(rows) + "\n\\end{bmatrix}"
 
@@ -99,7 +99,7 @@ class LatexWriter(Typesetter):
 
 
 def parameter(name: str) -> str:
-    r"""A parameter's name: L_{1}, \alpha_{2}, \mathrm{reach}_{x}."""
+    r"""Return a parameter's name: L_{1}, \alpha_{2}, \mathrm{reach}_{x}."""
     word, index, greek, dotted = split_name(name)
     if dotted:
         head = rf"\dot{{{word}}}"

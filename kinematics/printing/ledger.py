@@ -99,7 +99,7 @@ class Ledger:
         self._kept: list[Expression] = []
 
     def numbers(self, expressions: Iterable[Expression]) -> tuple[int, ...]:
-        """The numbers of some expressions, which are entered if they are new."""
+        """Return the numbers of some expressions, which are entered if they are new."""
         roots = tuple(expressions)
         new = [root for root in roots if id(root) not in self._known]
         if new:
@@ -109,16 +109,16 @@ class Ledger:
         return tuple([self._known[id(root)] for root in roots])
 
     def matrix(self, matrix: Sequence[Sequence[Expression]]) -> Entered:
-        """A matrix, which is entered if it is new."""
+        """Return a matrix, which is entered if it is new."""
         numbers = iter(self.numbers(chain.from_iterable(matrix)))
         return self.entered(tuple([tuple(islice(numbers, len(row))) for row in matrix]))
 
     def entered(self, rows: tuple[tuple[int, ...], ...]) -> Entered:
-        """A matrix of nodes that are in the ledger."""
+        """Return a matrix of nodes that are in the ledger."""
         return Entered(rows, self.under(chain.from_iterable(rows)))
 
     def under(self, roots: Iterable[int]) -> list[int]:
-        """The numbers of all nodes in some trees, in the order in which they are needed."""
+        """Return the numbers of all nodes in some trees, in the order in which they are needed."""
         order: list[int] = []
         seen: set[int] = set()
         stack = [*roots]

@@ -47,11 +47,11 @@ class MathmlWriter(Typesetter):
         self._content = ContentWriter(names, self.ledger)
 
     def matrix(self, matrix: Sequence[Sequence[Expression]]) -> str:
-        """A matrix in square brackets, as one `math` element."""
+        """Return a matrix in square brackets, as one `math` element."""
         return self.table(self.ledger.matrix(matrix))
 
     def table(self, matrix: Entered) -> str:
-        """The same, for a matrix in the ledger."""
+        """Return the same, for a matrix in the ledger."""
         rows = "".join(f"<mtr>{_cells(row)}</mtr>" for row in self.lines(matrix))
         drawn = f"<mrow><mo>[</mo><mtable>{rows}</mtable><mo>]</mo></mrow>"
         meant = self._content.table(matrix)

@@ -83,11 +83,11 @@ class Names:
     variables: Sequence[str] = ()
 
     def variable(self, joint: int) -> str:
-        """The name of a joint variable."""
+        """Return the name of a joint variable."""
         return self.variables[joint - 1] if joint <= len(self.variables) else f"q{joint}"
 
     def short(self, node: Expression) -> ShortName | None:
-        """The short name of a sine or cosine of joint variables; None of what is written in full."""
+        """Return the short name of a sine or cosine of joint variables; None of what is written in full."""
         if self.notation is Notation.FULL:
             return None
         name = short_name(node, separated=self.separated)
@@ -95,7 +95,7 @@ class Names:
 
 
 def short_name(node: Expression, *, separated: bool = False) -> ShortName | None:
-    """The short name of a sine or cosine of a sum or difference of joint variables, if it is one."""
+    """Return the short name of a sine or cosine of a sum or difference of joint variables, if it is one."""
     if not isinstance(node, Call) or node.function not in (Function.SIN, Function.COS):
         return None
     (angle,) = node.arguments

@@ -11,7 +11,7 @@ _LARGEST_POWER_OF_TWO = 8
 
 @lru_cache(maxsize=4096)
 def decimal_text(value: Fraction) -> str | None:
-    """A rational number as the decimal that a person typed, or None if it is written as a fraction.
+    """Return a rational number as the decimal that a person typed, or None if it is written as a fraction.
 
     0.4318, 0.1 and 2.5e-5 are decimals, as is whatever else has a 5 in its denominator; 1/2, 3/4 and 1/8 are
     fractions, as they come from cosines and averages; so are 1/3 and 5/7, which no decimal equals.

@@ -146,7 +146,7 @@ class SourceAtoms:
         self._places: dict[Call, str] = {}
 
     def symbol(self, node: Expression) -> sympy.Expr | None:
-        """The symbol that stands for a node, if one does."""
+        """Return the symbol that stands for a node, if one does."""
         import sympy
 
         negative = False

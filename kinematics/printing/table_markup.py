@@ -23,7 +23,7 @@ _DIGITS = ".6g"
 
 
 def table_html(table: DHTable[Expression] | DHTable[float], variables: Sequence[str] = ()) -> str:
-    """A table as an HTML table: one row a link, angles in radians.
+    """Return a table as an HTML table: one row a link, angles in radians.
 
     Args:
         table: exact or numeric.
@@ -40,7 +40,7 @@ def table_html(table: DHTable[Expression] | DHTable[float], variables: Sequence[
 
 
 def table_latex(table: DHTable[Expression] | DHTable[float], variables: Sequence[str] = ()) -> str:
-    """A table as a LaTeX array between dollar signs, angles in radians.
+    """Return a table as a LaTeX array between dollar signs, angles in radians.
 
     Args:
         table: exact or numeric.

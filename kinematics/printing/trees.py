@@ -27,7 +27,7 @@ Tree: TypeAlias = dict[str, Any]
 
 
 def to_tree(expression: Expression) -> Tree:
-    """An expression as nested dictionaries, each with a `type`.
+    """Return an expression as nested dictionaries, each with a `type`.
 
     number (value: "1/2" or "0.4318"), pi, parameter (name), variable (name q1, index), sum (terms),
     product (factors), power (base, exponent: "2" or "1/2") and call (function, arguments). What occurs twice
@@ -65,7 +65,7 @@ class TreeWriter(Writer[Tree]):
 
 
 def from_tree(tree: Mapping[str, Any]) -> Expression:
-    """The expression of which `to_tree` made a tree.
+    """Return the expression of which `to_tree` made a tree.
 
     Raises:
         ValueError: it is no such tree.

@@ -22,11 +22,11 @@ class Writer(ABC, Generic[W]):
         self._written: dict[int, W] = {}
 
     def written(self, expression: Expression) -> W:
-        """An expression, written."""
+        """Return an expression, written."""
         return self.entries(self.ledger.matrix(((expression,),)))[0][0]
 
     def entries(self, matrix: Entered) -> list[list[W]]:
-        """The entries of a matrix, written."""
+        """Return the entries of a matrix, written."""
         known = self._written
         for number in matrix.nodes:
             if number not in known:
@@ -34,7 +34,7 @@ class Writer(ABC, Generic[W]):
         return [[known[number] for number in row] for row in matrix.rows]
 
     def known(self, numbers: Sequence[int]) -> list[tuple[int, W]]:
-        """Some nodes, those below first, written; each with its number."""
+        """Return some nodes, those below first, written; each with its number."""
         known = self._written
         for number in numbers:
             if number not in known:
@@ -81,11 +81,11 @@ class LineWriter(Writer[WrittenTerm]):
         self._written[number] = WrittenTerm(name, Binding.ATOM)
 
     def text(self, expression: Expression) -> str:
-        """The expression with its sign."""
+        """Return the expression with its sign."""
         return self._signed(self.written(expression))
 
     def lines(self, matrix: Entered) -> list[list[str]]:
-        """The entries of a matrix with their signs."""
+        """Return the entries of a matrix with their signs."""
         return [list(map(self._signed, row)) for row in self.entries(matrix)]
 
     def _write(self, number: int) -> WrittenTerm:

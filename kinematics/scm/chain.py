@@ -52,7 +52,7 @@ class Placement:
     c: Expression = ZERO
 
     def entry(self, name: Entry) -> Expression:
-        """The entry of that name."""
+        """Return the entry of that name."""
         value: Expression = getattr(self, name.value)
         return value
 

@@ -67,7 +67,7 @@ class ReadChain:
 
 
 def read_chain(raw: RawChain, limits: Limits = DEFAULT) -> ReadChain:
-    """The exact chain that a chain as handed in means.
+    """Return the exact chain that a chain as handed in means.
 
     In row i the variable is written q_i or θ_i, or as the source writes it: a_i among the angles, d_i among
     the lengths of a row whose angles hold no variable. Everywhere else such names are parameters.

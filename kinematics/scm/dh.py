@@ -54,7 +54,7 @@ class _Frame:
 
 
 def modified_dh_from_scm(chain: ScmChain) -> SymbolicTable:
-    """The modified DH table whose ⁰T_N equals the chain's, base and tool included, for every q.
+    """Return the modified DH table whose ⁰T_N equals the chain's, base and tool included, for every q.
 
     Every joint keeps its number, its sign and its zero (θ offsets are multiples of π/2). Rows that no joint
     needs (a base turned away from the first axis, two parallel axes offset in two directions, the Final

@@ -110,7 +110,7 @@ def read_products(
 
 
 def product_of(factors: Sequence[Factor]) -> Matrix:
-    """The product of motions as a 4×4 matrix: neighbours about and along one axis are added.
+    """Return the product of motions as a 4×4 matrix: neighbours about and along one axis are added.
 
     Source: seed 001 eq. 2.4 for a placement, 2.10 to 2.12 for neighbours.
     """
@@ -129,7 +129,7 @@ def product_of(factors: Sequence[Factor]) -> Matrix:
 
 
 def compare_matrices(left: Matrix, right: Matrix) -> ProofStatus:
-    """Whether two matrices are the same function of their variables and parameters."""
+    """Return whether two matrices are the same function of their variables and parameters."""
     status = ProofStatus.PROVED
     for one, other in zip(left[:3], right[:3], strict=True):
         for a, b in zip(one, other, strict=True):
@@ -168,7 +168,7 @@ def _shorter(entry: Expression) -> Expression:
 
 
 def names_left(matrix: Matrix) -> tuple[frozenset[str], frozenset[int]]:
-    """The parameters and the numbers of the joint variables in a matrix."""
+    """Return the parameters and the numbers of the joint variables in a matrix."""
     entries = [entry for row in matrix for entry in row]
     return (
         frozenset().union(*map(parameters_in, entries)),

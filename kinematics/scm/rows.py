@@ -16,7 +16,7 @@ RIGHT_ANGLE = pi_times(Fraction(1, 2))
 def fixed_row(
     *, alpha: Expression = ZERO, a: Expression = ZERO, d: Expression = ZERO, theta: Expression = ZERO
 ) -> SymbolicRow:
-    """A row without a joint."""
+    """Return a row without a joint."""
     return DHRow(joint=JointType.FIXED, alpha=alpha, a=a, d=d, theta=theta)
 
 
@@ -49,7 +49,7 @@ def appended(rows: list[SymbolicRow], row: SymbolicRow) -> list[SymbolicRow]:
 
 
 def joined(rows: list[SymbolicRow], more: Iterable[SymbolicRow]) -> list[SymbolicRow]:
-    """The rows with fixed rows behind them; those without a and α flow into the row before."""
+    """Return the rows with fixed rows behind them; those without a and α flow into the row before."""
     result = list(rows)
     for row in more:
         if row.a == ZERO and row.alpha == ZERO and result:
@@ -62,7 +62,7 @@ def joined(rows: list[SymbolicRow], more: Iterable[SymbolicRow]) -> list[Symboli
 
 
 def principal(angle: Expression) -> Expression:
-    """An exact angle brought into (-π, π]."""
+    """Return an exact angle brought into (-π, π]."""
     half_turns = pi_fraction(angle)
     return angle if half_turns is None else pi_times(1 - (1 - half_turns) % 2)
 

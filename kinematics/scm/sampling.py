@@ -35,7 +35,7 @@ def default_limits(chain: ScmChain, parameters: Mapping[str, float]) -> tuple[Li
 def random_configurations(
     limits: Sequence[Limit], count: int = 1, seed: int | None = None
 ) -> NDArray[np.float64]:
-    """Joint values drawn evenly within limits.
+    """Return the joint values drawn evenly within limits.
 
     Args:
         limits: (low, high) of every joint [rad, or m of a prismatic joint].

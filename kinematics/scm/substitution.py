@@ -12,7 +12,7 @@ from kinematics.scm.chain import Entry, Placement, ScmChain
 
 
 def with_values(chain: ScmChain, values: Mapping[str, Expression]) -> ScmChain:
-    """The chain with some of its parameters replaced.
+    """Return the chain with some of its parameters replaced.
 
     Raises:
         ParameterError: an entry now has no value (1/0, the root of -1), at ("joints", i, entry),

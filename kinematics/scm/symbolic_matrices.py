@@ -33,7 +33,7 @@ class ScmClosedForm:
 
 
 def closed_form_scm(chain: ScmChain) -> ScmClosedForm:
-    """Every matrix of a chain, in joint variables and parameters.
+    """Return every matrix of a chain, in joint variables and parameters.
 
     Products are written as those of DH tables are (`kinematics.symbolic`), through the table that moves as
     the chain does; the links are written out from their definition.
@@ -52,7 +52,7 @@ def closed_form_scm(chain: ScmChain) -> ScmClosedForm:
 
 
 def inverse_closed_form_scm(chain: ScmChain) -> Matrix:
-    """Pose of frame 0 in the tool: the toolbox's (direct kinematics)^-1.
+    """Return the pose of frame 0 in the tool: the toolbox's (direct kinematics)^-1.
 
     Source: seed 001 eq. 2.6, 2.7.
     """

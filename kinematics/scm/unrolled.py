@@ -22,7 +22,7 @@ def table_of_chain(chain: ScmChain) -> SymbolicTable:
 
 
 def unrolled_dh_from_scm(chain: ScmChain) -> SymbolicTable:
-    """The modified DH table made of the elementary motions of a chain, of whatever form.
+    """Return the modified DH table made of the elementary motions of a chain, of whatever form.
 
     Where B varies, Rot_y(B) = Rot_x(-π/2) Rot_z(B) Rot_x(π/2), and likewise about and along x.
 

@@ -65,7 +65,7 @@ class Angle:
         return self._hash
 
     def plus(self, other: Angle, sign: int = 1) -> Angle:
-        """The sum, or difference, of two angles."""
+        """Return the sum, or difference, of two angles."""
         return _sum(self, other, sign)
 
     @property
@@ -94,7 +94,7 @@ class Angle:
         return not any(isinstance(part, JointVariable) for part, _ in self.parts)
 
     def expression(self) -> Expression:
-        """The angle as an expression [rad]."""
+        """Return the angle as an expression [rad]."""
         terms = [part if weight == 1 else multiply((Number(weight), part)) for part, weight in self.parts]
         return add((*terms, pi_times(self.half_turns), Number(self.number)))
 
@@ -104,7 +104,7 @@ NO_ANGLE = Angle()
 
 @lru_cache(maxsize=256)
 def joint_angle(joint: int, sign: int) -> Angle:
-    """The angle sign·q_joint."""
+    """Return the angle sign·q_joint."""
     return Angle(parts=((JointVariable(joint), Fraction(sign)),))
 
 
@@ -124,7 +124,7 @@ def _sum(angle: Angle, other: Angle, sign: int) -> Angle:
 
 @lru_cache(maxsize=4096)
 def angle_of(expression: Expression) -> Angle:
-    """An expression as an angle."""
+    """Return an expression as an angle."""
     half_turns = radians = Fraction(0)
     weights: dict[Expression, Fraction] = {}
     for term in expression.terms if isinstance(expression, Sum) else (expression,):

@@ -45,12 +45,12 @@ class Canonical:
     exact: bool
 
     def expression(self) -> Expression:
-        """The form as an expression: a sum of cosines of sums of angles, for the function is real."""
+        """Return the form as an expression: a sum of cosines of sums of angles, for the function is real."""
         return _real_sum(self.terms)
 
 
 def canonical(expression: Expression, *, limit: int = LIMIT) -> Canonical:
-    """The normal form of an expression.
+    """Return the normal form of an expression.
 
     Raises:
         FormSizeError: the expansion needs more products of terms than `limit`.

@@ -108,7 +108,7 @@ class Workings:
         return (*rows, (ZERO, ZERO, ZERO, ONE))
 
     def jacobian(self, frame: JacobianFrame) -> Matrix:
-        """The geometric Jacobian in the axes of the base or of the end frame."""
+        """Return the geometric Jacobian in the axes of the base or of the end frame."""
         column = column_in_base if frame is JacobianFrame.BASE else column_in_end
         writer = self._after_transform()
         columns = [column(writer, joint, self._runs, self._end) for joint in self._joints]
@@ -131,7 +131,7 @@ def closed_form(
     base: Sequence[Sequence[Expression]] | None = None,
     tool: Sequence[Sequence[Expression]] | None = None,
 ) -> ClosedForm:
-    """Every transform of a table: A_i, ⁰T_i and base · ⁰T_N · tool; see `Workings`."""
+    """Return every transform of a table: A_i, ⁰T_i and base · ⁰T_N · tool; see `Workings`."""
     workings = Workings(table, base=base, tool=tool)
     return ClosedForm(links=workings.links, frames=workings.frames, transform=workings.transform)
 
@@ -142,7 +142,7 @@ def inverse(
     base: Sequence[Sequence[Expression]] | None = None,
     tool: Sequence[Sequence[Expression]] | None = None,
 ) -> Matrix:
-    """Pose of the world in the end frame: the inverse of base · ⁰T_N · tool; see `Workings`."""
+    """Return the pose of the world in the end frame: the inverse of base · ⁰T_N · tool; see `Workings`."""
     return Workings(table, base=base, tool=tool).inverse
 
 

@@ -33,7 +33,7 @@ class MovingJoint:
     after: Sequence[Motion]
 
     def axis(self, arena: Arena) -> Vector:
-        """The direction of the joint's axis, in the frame where it moves."""
+        """Return the direction of the joint's axis, in the frame where it moves."""
         return NOTHING, NOTHING, UNITY if self.motion.sign > 0 else arena.negative(UNITY)
 
     def run(self, runs: Sequence[Run]) -> int:
@@ -107,7 +107,7 @@ def passed(arena: Arena, run: Run, point: Vector) -> Vector:
 
 
 def with_rises_moved_back(arena: Arena, runs: Sequence[Run]) -> list[Run]:
-    """The runs, each rise across the run before as an arm of that one: a2·c2 + a3·c23 - d4·s23."""
+    """Return the runs, each rise across the run before as an arm of that one: a2·c2 + a3·c23 - d4·s23."""
     moved = [Run(run.angle, dict(run.arms), run.rise, run.twist) for run in runs]
     for before, run in pairwise(moved):
         if before.twist.quarter_turns in (1, -1):

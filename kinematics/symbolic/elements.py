@@ -59,7 +59,7 @@ def content(terms: Terms) -> Fraction:
 
 
 def order_text(part: object) -> str:
-    """A text by which monomials are put in an order that depends on nothing else."""
+    """Return a text by which monomials are put in an order that depends on nothing else."""
     if isinstance(part, frozenset):
         return "{" + ",".join(sorted(map(order_text, part))) + "}"
     if isinstance(part, tuple):

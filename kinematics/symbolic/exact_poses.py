@@ -16,7 +16,7 @@ _KNOWN = [(evaluate(cosine), cosine) for cosine in _COSINES]
 
 
 def exact_pose(matrix: Sequence[Sequence[float]]) -> Matrix:
-    """A 4×4 pose of numbers with exact entries.
+    """Return a 4×4 pose of numbers with exact entries.
 
     An entry of the rotation that is the cosine of a multiple of π/12 to a double's last digits becomes that
     cosine: 0.7071067811865476 is √2/2, and 6.1e-17 is 0, for that is what such numbers were before they were
@@ -29,7 +29,7 @@ def exact_pose(matrix: Sequence[Sequence[float]]) -> Matrix:
 
 
 def decimal(value: float) -> Number:
-    """A number as the decimal that it is typed as."""
+    """Return a number as the decimal that it is typed as."""
     return Number(Fraction(repr(value)))
 
 

@@ -62,7 +62,7 @@ class FormReader:
     _arcs: dict[Monomial, tuple[Form, Form]] = field(default_factory=dict)
 
     def form(self, expression: Expression) -> Form:
-        """The form of an expression.
+        """Return the form of an expression.
 
         Raises:
             FormSizeError: expanding it would pass the ring's limit.
@@ -74,7 +74,7 @@ class FormReader:
         return known
 
     def cosine_and_sine(self, angle: Expression) -> tuple[Form, Form]:
-        """Cosine and sine of an angle [rad]."""
+        """Return the cosine and sine of an angle [rad]."""
         known = self._circle.get(angle)
         if known is None:
             turns = pi_fraction(angle)
@@ -90,7 +90,7 @@ class FormReader:
         return self._pair(self.form(angle))
 
     def half_turns(self, angle: Expression) -> Fraction | None:
-        """The r of an angle r·π, such as that of atan2(1, 1); None of any other angle."""
+        """Return the r of an angle r·π, such as that of atan2(1, 1); None of any other angle."""
         try:
             terms = self.ring.terms(self.form(angle))
         except ZeroDivisionError:
@@ -100,7 +100,7 @@ class FormReader:
         return terms[_PI_MONOMIAL] if terms.keys() == {_PI_MONOMIAL} else None
 
     def vanishes(self, form: Form) -> bool:
-        """Whether a form is zero; a doubtful no is noted in `decisive`."""
+        """Return whether a form is zero; a doubtful no is noted in `decisive`."""
         if self.ring.is_zero(form):
             return True
         if not self.is_exact(form):
@@ -108,7 +108,7 @@ class FormReader:
         return False
 
     def is_exact(self, form: Form) -> bool:
-        """Whether forms that differ from this one are certainly other functions.
+        """Return whether forms that differ from this one are certainly other functions.
 
         That π and e^i are independent is known from Schanuel's conjecture only: they may not stand together.
         """

@@ -85,7 +85,7 @@ class SympyNodes:
         self._kept: list[Expression] = []
 
     def convert(self, expression: Expression) -> sympy.Expr:
-        """The SymPy object of an expression."""
+        """Return the SymPy object of an expression."""
         self._kept.append(expression)  # an id names a node only while the node lives
         for node in bottom_up((expression,), self._known):
             atom = self._atoms(node)

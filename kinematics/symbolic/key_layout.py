@@ -50,7 +50,7 @@ class KeyField:
         return 1 << (self.width - _ROOM_BITS // 2)
 
     def exponent(self, key: int) -> int:
-        """The exponent that a key holds here, in units."""
+        """Return the exponent that a key holds here, in units."""
         low = key & ((1 << self.shift) - 1)
         # exponents in lower places may be negative together: they have then borrowed from this one
         upper = (key >> self.shift) + (low >> (self.shift - 1))
@@ -85,7 +85,7 @@ class KeyLayout:
         return exponent.numerator << place.shift
 
     def place(self, symbol: RingSymbol) -> KeyField:
-        """The place of a symbol whose exponents are whole."""
+        """Return the place of a symbol whose exponents are whole."""
         return self._known[symbol, Fraction(1)]
 
     @property
@@ -123,7 +123,7 @@ class KeyLayout:
         return bias, mask
 
     def numbered(self, key: int) -> list[tuple[int, int]]:
-        """The exponents in a key without roots of unity, each with the number of its place."""
+        """Return the exponents in a key without roots of unity, each with the number of its place."""
         found = []
         shifts = self._shifts
         while key:
@@ -141,7 +141,7 @@ class KeyLayout:
         return [place for place in self.places if place.symbol.kind == "root"]
 
     def by_rest(self, coefficients: Mapping[int, int], order: int) -> dict[int, dict[int, int]]:
-        """The coefficients by what the keys hold besides roots of unity, and by the roots' turn."""
+        """Return the coefficients by what the keys hold besides roots of unity, and by the roots' turn."""
         roots = self._roots
         found: dict[int, dict[int, int]] = {}
         for key, coefficient in coefficients.items():
@@ -157,7 +157,7 @@ class KeyLayout:
         return found
 
     def exponents(self, key: int) -> tuple[Exponents, Fraction]:
-        """The exponents in a key without roots of unity, and what pairs of equal square roots give."""
+        """Return the exponents in a key without roots of unity, and what pairs of equal square roots give."""
         factor = Fraction(1)
         found: dict[RingSymbol, Fraction] = {}
         for number, raw in self.numbered(key):

@@ -35,7 +35,7 @@ class Motion:
 
 
 def motions_of(table: SymbolicTable) -> list[list[Motion]]:
-    """The factors of each row, base side first; constant ones that do not move are left out."""
+    """Return the factors of each row, base side first; constant ones that do not move are left out."""
     joint = 0
     rows = []
     for row in table.rows:

@@ -58,11 +58,11 @@ class Arena:
     _products: dict[Term, Expression] = field(default_factory=dict)
 
     def branch(self) -> Arena:
-        """An arena that knows what this one does now, and learns by itself."""
+        """Return an arena that knows what this one does now, and learns by itself."""
         return Arena(*(getattr(self, known.name).copy() for known in fields(self)))
 
     def circle(self, angle: Angle) -> tuple[Nested, Nested]:
-        """The cosine and the sine of an angle."""
+        """Return the cosine and the sine of an angle."""
         known = self._circles.get(angle)
         if known is None:
             pair = cosine_and_sine(angle)
@@ -72,7 +72,7 @@ class Arena:
         return known
 
     def read(self, expression: Expression) -> Nested:
-        """An expression as a nested sum."""
+        """Return an expression as a nested sum."""
         known = self._known.get(expression)
         if known is None:
             known = self._known[expression] = self._read(expression)
@@ -101,7 +101,7 @@ class Arena:
         return ((1, (self._symbol(expression),)),)
 
     def sum(self, *summands: Nested) -> Nested:
-        """The sum, like terms merged."""
+        """Return the sum, like terms merged."""
         if len(summands) == 2:
             if not summands[0]:
                 return summands[1]
@@ -119,7 +119,7 @@ class Arena:
         return tuple((-weight, factors) for weight, factors in a)
 
     def product(self, a: Nested, b: Nested) -> Nested:
-        """The product; a sum of two or more terms becomes a factor in parentheses."""
+        """Return the product; a sum of two or more terms becomes a factor in parentheses."""
         if not a or not b:
             return NOTHING
         for sign, other in ((a, b), (b, a)):
@@ -141,7 +141,7 @@ class Arena:
         return ((weight, factors),)
 
     def term(self, a: Nested) -> Term:
-        """The sum as a single term: what all its terms share, times the rest in parentheses."""
+        """Return the sum as a single term: what all its terms share, times the rest in parentheses."""
         if len(a) == 1:
             return a[0]
         if not a:
@@ -182,7 +182,7 @@ class Arena:
         return group
 
     def gathered(self, a: Nested) -> Nested:
-        """The sum with what all its terms share taken out, if there is anything."""
+        """Return the sum with what all its terms share taken out, if there is anything."""
         weight, shared, rest = stripped(a) if len(a) > 1 else (1, (), a)
         opened = self._opened(rest)
         if opened is not None:
@@ -194,11 +194,11 @@ class Arena:
         return ((weight, tuple(sorted((*shared, self._group(rest))))),)
 
     def size(self, a: Nested) -> int:
-        """How much there is to write, parentheses included."""
+        """Return how much there is to write, parentheses included."""
         return sum(1 + sum(self._sizes.get(name, 1) for name in factors) for _, factors in a)
 
     def expression(self, a: Nested) -> Expression:
-        """The nested sum as an expression tree; parentheses that occur twice are one object.
+        """Return the nested sum as an expression tree; parentheses that occur twice are one object.
 
         A sum does not begin with a minus sign if it need not: negative terms before the first positive one
         go to the end.

@@ -18,7 +18,7 @@ _IDENTITY = tuple(tuple(ONE_FORM if i == j else ZERO_FORM for j in range(4)) for
 
 
 def read_matrix(reader: FormReader, matrix: Sequence[Sequence[Expression]] | None) -> list[list[Form]]:
-    """The upper three rows of a 4×4 matrix as forms; those of the identity if there is none."""
+    """Return the upper three rows of a 4×4 matrix as forms; those of the identity if there is none."""
     if matrix is None:
         return [list(row) for row in _IDENTITY]
     return [[reader.form(entry) for entry in row] for row in matrix[:3]]
@@ -88,7 +88,7 @@ class ExactPose:
             row[:] = product
 
     def ends_with(self, tool: list[list[Form]]) -> bool:
-        """Whether X · tool is the identity."""
+        """Return whether X · tool is the identity."""
         ring = self.reader.ring
         self.multiply(tool)
         differences = (

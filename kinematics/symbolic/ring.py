@@ -52,13 +52,13 @@ class Ring:
     _spent: int = 0
 
     def rational(self, value: Fraction | int) -> Form:
-        """A rational number."""
+        """Return a rational number."""
         if not value:
             return ZERO_FORM
         return Form({0: value.numerator}, value.denominator)
 
     def turn(self, turn: Fraction) -> Form:
-        """The root of unity e^(2πi·turn)."""
+        """Return the root of unity e^(2πi·turn)."""
         turn %= 1
         steps = turn * ORDER
         if steps.denominator != 1:
@@ -79,7 +79,7 @@ class Ring:
         return Form({self._keys.key(symbol, exponent, degree, value): 1})
 
     def add(self, a: Form, b: Form, sign: int = 1) -> Form:
-        """Sum a + sign·b."""
+        """Return the sum a + sign·b."""
         if not b.coefficients:
             return a
         if not a.coefficients and sign == 1:
@@ -98,7 +98,7 @@ class Ring:
         return Form(out, common)
 
     def multiply(self, a: Form, b: Form) -> Form:
-        """Product a · b."""
+        """Return the product a · b."""
         left, right = a.coefficients, b.coefficients
         if not left or not right:
             return ZERO_FORM
@@ -119,7 +119,7 @@ class Ring:
         return _lowest(out, a.denominator * b.denominator)
 
     def scale(self, a: Form, factor: Fraction | int) -> Form:
-        """A rational multiple of a form."""
+        """Return a rational multiple of a form."""
         if not factor:
             return ZERO_FORM
         numerator = factor.numerator
@@ -190,7 +190,7 @@ class Ring:
         return _lowest(out, a.denominator * common)
 
     def power(self, a: Form, exponent: int) -> Form:
-        """A non-negative integer power, or any integer power of a single term."""
+        """Return a non-negative integer power, or any integer power of a single term."""
         if exponent < 0:
             a, exponent = self._reciprocal_of_term(a), -exponent
         if exponent > 1:
@@ -205,7 +205,7 @@ class Ring:
         return result
 
     def is_term(self, a: Form) -> bool:
-        """Whether a form is one term, which has a reciprocal."""
+        """Return whether a form is one term, which has a reciprocal."""
         return len(a.coefficients) == 1
 
     def _reciprocal_of_term(self, a: Form) -> Form:
@@ -217,11 +217,11 @@ class Ring:
         return _lowest({inverse: sign * a.denominator}, abs(coefficient))
 
     def is_constant(self, a: Form) -> bool:
-        """Whether a form is a combination of 24th roots of unity, seen from its keys alone."""
+        """Return whether a form is a combination of 24th roots of unity, seen from its keys alone."""
         return not any(key >> ROOT_BITS for key in a.coefficients)
 
     def is_zero(self, a: Form) -> bool:
-        """Whether a form is zero; denominators are cleared first, for they never are."""
+        """Return whether a form is zero; denominators are cleared first, for they never are."""
         if len(a.coefficients) < 2:
             return not a.coefficients
         parts = self._parts(self._cleared(a))
@@ -230,11 +230,11 @@ class Ring:
         return not self._merged(parts, 1)
 
     def terms(self, a: Form) -> Terms:
-        """A form in its normal form: monomials in the basis, and their rational coefficients."""
+        """Return a form in its normal form: monomials in the basis, and their rational coefficients."""
         return self._merged(self._parts(self._reduced(a)), a.denominator)
 
     def split_terms(self, a: Form) -> Iterator[tuple[int, int, int, int]] | None:
-        """The terms of a form, unreduced; None if its symbols have roots or relations.
+        """Return the terms of a form, unreduced; None if its symbols have roots or relations.
 
         Yields:
             The key of its exponentials and that of its powers, which `exponents` reads; the root of unity in
@@ -287,7 +287,7 @@ class Ring:
         return {monomial: weight for monomial, weight in out.items() if weight}
 
     def form(self, terms: Terms) -> Form:
-        """The form of which `terms` is the normal form."""
+        """Return the form of which `terms` is the normal form."""
         total = ZERO_FORM
         for monomial, weight in terms.items():
             product = self.multiply(self.turn(monomial.turn), self.rational(weight))

@@ -39,12 +39,12 @@ def basis_terms(turn: Fraction) -> tuple[tuple[Fraction, int], ...]:
 
 @lru_cache(maxsize=65536)
 def basis_steps(step: int, order: int) -> tuple[tuple[Fraction, int], ...]:
-    """The same for e^(2πi·step/order)."""
+    """Return the same for e^(2πi·step/order)."""
     return basis_terms(Fraction(step, order))
 
 
 def has_large_prime(turn: Fraction) -> bool:
-    """Whether the turn's denominator has a prime whose relation is not used."""
+    """Return whether the turn's denominator has a prime whose relation is not used."""
     return any(prime > LARGEST_PRIME for prime, _ in _prime_parts(turn % 1))
 
 
@@ -63,7 +63,7 @@ def square_root_of_prime(prime: int) -> tuple[tuple[Fraction, int], ...]:
 
 
 def square_free(number: int) -> tuple[int, tuple[int, ...], bool]:
-    """A positive integer as root² · (product of distinct primes).
+    """Return a positive integer as root² · (product of distinct primes).
 
     Returns:
         The root, the primes, and whether they are certainly distinct primes: a cofactor too large for trial

@@ -59,7 +59,7 @@ class Runs:
 
     @classmethod
     def of(cls, arena: Arena, motions: Iterable[Motion]) -> Runs:
-        """The chain of some motions."""
+        """Return the chain of some motions."""
         chain = cls(arena)
         chain.extend(motions)
         return chain
@@ -79,7 +79,7 @@ class Runs:
                     self._twist(angle_of(motion.amount))
 
     def finished(self) -> tuple[Run, ...]:
-        """The runs of the motions so far; what is flipped at the end is flipped by the last twist."""
+        """Return the runs of the motions so far; what is flipped at the end is flipped by the last twist."""
         runs = [Run(run.angle, dict(run.arms), run.rise, run.twist) for run in self.runs]
         runs[-1].twist = _STRAIGHT if self._flipped else NO_ANGLE
         return tuple(runs)
@@ -182,7 +182,7 @@ def _rotated(arena: Arena, u: Nested, v: Nested, angle: Angle) -> tuple[Nested, 
 
 
 def swung(arena: Arena, run: Run, vector: Vector) -> Vector:
-    """A point, given where the run ends, in the frame where it begins."""
+    """Return a point, given where the run ends, in the frame where it begins."""
     arms = dict(run.arms)
     old = arms.get(run.angle, (NOTHING, NOTHING))
     arms[run.angle] = (arena.sum(old[0], vector[0]), arena.sum(old[1], vector[1]))

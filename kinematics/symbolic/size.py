@@ -9,7 +9,7 @@ from kinematics.expressions import Call, Expression, Number, Power, Product, Sum
 
 
 def bottom_up(expressions: Iterable[Expression], known: Container[int] = frozenset()) -> list[Expression]:
-    """Every node, each object once, children before parents; however deep the trees are.
+    """Return every node, each object once, children before parents; however deep the trees are.
 
     Args:
         expressions: the roots.
@@ -40,7 +40,7 @@ def bottom_up(expressions: Iterable[Expression], known: Container[int] = frozens
 
 
 def children(node: Expression) -> tuple[Expression, ...]:
-    """The nodes directly below a node."""
+    """Return the nodes directly below a node."""
     match node:
         case Product():
             return node.factors
@@ -77,7 +77,7 @@ def refuse_longer_than(limit: int, expressions: Iterable[Expression]) -> None:
 
 
 def operations_of(node: Expression, below: Sequence[int]) -> int:
-    """The count for one node, given those for the nodes directly below it."""
+    """Return the count for one node, given those for the nodes directly below it."""
     match node:
         case Product(factors):
             written = len(factors)
@@ -97,7 +97,7 @@ def operations_of(node: Expression, below: Sequence[int]) -> int:
 
 
 def is_negative(term: Expression) -> bool:
-    """Whether a term is written with a minus sign."""
+    """Return whether a term is written with a minus sign."""
     if isinstance(term, Product):
         term = term.factors[0]
     return isinstance(term, Number) and term.value < 0

@@ -22,7 +22,7 @@ def tidy(ring: Ring, form: Form) -> Form:
 
 
 def root_of_rational(ring: Ring, value: Fraction) -> Form:
-    """The square root of a positive rational number: √(2/9) = √2/3, √12 = 2√3.
+    """Return the square root of a positive rational number: √(2/9) = √2/3, √12 = 2√3.
 
     Roots of small primes are sums of roots of unity, where they meet the cosines of π/12; roots of large
     primes are symbols of their own.

@@ -40,7 +40,7 @@ class Rank(IntEnum):
 
 
 def place_of(expression: Expression) -> int:
-    """Where a symbol stands: by its rank, then by the first joint in it."""
+    """Return where a symbol stands: by its rank, then by the first joint in it."""
     joint = 0
     match expression:
         case Call(Function.SQRT, (Number(),)):
@@ -56,7 +56,7 @@ def place_of(expression: Expression) -> int:
 
 
 def rank_of(name: int) -> int:
-    """The rank of a factor, from its number."""
+    """Return the rank of a factor, from its number."""
     return name >> (PLACE_BITS + NAME_BITS)
 
 
@@ -100,7 +100,7 @@ def _reading_order(term: Term) -> tuple[list[int], tuple[int, ...]]:
 
 
 def stripped(a: Nested) -> tuple[Rational, tuple[int, ...], Nested]:
-    """What all terms share, a number and factors, and the sum that is left."""
+    """Return what all terms share, a number and factors, and the sum that is left."""
     weight = _shared_weight(a)
     shared = _shared_factors(a)
     if weight == -1:
@@ -120,11 +120,11 @@ def _without(factors: tuple[int, ...], shared: tuple[int, ...]) -> tuple[int, ..
 
 
 def quotient(a: Rational, b: Rational) -> Rational:
-    """The quotient a / b."""
+    """Return the quotient a / b."""
     top, bottom = a.numerator * b.denominator, a.denominator * b.numerator
     return Fraction(top, bottom) if top % bottom else top // bottom
 
 
 def plain(value: Rational) -> Rational:
-    """A whole number as an int, whose arithmetic is faster."""
+    """Return a whole number as an int, whose arithmetic is faster."""
     return value.numerator if value.denominator == 1 else value

@@ -28,13 +28,13 @@ class MatrixWriter:
         self.base = None if base is None else self.read(base)
 
     def branch(self) -> MatrixWriter:
-        """A writer that knows what this one does now, and learns by itself."""
+        """Return a writer that knows what this one does now, and learns by itself."""
         branch = MatrixWriter()
         branch.arena, branch.base = self.arena.branch(), self.base
         return branch
 
     def read(self, matrix: Sequence[Sequence[Expression]]) -> Pose:
-        """A 4×4 matrix of expressions, by columns."""
+        """Return a 4×4 matrix of expressions, by columns."""
         x, y, z, p = ([self.arena.read(matrix[i][j]) for i in range(3)] for j in range(4))
         return (x[0], x[1], x[2]), (y[0], y[1], y[2]), (z[0], z[1], z[2]), (p[0], p[1], p[2])
 
@@ -52,19 +52,19 @@ class MatrixWriter:
         return self.written(pose)
 
     def rotated(self, runs: Sequence[Run], vector: Vector) -> Vector:
-        """A direction, given where the runs end, in the frame where they begin."""
+        """Return a direction, given where the runs end, in the frame where they begin."""
         for run in reversed(runs):
             vector = turned(self.arena, twisted(self.arena, vector, run.twist), run.angle)
         return vector
 
     def carried(self, runs: Sequence[Run], point: Vector) -> Vector:
-        """A point, given where the runs end, in the frame where they begin."""
+        """Return a point, given where the runs end, in the frame where they begin."""
         for run in reversed(runs):
             point = swung(self.arena, run, twisted(self.arena, point, run.twist))
         return point
 
     def in_world(self, vector: Vector, origin: Vector | None = None) -> Vector:
-        """A direction, or a point if an origin is given, from frame 0 into the world."""
+        """Return a direction, or a point if an origin is given, from frame 0 into the world."""
         if self.base is None:
             return vector
         return self.combined(self.base, vector, origin)
@@ -78,12 +78,12 @@ class MatrixWriter:
         return sums[0], sums[1], sums[2]
 
     def projected(self, axes: Sequence[Vector], vector: Vector) -> Vector:
-        """The components of a vector along three axes."""
+        """Return the components of a vector along three axes."""
         columns = tuple((axes[0][i], axes[1][i], axes[2][i]) for i in range(3))
         return self.combined(columns, vector)
 
     def written(self, columns: Sequence[Vector]) -> Matrix:
-        """The columns of a pose as a 4×4 matrix of expressions."""
+        """Return the columns of a pose as a 4×4 matrix of expressions."""
         arena = self.arena
         rows = [tuple(arena.expression(arena.gathered(column[i])) for column in columns) for i in range(3)]
         return (*rows, (ZERO, ZERO, ZERO, ONE))

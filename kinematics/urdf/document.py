@@ -187,12 +187,12 @@ class UrdfDocument:
 
 
 def refused(code: str, **params: ParamValue) -> DescriptionError:
-    """The refusal of a description: it has no place but the joint or link that its parameters name."""
+    """Return the refusal of a description: it has no place but the joint or link that its parameters name."""
     return DescriptionError(Fault(code=code, params=params))
 
 
 def read_document(text: str) -> UrdfDocument:
-    """The links and joints of a URDF text.
+    """Return the links and joints of a URDF text.
 
     Raises:
         DescriptionError: not well-formed, unsafe, too large, no URDF, or joints and links that do not fit.

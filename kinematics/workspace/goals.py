@@ -29,7 +29,7 @@ class ReachGoal:
 def distance_goals(
     origin: Sequence[float] | Array, axis: Sequence[float] | Array | None
 ) -> tuple[ReachGoal, ReachGoal]:
-    """The goals of being near, and of being far.
+    """Return the goals of being near, and of being far.
 
     Args:
         origin: (3,) from where the distance is measured.
@@ -46,7 +46,7 @@ def distance_goals(
 
 
 def direction_goal(direction: Array) -> ReachGoal:
-    """The goal of being far along a direction."""
+    """Return the goal of being far along a direction."""
     return ReachGoal(origin=np.zeros(3), W=np.zeros((3, 3)), c=direction)
 
 
@@ -65,7 +65,7 @@ class Goals:
 
 
 def stacked(goals: Sequence[ReachGoal], times: int) -> Goals:
-    """Each goal so many times, one after another."""
+    """Return each goal so many times, one after another."""
     return Goals(
         np.repeat(np.array([goal.origin for goal in goals]), times, axis=0),
         np.repeat(np.array([goal.W for goal in goals]), times, axis=0),

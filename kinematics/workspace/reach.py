@@ -85,7 +85,7 @@ def workspace(
     held: ArrayLike | None = None,
     counts: ArmReach = ArmReach.POSE,
 ) -> Workspace:
-    """How near and how far the joints bring the origin of the end frame, and in which box.
+    """Return how near and how far the joints bring the origin of the end frame, and in which box.
 
     With a plane, or with the end frame held, only configurations count that have the origin in the plane and
     the frame as it is held.

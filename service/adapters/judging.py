@@ -55,7 +55,7 @@ class JudgedAnswer:
         return tuple(dict.fromkeys(found))
 
     def sentences(self) -> tuple[str, ...]:
-        """What a student is told, in the language of the call."""
+        """Return what a student is told, in the language of the call."""
         told = [entry["message"] for entry in self.body["feedback"]]
         told += [edit["message"] for repair in self.body["repairs"][:1] for edit in repair["edits"]]
         for part in self.body["parts"].values():
@@ -74,7 +74,7 @@ class NotGraded:
     faults: tuple[Fault, ...]
 
     def sentences(self, language: str) -> tuple[str, ...]:
-        """What is wrong, in a language, with its place."""
+        """Return what is wrong, in a language, with its place."""
         return tuple(told_fault(fault, language) for fault in self.faults)
 
 

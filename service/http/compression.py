@@ -17,7 +17,7 @@ _TYPES = (b"application/json", b"application/problem+json", b"image/svg+xml", b"
 
 
 def accepts_gzip(accept_encoding: bytes) -> bool:
-    """Whether a caller with this header takes gzip."""
+    """Return whether a caller with this header takes gzip."""
     for item in accept_encoding.lower().split(b","):
         coding, _, weight = item.replace(b" ", b"").partition(b";q=")
         if coding == b"gzip":
@@ -26,7 +26,7 @@ def accepts_gzip(accept_encoding: bytes) -> bool:
 
 
 def compressing(send: Send) -> Send:
-    """A sender that compresses an answer which comes in one piece and is large."""
+    """Return a sender that compresses an answer which comes in one piece and is large."""
     held: list[Message] = []
 
     async def send_compressed(message: Message) -> None:

@@ -16,7 +16,7 @@ MOST_FIELDS = 100
 
 
 async def form_of(request: Request) -> dict[str, str]:
-    """The fields of an urlencoded body; of a repeated one the last.
+    """Return the fields of an urlencoded body; of a repeated one the last.
 
     Raises:
         BodyError: it is too large or not a form.
@@ -33,6 +33,6 @@ async def form_of(request: Request) -> dict[str, str]:
 
 
 def own_root(request: Request, public_url: str) -> str:
-    """The service's address as callers see it, with a slash at its end."""
+    """Return the service's address as callers see it, with a slash at its end."""
     root = public_url or str(request.base_url)
     return root.rstrip("/") + "/"

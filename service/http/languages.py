@@ -27,7 +27,7 @@ def language_for(accept_language: str | None) -> str:
 
 
 def language_of(request: Request) -> str:
-    """The language to answer in.
+    """Return the language to answer in.
 
     Raises:
         RequestError: the query parameter `lang` names a language that is not spoken here.

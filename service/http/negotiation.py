@@ -7,7 +7,7 @@ from functools import lru_cache
 
 
 def weighted(header: str) -> tuple[tuple[str, float], ...]:
-    """The items of an Accept-style header in lower case with their q-values, the most wanted first.
+    """Return the items of an Accept-style header in lower case with their q-values, the most wanted first.
 
     Items whose weight cannot be read are ignored.
     """
@@ -26,7 +26,7 @@ def weighted(header: str) -> tuple[tuple[str, float], ...]:
 
 @lru_cache(maxsize=256)
 def preferred_language(header: str, available: tuple[str, ...], default: str = "en") -> str:
-    """The available language that the caller wants most; the wish for pt-BR is met by pt."""
+    """Return the available language that the caller wants most; the wish for pt-BR is met by pt."""
     items = weighted(header)
     refused = {tag for tag, quality in items if quality == 0.0}
     for tag, quality in items:

@@ -36,7 +36,7 @@ _READERS = {
 
 
 def read_npy(body: bytes) -> NDArray[np.float64]:
-    """The array in an npy file, as native float64 in C order.
+    """Return the array in an npy file, as native float64 in C order.
 
     Integers and floats of every size and byte order are read, in C and in Fortran order.
 
@@ -65,7 +65,7 @@ def read_npy(body: bytes) -> NDArray[np.float64]:
 
 
 def npy_header(shape: tuple[int, ...]) -> bytes:
-    """The header of an npy file of little-endian float64 in C order; the data follows it."""
+    """Return the header of an npy file of little-endian float64 in C order; the data follows it."""
     stream = io.BytesIO()
     npy_format.write_array_header_1_0(stream, {"descr": "<f8", "fortran_order": False, "shape": shape})
     return stream.getvalue()

@@ -35,7 +35,7 @@ DESCRIPTIONS: dict[int, str] = {
 def request_body(
     model: type[BaseModel], examples: Mapping[str, Any], **other: Mapping[str, Any]
 ) -> dict[str, Any]:
-    """What OpenAPI says of a direct route's body: `openapi_extra` of the route.
+    """Return what OpenAPI says of a direct route's body: `openapi_extra` of the route.
 
     Args:
         model: the JSON body's shape.
@@ -75,7 +75,7 @@ NPY_QUERY: dict[str, Any] = {
 
 
 def problems(*statuses: int) -> dict[int | str, dict[str, Any]]:
-    """What OpenAPI says of a route's refusals: `responses` of the route."""
+    """Return what OpenAPI says of a route's refusals: `responses` of the route."""
     return {
         status: {
             "description": DESCRIPTIONS[status],
@@ -86,7 +86,7 @@ def problems(*statuses: int) -> dict[int | str, dict[str, Any]]:
 
 
 def document(app: FastAPI, tags: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
-    """The OpenAPI document of the application."""
+    """Return the OpenAPI document of the application."""
     schema = get_openapi(
         title=app.title,
         version=app.version,

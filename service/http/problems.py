@@ -182,7 +182,7 @@ INTERNAL = 500
 
 
 def status_of(error: Exception) -> int:
-    """The HTTP status of an error: that of its nearest ancestor in `STATUS`, 500 if there is none."""
+    """Return the HTTP status of an error: that of its nearest ancestor in `STATUS`, 500 if there is none."""
     return next((STATUS[kind] for kind in type(error).__mro__ if kind in STATUS), INTERNAL)
 
 
@@ -222,7 +222,7 @@ class Problem:
     unlisted: int = 0
 
     def document(self, language: str, *, prefix: str = "", fault_limit: int = 50) -> dict[str, object]:
-        """The problem document of RFC 9457 in the given language."""
+        """Return the problem document of RFC 9457 in the given language."""
         listed = [self._entry(fault, language) for fault in self.faults[:fault_limit]]
         first = listed[0]
         document: dict[str, object] = {
@@ -244,7 +244,7 @@ class Problem:
         return document
 
     def encoded(self, language: str, *, prefix: str = "", fault_limit: int = 50) -> bytes:
-        """The problem document as JSON."""
+        """Return the problem document as JSON."""
         return orjson.dumps(self.document(language, prefix=prefix, fault_limit=fault_limit), default=str)
 
     def _entry(self, fault: Fault, language: str) -> dict[str, object]:
@@ -261,7 +261,7 @@ class Problem:
 
 
 def problem_of(error: ServiceError | KinematicsError, request_id: str = "") -> Problem:
-    """The problem that tells of an error."""
+    """Return the problem that tells of an error."""
     own = error if isinstance(error, ServiceError) else None
     return Problem(
         status=status_of(error),

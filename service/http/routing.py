@@ -100,7 +100,7 @@ class ApiRequest(Request):
             return self._fields
 
     async def body(self) -> bytes:
-        """The whole body; what is done with it waits for the client's turn.
+        """Return the whole body; what is done with it waits for the client's turn.
 
         Raises:
             BodySizeError: it is, or says that it is, longer than this route's limit.
@@ -113,7 +113,7 @@ class ApiRequest(Request):
         return self._body
 
     async def stream(self) -> AsyncGenerator[bytes, None]:
-        """The body in one piece, bounded like `body`."""
+        """Yield the body in one piece, bounded like `body`."""
         yield await self.body()
 
     async def _bounded(self, limit: int) -> bytes:
@@ -150,7 +150,7 @@ class ApiRequest(Request):
         return self.fields.get(b"content-type", b"").partition(b";")[0].strip().lower() == _NPY
 
     def media_type(self) -> str:
-        """The media type of the body, without parameters.
+        """Return the media type of the body, without parameters.
 
         Raises:
             MediaTypeError: the body is compressed, or in a character set other than UTF-8.
@@ -179,7 +179,7 @@ class ApiRequest(Request):
         return media_type.strip().lower()
 
     async def json(self, *others: str) -> Any:
-        """The body's value, from a body that says it is JSON.
+        """Return the body's value, from a body that says it is JSON.
 
         Args:
             others: further media types that the call reads, for the refusal to name.
@@ -197,7 +197,7 @@ class ApiRequest(Request):
         return self._json
 
     def accepts(self, *offers: str) -> str:
-        """The offered media type that the caller prefers.
+        """Return the offered media type that the caller prefers.
 
         Raises:
             NotAcceptableError: the caller accepts none of them.
@@ -242,7 +242,7 @@ class ApiRoute(APIRoute):
     """A route of the API: strict JSON in, JSON out."""
 
     def get_route_handler(self) -> Callable[[Request], Coroutine[Any, Any, Response]]:
-        """The handler that FastAPI made, given a request whose body has been read strictly."""
+        """Return the handler that FastAPI made, given a request whose body has been read strictly."""
         inner = super().get_route_handler()
         has_body = self.body_field is not None
 
@@ -273,12 +273,12 @@ class DirectRoute(ApiRoute):
 
 
 def api_router(*tags: str | Enum, route_class: type[ApiRoute] = ApiRoute) -> APIRouter:
-    """A router under /api/v1 whose routes read their requests strictly."""
+    """Return a router under /api/v1 whose routes read their requests strictly."""
     return APIRouter(prefix=API_PREFIX, tags=list(tags), route_class=route_class)
 
 
 def unsupported_media_type(media_type: str, *offers: str) -> MediaTypeError:
-    """The refusal of a body in a media type that a call does not read."""
+    """Return the refusal of a body in a media type that a call does not read."""
     return MediaTypeError(
         Fault(
             code="media_type_unsupported",

@@ -54,7 +54,7 @@ class TracingMiddleware:
 
 
 def exporting(address: str) -> TracerProvider:
-    """A provider whose spans are sent to a collector.
+    """Return a provider whose spans are sent to a collector.
 
     Args:
         address: of the collector, such as http://collector:4318/v1/traces.

@@ -69,7 +69,7 @@ class Upload:
 
 
 def may_be_under_way(fields: Mapping[bytes, bytes]) -> bool:
-    """Whether a body may still be on its way when the request is refused.
+    """Return whether a body may still be on its way when the request is refused.
 
     A caller that waits to be told to go on (Expect: 100-continue) sends nothing before.
     """

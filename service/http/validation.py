@@ -59,7 +59,7 @@ _PARTS = {part.value: part for part in RequestPart}
 
 
 def validated(adapter: TypeAdapter[Any], value: object) -> Any:
-    """The value as the adapter's type.
+    """Return the value as the adapter's type.
 
     Raises:
         RequestError: it does not have that form; many faults at once.
@@ -73,12 +73,12 @@ def validated(adapter: TypeAdapter[Any], value: object) -> Any:
 
 
 def faults_of(errors: Iterable[ErrorDetails], model: Any = None) -> tuple[Fault, ...]:
-    """One fault for each of pydantic's findings, at its place below the validated value."""
+    """Return one fault for each of pydantic's findings, at its place below the validated value."""
     return tuple(_fault(error, _place(error["loc"]), model) for error in errors)
 
 
 def request_error(errors: Sequence[Any], body_model: Any = None, most: int = MOST_FAULTS) -> RequestError:
-    """The refusal of a request that FastAPI found wrong, in its body, query, path or headers.
+    """Return the refusal of a request that FastAPI found wrong, in its body, query, path or headers.
 
     Args:
         errors: pydantic's findings.

@@ -34,7 +34,7 @@ _COURSE = "/membership"
 
 
 def is_staff(roles: Iterable[str]) -> bool:
-    """Whether roles are those of a course's staff.
+    """Return whether roles are those of a course's staff.
 
     Teaching counts in this course alone: who teaches elsewhere in the institution may study here.
     Administrators count wherever they administrate, also without a role in the course.

@@ -34,7 +34,7 @@ class ContentItem:
     tag: str = ""
 
     def written(self) -> dict[str, Any]:
-        """The item as the specification writes it."""
+        """Return the item as the specification writes it."""
         item: dict[str, Any] = {
             "type": "ltiResourceLink",
             "url": self.address,
@@ -49,7 +49,7 @@ class ContentItem:
 
 
 def takes_line_items(settings: Mapping[str, Any]) -> bool:
-    """Whether links may come with line items; what does not say otherwise takes them."""
+    """Return whether links may come with line items; what does not say otherwise takes them."""
     return settings.get("accept_lineitem") is not False
 
 
@@ -61,7 +61,7 @@ def response_token(
     key: SigningKey,
     now: datetime,
 ) -> str:
-    """The signed answer; it is posted as `JWT` to the request's `deep_link_return_url`."""
+    """Return the signed answer; it is posted as `JWT` to the request's `deep_link_return_url`."""
     issued = int(now.timestamp())
     claims: dict[str, Any] = {
         "iss": platform.client_id,

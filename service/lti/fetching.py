@@ -42,7 +42,7 @@ class FetchedAnswer:
     body: bytes
 
     def json(self) -> Any:
-        """The body as JSON.
+        """Return the body as JSON.
 
         Raises:
             PlatformError: it is none.
@@ -98,7 +98,7 @@ class Fetcher:
         headers: Mapping[str, str] | None = None,
         content: bytes | None = None,
     ) -> FetchedAnswer:
-        """The answer to a request, whatever its status.
+        """Return the answer to a request, whatever its status.
 
         Raises:
             PlatformError: the address is not fetched, does not answer in time, or answers too much.
@@ -123,7 +123,7 @@ class Fetcher:
             raise unreachable(address, type(error).__name__) from error
 
     def get_json(self, address: str) -> tuple[Any, FetchedAnswer]:
-        """The JSON at an address.
+        """Return the JSON at an address.
 
         Raises:
             PlatformError: there is none.

@@ -80,7 +80,7 @@ class Expected:
 
 
 def read_launch(token: str, expected: Expected, keys: PlatformKeys, now: datetime) -> Launch:
-    """The launch that a token holds.
+    """Return the launch that a token holds.
 
     Raises:
         LaunchError: it is not believed.

@@ -34,17 +34,17 @@ class PlatformError(RequestError):
 
 
 def missing_claim(name: str) -> LaunchError:
-    """The refusal of a message that lacks a claim."""
+    """Return the refusal of a message that lacks a claim."""
     return LaunchError(Fault(code="lti_claim_missing", params={"claim": name}))
 
 
 def wrong_claim(name: str) -> LaunchError:
-    """The refusal of a message whose claim does not belong to this launch."""
+    """Return the refusal of a message whose claim does not belong to this launch."""
     return LaunchError(Fault(code="lti_claim_wrong", params={"claim": name}))
 
 
 def unreachable(address: str, reason: ParamValue, **more: float | None) -> PlatformError:
-    """The report of an address that did not answer as it should; its query is left out."""
+    """Return the report of an address that did not answer as it should; its query is left out."""
     params = {"address": address.partition("?")[0], "reason": reason}
     status, retry_after = more.get("status"), more.get("retry_after")
     return PlatformError(

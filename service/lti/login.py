@@ -33,7 +33,7 @@ class LoginRequest:
 
 
 def read_login(parameters: Mapping[str, str], own_origin: str) -> LoginRequest:
-    """The request in a query or form; parameters that the specification does not know are left out.
+    """Return the request in a query or form; parameters that the specification does not know are left out.
 
     Raises:
         LoginError: one is missing or too long, or the target is on another origin.

@@ -24,7 +24,7 @@ class Member:
 
 
 def members(services: Services, platform: LtiPlatform, address: str) -> list[Member]:
-    """The active members of a course, from every page.
+    """Return the active members of a course, from every page.
 
     Raises:
         PlatformError: the platform does not tell.

@@ -64,7 +64,7 @@ class PlatformKeys:
         self._sets: dict[str, tuple[dict[str, RSAKey], float, float]] = {}
 
     def key(self, platform: LtiPlatform, kid: str) -> RSAKey:
-        """The platform's key of a name; a name that is not known fetches the set once more.
+        """Return the platform's key of a name; a name that is not known fetches the set once more.
 
         Raises:
             LaunchError: the platform publishes no such key.

@@ -104,7 +104,7 @@ def _delivery(answer: FetchedAnswer) -> Delivery:
 
 
 def has_result(services: Services, platform: LtiPlatform, line_item: str, message: ScoreMessage) -> bool:
-    """Whether the gradebook holds the message's score already.
+    """Return whether the gradebook holds the message's score already.
 
     Raises:
         PlatformError: the results cannot be read.
@@ -124,7 +124,7 @@ def has_result(services: Services, platform: LtiPlatform, line_item: str, messag
 def line_item_for(
     services: Services, platform: LtiPlatform, line_items: str, *, resource: str, label: str, maximum: float
 ) -> str:
-    """The line item of a resource: the one that is there, and a new one only if there is none.
+    """Return the line item of a resource: the one that is there, and a new one only if there is none.
 
     Creating one is not idempotent: it is always looked for first. A new one names its link,
     without which Open edX never publishes its marks; where a platform refuses that, it stands alone.
@@ -183,7 +183,7 @@ def _new_line_item(
 
 
 def below(address: str, name: str) -> str:
-    """An address below another one; a query stays where it is (Moodle: `…/lineitem?type_id=1`)."""
+    """Return an address below another one; a query stays where it is (Moodle: `…/lineitem?type_id=1`)."""
     parts = urlsplit(address)
     return urlunsplit(parts._replace(path=f"{parts.path.rstrip('/')}/{name}"))
 

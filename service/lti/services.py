@@ -45,7 +45,7 @@ class Services:
         content: object = None,
         content_type: str = "",
     ) -> FetchedAnswer:
-        """The service's answer, whatever its status; a token that is refused is asked for once more.
+        """Return the service's answer, whatever its status; a token that is refused is asked for once more.
 
         Raises:
             PlatformError: no token is given, or the service does not answer.

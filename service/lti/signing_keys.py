@@ -42,18 +42,18 @@ def new_private_key() -> tuple[str, str]:
 
 
 def key_set(keys: Sequence[SigningKey]) -> dict[str, Any]:
-    """The public keys (RFC 7517)."""
+    """Return the public keys (RFC 7517)."""
     return {"keys": [RSAKey.import_key(json.loads(key.private)).as_dict(private=False) for key in keys]}
 
 
 def signing_key(keys: Sequence[SigningKey], now: datetime) -> SigningKey:
-    """The newest key that signs already; the oldest one if none does."""
+    """Return the newest key that signs already; the oldest one if none does."""
     ready = [key for key in keys if key.signs_from <= now]
     return max(ready, key=lambda key: key.signs_from) if ready else min(keys, key=lambda key: key.signs_from)
 
 
 def outdated(keys: Sequence[SigningKey], now: datetime) -> tuple[str, ...]:
-    """Names of keys that nothing signed with them can still be valid."""
+    """Return the names of keys that nothing signed with them can still be valid."""
     current = signing_key(keys, now)
     return tuple(
         key.kid
@@ -63,6 +63,6 @@ def outdated(keys: Sequence[SigningKey], now: datetime) -> tuple[str, ...]:
 
 
 def signed(claims: Mapping[str, Any], key: SigningKey) -> str:
-    """A JWT of the claims."""
+    """Return a JWT of the claims."""
     header = {"alg": ALGORITHM, "typ": "JWT", "kid": key.kid}
     return jwt.encode(header, dict(claims), RSAKey.import_key(json.loads(key.private)), [ALGORITHM])

@@ -45,7 +45,7 @@ def draw_figure(page: Paper, figure: str, at: tuple[float, float], width: float)
 
 
 def outline(data: str) -> Iterator[OutlineStep]:
-    """Path data as steps without arcs.
+    """Yield the path data as steps without arcs.
 
     Args:
         data: of M, L, A and Z with absolute coordinates (SVG 2, 9.3).

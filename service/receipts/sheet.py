@@ -145,7 +145,7 @@ class _Flow:
         self.paragraph(receipt, Face.TYPEWRITER, 6)
 
     def lines(self, text: str, face: Face, size: float, width: float) -> list[str]:
-        """The text in lines of a width: broken between words, and inside a word where it must be."""
+        """Return the text in lines of a width: broken between words, and inside a word where it must be."""
         lines, line, used = [], "", 0.0
         space = self.page.width(" ", face, size)
         for word in text.split():

@@ -18,6 +18,6 @@ from fastapi import APIRouter
 
 
 def routers() -> Iterator[APIRouter]:
-    """The router of every module of this package."""
+    """Yield the router of every module of this package."""
     for module in sorted(pkgutil.iter_modules(__path__), key=lambda found: found.name):
         yield importlib.import_module(f"{__name__}.{module.name}").router

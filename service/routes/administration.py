@@ -72,7 +72,7 @@ async def open_administration(request: ApiRequest) -> Response:
 
 @router.get("/administration/platforms")
 async def list_platforms(request: ApiRequest) -> Response:
-    """The platforms, and the invitations to register one."""
+    """Return the platforms, and the invitations to register one."""
 
     def work(courses: CourseResources) -> dict[str, Any]:
         found = [_written(courses, platform) for platform in platforms(courses.store)]
@@ -168,7 +168,7 @@ def _number(request: ApiRequest) -> int:
 
 @router.post("/administration/invitations")
 async def invite_platform(request: ApiRequest) -> Response:
-    """An address at which a platform may register itself once, within a week."""
+    """Return an address at which a platform may register itself once, within a week."""
     note = _text(await _body(request), "note", required=False)
     root = own_root(request, resources_of(request).settings.public_url)
     secret = await _run(request, lambda courses: invite(courses.store, note, now()))

@@ -58,10 +58,10 @@ _CHECK: dict[str, Example] = {
 async def assign(
     request: ApiRequest, body: Annotated[AssignFramesRequest, Body(openapi_examples=_ASSIGN)]
 ) -> AssignFramesAnswer:
-    """Frames by the procedure of the lecture documents, each with its rule and what was free at it.
+    """Assign frames by the procedure of the lecture documents, each with its rule and its free choices.
 
-    What is free is chosen so that most parameters vanish: d = 0 along parallel runs, frame 0 on frame 1 at
-    zero, the last x along the one before. base · table · tool reproduces every axis and the tool.
+    Free choices make as many parameters as possible vanish: d = 0 along parallel runs, frame 0 on frame 1 at
+    zero, the last x along the previous one. base · table · tool reproduces every axis and the tool.
     """
     return await request.in_turn(partial(assigned, body, _speaker(language_of(request))))
 
@@ -74,7 +74,7 @@ async def assign(
 async def check(
     request: ApiRequest, body: Annotated[CheckFramesRequest, Body(openapi_examples=_CHECK)]
 ) -> CheckFramesAnswer:
-    """Which rules the chosen frames break, what there is to choose from, and the rows that follow."""
+    """Return the rules that the chosen frames break, the choices there are, and the rows that follow."""
     return await request.in_turn(partial(checked, body, _speaker(language_of(request))))
 
 

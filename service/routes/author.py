@@ -64,9 +64,9 @@ _ANSWER: TypeAdapter[AnswerBase] = TypeAdapter(ExerciseAnswer)
 async def start_draft(
     body: Annotated[wire.StartRequest, Body(openapi_examples=examples.START)], request: ApiRequest
 ) -> Response:
-    """A draft about a catalogue robot, a DH table, drawn joint axes, an SCM chain or a URDF description.
+    """Start a draft from a catalogue robot, a DH table, drawn joint axes, an SCM chain or a URDF description.
 
-    It loads, can be drawn and passes its own tests as it is.
+    The draft loads, can be drawn and passes its own tests unchanged.
     """
     with draft_refused():
         source = await _in_worker(request, read_source, body.source)
@@ -83,9 +83,9 @@ async def start_draft(
 async def preview_draft(
     body: Annotated[wire.DraftRequest, Body(openapi_examples=examples.DRAFT)], request: ApiRequest
 ) -> Response:
-    """The exercise with its figure, and what the policy leaves free for this robot.
+    """Return the exercise with its figure, and what the policy leaves free for this robot.
 
-    A draft that is not whole is refused; every fault has its place in the draft.
+    An incomplete draft is refused; every fault has its place in the draft.
     """
     language = language_of(request)
     draft = body.draft.draft()
@@ -104,7 +104,7 @@ async def preview_draft(
 async def check_draft(
     body: Annotated[wire.CheckRequest, Body(openapi_examples=examples.CHECK)], request: ApiRequest
 ) -> Response:
-    """What `framewise exercises check` does, for the values of one seed, with some of the listed mistakes."""
+    """Run `framewise exercises check` for the values of one seed, with some of the listed mistakes."""
     language = language_of(request)
     with draft_refused():
         findings = await _in_worker(request, self_test, body.draft.draft(), body.seed)
@@ -120,7 +120,7 @@ async def check_draft(
 async def right_answers_of_draft(
     body: Annotated[wire.RightAnswersRequest, Body(openapi_examples=examples.DRAFT)], request: ApiRequest
 ) -> Response:
-    """Tables with other frames, signs, zeros and conventions, as far as the policy allows."""
+    """Return right tables with other frames, signs, zeros and conventions, as far as the policy allows."""
     return await _rehearsed(request, rehearsed_right, body.draft, body.count)
 
 
@@ -146,7 +146,7 @@ async def mistakes_of_draft(
 async def grade_against_draft(
     body: Annotated[wire.TryRequest, Body(openapi_examples=examples.TRY)], request: ApiRequest
 ) -> Response:
-    """The verdict that a student would get. Nothing is recorded."""
+    """Return the verdict that a student would get. Nothing is recorded."""
     language = language_of(request)
     draft = body.draft.draft()
     with draft_refused():
@@ -172,7 +172,7 @@ async def grade_against_draft(
 async def folder_of_draft(
     body: Annotated[wire.DraftRequest, Body(openapi_examples=examples.DRAFT)], request: ApiRequest
 ) -> Response:
-    """The folder as a zip archive, the same bytes for the same draft."""
+    """Return the folder as a zip archive, the same bytes for the same draft."""
     draft = body.draft.draft()
     with draft_refused():
         await _in_worker(request, trial, draft)
@@ -192,7 +192,7 @@ async def folder_of_draft(
     summary="The draft in a folder",
 )
 async def import_draft(request: ApiRequest) -> Response:
-    """The draft that the zip archive of a folder holds. Nothing is unpacked to a disk.
+    """Return the draft that the zip archive of a folder holds. Nothing is unpacked to a disk.
 
     The archive may also be the body itself, as `application/zip`.
     """

@@ -21,7 +21,7 @@ AUTHOR = Page(
 
 @router.get("/author")
 async def author(request: Request) -> Response:
-    """A page for lecturers: make an exercise from a robot, look at it, try it, take it along."""
+    """Return a page for lecturers: make an exercise from a robot, look at it, try it, take it along."""
     resources = resources_of(request)
     publishing = resources.settings.publishing if resources.courses is not None else Publishers.NOBODY
     return page_response(request, AUTHOR, {"publishing": publishing.value})

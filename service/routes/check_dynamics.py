@@ -40,10 +40,10 @@ async def check_dynamics(
     body: Annotated[CheckDynamicsRequest, Body(openapi_examples=examples.named(CHECK_DYNAMICS))],
     request: ApiRequest,
 ) -> CheckDynamicsAnswer:
-    """M and g entry by entry, C by C q̇: every C with the right C q̇ is right.
+    """Judge M and g entry by entry, and C by C q̇: every C with the right C q̇ is right.
 
-    Equal functions are proved equal where entries are exact, and compared at many configurations where not.
-    Whether Ṁ − 2C is skew-symmetric is told separately. Names of lengths stand for metres, as in `/dynamics`.
+    Exact entries are proved equal as functions, others are compared at many configurations. The answer says
+    separately whether Ṁ − 2C is skew-symmetric. Names of lengths are in metres, as in `/dynamics`.
     """
     work = partial(_checked, body, request.settings, language_of(request))
     return await request.resources.limiters[WorkKind.GRADING].run(work)

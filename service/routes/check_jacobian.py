@@ -55,7 +55,7 @@ async def check_jacobian(
     body: Annotated[CheckJacobianRequest, Body(openapi_examples=examples.named(_EXAMPLES))],
     request: ApiRequest,
 ) -> CheckJacobianAnswer:
-    """The geometric Jacobian of the last frame's origin, in either axes and order, and τ = Jᵀ (f, m).
+    """Return the geometric Jacobian of the last frame's origin, in either axes and order, and τ = Jᵀ (f, m).
 
     The table is the answerer's own: whether it is the robot's is asked of `/grade`. Columns that the usual
     slips would make are named.

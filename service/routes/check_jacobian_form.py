@@ -61,7 +61,7 @@ async def check_jacobian_form(
     body: Annotated[CheckJacobianFormRequest, Body(openapi_examples=examples.named(_EXAMPLES))],
     request: ApiRequest,
 ) -> CheckJacobianFormAnswer:
-    """The Jacobian of the last frame's origin and τ = Jᵀ (f, m), as functions of q1 … qn.
+    """Return the Jacobian of the last frame's origin and τ = Jᵀ (f, m), as functions of q1 … qn.
 
     Geometric, in either axes, or analytic for one of the 24 sequences of angles; rows in either order. Equal
     functions are proved equal where entries are exact, and compared at many configurations where not.

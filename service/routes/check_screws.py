@@ -45,9 +45,9 @@ async def check_screws(
     body: Annotated[CheckScrewsRequest, Body(openapi_examples=examples.named(_EXAMPLES))],
     request: ApiRequest,
 ) -> CheckScrewsAnswer:
-    """Either sense of an axis, any point on it, any zero, space or body, any length of a slider's direction.
+    """Judge screws: either sense of an axis, any point on it, any zero, space or body, any prismatic length.
 
-    A right answer comes with its certificate; a wrong one with the slip that explains it, if one does.
+    A right answer comes with its certificate, a wrong one with the slip that explains it, if one does.
     """
     resources = request.resources
     robot = await request.in_turn(partial(resources.robots.prepare, body))

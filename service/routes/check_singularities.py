@@ -61,10 +61,10 @@ async def check_singularities(
     body: Annotated[CheckSingularitiesRequest, Body(openapi_examples=examples.named(_EXAMPLES))],
     request: ApiRequest,
 ) -> CheckSingularitiesAnswer:
-    """Conditions are judged as a set, whatever their number, order, factors and signs.
+    """Judge conditions as a set, whatever their number, order, factors and signs.
 
-    For each that also holds elsewhere, and for each family that they miss, a configuration shows it. Asked
-    for as well: whether a vector is a motion that the arm has lost in a configuration.
+    A configuration shows each condition that also holds elsewhere, and each family that they miss. The call
+    also decides whether a vector is a motion that the arm has lost in a configuration.
     """
     robot = await request.in_turn(partial(request.resources.robots.prepare, body))
     work = partial(_checked, body, robot, language_of(request))

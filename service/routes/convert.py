@@ -23,10 +23,10 @@ async def convert(
     body: Annotated[ConvertRequest, Body(openapi_examples=examples.named(examples.CONVERT))],
     request: ApiRequest,
 ) -> ConvertAnswer:
-    """The same robot, described otherwise, with nothing lost.
+    """Return another description of the same robot, without loss.
 
-    To a DH table of the other convention: base · (new table) · tool equals the old table for every q. Entries
-    are moved, not computed, so parameters and spellings stay. To a product of exponentials: every parameter
-    needs a value.
+    For a DH table of the other convention, base · (new table) · tool equals the old table for every q.
+    Entries are moved, not computed, so parameters and spellings stay. For a product of exponentials, every
+    parameter needs a value.
     """
     return await request.in_turn(partial(converted, body, request.settings))

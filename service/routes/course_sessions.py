@@ -39,12 +39,12 @@ LONGEST_KEY = 100
 
 
 async def in_thread(request: ApiRequest, work: Callable[..., _Result], *arguments: Any) -> _Result:
-    """The result of work that waits for the database."""
+    """Return the result of work that waits for the database."""
     return await resources_of(request).limiters[WorkKind.COURSES].run(partial(work, *arguments))
 
 
 async def signed_in(request: ApiRequest) -> tuple[CourseResources, CourseSession]:
-    """Who is signed in by the request's bearer token.
+    """Return who is signed in by the request's bearer token.
 
     Raises:
         SessionError: nobody is.
@@ -55,7 +55,7 @@ async def signed_in(request: ApiRequest) -> tuple[CourseResources, CourseSession
 
 
 def grader_of(request: ApiRequest) -> Grader:
-    """What judges answers by the application's exercises and limits."""
+    """Return what judges answers by the application's exercises and limits."""
     resources = resources_of(request)
     edition = resources.courses.edition if resources.courses else None
     return Grader(
@@ -66,7 +66,7 @@ def grader_of(request: ApiRequest) -> Grader:
 
 
 def json_response(body: Any, status: int = 200) -> Response:
-    """A body that no cache keeps."""
+    """Return a body that no cache keeps."""
     headers = {"Cache-Control": "no-store"}
     return Response(encoded(body), status_code=status, media_type=JSON, headers=headers)
 
@@ -83,7 +83,7 @@ async def open_session(request: ApiRequest) -> Response:
 
 @router.get("/session")
 async def show_session(request: ApiRequest) -> Response:
-    """Who is signed in, for what, by which rules, and how far they are."""
+    """Return who is signed in, for what, by which rules, and how far they are."""
     courses, session = await signed_in(request)
     grader = grader_of(request)
 
@@ -145,7 +145,7 @@ async def submit(request: ApiRequest) -> Response:
 
 @router.get("/session/attempts/{number}")
 async def reopen(request: ApiRequest) -> Response:
-    """An attempt with what was found, as far as it may be shown now."""
+    """Return an attempt with what was found, as far as it may be shown now."""
     language = language_of(request)
     courses, session = await signed_in(request)
     text = request.path_params["number"]

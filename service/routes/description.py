@@ -29,7 +29,7 @@ class Refusal(Wire):
 
 @router.get("/openapi.json", include_in_schema=False)
 async def openapi_document(request: Request) -> Response:
-    """The OpenAPI document, with the address under which the caller reached it."""
+    """Return the OpenAPI document, with the address under which the caller reached it."""
     document = request.app.openapi()
     prefix = request.scope.get("root_path", "")
     body = orjson.dumps({**document, "servers": [{"url": prefix or "/"}]})
@@ -38,7 +38,7 @@ async def openapi_document(request: Request) -> Response:
 
 @router.get("/docs", include_in_schema=False)
 async def reference(request: Request) -> Response:
-    """The same as a page for people."""
+    """Return the same as a page for people."""
     headers = {"Cache-Control": "no-cache", "Content-Security-Policy": POLICY}
     return Response(reference_page(request.app.openapi()), media_type="text/html", headers=headers)
 
@@ -49,7 +49,7 @@ async def problem(
     response: Response,
     code: Annotated[str, Path(max_length=80, openapi_examples={"a cell": {"value": "parameter_missing"}})],
 ) -> Refusal:
-    """The sentence behind a code, its parameters in braces: where the `type` of a problem leads."""
+    """Return the sentence behind a code, its parameters in braces: where the `type` of a problem leads."""
     language = language_for(request.headers.get("accept-language"))
     if code not in refusal_codes():
         fault = Fault(

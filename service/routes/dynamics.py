@@ -36,13 +36,13 @@ _SYMBOLS: TypeAdapter[SymbolicDynamicsRequest] = TypeAdapter(SymbolicDynamicsReq
     openapi_extra=request_body(DynamicsBody, DYNAMICS),
 )
 async def dynamics(request: ApiRequest) -> Response:
-    """M(q) q̈ + C(q, q̇) q̇ + g(q) = τ of a robot whose links have mass, centre of mass and inertia.
+    """Return the terms of M(q) q̈ + C(q, q̇) q̇ + g(q) = τ, for links with mass, centre of mass and inertia.
 
     In numbers at one configuration: M and g; with `rates` C, C q̇ and the kinetic energy; with
     `accelerations` the torque; with `torque` the accelerations. Answers are in SI units.
 
-    With `"form": "symbolic"` and no joints M, C and g come in closed form, written as in `/symbolic`; what
-    has no value stays a name.
+    With `"form": "symbolic"` and no joints, M, C and g are in closed form, written as in `/symbolic`;
+    parameters without a value stay names.
     """
     request.accepts(JSON)
     body: Any = await request.json()

@@ -51,7 +51,7 @@ _BODY = {"content": {"application/json": {"schema": EvaluateRequest.model_json_s
 
 @router.get("/evaluate/health", response_model=EvaluationHealth, response_model_exclude_none=True)
 async def evaluation_health(request: Request, response: Response) -> Any:
-    """What is evaluated here, in which languages and versions."""
+    """Return what is evaluated here, in which languages and versions."""
     if refusal := _other_version(request):
         return refusal
     response.headers.update(_headers())
@@ -91,7 +91,7 @@ async def evaluation_health(request: Request, response: Response) -> Any:
     openapi_extra={"requestBody": _BODY},
 )
 async def evaluate_submission(request: Request, response: Response) -> Any:
-    """Feedback on a DH table, or on an answer to an exercise with several parts.
+    """Return feedback on a DH table, or on an answer to an exercise with several parts.
 
     Nothing is recorded, whether `preSubmissionFeedback` is asked for or not.
     """
@@ -121,7 +121,7 @@ async def evaluate_submission(request: Request, response: Response) -> Any:
 
 @router.post("/evaluate/lambda-feedback", response_model=None)
 async def evaluation_function(request: Request) -> Any:
-    """Lambda Feedback's call before µEd: `command` in a header; what goes wrong is a body with `error`."""
+    """Answer Lambda Feedback's call before µEd: `command` in a header; errors are a body with `error`."""
     try:
         body = await ApiRequest(request.scope, request.receive, request._send).body()
     except BodySizeError as error:

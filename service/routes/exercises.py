@@ -59,7 +59,7 @@ _ONE_STUDENTS = {"parameters": [examples.EXERCISE_ID, examples.SEED, examples.LA
     summary="All exercises",
 )
 async def list_exercises(request: ApiRequest) -> Response:
-    """Every exercise with its title, in the caller's language."""
+    """Return every exercise with its title, in the caller's language."""
     language = language_of(request)
     listed = exercise_list(resources_of(request).exercises, language, context_of(request))
     return _text(request, encoded(listed), language, JSON)
@@ -73,7 +73,7 @@ async def list_exercises(request: ApiRequest) -> Response:
     summary="One exercise",
 )
 async def show_exercise(request: ApiRequest) -> Response:
-    """What is asked, with one student's values: statement, rules, dimensions, figure. Never the key."""
+    """Return an exercise with one student's values: statement, rules, dimensions, figure; never the key."""
     language = language_of(request)
 
     def work() -> bytes:
@@ -97,15 +97,15 @@ async def show_exercise(request: ApiRequest) -> Response:
     summary="The figure of an exercise",
 )
 async def show_figure(request: ApiRequest) -> Response:
-    """The robot with its joints, dimensions and marked points, and no frames: they are the question."""
+    """Return the robot with its joints, dimensions and marked points; frames are the question."""
     return await _figure(request, "no-cache")
 
 
 @router.get("/exercises/{exercise_id}/figures/{address}.svg", include_in_schema=False)
 async def show_addressed_figure(request: ApiRequest) -> Response:
-    """The same figure under the address that the exercise tells: what is there never changes.
+    """Return the same figure under the address that the exercise gives; its content never changes.
 
-    Caches may keep it for good. All who have the same values have the same address.
+    Caches may store it for good. Students with the same values have the same address.
     """
     return await _figure(request, f"public, max-age={YEAR}, immutable", request.path_params["address"])
 
@@ -167,10 +167,10 @@ async def _figure(request: ApiRequest, caching: str, asked: str | None = None) -
     summary="Judge an answer to an exercise",
 )
 async def grade_answer(request: ApiRequest) -> Response:
-    """The verdict on the table, and what is said of every other part that was handed in.
+    """Return the verdict on the table, and the feedback on every other part that was handed in.
 
-    Every valid choice of frames is accepted. What follows correctly from a wrong table earns its marks. A
-    request that cannot be graded is refused and costs no attempt.
+    Every valid choice of frames is accepted. A part that follows correctly from a wrong table earns its
+    marks. A request that cannot be graded is refused and costs no attempt.
     """
     language = language_of(request)
     with answer_refused():

@@ -50,12 +50,12 @@ _ARRAY = {"schema": {"type": "string", "format": "binary"}}
     },
 )
 async def forward_kinematics(request: ApiRequest) -> Response:
-    """⁰T_N, every link transform and every joint frame, of one configuration or of a batch.
+    """Return ⁰T_N, every link transform and every frame, of one configuration or of a batch.
 
     A batch may also come as `application/x-npy`: the body is the array of joint values, one row each;
     the query parameter `request` holds the rest of the request as JSON, or `robot` the id of a robot of
-    the catalogue. With `Accept: application/x-npy` the answer is such a file too: the transforms, or the one
-    array named in `parts`. `points` of links are mapped into the frame before and into the world.
+    the catalogue. With `Accept: application/x-npy` the answer is such a file, too: the transforms, or the one
+    array named in `parts`. `points` of links are mapped into the previous frame and into the world.
     """
     offer = request.accepts(JSON, NPY)
     asked = await _READER.read(request)

@@ -43,7 +43,7 @@ NDJSON = "application/x-ndjson"
     openapi_extra=request_body(GradeBody, examples.GRADE),
 )
 async def grade_table(request: ApiRequest) -> Response:
-    """Whether a submission describes the reference robot, whatever frames it was written in.
+    """Return whether a submission describes the reference robot, whatever frames it was written in.
 
     A right answer comes with a certificate: joint signs, joint offsets and two constant motions with which
     both tables give the same pose for every configuration. A wrong one is explained as far as `help`

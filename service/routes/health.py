@@ -102,6 +102,6 @@ async def metrics(resources: AppResources) -> Response:
 
 @router.get("/version", summary="Which version answers?")
 async def version(response: Response) -> Version:
-    """The version of the service, for those who operate it."""
+    """Return the version of the service, for those who operate it."""
     response.headers["Cache-Control"] = "no-store"
     return Version(name="framewise", version=__version__)

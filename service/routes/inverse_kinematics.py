@@ -67,18 +67,18 @@ async def inverse_kinematics(
     body: Annotated[InverseQuestion, Body(openapi_examples=examples.named(_EXAMPLES | SYMBOLIC_INVERSE))],
     request: ApiRequest,
 ) -> InverseKinematicsAnswer | InverseKinematicsAnswers | BytesResponse:
-    """All distinct solutions of arms that have a closed form, and of other arms those that a search finds.
+    """Return all distinct solutions if the arm has a closed form, and otherwise those that a search finds.
 
-    Closed forms: most arms of five and six turning joints with a wrist or parallel axes, arms of up to four
-    joints of any kind, and up to three joints of any kind before a wrist. Others, of up to twelve joints, are
-    searched from many starts. Every residual is that of the forward kinematics. Unreachable and singular are
-    results. Of many `targets` the answer is `answers`, one for each; those that the time of a request does
-    not reach to are `unanswered`, and `faults` says so of each.
+    There are closed forms for most arms of five and six revolute joints with a wrist or parallel axes, for
+    arms of up to four joints of any kind, and for up to three joints of any kind before a wrist. Other arms,
+    of up to twelve joints, are searched from many starts. Residuals are computed by forward kinematics.
+    Unreachable and singular poses are results, not errors. Several `targets` get `answers`, one for each;
+    those that one request has no time for are `unanswered`, and listed in `faults`.
 
-    With `"form": "symbolic"` and no target the answer is the inverse kinematics in symbols, as books print
-    it: one joint after another by atan2, with the branch signs and the conditions, and as source code. It is
+    With `"form": "symbolic"` and no target, the answer is the inverse kinematics in symbols, as in textbooks:
+    one joint after another by atan2, with branch signs and conditions, and as source code. It is
     known for arms whose axes are at right angles: planar arms, SCARA, cylindrical arms, arms with a spherical
-    wrist such as the PUMA and the Stanford arm, those of SCORBOT and Universal Robots.
+    wrist such as the PUMA and the Stanford arm, SCORBOT and Universal Robots.
     """
     resources = request.resources
     if isinstance(body, SymbolicInverseRequest):

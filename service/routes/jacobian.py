@@ -45,7 +45,7 @@ _ARRAY = {"schema": {"type": "string", "format": "binary"}}
     },
 )
 async def jacobian(request: ApiRequest) -> Response:
-    """The geometric Jacobians J0 and Jn of one configuration or of a batch: (v, ω) = J(q) dq/dt.
+    """Return the geometric Jacobians J0 and Jn of one configuration or of a batch: (v, ω) = J(q) dq/dt.
 
     With them the rank, the manipulability, and whether the configuration is singular: of the whole motion, of
     the translation and of the rotation. Jacobians are per radian. A batch may come as `application/x-npy`, as
@@ -77,7 +77,7 @@ class _Answer:
         self._dexterity: dict[str, Any] = {}
 
     def one(self) -> bytes:
-        """The answer at one configuration, as JSON."""
+        """Return the answer at one configuration, as JSON."""
         self._measure(self._asked.joints)
         answer = {**self._head(), **self._dexterity}
         for frame in self._frames:
@@ -93,7 +93,7 @@ class _Answer:
         self._measure(self._asked.joints)
 
     def blocks(self) -> Iterator[bytes]:
-        """The answer for a batch, in pieces."""
+        """Yield the answer for a batch, in pieces."""
         yield b"{"
         yield from member_chunks({**self._head(), **self._dexterity})
         for frame in self._frames:

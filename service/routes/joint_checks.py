@@ -43,11 +43,11 @@ async def check_inverse_kinematics(
     body: Annotated[CheckInverseKinematicsRequest, Body(openapi_examples=examples.named(_EXAMPLES))],
     request: ApiRequest,
 ) -> CheckInverseKinematicsAnswer:
-    """Each row is judged by the forward kinematics, full turns left out, and the rows by the complete set.
+    """Judge each row by forward kinematics, up to full turns, and the rows together by the complete set.
 
-    Of a singular pose the condition is asked: which combination of joint values is fixed on the family. With
-    `own`, joint values and pose are those of the answerer's own table; they are carried over by the
-    certificate (σ, δ, B, E) of that table. Branches that are missing and wrong quadrants are named.
+    For a singular pose, the answer must give the combination of joint values that is fixed on the family.
+    With `own`, joint values and pose refer to the answerer's own table, and the certificate (σ, δ, B, E) of
+    that table converts them. Missing branches and wrong quadrants are named.
     """
     resources, limits = request.resources, request.settings.cell_limits
     robot = await request.in_turn(partial(resources.robots.prepare, body))

@@ -68,11 +68,11 @@ class _Staff:
         self.courses = courses
 
     async def run(self, work: Callable[..., _Result], *arguments: Any) -> _Result:
-        """The result of work that waits for the database."""
+        """Return the result of work that waits for the database."""
         return await in_thread(self.request, work, *arguments)
 
     async def link(self) -> Link:
-        """The link of the address, which is in this course."""
+        """Return the link of the address, which is in this course."""
         return await self.run(link_in, self.store, self.session.course.id, _number(self.request, "link"))
 
     async def log(self, action: str, *, subject: str | None = None, **details: Any) -> None:
@@ -104,7 +104,7 @@ async def _told(request: ApiRequest) -> Mapping[str, Any]:
 
 @router.get("/course")
 async def overview(request: ApiRequest) -> Response:
-    """The class: links, students, how far each is, and scores that could not be delivered."""
+    """Return the class: links, students, how far each is, and scores that could not be delivered."""
     staff = await _staff(request)
     course = staff.session.course
     members = await staff.run(staff.courses.class_members, course)
@@ -179,7 +179,7 @@ async def statistics(request: ApiRequest) -> Response:
 
 @router.get("/course/links/{link}/attempts")
 async def list_attempts(request: ApiRequest) -> Response:
-    """The attempts behind a number: with a code, of a cluster (`ids`), a student, a step, a state."""
+    """Return the attempts behind a number: with a code, of a cluster (`ids`), a student, a step, a state."""
     staff = await _staff(request)
     link, asked = await staff.link(), request.query_params
     named = asked.get("ids", "").split(",")[:200]
@@ -232,7 +232,7 @@ def _day(text: str | None) -> date | None:
 
 @router.post("/course/links/{link}/preview")
 async def preview_link(request: ApiRequest) -> Response:
-    """A code that opens the exercise of a link as a student would find it, by the link's rules."""
+    """Return a code that opens the exercise of a link as a student would find it, by the link's rules."""
     staff = await _staff(request)
     link = await staff.link()
     if link.settings.exercise_id is None:
@@ -249,7 +249,7 @@ async def preview_link(request: ApiRequest) -> Response:
 
 @router.get("/course/attempts/{attempt}")
 async def show_attempt(request: ApiRequest) -> Response:
-    """An attempt with everything that was found."""
+    """Return an attempt with everything that was found."""
     staff, language = await _staff(request), language_of(request)
     number = _number(request, "attempt")
     attempt, person = await staff.run(attempt_in, staff.store, staff.session.course.id, number)
@@ -328,7 +328,7 @@ async def apply_regrading(request: ApiRequest) -> Response:
 
 @router.get("/course/links/{link}/export.{form}")
 async def export(request: ApiRequest) -> Response:
-    """Every attempt of a link's students, as CSV or JSON."""
+    """Return every attempt of a link's students, as CSV or JSON."""
     staff = await _staff(request)
     link = await staff.link()
     await staff.log("export", link=link.id)
@@ -342,7 +342,7 @@ async def export(request: ApiRequest) -> Response:
 
 @router.get("/course/people/{person}")
 async def export_one(request: ApiRequest) -> Response:
-    """Everything that is stored about one person of the course."""
+    """Return everything that is stored about one person of the course."""
     staff = await _staff(request)
     key = request.path_params["person"]
     await staff.run(person_in, staff.store, staff.session.course.id, key)
@@ -363,7 +363,7 @@ async def erase_one(request: ApiRequest) -> Response:
 
 @router.post("/deep-links")
 async def answer_deep_link(request: ApiRequest) -> Response:
-    """The signed answer to a platform that asked for a link: an exercise with its rules."""
+    """Return the signed answer to a platform that asked for a link: an exercise with its rules."""
     courses = resources_of(request).with_courses()
     body = await _told(request)
     exercise_id = _known_exercise(request, body.get("exercise"))

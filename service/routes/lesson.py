@@ -19,5 +19,5 @@ LESSON = Page(
 
 @router.get("/lesson")
 async def lesson(request: Request) -> Response:
-    """A page to read before the first exercise; what is drawn in it can be moved."""
+    """Return a page to read before the first exercise; what is drawn in it can be moved."""
     return page_response(request, LESSON)

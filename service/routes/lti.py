@@ -110,7 +110,7 @@ async def confirm(request: Request) -> Response:
 
 @router.get("/lti/jwks")
 async def jwks(request: Request) -> Response:
-    """The public keys that this tool signs with."""
+    """Return the public keys that this tool signs with."""
     courses = resources_of(request).with_courses()
     keys = await _in_thread(request, courses.keys)
     return JSONResponse(key_set(keys), headers={"Cache-Control": "public, max-age=600"})
@@ -118,7 +118,7 @@ async def jwks(request: Request) -> Response:
 
 @router.get("/lti/configuration")
 async def configuration(request: Request) -> Response:
-    """What platforms are told of this tool, for those that take it as JSON."""
+    """Return what platforms are told of this tool, for those that take it as JSON."""
     resources_of(request).with_courses()
     return JSONResponse(_tool(request).written(), headers={"Cache-Control": "no-cache"})
 
@@ -131,7 +131,7 @@ async def register_platform(request: Request, secret: str) -> Response:
 
 @router.get("/course")
 async def course_page(request: Request) -> Response:
-    """The lecturers' page."""
+    """Return the lecturers' page."""
     resources_of(request).with_courses()
     return page_response(request, COURSE)
 

@@ -37,13 +37,13 @@ RECEIPTS = Page(name="receipts", title="receipts-title", rooms=("receipts",))
 
 @router.get("/")
 async def home(request: ApiRequest) -> Response:
-    """The list of exercises."""
+    """Return the list of exercises."""
     return page_response(request, HOME)
 
 
 @router.get("/exercises/{exercise_id}")
 async def exercise_page(request: ApiRequest) -> Response:
-    """The page of an exercise: its title and statement stand in it before any script runs."""
+    """Return the page of an exercise: its title and statement stand in it before any script runs."""
     try:
         found = resources_of(request).exercises.exercise(request.path_params["exercise_id"])
     except UnknownExerciseError:
@@ -84,13 +84,13 @@ def _figure(request: Request, found: Exercise, language: str, query: str) -> str
 
 @router.get("/receipts")
 async def receipts_page(request: ApiRequest) -> Response:
-    """Where a lecturer verifies a folder of receipts."""
+    """Return where a lecturer verifies a folder of receipts."""
     return page_response(request, RECEIPTS)
 
 
 @router.get("/static/{version}/{name:path}")
 async def static_file(request: ApiRequest) -> Response:
-    """A file of the form. Under the current version's address it may be kept for ever."""
+    """Return a file of the form. Under the current version's address it may be kept for ever."""
     store = resources_of(request).assets
     asset = store.get(request.path_params["name"], request.headers.get("accept-encoding", ""))
     if asset is None:

@@ -43,7 +43,7 @@ async def plant_frame_mistake(
     body: Annotated[PlantFrameMistakeRequest, Body(openapi_examples=examples.named(_EXAMPLES))],
     request: ApiRequest,
 ) -> PlantFrameMistakeAnswer:
-    """Frames by the procedure of the lecture, one of which breaks one rule of the convention.
+    """Return the frames by the procedure of the lecture, one of which breaks one rule of the convention.
 
     The seed decides which frame it is and what is wrong with it.
     """

@@ -17,14 +17,14 @@ CONNECT = Page(name="connect", title="connect-title", rooms=("platforms",), dept
 
 @router.get("/platforms")
 async def platforms_page(request: Request) -> Response:
-    """The administrator's page: who may launch."""
+    """Return the administrator's page: who may launch."""
     resources_of(request).with_courses()
     return page_response(request, PLATFORMS)
 
 
 @router.get("/lti/connect")
 async def connect_page(request: Request) -> Response:
-    """What a platform has to know of this tool, to be sent to its administrator."""
+    """Return what a platform has to know of this tool, to be sent to its administrator."""
     resources_of(request).with_courses()
     root = own_root(request, resources_of(request).settings.public_url)
     return page_response(request, CONNECT, {"address": root})

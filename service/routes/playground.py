@@ -19,5 +19,5 @@ PLAYGROUND = Page(
 
 @router.get("/playground")
 async def playground(request: Request) -> Response:
-    """A page to project in class: type any table, or take a robot of the catalogue."""
+    """Return a page to project in class: type any table, or take a robot of the catalogue."""
     return page_response(request, PLAYGROUND)

@@ -42,9 +42,9 @@ async def rates(
     body: Annotated[RatesRequest, Body(openapi_examples=examples.named(_EXAMPLES))],
     resources: AppResources,
 ) -> RatesAnswer:
-    """(v, ω) = J0 q̇, its rate of change J0 q̈ + J̇0 q̇, the analytic Jacobian, τ = J0ᵀ (f, m), ellipsoids.
+    """Return (v, ω) = J0 q̇, J0 q̈ + J̇0 q̇, the analytic Jacobian, τ = J0ᵀ (f, m) and ellipsoids.
 
-    What is not asked for by `rates`, `accelerations` or `wrench` is null. Lengths are in the table's unit.
+    Results that need missing `rates`, `accelerations` or `wrench` are null. Lengths are in the table's unit.
     """
     robot = resources.robots.prepare(body)
     with traced(body):

@@ -70,7 +70,7 @@ async def issue_receipt(
     body: Annotated[ReceiptRequest, Body(openapi_examples=_RECEIPT)],
     resources: AppResources,
 ) -> Any:
-    """A compact JWS that says what an answer earned, for a student to hand to a lecturer.
+    """Return a compact JWS that says what an answer earned, for a student to hand to a lecturer.
 
     It names the exercise and its version, the seed, the name typed, the score by part, the settings that were
     in force and a hash of the answer. Anybody can verify it with the keys at /receipts/keys.
@@ -197,7 +197,7 @@ async def verify_receipts(
 
 @router.get("/receipts/keys", summary="Public keys of receipts (JWK Set)", response_model=KeySet)
 async def receipt_keys(resources: AppResources) -> Response:
-    """The keys that verify receipts (RFC 7517); the first one signs."""
+    """Return the keys that verify receipts (RFC 7517); the first one signs."""
     return JSONResponse(resources.receipt_keys.public(), headers={"Cache-Control": "public, max-age=600"})
 
 

@@ -23,7 +23,7 @@ router = api_router("robots")
 
 @router.get("/robots", response_model=RobotList, summary="The robots of the source documents")
 async def robots(request: Request, lang: Language = None) -> Response:
-    """Every robot of the catalogue, with its source; table and parameters are ready to be sent back."""
+    """Return every robot of the catalogue, with its source; its table and parameters can be sent back."""
     language = language_of(request)
     entries = b",".join(_written(robot_id, language) for robot_id in catalogue.robot_ids())
     return text_response(request, b'{"robots":[%b]}' % entries, JSON, _headers(language))
@@ -40,10 +40,10 @@ async def robot(
     robot_id: Annotated[str, Path(max_length=64, openapi_examples={"PUMA 560": {"value": "puma560"}})],
     lang: Language = None,
 ) -> Response:
-    """A robot of the catalogue: source, DH table, parameters, named configurations, limits, SCM chain.
+    """Return a robot of the catalogue: source, DH table, parameters, named configurations, limits, SCM chain.
 
-    Its name and what its configurations look like are in the caller's language; what is quoted of a source
-    stays as it was written.
+    Its name and the descriptions of its configurations are in the caller's language; quotations of a source
+    stay as they were written.
     """
     language = language_of(request)
     known = catalogue.robot_ids()

@@ -64,10 +64,10 @@ _CHECK: dict[str, Example] = {
 async def rotations(
     request: ApiRequest, body: Annotated[RotationsRequest, Body(openapi_examples=_ROTATIONS)]
 ) -> RotationsAnswer:
-    """Matrix, quaternion, axis and angle, and the angles of all 24 sequences with both solutions.
+    """Return the matrix, quaternion, axis and angle, and both solutions for the angles of all 24 sequences.
 
-    At gimbal lock the whole family is given: the middle angle, and the sum or difference that is fixed of the
-    others. A matrix that is no rotation is an answer, too: it is told which properties fail.
+    At gimbal lock the whole family is given: the middle angle, and the sum or difference of the others that
+    is fixed. For a matrix that is not a rotation, the answer lists the properties that fail.
     """
     return await request.in_turn(partial(all_notations, body))
 
@@ -80,10 +80,10 @@ async def rotations(
 async def check_rotation(
     request: ApiRequest, body: Annotated[CheckRotationRequest, Body(openapi_examples=_CHECK)]
 ) -> CheckRotationAnswer:
-    """Whether an answer means the orientation, whatever notation it is in, and what a wrong one looks like.
+    """Return whether an answer in any notation means the orientation, and what a wrong one looks like.
 
-    q and −q are the same, and (k, θ) and (−k, −θ), full turns, and either triple of angles. With `every`, all
-    triples are asked: both, or the family of a locked orientation.
+    q and −q are the same, as are (k, θ) and (−k, −θ), angles that differ by full turns, and both triples of
+    angles. With `every`, all triples are asked: both, or the family at gimbal lock.
     """
     language = language_of(request)
     return await request.in_turn(

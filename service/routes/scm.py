@@ -57,7 +57,7 @@ async def forward_kinematics(
     body: Annotated[wire.ScmForwardKinematicsRequest, Body(openapi_examples=examples.FORWARD_KINEMATICS)],
     request: ApiRequest,
 ) -> wire.ScmForwardKinematicsAnswer | BytesResponse:
-    """⁰H_FT, every H_i and every frame: scm(manipulator, 0) of the toolbox.
+    """Return ⁰H_FT, every H_i and every frame: scm(manipulator, 0) of the toolbox.
 
     With `joints` in numbers, without them in closed form.
     """
@@ -85,7 +85,7 @@ async def inverse_of_transform(
     body: Annotated[wire.ScmInverseTransformRequest, Body(openapi_examples=examples.INVERSE_TRANSFORM)],
     request: ApiRequest,
 ) -> wire.ScmInverseTransformAnswer | BytesResponse:
-    """Pose of frame 0 in the tool: scm(manipulator, -1) of the toolbox.
+    """Return the pose of frame 0 in the tool: scm(manipulator, -1) of the toolbox.
 
     With `joints` in numbers, without them in closed form.
     """
@@ -106,7 +106,7 @@ async def inverse_of_transform(
 async def jacobian(
     body: Annotated[wire.ScmJacobianRequest, Body(openapi_examples=examples.JACOBIAN)], request: ApiRequest
 ) -> wire.ScmJacobianAnswer | BytesResponse:
-    """J0 and Jn, by inspection (scm(manipulator, 1) and 2) or by differentiating the matrix (h2j).
+    """Return J0 and Jn, by inspection (scm(manipulator, 1) and 2) or by differentiating the matrix (h2j).
 
     With `joints` in numbers, without them in closed form.
     """
@@ -137,7 +137,7 @@ async def inverse_kinematics(
     body: Annotated[wire.ScmInverseKinematicsRequest, Body(openapi_examples=examples.INVERSE_KINEMATICS)],
     request: ApiRequest,
 ) -> wire.ScmInverseKinematicsAnswer:
-    """The joint values at which the tool reaches a pose: scm(manipulator, target, origin) and ik2q.
+    """Return the joint values at which the tool reaches a pose: scm(manipulator, target, origin) and ik2q.
 
     All solutions where there is a closed form; joint values in the chain's angle unit.
     """
@@ -164,7 +164,7 @@ async def random_configuration(
     body: Annotated[wire.RandomConfigurationRequest, Body(openapi_examples=examples.RANDOM_CONFIGURATION)],
     request: ApiRequest,
 ) -> wire.RandomConfigurationAnswer:
-    """Joint values drawn evenly within limits: qrand of the toolbox."""
+    """Return joint values drawn evenly within limits: qrand of the toolbox."""
     prepared = await _prepared(body, request)
     default = default_limits(prepared.chain, prepared.values)
     low, high = (prepared.answered([pair[end] for pair in default]) for end in (0, 1))
@@ -191,11 +191,11 @@ async def random_configuration(
 async def products(
     body: Annotated[ScmProductsRequest, Body(openapi_examples=examples.PRODUCTS)], request: ApiRequest
 ) -> BytesResponse:
-    """HRX … HTZ, GEO, SCZIP, S2D and H2J of the toolbox, of motions and matrices of one's own.
+    """Multiply motions and matrices: HRX … HTZ, GEO, SCZIP, S2D and H2J of the toolbox.
 
-    Each product is formed exactly, written, given numbers where all that stands in it has a value, and
-    compared with the first as a function. So shifts along an axis and turns about it are seen to commute
-    (eq. 2.10 to 2.12), and other motions not to.
+    Each product is formed exactly, written, evaluated if everything in it has a value, and
+    compared with the first as a function. This shows that translations along an axis and rotations about it
+    commute (eq. 2.10 to 2.12), and that other motions do not.
     """
     task = await request.in_turn(partial(products_task, body, request.settings.cell_limits))
     return BytesResponse(await request.resources.workers.run(Lane.SLOW, written_products, task))

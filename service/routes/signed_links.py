@@ -38,7 +38,7 @@ async def make_link(
     body: Annotated[SignedLinkRequest, Body(openapi_examples=_LINK)],
     resources: AppResources,
 ) -> SignedLink:
-    """The address of the exercise's page under settings that only restrict what its students may use.
+    """Return the address of the exercise's page under settings that only restrict what its students may use.
 
     Anybody may make one: it opens nothing that is not open already. Receipts say which settings were in
     force, so a student who leaves the link behind has a receipt without them.

@@ -28,10 +28,10 @@ _REQUEST: TypeAdapter[SymbolicRequest] = TypeAdapter(SymbolicRequest)
     openapi_extra=request_body(SymbolicRequest, SYMBOLIC),
 )
 async def symbolic(request: ApiRequest) -> Response:
-    """⁰T_N, every link transform and every frame in closed form; on request the inverse and the Jacobians.
+    """Return ⁰T_N, all link transforms and frames in closed form; on request the inverse and Jacobians.
 
     Entries are nested from the last joint to the first, angles of parallel joints are added (c23), and
-    multiples of π/12 are exact. Parameters that have no value stay symbols. Matrices come as LaTeX, MathML,
+    multiples of π/12 are exact. Parameters without a value stay symbols. Matrices are in LaTeX, MathML,
     infix text, expression trees, a SymPy script, or as functions in ten programming languages, whose
     arguments are the joint variables and then the parameters. Angles are radians in all of them. What takes
     too long, or more memory than it may, is refused.

@@ -40,10 +40,10 @@ async def trajectory(
     body: Annotated[TrajectoryRequest, Body(openapi_examples=examples.named(_EXAMPLES))],
     resources: AppResources,
 ) -> TrajectoryAnswer:
-    """All joints leave `start` and reach `end` together: q(t) = start + s(t / duration) (end − start).
+    """Return a motion from `start` to `end`, joints together: q(t) = start + s(t / duration) (end − start).
 
-    s is a cubic or a quintic polynomial of time that begins and ends at rest, so no joint overshoots: what
-    lies within the limits at both ends lies within them all the way.
+    s is a cubic or a quintic polynomial that begins and ends at rest, so no joint overshoots: a motion whose
+    ends are within the limits stays within them.
     """
     robot = resources.robots.prepare(body)
     with traced(body):

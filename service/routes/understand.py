@@ -92,9 +92,9 @@ async def understand(
     request: ApiRequest,
     response: Response,
 ) -> UnderstandAnswer:
-    """The meaning of every cell that can be read, the link matrix of every row with numbers, and the faults.
+    """Return the meaning of every readable cell, the link matrix of every row with numbers, and the faults.
 
-    Unlike the other calls this one does not refuse a table with faults: it says what it can of the rest. With
+    Unlike the other calls, this one does not refuse a table with faults, but reads the rest of it. With
     the id of an `exercise`, names that the exercise does not know are among the faults.
     """
     language = language_for(request.headers.get("accept-language"))

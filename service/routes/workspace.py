@@ -45,12 +45,12 @@ async def reach(
     body: Annotated[wire.WorkspaceRequest, Body(openapi_examples=examples.named(_EXAMPLES))],
     request: ApiRequest,
 ) -> wire.WorkspaceResponse:
-    """How near and how far the joints bring the origin of the end frame, and in which box.
+    """Return the least and greatest distance of the end frame's origin, and the box that contains it.
 
-    Radii are measured from the axis of the first joint and from the origin of frame 0. Each number is that
-    of a configuration within the limits, exact to rounding; that nothing lies beyond is found by climbing
-    from many starts, not proved. With `plane`, `quaternion` or `axis` only configurations count that have the
-    origin in the plane and the end frame oriented so.
+    Radii are measured from the axis of the first joint and from the origin of frame 0. Each number belongs
+    to a configuration within the limits and is exact to rounding; that nothing lies beyond is found by
+    climbing from many starts, not proved. With `plane`, `quaternion` or `axis`, only configurations count
+    whose origin is in the plane and whose end frame has that orientation.
     """
     resources = request.resources
     robot = await request.in_turn(partial(resources.robots.prepare, body))

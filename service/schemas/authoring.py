@@ -43,7 +43,7 @@ class DraftModel(Wire):
     )
 
     def draft(self) -> ExerciseDraft:
-        """The draft as the reader takes it."""
+        """Return the draft as the reader takes it."""
         return ExerciseDraft(id=self.id, definition=self.definition, statements=self.statements)
 
 

@@ -53,7 +53,7 @@ class RobotModel(Wire):
 
     @classmethod
     def of(cls, robot: CatalogueRobot, told: Callable[[str], str | None]) -> Self:
-        """A robot of the catalogue as it goes over the wire.
+        """Return a robot of the catalogue as it goes over the wire.
 
         Args:
             robot: the robot.

@@ -57,7 +57,7 @@ class LinkBody(Wire):
     )
 
     def raw(self) -> RawBody:
-        """The link as the cell grammar reads it."""
+        """Return the link as the cell grammar reads it."""
         return RawBody(mass=self.mass, centre=tuple(self.centre), inertia=tuple(map(tuple, self.inertia)))
 
 

@@ -65,7 +65,7 @@ class ForwardKinematicsQuestion(RobotQuestion):
     )
 
     def wanted(self) -> tuple[PoseQuantity, ...]:
-        """The parts of the answer, in the order of the enumeration."""
+        """Return the parts of the answer, in the order of the enumeration."""
         if self.parts is None and not self.inverse:
             return STANDARD_PARTS
         chosen = set(self.parts if self.parts is not None else STANDARD_PARTS)

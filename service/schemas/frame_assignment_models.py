@@ -31,7 +31,7 @@ class AxisModel(Wire):
     )
 
     def axis(self) -> JointAxis:
-        """The axis as the domain knows it."""
+        """Return the axis as the domain knows it."""
         return JointAxis(joint=JointType(self.joint), direction=self.direction, point=self.point)
 
 
@@ -43,7 +43,7 @@ class GripperTool(Wire):
     jaws: Coordinates = Field(description="direction in which the jaws slide")
 
     def gripper(self) -> Gripper:
-        """The gripper as the domain knows it."""
+        """Return the gripper as the domain knows it."""
         return Gripper(point=self.point, approach=self.approach, jaws=self.jaws)
 
 
@@ -145,7 +145,7 @@ class Chosen(Wire):
     )
 
     def frame(self) -> ChosenFrame:
-        """The frame as the domain knows it."""
+        """Return the frame as the domain knows it."""
         return ChosenFrame(origin=self.origin, x=self.x, y=self.y, z=self.z)
 
 

@@ -24,7 +24,7 @@ DomainLimits: TypeAlias = list[tuple[float | None, float | None] | None]
 def domain_limits(
     limits: Sequence[Sequence[float | None] | None] | None, units: Sequence[float]
 ) -> DomainLimits | None:
-    """The limits in [rad] and in the table's length unit.
+    """Return the limits in [rad] and in the table's length unit.
 
     Args:
         limits: as they were sent.

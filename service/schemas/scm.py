@@ -31,7 +31,7 @@ class PlacementModel(Wire):
     c: Cell = 0
 
     def cells(self) -> dict[str, Any]:
-        """The six entries by name."""
+        """Return the six entries by name."""
         return {entry: getattr(self, entry) for entry in ENTRIES}
 
 
@@ -87,7 +87,7 @@ class ScmChainModel(Wire):
     )
 
     def raw(self) -> RawChain:
-        """The chain as the cell grammar reads it."""
+        """Return the chain as the cell grammar reads it."""
         return RawChain(
             joints=tuple(row.cells() for row in self.joints),
             final=self.final.cells(),
@@ -97,7 +97,7 @@ class ScmChainModel(Wire):
         )
 
     def place(self, where: tuple[str | int, ...]) -> tuple[str | int, ...]:
-        """The place of an entry in what was sent: by its number where the row is a list."""
+        """Return the place of an entry in what was sent: by its number where the row is a list."""
         match where:
             case ("joints", int(i), str(entry)):
                 row = self.joints[i]
@@ -109,7 +109,7 @@ class ScmChainModel(Wire):
 
     @classmethod
     def of(cls, raw: RawChain) -> Self:
-        """A chain as it goes over the wire."""
+        """Return a chain as it goes over the wire."""
         return cls(
             joints=[PlacementModel(**row) for row in raw.joints],
             final=PlacementModel(**raw.final),

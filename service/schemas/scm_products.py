@@ -80,14 +80,14 @@ class ScmProductsRequest(Wire):
     )
 
     def raw(self) -> list[list[RawFactor]]:
-        """The factors as the cell grammar reads them."""
+        """Return the factors as the cell grammar reads them."""
         return [
             [factor.cells() if isinstance(factor, PlacementModel) else factor for factor in factors]
             for factors in self.products
         ]
 
     def place(self, where: tuple[str | int, ...]) -> tuple[str | int, ...]:
-        """The place of an entry in what was sent: by its number where the motion is a list."""
+        """Return the place of an entry in what was sent: by its number where the motion is a list."""
         match where:
             case ("products", int(i), int(k), str(entry)):
                 listed = isinstance(self.products[i][k], ListedPlacement)

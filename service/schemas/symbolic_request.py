@@ -61,7 +61,7 @@ class SymbolicRequest(WritingQuestion):
     jacobian: bool = Field(False, description="whether the Jacobians J0 and Jn are wanted as well")
 
     def wanted(self) -> tuple[FormPart, ...]:
-        """What is wanted, in the order of the enumeration."""
+        """Return what is wanted, in the order of the enumeration."""
         chosen = set(self.parts if self.parts is not None else STANDARD_PARTS)
         chosen |= {FormPart.INVERSE} if self.inverse else set()
         chosen |= {FormPart.JACOBIAN} if self.jacobian else set()

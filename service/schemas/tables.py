@@ -60,7 +60,7 @@ class Table(TableHead):
     )
 
     def raw(self) -> RawTable:
-        """The table as the cell grammar reads it."""
+        """Return the table as the cell grammar reads it."""
         return RawTable(
             convention=self.convention,
             rows=tuple(

@@ -48,7 +48,7 @@ class Tree(Wire):
     )
 
     def raw(self) -> list[RawTreeRow]:
-        """The rows as the cell grammar reads them."""
+        """Return the rows as the cell grammar reads them."""
         return [
             RawTreeRow(
                 after=row.after,

@@ -59,7 +59,7 @@ class PolicyModel(Wire):
     tolerance: ToleranceModel = ToleranceModel()
 
     def policy(self) -> Policy:
-        """The policy as the grader takes it."""
+        """Return the policy as the grader takes it."""
         return Policy(
             convention=self.convention,
             base=self.base,

@@ -29,7 +29,7 @@ _REFERENCE = "#/components/schemas/"
 
 
 def reference_page(document: Mapping[str, Any]) -> str:
-    """The page."""
+    """Return the page."""
     operations = [
         (method, path, operation)
         for path, methods in document["paths"].items()

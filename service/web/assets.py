@@ -51,7 +51,7 @@ class Asset:
 
 
 def static_root() -> Path:
-    """Where `static/` stands: inside the package in a wheel, beside it in a checkout."""
+    """Return where `static/` stands: inside the package in a wheel, beside it in a checkout."""
     package = Path(__file__).resolve().parent.parent
     packed = package / "static"
     return packed if packed.is_dir() else package.parent / "static"

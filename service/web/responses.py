@@ -52,7 +52,7 @@ def content_security_policy(
 
 
 def page_language(request: Request) -> str:
-    """The language that the address asks for (`?lang=`), or the browser."""
+    """Return the language that the address asks for (`?lang=`), or the browser."""
     asked = request.query_params.get("lang", "")
     return asked if asked in languages() else language_for(request.headers.get("accept-language"))
 
@@ -67,7 +67,7 @@ def page_response(
     form_action: str = "'self'",
     off: frozenset[Tool] = frozenset(),
 ) -> Response:
-    """A page in the reader's language, with the headers that every page has.
+    """Return a page in the reader's language, with the headers that every page has.
 
     Args:
         request: the request that it answers.
@@ -117,7 +117,7 @@ def _rooms_open(request: Request, off: frozenset[Tool]) -> list[str]:
 
 
 def missing_page(request: Request) -> Response:
-    """The page that says that there is no such page, whatever its address."""
+    """Return the page that says that there is no such page, whatever its address."""
     depth = path_of(request.scope).count("/") - 1
     return page_response(request, Page(name="missing", title="form-missing-title", depth=depth), status=404)
 
@@ -125,7 +125,7 @@ def missing_page(request: Request) -> Response:
 def text_response(
     request: Request, text: str | bytes, media_type: str, headers: Mapping[str, str], status: int = 200
 ) -> Response:
-    """Text with a validator, compressed if the client takes it; 304 if it has it already.
+    """Return the text with a validator, compressed if the client takes it; 304 if it has it already.
 
     The validator is weak, because it is the same for the text and for its compressed form; caches keep the
     two apart by `Vary`.
@@ -145,7 +145,7 @@ def text_response(
 def packed_response(
     request: Request, packed: bytes, tag: str, media_type: str, headers: Mapping[str, str]
 ) -> Response:
-    """What is kept gzipped, under its validator, to those who take it so and to those who don't."""
+    """Return what is kept gzipped, under its validator, to those who take it so and to those who don't."""
     varies = ", ".join(dict.fromkeys([*filter(None, [headers.get("Vary")]), "Accept-Encoding"]))
     sent = {**headers, "ETag": f'W/"{tag}"', "Vary": varies}
     if _has(sent["ETag"], request.headers.get("if-none-match", "")):
@@ -157,7 +157,7 @@ def packed_response(
 
 
 def takes_gzip(request: Request) -> bool:
-    """Whether the client takes what is gzipped."""
+    """Return whether the client takes what is gzipped."""
     accepted = dict(reversed(weighted(request.headers.get("accept-encoding", ""))))
     return accepted.get("gzip", accepted.get("*", 0.0)) > 0.0
 

@@ -54,17 +54,17 @@ def _template(name: str, stamp: int) -> str:
 
 
 def template(name: str) -> str:
-    """Text of a template, read again when its file changes."""
+    """Return the text of a template, read again when its file changes."""
     return _template(name, (TEMPLATES / f"{name}.html").stat().st_mtime_ns)
 
 
 def told(identifier: str, language: str) -> str:
-    """The text of a message; the message's own name where there is none."""
+    """Return the text of a message; the message's own name where there is none."""
     return sentence(language, identifier) or identifier
 
 
 def fill(text: str, language: str, values: Mapping[str, str]) -> str:
-    """A template with its messages and values put in, escaped."""
+    """Return a template with its messages and values put in, escaped."""
     literals, fields = _translated(text, language)
     put = [values[name] if safe else html.escape(values[name]) for name, safe in fields]
     return "".join(part for pair in zip(literals, [*put, ""], strict=True) for part in pair)
@@ -97,7 +97,7 @@ def render(
     values: Mapping[str, str] | None = None,
     rooms_open: Sequence[str] = tuple(NAVIGATION),
 ) -> str:
-    """A whole page.
+    """Return a whole page.
 
     Args:
         page: which kind.

@@ -59,7 +59,7 @@ class ChainTask:
     def of(
         cls, read: ReadChain, wanted: Wanted, formats: Sequence[Format] | None, notation: Notation
     ) -> ChainTask:
-        """The task of a request."""
+        """Return the task of a request."""
         return cls(
             chain=read.chain,
             parameters=tuple(read.parameters),
@@ -76,12 +76,12 @@ class ChainTask:
 
 
 def is_quick(chain: ScmChain) -> bool:
-    """Whether closed forms of a chain are certain to be small."""
+    """Return whether closed forms of a chain are certain to be small."""
     return chain.n_joints <= _QUICK_JOINTS and not verify(chain)
 
 
 def written_chain(task: ChainTask) -> bytes:
-    """The wanted matrices in the wanted formats, with the meaning of short names, as JSON.
+    """Return the wanted matrices in the wanted formats, with the meaning of short names, as JSON.
 
     Raises:
         FormSizeError: a matrix has too many operations to be written out, or is nested too deeply for JSON.

@@ -30,7 +30,7 @@ _FORMULA = ("=", "+", "-", "@", "\t", "\r")
 
 
 def attempt_record(found: ExportedAttempt) -> dict[str, Any]:
-    """One attempt of an export: the student by pseudonym, and the path of codes."""
+    """Return one attempt of an export: the student by pseudonym, and the path of codes."""
     attempt = found.attempt
     codes = [f"{kind}:{code}" + (f"@{row}" if row else "") for kind, code, row in found.path]
     return {
@@ -52,7 +52,7 @@ def attempt_record(found: ExportedAttempt) -> dict[str, Any]:
 
 
 def csv_of(attempts: Iterable[ExportedAttempt]) -> Iterator[str]:
-    """Attempts as CSV, a line at a time; no cell is a formula to a spreadsheet."""
+    """Yield the attempts as CSV, a line at a time; no cell is a formula to a spreadsheet."""
     yield _line(COLUMNS)
     for found in attempts:
         record = attempt_record(found)

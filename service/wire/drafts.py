@@ -76,12 +76,12 @@ def _exercise_of(exercise_id: str, content: bytes) -> Exercise:
 
 
 def draft_body(draft: ExerciseDraft) -> dict[str, Any]:
-    """A draft."""
+    """Return a draft."""
     return {"draft": {"id": draft.id, "definition": draft.definition, "statements": draft.statements}}
 
 
 def preview_body(draft: ExerciseDraft, admission: PolicyAdmission, language: str) -> dict[str, Any]:
-    """A draft as students will see it, and what its policy leaves free."""
+    """Return a draft as students will see it, and what its policy leaves free."""
     exercise = exercise_of(draft)
     instance = generate(exercise)
     robot = robot_facts(exercise.reference, exercise.robot)
@@ -149,7 +149,7 @@ def _kind(kind: str, robot: RobotFacts, language: str) -> dict[str, Any]:
 
 
 def self_test_body(findings: Findings, seed: int | None, language: str) -> dict[str, Any]:
-    """What a round of the self-test found."""
+    """Return what a round of the self-test found."""
     return {
         "seed": seed,
         "passed": findings.passed.total(),

@@ -81,7 +81,7 @@ class DynamicsTask:
     head: Mapping[str, Any]
 
     def is_quick(self) -> bool:
-        """Whether the answer is certain to be small."""
+        """Return whether the answer is certain to be small."""
         return self.table.n_joints <= QUICK_JOINTS
 
 
@@ -108,7 +108,7 @@ def weighed(question: WeighedRobot, settings: Settings) -> WeighedTable:
 
 
 def parameter_numbers(found: WeighedTable, given: Mapping[str, float]) -> dict[str, float]:
-    """The values of all parameters in SI units, from those given in the request's.
+    """Return the values of all parameters in SI units, from those given in the request's.
 
     Raises:
         ParameterError: a value is missing, not needed or not a finite number.
@@ -121,7 +121,7 @@ def parameter_numbers(found: WeighedTable, given: Mapping[str, float]) -> dict[s
 
 @np.errstate(all="ignore")
 def numeric_answer(question: NumericDynamicsRequest, settings: Settings) -> dict[str, Any]:
-    """The dynamics at one configuration.
+    """Return the dynamics at one configuration.
 
     Raises:
         KinematicsError: the robot cannot be read, a parameter or joint value does not fit, a link cannot be,
@@ -173,7 +173,7 @@ def _check_finite(answer: Mapping[str, Any]) -> None:
 
 
 def dynamics_task(question: SymbolicDynamicsRequest, settings: Settings) -> DynamicsTask:
-    """What a validated request asks of the workers.
+    """Return what a validated request asks of the workers.
 
     Raises:
         KinematicsError: the robot cannot be read, a parameter does not fit it, or is named like a rate.
@@ -221,7 +221,7 @@ def dynamics_task(question: SymbolicDynamicsRequest, settings: Settings) -> Dyna
 
 
 def written_dynamics(task: DynamicsTask) -> bytes:
-    """The equations of motion in the wanted formats, as JSON.
+    """Return the equations of motion in the wanted formats, as JSON.
 
     Raises:
         FormSizeError: they are too large to be derived or written out.

@@ -23,7 +23,7 @@ from service.wire.prepared_robots import listed_robot
 
 
 def read_symbolic(question: RobotQuestion, settings: Settings) -> ReadTable:
-    """The table of a question, cells as expressions.
+    """Return the table of a question, cells as expressions.
 
     Raises:
         KinematicsError: the table cannot be read.

@@ -117,7 +117,7 @@ def attempts_of(found: Exercise, context: LinkContext | None) -> int | None:
 
 
 def conventions(found: Exercise) -> list[str]:
-    """The conventions that an exercise accepts."""
+    """Return the conventions that an exercise accepts."""
     rule = found.policy.convention
     return ["standard", "modified"] if rule is ConventionRule.ANY else [rule.value]
 
@@ -134,7 +134,7 @@ def _rules_told(found: Exercise, language: str) -> tuple[str, ...]:
 
 
 def rules(found: Exercise, language: str) -> Iterator[str]:
-    """What is free and what is fixed, in sentences."""
+    """Yield what is free and what is fixed, in sentences."""
     policy = found.policy
     if not any(part.kind in FRAMED for part in found.parts):
         return
@@ -164,7 +164,7 @@ def _language_note(found: Exercise, language: str) -> str | None:
 
 @lru_cache(maxsize=DESCRIBED)
 def figure_description(instance: Instance, language: str) -> str:
-    """The figure in words."""
+    """Return the figure in words."""
     sentences = (
         sentence(language, f"figure-{entry.code}", entry.params) for entry in figure_sentences(instance)
     )

@@ -10,7 +10,7 @@ from service.schemas.base import FaultEntry
 
 
 def fault_entries(faults: Sequence[Fault], language: str, limit: int) -> list[FaultEntry]:
-    """The first `limit` faults as an answer lists them."""
+    """Return the first `limit` faults as an answer lists them."""
     if not faults:
         return []
     document = Problem(status=422, faults=tuple(faults)).document(language, fault_limit=limit)

@@ -35,7 +35,7 @@ Say = Callable[[str, dict[str, object]], str]
 
 
 def assigned(request: AssignFramesRequest, say: Say) -> AssignFramesAnswer:
-    """Frames and the table for the axes of a request.
+    """Return the frames and the table for the axes of a request.
 
     Raises:
         DescriptionError: malformed axes, frames or tolerance.
@@ -73,7 +73,7 @@ def assigned(request: AssignFramesRequest, say: Say) -> AssignFramesAnswer:
 
 
 def checked(request: CheckFramesRequest, say: Say) -> CheckFramesAnswer:
-    """What the rules say of a student's frames.
+    """Return what the rules say of a student's frames.
 
     Raises:
         DescriptionError: malformed axes or frames.

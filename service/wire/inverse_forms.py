@@ -43,13 +43,13 @@ class InverseFormTask(FormTask[EquationFormat]):
     """Equations to be found and written."""
 
     def is_quick(self) -> bool:
-        """Whether the answer is certain to be small: such arms have six joints at most."""
+        """Return whether the answer is certain to be small: such arms have six joints at most."""
         cells = (getattr(row, cell) for row in self.table.rows for cell in CELLS)
         return self.table.n_joints <= MOST_JOINTS and len(bottom_up(cells)) <= QUICK_NODES
 
 
 def inverse_form_task(question: SymbolicInverseRequest, settings: Settings) -> InverseFormTask:
-    """What a validated request asks of the workers.
+    """Return what a validated request asks of the workers.
 
     Raises:
         KinematicsError: see `exact_question`.
@@ -58,7 +58,7 @@ def inverse_form_task(question: SymbolicInverseRequest, settings: Settings) -> I
 
 
 def written_inverse(task: InverseFormTask) -> bytes:
-    """The answer to a task, as JSON.
+    """Return the answer to a task, as JSON.
 
     Raises:
         TableError: the arm has no such form.

@@ -62,7 +62,7 @@ async def solved(
 async def solved_each(
     request: NumericInverseKinematicsRequest, robot: PreparedRobot, api: ApiRequest
 ) -> InverseKinematicsAnswers:
-    """The joint values that reach each of many targets, all in one worker process.
+    """Return the joint values that reach each of many targets, all in one worker process.
 
     Targets that its time does not reach to are unanswered, each with a fault that says so.
 

@@ -48,7 +48,7 @@ def read_joints(joints: list[Any], robot: PreparedRobot, batch_limit: int) -> li
 
 
 def values_in_radians(given: Sequence[float], units: Sequence[float], field: str) -> list[float]:
-    """One value for each joint in [rad] and the table's length unit; faults stand at the field.
+    """Return one value for each joint in [rad] and the table's length unit; faults stand at the field.
 
     Raises:
         JointValueError: not one finite number for each joint, or one too large to be computed with.
@@ -66,7 +66,7 @@ def values_in_radians(given: Sequence[float], units: Sequence[float], field: str
 
 
 def read_array(array: Floats, robot: PreparedRobot, batch_limit: int) -> list[float] | Floats:
-    """An array of joint values in [rad] and length units; one dimension is one configuration.
+    """Return an array of joint values in [rad] and length units; one dimension is one configuration.
 
     Raises:
         JointValueError: configurations of the wrong length.

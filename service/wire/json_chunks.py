@@ -18,19 +18,19 @@ ROWS = 4096
 
 
 def blocks(count: int, size: int) -> Iterator[tuple[int, int]]:
-    """The bounds of blocks of so many of `count` things."""
+    """Return the bounds of blocks of so many of `count` things."""
     return ((start, min(start + size, count)) for start in range(0, count, size))
 
 
 def written(value: object) -> bytes:
-    """The value as JSON, all at once; what is not finite becomes null."""
+    """Return the value as JSON, all at once; what is not finite becomes null."""
     if isinstance(value, np.ndarray):
         value = np.ascontiguousarray(value) if value.ndim else value.item()
     return orjson.dumps(value, option=orjson.OPT_SERIALIZE_NUMPY)
 
 
 def list_chunks(array: NDArray[Any]) -> Iterator[bytes]:
-    """An array of one axis or more as a JSON list."""
+    """Yield an array of one axis or more as a JSON list."""
     yield b"["
     for start, stop in blocks(len(array), ROWS):
         yield (b"," if start else b"") + written(array[start:stop])[1:-1]

@@ -24,7 +24,7 @@ def custom_of(exercise_id: str, settings: Mapping[str, Any]) -> dict[str, str]:
 
 
 def arrival_of(launch: Launch, platform: Platform, library: Library) -> Arrival:
-    """Who arrives where, by a launch message that was believed."""
+    """Return who arrives where, by a launch message that was believed."""
     return Arrival(
         platform=platform,
         subject=launch.subject,

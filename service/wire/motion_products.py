@@ -59,7 +59,7 @@ class ProductsTask:
 
 
 def products_task(request: ScmProductsRequest, limits: Limits) -> ProductsTask:
-    """What a validated request asks of the workers.
+    """Return what a validated request asks of the workers.
 
     Raises:
         KinematicsError: motions that cannot be read, values that do not fit; every fault at its place.
@@ -80,7 +80,7 @@ def products_task(request: ScmProductsRequest, limits: Limits) -> ProductsTask:
 
 
 def written_products(task: ProductsTask) -> bytes:
-    """The products in the wanted formats, their values and which are equal, as JSON.
+    """Return the products in the wanted formats, their values and which are equal, as JSON.
 
     Raises:
         FormSizeError: a matrix has too many operations to be written out.

@@ -58,12 +58,12 @@ class PoseQuestion:
     points: Sequence[LinkPoint] = ()
 
     def poses(self, start: int | None = None, stop: int | None = None) -> ForwardKinematics:
-        """The poses, or those of a block of the batch."""
+        """Return the poses, or those of a block of the batch."""
         joints = self.joints if start is None else self.joints[start:stop]
         return forward_kinematics(self.robot.table, joints, base=self.base, tool=self.tool)
 
     def array(self, part: PoseQuantity, start: int, stop: int) -> Floats:
-        """A part of the answer, of a block of the batch."""
+        """Return a part of the answer, of a block of the batch."""
         if part is PoseQuantity.TRANSFORM:
             return end_poses(self.robot.table, self.joints[start:stop], base=self.base, tool=self.tool)
         return _ARRAYS[part](self.poses(start, stop))
@@ -80,7 +80,7 @@ ARRAY_PARTS = tuple(_ARRAYS)
 
 
 def one_answer(question: PoseQuestion) -> bytes:
-    """The answer for one configuration, as JSON."""
+    """Return the answer for one configuration, as JSON."""
     poses = question.poses()
     answer: dict[str, object] = {**question.robot.units}
     if question.parts is STANDARD_PARTS:
@@ -139,7 +139,7 @@ def _add_standard_parts(answer: dict[str, object], poses: ForwardKinematics, ang
 
 
 def json_blocks(question: PoseQuestion) -> Iterator[bytes]:
-    """The answer for a batch, as pieces of one JSON document."""
+    """Yield the answer for a batch, as pieces of one JSON document."""
     yield orjson.dumps(question.robot.units)[:-1]
     for part in question.parts:
         if part is PoseQuantity.ORIENTATION:
@@ -156,7 +156,7 @@ def json_blocks(question: PoseQuestion) -> Iterator[bytes]:
 
 
 def npy_blocks(question: PoseQuestion) -> Iterator[bytes | memoryview]:
-    """The one array that is wanted of a batch, as pieces of an npy file."""
+    """Yield the one array that is wanted of a batch, as pieces of an npy file."""
     (part,) = question.parts
     yield npy_header(npy_shape(question))
     for start, stop in blocks(len(question.joints), NPY_BLOCK):
@@ -183,7 +183,7 @@ def npy_length(question: PoseQuestion) -> int:
 
 
 def one_array(question: PoseQuestion) -> bytes:
-    """The one array that is wanted at one configuration, as an npy file."""
+    """Return the one array that is wanted at one configuration, as an npy file."""
     (part,) = question.parts
     return npy_header(npy_shape(question)) + npy_data(_ARRAYS[part](question.poses()))
 

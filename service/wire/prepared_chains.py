@@ -46,7 +46,7 @@ class PreparedChain:
         return tuple(self.angle if row.joint is JointType.REVOLUTE else 1.0 for row in self.chain.rows)
 
     def joints(self, given: Sequence[float], where: str = "joints") -> list[float]:
-        """Joint values of a request in [rad] and the chain's length unit.
+        """Return the joint values of a request in [rad] and the chain's length unit.
 
         Raises:
             JointValueError: not one for each joint.
@@ -63,12 +63,12 @@ class PreparedChain:
         return [value * unit for value, unit in zip(given, self.joint_units, strict=True)]
 
     def answered(self, joints: Sequence[float]) -> list[float]:
-        """Joint values in the units of the request."""
+        """Return the joint values in the units of the request."""
         return [value / unit for value, unit in zip(joints, self.joint_units, strict=True)]
 
 
 def prepared_structure(question: ChainQuestion, limits: Limits) -> ReadChain:
-    """The chain of a request, read and verified.
+    """Return the chain of a request, read and verified.
 
     Raises:
         DescriptionError: it cannot be read, or does not pass the document's input check.
@@ -85,7 +85,7 @@ def prepared_structure(question: ChainQuestion, limits: Limits) -> ReadChain:
 
 
 def written_structure(question: ChainQuestion, limits: Limits) -> ReadChain:
-    """The chain of a request for closed forms: parameters that have a value are gone, the others stay.
+    """Return the chain of a request for closed forms: parameters that have a value are gone, the others stay.
 
     Raises:
         KinematicsError: the chain or its parameters are not right; every fault at its place.
@@ -112,7 +112,7 @@ def in_chain(field: str, chain: ScmChainModel | None) -> Iterator[None]:
 
 
 def prepared_chain(question: ChainQuestion, limits: Limits) -> PreparedChain:
-    """The chain of a request with a value for every parameter; a catalogue robot brings its own.
+    """Return the chain of a request with a value for every parameter; a catalogue robot brings its own.
 
     Raises:
         KinematicsError: the chain or its parameters are not right; every fault at its place.

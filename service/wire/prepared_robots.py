@@ -55,7 +55,7 @@ class RobotCache:
         self._kept: OrderedDict[bytes, PreparedRobot] = OrderedDict()
 
     def recall(self, request: Mapping[str, Any]) -> PreparedRobot | None:
-        """The robot of a request's JSON, if it was prepared before."""
+        """Return the robot of a request's JSON, if it was prepared before."""
         key = _key(request)
         try:
             robot = self._kept[key]
@@ -65,7 +65,7 @@ class RobotCache:
         return robot
 
     def prepare(self, question: RobotQuestion, request: Mapping[str, Any] | None = None) -> PreparedRobot:
-        """The robot of a validated request; `request` is its JSON, under which it is kept.
+        """Return the robot of a validated request; `request` is its JSON, under which it is kept.
 
         Raises:
             KinematicsError: the table cannot be read, or its parameters do not fit; every fault at its place.
@@ -93,7 +93,7 @@ def _robot(question: RobotQuestion, limits: Limits) -> PreparedRobot:
 
 
 def listed_robot(robot_id: str) -> catalogue.Robot:
-    """The robot of the catalogue that a request names in its field `robot`.
+    """Return the robot of the catalogue that a request names in its field `robot`.
 
     Raises:
         RequestError: there is none of that id.
@@ -112,7 +112,7 @@ def listed_robot(robot_id: str) -> catalogue.Robot:
 
 
 def robot_of(read: ReadTable, parameters: Mapping[str, float]) -> PreparedRobot:
-    """The robot of a read table with these parameters.
+    """Return the robot of a read table with these parameters.
 
     Raises:
         KinematicsError: the parameters do not fit, at ("parameters", name) or ("table", "rows", i, cell).

@@ -60,7 +60,7 @@ class QuestionReader(Generic[Question]):
         self._request: TypeAdapter[Question] = TypeAdapter(request)
 
     async def read(self, request: ApiRequest) -> ReadQuestion[Question]:
-        """The question of a request, in either form.
+        """Return the question of a request, in either form.
 
         Raises:
             ServiceError: the request cannot be read, or is not of the call's shape.

@@ -17,7 +17,7 @@ from service.wire.verdicts import report_body
 
 
 def seed_of(session: CourseSession) -> str | None:
-    """The seed of a student's values: the same for a student as long as the link's settings are."""
+    """Return the seed of a student's values: the same for a student as long as the link's settings are."""
     settings, own = session.link.settings, session.person.key[:16]
     if settings.variants is not None:
         return variant_of(settings.exercise_id or "", own, settings.variants)
@@ -25,7 +25,7 @@ def seed_of(session: CourseSession) -> str | None:
 
 
 def session_view(session: CourseSession, standing: StudentStanding, version: str | None) -> dict[str, Any]:
-    """Who is signed in, for what, by which rules, and how far they are."""
+    """Return who is signed in, for what, by which rules, and how far they are."""
     grade, draft = standing.grade, standing.draft
     settings, at = session.link.settings, now()
     policy = settings.policy
@@ -62,7 +62,7 @@ def session_view(session: CourseSession, standing: StudentStanding, version: str
 
 
 def attempt_entry(attempt: Attempt | ListedAttempt, shown: Shown) -> dict[str, Any]:
-    """One attempt in a list, as far as it may be shown."""
+    """Return one attempt in a list, as far as it may be shown."""
     told = shown is not Shown.RECEIPT
     return {
         "number": attempt.number,
@@ -74,7 +74,7 @@ def attempt_entry(attempt: Attempt | ListedAttempt, shown: Shown) -> dict[str, A
 
 
 def attempt_view(attempt: Attempt, shown: Shown, language: str) -> dict[str, Any]:
-    """One attempt with what was found, as far as it may be shown."""
+    """Return one attempt with what was found, as far as it may be shown."""
     return {
         **attempt_entry(attempt, shown),
         "form": attempt.form,
@@ -87,7 +87,7 @@ def attempt_view(attempt: Attempt, shown: Shown, language: str) -> dict[str, Any
 
 
 def masked(report: Mapping[str, Any], shown: Shown) -> dict[str, Any] | None:
-    """A report as far as it may be shown: nothing, right or wrong with the score, or all."""
+    """Return a report as far as it may be shown: nothing, right or wrong with the score, or all."""
     if shown is Shown.RECEIPT:
         return None
     if shown is Shown.ALL:
@@ -101,5 +101,5 @@ def masked(report: Mapping[str, Any], shown: Shown) -> dict[str, Any] | None:
 
 
 def stored_report(report: Mapping[str, Any], language: str) -> dict[str, Any]:
-    """A stored report with its sentences, in any language."""
+    """Return a stored report with its sentences, in any language."""
     return report_body(restored(Report, report), language)

@@ -77,7 +77,7 @@ class SymbolicTask(FormTask[Format]):
     frames: tuple[JacobianFrame, ...] = tuple(JacobianFrame)
 
     def is_quick(self) -> bool:
-        """Whether the answer is certain to be small.
+        """Return whether the answer is certain to be small.
 
         The number of operations in an entry grows by a factor of about 5/3 with each joint whose axis is
         perpendicular to the one before, and of about 8/3 with each general twist.
@@ -94,7 +94,7 @@ class SymbolicTask(FormTask[Format]):
 
 
 def written_answer(task: SymbolicTask) -> bytes:
-    """The answer to a task, as JSON.
+    """Return the answer to a task, as JSON.
 
     Raises:
         FormSizeError: a matrix has too many operations to be written out.
@@ -119,7 +119,7 @@ def written_answer(task: SymbolicTask) -> bytes:
 
 
 def written_out(answer: Mapping[str, Any]) -> bytes:
-    """The matrices of an answer, written, as JSON.
+    """Return the matrices of an answer, written, as JSON.
 
     Raises:
         FormSizeError: an entry is nested too deeply for JSON.

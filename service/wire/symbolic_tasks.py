@@ -30,7 +30,7 @@ def matrices_task(
     parts: tuple[FormPart, ...],
     frames: tuple[JacobianFrame, ...] = tuple(JacobianFrame),
 ) -> SymbolicTask:
-    """What a validated request for matrices asks of the workers.
+    """Return what a validated request for matrices asks of the workers.
 
     Raises:
         KinematicsError: see `exact_question`.
@@ -42,7 +42,7 @@ class WritingTask(Protocol):
     """Something that a worker process derives and writes."""
 
     def is_quick(self) -> bool:
-        """Whether the answer is certain to be small."""
+        """Return whether the answer is certain to be small."""
 
 
 Task = TypeVar("Task", bound=WritingTask)
@@ -51,7 +51,7 @@ Task = TypeVar("Task", bound=WritingTask)
 async def answered(
     request: ApiRequest, task: Task, question: bytes, write: Callable[[Task], bytes]
 ) -> BytesResponse:
-    """The answer to a task, from a worker process.
+    """Return the answer to a task, from a worker process.
 
     Args:
         request: whose application has the workers.
@@ -79,7 +79,7 @@ def form_address(closed_forms: SharedAnswers, task: Task, write: Callable[[Task]
 
 
 async def symbolic_body(request: ApiRequest) -> Mapping[str, Any] | None:
-    """The body of a request that says "form": "symbolic"; None of any other."""
+    """Return the body of a request that says "form": "symbolic"; None of any other."""
     if request.brings_npy:
         return None
     request.expect_batch()
@@ -88,7 +88,7 @@ async def symbolic_body(request: ApiRequest) -> Mapping[str, Any] | None:
 
 
 async def symbolic_jacobian(request: ApiRequest, body: Mapping[str, Any]) -> BytesResponse:
-    """The answer to a request for Jacobians that says "form": "symbolic".
+    """Return the answer to a request for Jacobians that says "form": "symbolic".
 
     Raises:
         RequestError: the request is not of that shape.

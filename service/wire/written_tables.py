@@ -48,7 +48,7 @@ class TableWriter:
     variable_cells: Mapping[int, WireCell] = field(default_factory=dict)
 
     def table(self, table: SymbolicTable) -> WireTable:
-        """A table of exact entries."""
+        """Return a table of exact entries."""
         numbers = {row: joint for joint, row in enumerate(table.joint_rows, 1)}
         rows = [self.row(row, numbers.get(i, 0)) for i, row in enumerate(table.rows)]
         return {
@@ -59,7 +59,7 @@ class TableWriter:
         }
 
     def row(self, row: SymbolicRow, joint: int = 0) -> dict[str, WireCell]:
-        """A row; `joint` is the number of its variable, if it has one."""
+        """Return a row; `joint` is the number of its variable, if it has one."""
         cells: dict[str, WireCell] = {"joint": row.joint.value}
         for name, kind in CELL_KINDS.items():
             cells[name] = self.cell(getattr(row, name), kind)
@@ -70,7 +70,7 @@ class TableWriter:
         return cells
 
     def cell(self, entry: Expression, kind: ParameterKind) -> WireCell:
-        """An entry: a number where a number says it exactly, else an expression."""
+        """Return an entry: a number where a number says it exactly, else an expression."""
         known = self.spellings.get((kind, entry))
         if known is not None:
             return known
@@ -87,7 +87,7 @@ class TableWriter:
 
 
 def numeric_table(table: NumericTable, angle_unit: AngleUnit, length_unit: LengthUnit) -> WireTable:
-    """A table of numbers, written as numbers."""
+    """Return a table of numbers, written as numbers."""
     numbers = {row: joint for joint, row in enumerate(table.joint_rows, 1)}
     return {
         "convention": table.convention.value,
@@ -98,7 +98,7 @@ def numeric_table(table: NumericTable, angle_unit: AngleUnit, length_unit: Lengt
 
 
 def numeric_row(row: NumericRow, joint: int, angle_unit: AngleUnit) -> dict[str, WireCell]:
-    """A row of numbers, written as numbers; `joint` is the number of its variable, if it has one."""
+    """Return a row of numbers, written as numbers; `joint` is the number of its variable, if it has one."""
     cells: dict[str, WireCell] = {
         "joint": row.joint.value,
         "alpha": angle_in(angle_unit, row.alpha),

@@ -131,7 +131,7 @@ class ThreadSlot:
 
 
 def limiters(settings: Settings) -> dict[WorkKind, Limiter]:
-    """The limiters of an application."""
+    """Return the limiters of an application."""
     threads = {
         WorkKind.BATCH: (settings.batch_threads, settings.batch_queue),
         WorkKind.GRADING: (settings.grading_threads, settings.grading_queue),

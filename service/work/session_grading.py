@@ -64,7 +64,7 @@ class Grader:
     help_now: Callable[[HelpLevel | None], HelpLevel | None] = _as_asked
 
     def version(self, settings: LinkSettings) -> str:
-        """What the exercise of a link is now: an address made from its content, else its number.
+        """Return what the exercise of a link is now: an address made from its content, else its number.
 
         Raises:
             NoExerciseError: none has been chosen.
@@ -145,7 +145,7 @@ def _open(exercise: Exercise) -> Exercise:
 
 
 def asked_exercise(library: Library, settings: LinkSettings) -> Exercise:
-    """The exercise of a link, with the parts that the link asks.
+    """Return the exercise of a link, with the parts that the link asks.
 
     Raises:
         NoExerciseError: none has been chosen.
@@ -156,7 +156,7 @@ def asked_exercise(library: Library, settings: LinkSettings) -> Exercise:
 
 
 def with_exercise_rules(library: Library, session: CourseSession) -> CourseSession:
-    """A session with as many attempts as its link says, else as its exercise says."""
+    """Return a session with as many attempts as its link says, else as its exercise says."""
     settings = session.link.settings
     if settings.exercise_id is None or settings.policy.attempts is not None:
         return session

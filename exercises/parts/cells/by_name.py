@@ -46,7 +46,7 @@ class ByName(Generic[Read]):
     instance: Instance | None = None
 
     def elsewhere(self, context: Context) -> tuple[Read, Context] | None:
-        """The answer at other lengths and what it is judged by there; None of an answer in numbers."""
+        """Return the answer at other lengths and what it is judged by there; None of an answer in numbers."""
         if self.other is None or self.instance is None:
             return None
         return self.other, replace(context, instance=self.instance)

@@ -52,7 +52,7 @@ class Compared:
 
 @np.errstate(all="ignore")
 def compare(context: Context, answer: SymbolicMatrix, expected: Expected) -> Compared:
-    """An answered matrix beside the expected one.
+    """Return an answered matrix beside the expected one.
 
     They are compared at the exercise's values and, if the answer names all lengths, at others, too. Other
     values tell apart what the exercise's values confuse, such as two dimensions of equal length.
@@ -115,7 +115,7 @@ def transposed_cells(matrix: CellMatrix) -> list[list[Cell]] | None:
 
 
 def is_rigid(poses: Matrices, tolerance: Tolerance) -> bool:
-    """Whether (…, 4, 4) matrices are rigid motions."""
+    """Return whether (…, 4, 4) matrices are rigid motions."""
     if not np.isfinite(poses).all():
         return False
     rotation = poses[..., :3, :3]
@@ -129,10 +129,10 @@ def is_rigid(poses: Matrices, tolerance: Tolerance) -> bool:
 
 
 def cell_facts(cells: NDArray[np.bool_]) -> list[Fact]:
-    """What was found of each cell of a 4×4."""
+    """Return what was found of each cell of a 4×4."""
     return [fact(bool(cells[r, c]), r, c) for r in range(4) for c in range(4)]
 
 
 def cell_names(cells: NDArray[np.bool_]) -> tuple[str, ...]:
-    """The wrong cells as row,column counted from 1."""
+    """Return the wrong cells as row,column counted from 1."""
     return tuple(f"{r + 1},{c + 1}" for r, c in np.argwhere(~cells).tolist())

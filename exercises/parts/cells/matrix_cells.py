@@ -61,7 +61,7 @@ class SymbolicMatrix:
     entries: tuple[tuple[Expression, ...], ...]
 
     def names(self) -> frozenset[str]:
-        """The parameters in it."""
+        """Return the parameters in it."""
         return self._names
 
     @cached_property
@@ -84,7 +84,7 @@ def read_matrix(
     where: Where,
     limits: Limits = CELL_LIMITS,
 ) -> SymbolicMatrix:
-    """The matrix that a 4×4 of cells means.
+    """Return the matrix that a 4×4 of cells means.
 
     Args:
         cells: row by row.

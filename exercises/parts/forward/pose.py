@@ -53,7 +53,7 @@ ScoredPose: TypeAlias = tuple[float, Matrices, Matrices, Credit]
 
 
 def policy_fixes_pose(policy: Policy) -> bool:
-    """Whether every table that keeps the policy gives the same pose at the same joint values."""
+    """Return whether every table that keeps the policy gives the same pose at the same joint values."""
     return (
         policy.zero is ZeroRule.FIGURE
         and policy.direction is DirectionRule.FIGURE

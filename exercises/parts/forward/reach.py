@@ -39,7 +39,7 @@ def reach(
     square_to: Array | None,
     limits: Sequence[Interval | None],
 ) -> Reach:
-    """Least and greatest distance of a point of the last link.
+    """Return the least and greatest distance of a point of the last link.
 
     Args:
         table: the robot.

@@ -72,7 +72,7 @@ class Schematic:
 
 
 def schematic_faults(answer: Schematic) -> list[Fault]:
-    """What keeps an answer from being graded; places inside the part's answer."""
+    """Return what keeps an answer from being graded; places inside the part's answer."""
     faults: list[Fault] = []
     if JointType.FIXED in answer.joints:
         faults.append(
@@ -94,7 +94,7 @@ def schematic_faults(answer: Schematic) -> list[Fault]:
 
 
 def schematic_of(table: NumericTable) -> Schematic:
-    """The structure of a robot.
+    """Return the structure of a robot.
 
     Neighbouring axes belong to one link, so their relation is the same in every configuration (but for the
     place of a prismatic axis, which has no meaning).

@@ -35,7 +35,7 @@ from exercises.parts.samples import Samples
 
 
 def transform_is_robot(context: Context, answer: SymbolicMatrix) -> bool:
-    """Whether a ⁰T_N describes the robot by itself."""
+    """Return whether a ⁰T_N describes the robot by itself."""
     return is_robot(context, lambda values, q: answer.at_points(Samples(((values, q),))), answer.names())
 
 

@@ -33,7 +33,7 @@ PosesAt = Callable[[Mapping[str, float], Matrix], Matrix]
 
 @np.errstate(all="ignore")
 def is_robot(context: Context, poses_at: PosesAt, names: frozenset[str]) -> bool:
-    """Whether a ⁰T_N describes the robot and keeps the policy.
+    """Return whether a ⁰T_N describes the robot and keeps the policy.
 
     It does at the exercise's values and, if it and the key name all lengths, at others, too: what is named
     wrong is wrong, whatever a student was given.
@@ -98,7 +98,7 @@ def _is_robot_at(context: Context, poses_of: PosesOf, key: NumericTable) -> bool
 def chain_of_poses(
     poses_of: PosesOf, joint_types: Sequence[JointType], tolerance: Tolerance, size: float
 ) -> Chain | None:
-    """The joint axes of a ⁰T_N at q = 0; None if it is not a serial chain's.
+    """Return the joint axes of a ⁰T_N at q = 0; None if it is not a serial chain's.
 
     Args:
         poses_of: the ⁰T_N.

@@ -104,7 +104,7 @@ class WorkspaceAnswer:
 
 
 def workspace_of(context: Context, part: WorkspacePart) -> Reach:
-    """The radii of the robot's workspace, in the exercise's unit."""
+    """Return the radii of the robot's workspace, in the exercise's unit."""
     table = context.reference_numbers
     values = context.reference_values
     points = Points(context.instance.exercise.figure, context.reference.table, values)

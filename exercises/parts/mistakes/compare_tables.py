@@ -127,7 +127,7 @@ class CompareTablesType(PartType[Part, ComparisonCells, ComparisonCells]):
         return raw
 
     def grade(self, part: Part, answer: ComparisonCells, context: Context) -> PartReport:
-        """Half for the verdict, half for a true reason."""
+        """Return half of the points for the verdict, and half for a true reason."""
         verdict = _verdict(context)
         same = SameRobot.SAME if verdict.correct else SameRobot.DIFFERENT
         reasons = true_reasons(verdict)

@@ -120,7 +120,7 @@ class FindMistakeType(MistakeType[MistakePart, FoundMistakeCells, FoundMistake])
         return FoundMistake(row=None if row is None else row - 1, name=name, mended=mended)
 
     def grade(self, part: MistakePart, answer: FoundMistake, context: Context) -> PartReport:
-        """A third each for place, name and repair; a repair that does says where the mistake was."""
+        """Return a third each for place, name and repair; a repair that does says where the mistake was."""
         found: Planted = context.instance.drawn[self.kind]
         key, policy, values = context.reference, as_given(context.policy), context.parameters
         rows, names = {found.row}, {found.code}

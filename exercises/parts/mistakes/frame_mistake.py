@@ -161,7 +161,7 @@ class FrameMistakeType(MistakeType[MistakePart, FoundFrameMistakeCells, ByName[F
         return FoundFrameMistake(frame=frame, mistake=mistake, mended=mended)
 
     def grade(self, part: MistakePart, answer: ByName[FoundFrameMistake], context: Context) -> PartReport:
-        """A third each for place, name and repair; a repair that does says where the mistake was."""
+        """Return a third each for place, name and repair; a repair that does says where the mistake was."""
         found, here = planted_in(context.instance), answer.here
         mended = _mends(found, here, context) and _mends_elsewhere(found, answer, context)
         return self.report(

@@ -41,7 +41,7 @@ TARGETS: Mapping[Target, Writer] = {
 
 
 def converted(request: ConvertRequest, settings: Settings) -> ConvertAnswer:
-    """The answer to a request that names exactly one source.
+    """Return the answer to a request that names exactly one source.
 
     Raises:
         KinematicsError: the description cannot be read, or not be written in the other form.

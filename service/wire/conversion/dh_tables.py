@@ -45,7 +45,7 @@ Entries: TypeAlias = Sequence[Sequence[Expression]]
 
 
 def described_table(request: ConvertRequest, settings: Settings) -> RobotDescription:
-    """The robot of a table, or of the catalogue.
+    """Return the robot of a table, or of the catalogue.
 
     Raises:
         KinematicsError: the table cannot be read, or the parameters that were given do not fit.
@@ -75,7 +75,7 @@ def described_table(request: ConvertRequest, settings: Settings) -> RobotDescrip
 
 
 def table_answer(robot: RobotDescription, request: ConvertRequest) -> TableAnswer:
-    """The robot's table in a convention, its entries moved and never computed.
+    """Return the robot's table in a convention, its entries moved and never computed.
 
     Raises:
         ParameterError: a parameter of base or tool has no finite value.

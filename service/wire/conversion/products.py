@@ -22,7 +22,7 @@ from service.wire.prepared_robots import robot_of
 
 
 def described_product(request: ConvertRequest, _settings: Settings) -> RobotDescription:
-    """The robot of a product of exponentials, by frames assigned to its joint axes.
+    """Return the robot of a product of exponentials, by frames assigned to its joint axes.
 
     Raises:
         DescriptionError: a screw is none of a joint, or of another type than it is said to be.
@@ -57,7 +57,7 @@ def _three(values: Sequence[float]) -> tuple[float, float, float]:
 
 
 def product_answer(robot: RobotDescription, request: ConvertRequest) -> ProductAnswer:
-    """The joint screws and the home pose of a robot whose parameters all have values.
+    """Return the joint screws and the home pose of a robot whose parameters all have values.
 
     Raises:
         ParameterError: a parameter has no value.

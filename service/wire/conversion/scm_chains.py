@@ -28,7 +28,7 @@ from service.wire.written_tables import TableWriter, WireCell, with_variable
 
 
 def described_chain(request: ConvertRequest, settings: Settings) -> RobotDescription:
-    """The robot of an SCM chain, as the modified DH table that is exactly the chain for every q.
+    """Return the robot of an SCM chain, as the modified DH table that is exactly the chain for every q.
 
     Raises:
         DescriptionError: the chain cannot be read, or does not pass the document's input check.
@@ -51,7 +51,7 @@ def described_chain(request: ConvertRequest, settings: Settings) -> RobotDescrip
 
 
 def scm_answer(robot: RobotDescription, request: ConvertRequest) -> ScmAnswer:
-    """The robot as an SCM chain: entry by entry, or in numbers where it has fixed rows.
+    """Return the robot as an SCM chain: entry by entry, or in numbers where it has fixed rows.
 
     Raises:
         TableError: the table has no joints.

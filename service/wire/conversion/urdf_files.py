@@ -17,7 +17,7 @@ from service.wire.written_tables import angle_in
 
 
 def described_urdf(request: ConvertRequest, _settings: Settings) -> RobotDescription:
-    """The robot of a chain of a URDF description, by frames assigned to its joint axes.
+    """Return the robot of a chain of a URDF description, by frames assigned to its joint axes.
 
     Raises:
         DescriptionError: the description cannot be read, or the chain is none that a DH table can hold.
@@ -53,7 +53,7 @@ def _bound(bound: float | None, unit: AngleUnit) -> float | None:
 
 
 def urdf_answer(robot: RobotDescription, request: ConvertRequest) -> UrdfAnswer:
-    """The URDF description of a robot whose parameters all have values.
+    """Return the URDF description of a robot whose parameters all have values.
 
     Raises:
         ParameterError: a parameter has no value.
