@@ -6,6 +6,7 @@ import random
 from collections.abc import Iterator
 
 import numpy as np
+from numpy.typing import NDArray
 
 from exercises.parts.joint_draws import key_numbers
 from exercises.parts.motion.screws import ScrewsCells
@@ -26,9 +27,15 @@ def screws(rng: random.Random) -> Iterator[KnownAnswer]:
     yield known(False, instance, "screws", screws=_cells(spoilt(answer, table, rng), rng))
     if answer.frame is ScrewFrame.SPACE:
         moved = answer.home @ motion(rng, 0.0)
-        moved[:3, 3] += 0.1 * np.abs(moved[:3, 3]).max() + 0.05
+        moved[:3, 3] += (0.1 * np.abs(moved[:3, 3]).max() + 0.05) * _across(answer.screws[-1, 3:], rng)
         off = ScrewAnswer(screws=answer.screws, home=moved, frame=answer.frame)
         yield known(False, instance, "screws", screws=_cells(off, rng))
+
+
+def _across(axis: NDArray[np.float64], rng: random.Random) -> NDArray[np.float64]:
+    """A unit vector at a right angle to an axis: along the last one a tool point may be moved freely."""
+    side = np.cross(axis, [rng.gauss(0.0, 1.0) for _ in range(3)])
+    return side / np.linalg.norm(side)
 
 
 def _cells(answer: ScrewAnswer, rng: random.Random) -> ScrewsCells:
