@@ -129,9 +129,13 @@ def _parameter(value: float, *, own: bool) -> dict[str, Any]:
     return {**({"value": _cell(value)} if own else {}), "draw": draw}
 
 
+_LEAST_LENGTH = 1e-9
+"""Of a robot's, in any unit: what is shorter is drawn as zero would be."""
+
+
 def nice_range(value: float) -> tuple[str, str, str]:
-    """About four fifths to six fifths of a length, in round steps."""
-    size = abs(value) or 1.0
+    """About four fifths to six fifths of a length, in round steps; about zero, if it is as good as none."""
+    size = abs(value) if abs(value) >= _LEAST_LENGTH else 1.0
     power = 10.0 ** math.floor(math.log10(size / 10))
     step = next(factor * power for factor in (1, 2, 5, 10) if factor * power >= size / 20)
     digits = max(0, -math.floor(math.log10(step)))

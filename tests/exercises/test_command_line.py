@@ -200,6 +200,8 @@ def test_an_unknown_exercise_is_said_to_be_one(capsys: pytest.CaptureFixture[str
         (7.11, ("5.5", "8.5", "0.5")),
         (115, ("90", "150", "10")),
         (0.02, ("0.017", "0.023", "0.001")),
+        (0, ("-0.3", "0.3", "0.1")),
+        (5e-324, ("-0.3", "0.3", "0.1")),
     ],
 )
 def test_ranges_are_round(value: float, expected: tuple[str, str, str]) -> None:
