@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
-from enum import StrEnum
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from kinematics.expressions import Expression, Function, walk
+from kinematics.printing.formats import EquationFormat
 from kinematics.printing.latex import LatexWriter, parameter
 from kinematics.printing.ledger import Ledger
 from kinematics.printing.notation import Names, Notation, short_name
@@ -18,20 +18,6 @@ from kinematics.symbolic.interchange import SympyNodes
 
 if TYPE_CHECKING:
     import sympy
-
-
-class EquationFormat(StrEnum):
-    """What a list of equations can be written as; the last are the source of one function."""
-
-    LATEX = "latex"
-    TEXT = "text"
-    JSON = "json"
-    PYTHON = "python"
-    NUMPY = "numpy"
-    C = "c"
-    MATLAB = "matlab"
-    JAVASCRIPT = "javascript"
-    JULIA = "julia"
 
 
 class NamedValue(NamedTuple):
@@ -104,21 +90,7 @@ def source_of(
     """Return a function of the arguments that computes results from equations, in a programming language."""
     from kinematics.printing.languages import LANGUAGES  # this imports SymPy
 
-    language = LANGUAGES[chosen.value](_program(equations, tuple(arguments), results, purpose))
-    template = _TEMPLATES[chosen]
-    steps = language.steps(template.step)
-    rows = [row[0] for row in language.rows()]
-    words = {
-        "imports": "".join(f"{line}\n" for line in language.imports()),
-        "function": language.function,
-        "arguments": language.signature(template.argument).removeprefix(", "),
-        "meaning": language.purpose.meaning,
-        "result": language.result,
-        "count": len(rows),
-        "entries": ", ".join(rows),
-        "assigned": "\n".join(f"    {language.result}[{i}] = {row};" for i, row in enumerate(rows)),
-    }
-    return "\n".join([template.opening.format(**words), *steps, template.closing.format(**words), ""])
+    return LANGUAGES[chosen.value](_program(equations, tuple(arguments), results, purpose)).equations()
 
 
 def _program(
@@ -187,55 +159,6 @@ class _ProgramSteps:
                 used |= {symbol.name for symbol in step.value.free_symbols}
                 kept.append(step)
         return kept[::-1]
-
-
-class _Template(NamedTuple):
-    """What stands around the equations in a language.
-
-    Attributes:
-        opening: the lines before.
-        step: an equation.
-        closing: the lines after.
-        argument: one argument of the function.
-    """
-
-    opening: str
-    step: str
-    closing: str
-    argument: str = "{}"
-
-
-_TEMPLATES = {
-    EquationFormat.PYTHON: _Template(
-        '{imports}def {function}({arguments}):\n    """{meaning}"""', "    {} = {}", "    return [{entries}]"
-    ),
-    EquationFormat.NUMPY: _Template(
-        'import numpy as np\n\n\ndef {function}({arguments}):\n    """{meaning}"""',
-        "    {} = {}",
-        "    return np.stack(np.broadcast_arrays({entries}), axis=-1)",
-    ),
-    EquationFormat.C: _Template(
-        "#include <math.h>\n\n/* {meaning} */\nvoid {function}({arguments}, double {result}[{count}])\n{{",
-        "    const double {} = {};",
-        "{assigned}\n}}",
-        "double {}",
-    ),
-    EquationFormat.MATLAB: _Template(
-        "function {result} = {function}({arguments})\n% {meaning}",
-        "    {} = {};",
-        "    {result} = [{entries}];\nend",
-    ),
-    EquationFormat.JAVASCRIPT: _Template(
-        "// {meaning}\nexport function {function}({arguments}) {{",
-        "  const {} = {};",
-        "  return [{entries}];\n}}",
-    ),
-    EquationFormat.JULIA: _Template(
-        "# {meaning}\nfunction {function}({arguments})", "    {} = {}", "    return [{entries}]\nend"
-    ),
-}
-SOURCE_FORMATS = frozenset(_TEMPLATES)
-"""The formats that are source code."""
 
 
 def symbols_of(names: Names, expressions: Iterable[Expression]) -> dict[str, str]:

@@ -51,6 +51,25 @@ class Format(StrEnum):
     MATHEMATICA = "mathematica"
 
 
+class EquationFormat(StrEnum):
+    """What a list of equations can be written as; the last are the source of one function."""
+
+    LATEX = "latex"
+    TEXT = "text"
+    JSON = "json"
+    PYTHON = "python"
+    NUMPY = "numpy"
+    C = "c"
+    MATLAB = "matlab"
+    JAVASCRIPT = "javascript"
+    JULIA = "julia"
+
+    @property
+    def is_source(self) -> bool:
+        """Whether it is the source of one function: its language has a `template` then."""
+        return self.value in SOURCES
+
+
 SOURCES = {
     Format.PYTHON: "a function of q and the parameters, with the module math",
     Format.NUMPY: "the same for one configuration or a batch",

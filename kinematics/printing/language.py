@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from abc import abstractmethod
 from collections.abc import Callable, Iterable
-from typing import Any, ClassVar
+from typing import Any, ClassVar, NamedTuple
 
 import sympy
 from sympy.printing.printer import Printer
@@ -19,6 +19,22 @@ _PLAIN = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 _FOREIGN = re.compile(r"[^A-Za-z0-9_]")
 
 
+class EquationTemplate(NamedTuple):
+    """What stands around equations in a language, with the names that `Language.equations` fills in.
+
+    Attributes:
+        opening: the lines before.
+        step: an equation.
+        closing: the lines after.
+        argument: one argument of the function.
+    """
+
+    opening: str
+    step: str
+    closing: str
+    argument: str = "{}"
+
+
 class Language(Printer):
     """A printer of SymPy's that knows the names in one function; mixed in before the printer's class.
 
@@ -30,6 +46,7 @@ class Language(Printer):
         variable: a joint variable, given its number.
         first: the number of the first joint variable, row and column.
         suffix: what is appended to a name that is taken.
+        template: a function of equations, where the language is offered for them.
         fold: what makes two names one, in a language that takes no notice of case.
     """
 
@@ -40,6 +57,7 @@ class Language(Printer):
     variable: ClassVar[str] = "q[{}]"
     first: ClassVar[int] = 0
     suffix: ClassVar[str] = "_"
+    template: ClassVar[EquationTemplate | None] = None
     fold: ClassVar[Callable[[str], str]] = str
 
     def __init__(self, program: Program) -> None:
@@ -138,6 +156,24 @@ class Language(Printer):
     def source(self) -> str:
         """Return the source of the function."""
         return "\n".join([*self._lines(), ""])
+
+    def equations(self) -> str:
+        """The source of a function of the arguments alone that returns the first column."""
+        template = self.template
+        assert template is not None
+        steps = self.steps(template.step)
+        column = [row[0] for row in self.rows()]
+        words = {
+            "imports": "".join(f"{line}\n" for line in self.imports()),
+            "function": self.function,
+            "arguments": self.signature(template.argument).removeprefix(", "),
+            "meaning": self.purpose.meaning,
+            "result": self.result,
+            "count": len(column),
+            "entries": ", ".join(column),
+            "assigned": "\n".join(f"    {self.result}[{i}] = {entry};" for i, entry in enumerate(column)),
+        }
+        return "\n".join([template.opening.format(**words), *steps, template.closing.format(**words), ""])
 
     @abstractmethod
     def _lines(self) -> list[str]:

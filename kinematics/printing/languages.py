@@ -1,7 +1,8 @@
 """The programming languages that functions are written in.
 
-A language is one class here and one member of `Format`; all of them stand in this one file, however long it
-grows, so that they can be compared. Importing it imports SymPy.
+A language is one class here and one member of `Format`; with a `template` for lists of equations it may also
+be one of `EquationFormat`. All of them stand in this one file, however long it grows, so that they can be
+compared. Importing it imports SymPy.
 """
 
 from __future__ import annotations
@@ -25,7 +26,7 @@ from sympy.printing.str import StrPrinter
 
 from kinematics.expressions import Expression, JointVariable
 from kinematics.printing import words as reserved
-from kinematics.printing.language import IDENTIFIER, Language
+from kinematics.printing.language import IDENTIFIER, EquationTemplate, Language
 
 
 class Python(Language, PythonCodePrinter):
@@ -33,6 +34,9 @@ class Python(Language, PythonCodePrinter):
 
     settings: ClassVar[dict[str, Any]] = {"fully_qualified_modules": False}
     words = " ".join([*keyword.kwlist, *keyword.softkwlist, "pi len ValueError"])
+    template = EquationTemplate(
+        '{imports}def {function}({arguments}):\n    """{meaning}"""', "    {} = {}", "    return [{entries}]"
+    )
 
     def _lines(self) -> list[str]:
         steps, rows = self.steps("    {} = {}"), self.listed("        [{}]")
@@ -62,6 +66,11 @@ class Numpy(Python, NumPyPrinter):
     words = f"{Python.words} np float"
     variable = "q[..., {}]"
     pi = "np.pi"
+    template = EquationTemplate(
+        'import numpy as np\n\n\ndef {function}({arguments}):\n    """{meaning}"""',
+        "    {} = {}",
+        "    return np.stack(np.broadcast_arrays({entries}), axis=-1)",
+    )
 
     def _module_format(self, fqn: str, register: bool = True) -> str:
         return fqn.replace("numpy.", "np.")
@@ -119,6 +128,12 @@ class C(Language, C99CodePrinter):
     settings: ClassVar[dict[str, Any]] = {"math_macros": {}}  # M_PI is no part of the standard
     words = f"{reserved.C} {reserved.CPP} {' '.join(cxx.reserved['C++17'])}"
     pi = "3.14159265358979323846"
+    template = EquationTemplate(
+        "#include <math.h>\n\n/* {meaning} */\nvoid {function}({arguments}, double {result}[{count}])\n{{",
+        "    const double {} = {};",
+        "{assigned}\n}}",
+        "double {}",
+    )
 
     def _lines(self) -> list[str]:
         rows, columns = self.shape
@@ -174,6 +189,11 @@ class Matlab(Language, OctaveCodePrinter):
     words = reserved.MATLAB
     variable = "q({})"
     first = 1
+    template = EquationTemplate(
+        "function {result} = {function}({arguments})\n% {meaning}",
+        "    {} = {};",
+        "    {result} = [{entries}];\nend",
+    )
 
     def _lines(self) -> list[str]:
         rows, columns = self.shape
@@ -195,6 +215,11 @@ class Javascript(Language, JavascriptCodePrinter):
 
     words = reserved.JAVASCRIPT
     pi = "Math.PI"
+    template = EquationTemplate(
+        "// {meaning}\nexport function {function}({arguments}) {{",
+        "  const {} = {};",
+        "  return [{entries}];\n}}",
+    )
 
     def _lines(self) -> list[str]:
         joints = self.program.n_joints
@@ -220,6 +245,9 @@ class Julia(Language, JuliaCodePrinter):
     settings: ClassVar[dict[str, Any]] = {"user_functions": {"atan2": "atan"}}
     words = reserved.JULIA
     first = 1
+    template = EquationTemplate(
+        "# {meaning}\nfunction {function}({arguments})", "    {} = {}", "    return [{entries}]\nend"
+    )
 
     def _lines(self) -> list[str]:
         rows, columns = self.shape

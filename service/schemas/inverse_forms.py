@@ -8,7 +8,7 @@ from pydantic import ConfigDict, Discriminator, Field, Tag
 
 from kinematics.inverse_forms import ConditionKind, InverseReach
 from kinematics.printing import Notation
-from kinematics.printing.equation_lists import EquationFormat
+from kinematics.printing.formats import EquationFormat
 from service.http.validation import CHOICE
 from service.schemas.base import LONGEST_LIST, Wire
 from service.schemas.inverse_kinematics import NumericInverseKinematicsRequest

@@ -14,13 +14,12 @@ from kinematics.inverse_forms.outer_frames import with_base_and_tool
 from kinematics.printing import LIMIT, Notation
 from kinematics.printing.equation_lists import (
     MISFIT,
-    SOURCE_FORMATS,
-    EquationFormat,
     EquationPrinter,
     NamedValue,
     source_of,
     symbols_of,
 )
+from kinematics.printing.formats import EquationFormat
 from kinematics.printing.notation import Names
 from kinematics.symbolic import count_operations
 from kinematics.symbolic.size import bottom_up
@@ -79,7 +78,7 @@ def written_inverse(task: InverseFormTask) -> bytes:
     printer = EquationPrinter(names)
     equations = [NamedValue(step.name, step.joint, step.value) for step in form.steps]
     arguments = _arguments(form, expressions, parameters)
-    sources = [chosen for chosen in task.formats if chosen in SOURCE_FORMATS]
+    sources = [chosen for chosen in task.formats if chosen.is_source]
 
     def conditions(some: Iterable[InverseCondition]) -> list[dict[str, Any]]:
         return [{"kind": one.kind, **printer.value(one.value, task.formats)} for one in some]

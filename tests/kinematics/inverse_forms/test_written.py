@@ -10,17 +10,18 @@ import pytest
 
 from kinematics.catalogue import robot
 from kinematics.cells import bind_parameters, parameter_values
-from kinematics.expressions import JointVariable
+from kinematics.expressions import JointVariable, Parameter, negate, power
 from kinematics.forward import end_pose
 from kinematics.inverse_forms import InverseReach, inverse_form, joint_values
 from kinematics.printing import Notation
 from kinematics.printing.equation_lists import (
     MISFIT,
-    EquationFormat,
+    VALUES,
     EquationPrinter,
     NamedValue,
     source_of,
 )
+from kinematics.printing.formats import EquationFormat
 from kinematics.printing.notation import Names
 
 ROBOTS = ["puma560", "stanford", "ur5", "scara", "twolink", "scorbot"]
@@ -152,3 +153,13 @@ def test_an_equation_reads_like_a_book():
     assert written["q1"]["latex"] == (
         r"q_{1}=\operatorname{atan2}(p_{y}, p_{x})-\operatorname{atan2}(k_{y}, k_{x})"
     )
+
+
+@pytest.mark.parametrize("chosen", [chosen for chosen in EquationFormat if chosen.is_source])
+def test_every_language_that_is_offered_writes_equations(chosen):
+    square = NamedValue(name="square", joint=0, value=power(Parameter("x"), 2))
+    joint = NamedValue(name="", joint=1, value=negate(Parameter("square")))
+    source = source_of([square, joint], ["x"], [JointVariable(1)], chosen)
+    assert source.index("square = ") < source.index("q1 = ")
+    assert VALUES.name in source
+    assert VALUES.meaning in source
