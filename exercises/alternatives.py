@@ -36,7 +36,7 @@ def other_tables(
     """Return tables of the same robot that a policy accepts beside a given one.
 
     The other convention comes first, if it is free; then tables that differ in a single choice. Under the
-    strictest policies there may be none: where every axis is skew to the next, nothing is left to choose.
+    strictest policies there may be none: where every axis is skew to the next, fixed rows alone leave one.
 
     Args:
         read: a table, taken to be right.

@@ -51,8 +51,9 @@ def explained(
     if _same_layout(key, answer):
         told += _frames(key, answer, certificate, noticed)
     else:
-        told += _joints(answer, certificate)
+        told += _joints(key, answer, certificate)
         told += _zeros(answer, certificate, exact, unit, noticed)
+        told += _ends(key, answer, certificate, noticed)
     if not told:
         told.append(Feedback(code="same_frames"))
     if certificate.residual > ROUNDED:
@@ -116,6 +117,18 @@ def _frames(
         yield from _apart(apart, k, _joint_of_axis(answer, k), noticed)
 
 
+def _ends(
+    key: NumericTable, answer: NumericTable, certificate: Certificate, noticed: _Noticed
+) -> Iterator[Feedback]:
+    """Frame 0 and the last frame, which correspond whatever lies between; z of a joint is `_joints`'."""
+    motions = _body_motions(key, certificate)
+    ours, theirs = frames_at_zero(key), frames_at_zero(answer)
+    for k, end in ((0, 0), (len(answer.rows), -1)):
+        apart = compose(compose(inverse(ours[end]), motions[end]), theirs[end])
+        joint = _joint_of_axis(answer, k)
+        yield from (said for said in _apart(apart, k, joint, noticed) if said.code != "axis_reversed")
+
+
 def _joint_of_axis(table: NumericTable, k: int) -> int | None:
     """The joint, counted from 1, whose axis is z_k; None if no joint's is."""
     return table.axis_frames.index(k) + 1 if k in table.axis_frames else None
@@ -147,12 +160,19 @@ def _whole(value: float) -> float | int:
     return nearest if abs(value - nearest) < 0.05 else round(value, 1)
 
 
-def _joints(answer: NumericTable, certificate: Certificate) -> Iterator[Feedback]:
-    """Joint by joint, where frames do not correspond: the variable counts the other way."""
-    for joint, sign in enumerate(certificate.joint_signs, start=1):
-        if sign < 0:
-            row = answer.joint_rows[joint - 1] + 1
-            yield Feedback(code="variable_reversed", row=row, params={"joint": joint})
+def _joints(key: NumericTable, answer: NumericTable, certificate: Certificate) -> Iterator[Feedback]:
+    """Joint by joint, where frames do not correspond: the axis or the variable points the other way.
+
+    A joint moves by s·q about its z. With q_s = σ q + δ the same motion is s_s σ about z_s and s about z:
+    z_s = σ s_s s z.
+    """
+    for i, sign in enumerate(certificate.joint_signs):
+        row = answer.joint_rows[i]
+        if sign * answer.rows[row].sign * key.rows[key.joint_rows[i]].sign < 0:
+            params: dict[str, ParamValue] = {"frame": answer.axis_frames[i], "joint": i + 1}
+            yield Feedback(code="axis_reversed", row=answer.axis_frames[i] or None, params=params)
+        elif sign < 0:
+            yield Feedback(code="variable_reversed", row=row + 1, params={"joint": i + 1})
 
 
 def _zeros(

@@ -51,11 +51,23 @@ def judge_joints(question: JointQuestion, answer: JointAnswer) -> JointVerdict:
     rows = _judged_rows(question, answer.rows)
     good = [row for row in rows if row.right]
     says_none = answer.claim in _NONE
-    if not question.every:
-        right = bool(rows) and len(good) == len(rows) and not says_none
-        return JointVerdict(right=right, share=float(right), expected=expected, rows=rows)
-    solutions = question.found.solutions
     valid = tuple(_combination_holds(question, answer, rows, c) for c in answer.combinations)
+    loose = tuple(
+        not holds and _stays(question, c) for holds, c in zip(valid, answer.combinations, strict=True)
+    )
+    if not question.every:
+        reached = bool(rows) and len(good) == len(rows) and not says_none
+        too_many = answer.claim is JointClaim.INFINITE and expected is JointClaim.FINITE
+        right = reached and not too_many and all(valid)
+        return JointVerdict(
+            right=right,
+            share=1.0 if right else 0.5 * reached,
+            expected=expected,
+            rows=rows,
+            combinations=valid,
+            loose=loose,
+        )
+    solutions = question.found.solutions
     covered = {k for k in range(len(solutions)) if _covered(question, answer, rows, valid, k)}
     touched = {row.solution for row in good}
     meant = touched | {row.solution for row in rows}
@@ -78,6 +90,7 @@ def judge_joints(question: JointQuestion, answer: JointAnswer) -> JointVerdict:
         missing=missing,
         combination_missing=bool(touched - covered) and not says_none,
         combinations=valid,
+        loose=loose,
         complete=question.known,
     )
 
@@ -201,11 +214,23 @@ def _combination_holds(
     rows: Sequence[RowVerdict],
     combination: Sequence[float],
 ) -> bool:
-    """Return whether a combination describes the family of some row."""
-    return any(
-        any(combination) and verdict.right and _describes(question, row, combination)
-        for row, verdict in zip(answer.rows, rows, strict=True)
-    )
+    """Return whether a combination describes some family, or that of some row."""
+    members = [row for row, verdict in zip(answer.rows, rows, strict=True) if verdict.right]
+    members += [found.joints for found in question.found.solutions if found.family is not None]
+    return any(combination) and any(_describes(question, row, combination) for row in members)
+
+
+def _stays(question: JointQuestion, combination: Sequence[float]) -> bool:
+    """Return whether a combination is fixed along every straight family, of which there is one."""
+    families = [found.family for found in question.found.solutions if found.family is not None]
+    directions = [family.direction for family in families if family.direction is not None]
+    return any(combination) and bool(directions) and all(_fixed(combination, d) for d in directions)
+
+
+def _fixed(combination: Sequence[float], direction: Sequence[float]) -> bool:
+    """Return whether c·d = 0."""
+    c, d = np.array(combination), np.array(direction)
+    return abs(float(c @ d)) <= 1e-6 * float(np.linalg.norm(c)) * float(np.linalg.norm(d))
 
 
 def _describes(question: JointQuestion, row: Sequence[float], combination: Sequence[float]) -> bool:
@@ -246,12 +271,9 @@ def _covered(
     family = question.found.solutions[k].family
     if not own or family is None or family.direction is None:
         return bool(own)
-    direction = np.array(family.direction)
+    direction = family.direction
     return any(
-        holds
-        and abs(float(np.dot(c, direction)))
-        <= 1e-6 * float(np.linalg.norm(c)) * float(np.linalg.norm(direction))
-        and any(_describes(question, row, c) for row in own)
+        holds and _fixed(c, direction) and any(_describes(question, row, c) for row in own)
         for c, holds in zip(answer.combinations, valid, strict=True)
     )
 

@@ -99,6 +99,8 @@ class JointVerdict:
         missing: how each solution without a row, right or with a slip, differs from the nearest one found.
         combination_missing: a family has a member, but not its condition.
         combinations: which of the combinations hold along a family.
+        loose: which of the others are fixed along every family, but do not say which configurations belong
+            to it.
         complete: the solutions are known to be all; false: all that a search found.
     """
 
@@ -109,4 +111,5 @@ class JointVerdict:
     missing: tuple[Branch, ...] = ()
     combination_missing: bool = False
     combinations: tuple[bool, ...] = ()
+    loose: tuple[bool, ...] = ()
     complete: bool = True

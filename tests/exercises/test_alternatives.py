@@ -49,9 +49,11 @@ def test_another_table_is_there_and_is_right_under_every_rule(
                 assert other.table.table.convention.value == convention.value
 
 
-def test_where_nothing_is_left_to_choose_there_is_none() -> None:
+def test_where_all_is_prescribed_an_axis_is_reversed_behind_a_fixed_row() -> None:
     policy = replace(strictest_policy(exercise("twolink").policy), convention=ConventionRule.STANDARD)
-    assert other_tables(read_table(ONE_JOINT), policy, {}, 1) == ()
+    (other,) = other_tables(read_table(ONE_JOINT), policy, {}, 2)
+    assert [row.joint for row in other.table.table.rows] == [JointType.FIXED, JointType.REVOLUTE]
+    assert (other.table.table.rows[1].sign, other.reasons) == (-1, {ComparisonReason.AXIS_REVERSED})
 
 
 def test_a_table_without_joints_has_no_joint_to_reverse() -> None:

@@ -33,7 +33,8 @@ def joint_feedback(found: JointVerdict, answer: JointAnswer) -> Iterator[Feedbac
         yield Feedback(code="joints_family_missing")
     for i, holds in enumerate(found.combinations, 1):
         if not holds:
-            says = "wrong" if any(answer.combinations[i - 1]) else "zero"
+            loose = "loose" if found.loose[i - 1] else "wrong"
+            says = loose if any(answer.combinations[i - 1]) else "zero"
             yield Feedback(code=f"joints_combination_{says}", params={"row": i})
 
 

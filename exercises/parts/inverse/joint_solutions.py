@@ -130,7 +130,8 @@ class InverseKinematicsType(PartType[InverseKinematicsPart, JointAnswerCells, Jo
             instead="joints_wrong",
         ),
         **told_from(HelpLevel.KIND, "joints_family_missing"),
-        **told_from(HelpLevel.ROW, "joints_combination_wrong", "joints_combination_zero", "claim_wrong"),
+        **told_from(HelpLevel.ROW, *(f"joints_combination_{said}" for said in ("wrong", "loose", "zero"))),
+        **told_from(HelpLevel.ROW, "claim_wrong"),
     }
 
     def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> InverseKinematicsPart:

@@ -108,7 +108,7 @@ error-expected_not_rotation = The expected matrix is not a rotation.
 
 field-solutions = Joint values
 field-combinations = If there are infinitely many: the combination that stays constant (coefficients)
-option-finite = is reached by these joint values only
+option-finite = is reached by these joint values
 option-infinite = is reached by infinitely many; these are some of them
 option-out_of_reach = is out of reach
 option-joint_limits = is not reached within the limits of the joints
@@ -173,6 +173,7 @@ feedback-joints_limits = Row { $row } reaches the pose with joint { $joint } bey
 feedback-joints_family_missing = The pose is singular: say which combination of joint variables stays the same along the solutions.
 feedback-joints_combination_wrong = Combination { $row } does not stay the same along the solutions.
 feedback-joints_combination_zero = Combination { $row } is 0 whatever the joints do, so it says nothing.
+feedback-joints_combination_loose = Combination { $row } stays the same along the solutions, but that is not enough: other joint values with the same combination do not reach the pose.
 error-pose_frames_free = The pose is given in frame 0 and for the last frame: the policy has to fix both, base = "frame" and tool = "frame".
 error-joint_row_length = A row holds one value for each joint: { $expected } are needed, and { $given } were given.
 error-joint_rows_empty = Give the joint values that reach the pose.

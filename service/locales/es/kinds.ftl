@@ -108,7 +108,7 @@ error-expected_not_rotation = La matriz esperada no es una rotación.
 
 field-solutions = Valores articulares
 field-combinations = Si son infinitas: la combinación que permanece constante (coeficientes)
-option-finite = se alcanza solo con estos valores articulares
+option-finite = se alcanza con estos valores articulares
 option-infinite = se alcanza con infinitos valores; estos son algunos
 option-out_of_reach = está fuera del espacio de trabajo
 option-joint_limits = no se alcanza dentro de los límites articulares
@@ -173,6 +173,7 @@ feedback-joints_limits = La fila { $row } alcanza la pose con la articulación {
 feedback-joints_family_missing = La pose es singular: diga qué combinación de variables articulares permanece igual en las soluciones.
 feedback-joints_combination_wrong = La combinación { $row } no permanece igual en las soluciones.
 feedback-joints_combination_zero = La combinación { $row } vale 0 hagan lo que hagan las articulaciones, y no dice nada.
+feedback-joints_combination_loose = La combinación { $row } permanece igual en las soluciones, pero eso no basta: otros valores articulares con la misma combinación no alcanzan la pose.
 error-pose_frames_free = La pose se da en el sistema 0 y para el último: las reglas deben fijar ambos, base = "frame" y tool = "frame".
 error-joint_row_length = Una fila contiene un valor por articulación: se necesitan { $expected } y se dieron { $given }.
 error-joint_rows_empty = Dé los valores articulares que alcanzan la pose.

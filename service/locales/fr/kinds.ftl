@@ -108,7 +108,7 @@ error-expected_not_rotation = La matrice attendue n’est pas une rotation.
 
 field-solutions = Valeurs articulaires
 field-combinations = S’il y en a une infinité : la combinaison qui reste constante (coefficients)
-option-finite = n’est atteinte qu’avec ces valeurs articulaires
+option-finite = est atteinte avec ces valeurs articulaires
 option-infinite = est atteinte d’une infinité de façons ; en voici quelques-unes
 option-out_of_reach = est hors d’atteinte
 option-joint_limits = n’est pas atteinte dans les limites des articulations
@@ -173,6 +173,7 @@ feedback-joints_limits = La ligne { $row } atteint la pose avec l’articulation
 feedback-joints_family_missing = La pose est singulière : dites quelle combinaison des variables articulaires reste constante le long des solutions.
 feedback-joints_combination_wrong = La combinaison { $row } ne reste pas constante le long des solutions.
 feedback-joints_combination_zero = La combinaison { $row } vaut 0 quoi que fassent les articulations : elle ne dit rien.
+feedback-joints_combination_loose = La combinaison { $row } reste constante le long des solutions, mais cela ne suffit pas : d’autres valeurs articulaires de même combinaison n’atteignent pas la pose.
 error-pose_frames_free = La pose est donnée dans le repère 0 et pour le dernier : les règles doivent fixer les deux, base = "frame" et tool = "frame".
 error-joint_row_length = Une ligne contient une valeur par articulation : il en faut { $expected }, et { $given } ont été données.
 error-joint_rows_empty = Donnez les valeurs articulaires qui atteignent la pose.

@@ -108,7 +108,7 @@ error-expected_not_rotation = A matriz esperada não é uma rotação.
 
 field-solutions = Valores das juntas
 field-combinations = Se forem infinitas: a combinação que permanece constante (coeficientes)
-option-finite = é alcançada só com estes valores das juntas
+option-finite = é alcançada com estes valores das juntas
 option-infinite = é alcançada com infinitos valores; estes são alguns
 option-out_of_reach = está fora do espaço de trabalho
 option-joint_limits = não é alcançada dentro dos limites das juntas
@@ -173,6 +173,7 @@ feedback-joints_limits = A linha { $row } alcança a pose com a junta { $joint }
 feedback-joints_family_missing = A pose é singular: diga que combinação das variáveis das juntas permanece igual nas soluções.
 feedback-joints_combination_wrong = A combinação { $row } não permanece igual nas soluções.
 feedback-joints_combination_zero = A combinação { $row } vale 0 façam as juntas o que fizerem, e não diz nada.
+feedback-joints_combination_loose = A combinação { $row } permanece igual nas soluções, mas isso não basta: outros valores das juntas com a mesma combinação não alcançam a pose.
 error-pose_frames_free = A pose é dada no referencial 0 e para o último: as regras têm de fixar os dois, base = "frame" e tool = "frame".
 error-joint_row_length = Uma linha contém um valor por junta: são necessários { $expected }, e foram dados { $given }.
 error-joint_rows_empty = Dê os valores das juntas que alcançam a pose.

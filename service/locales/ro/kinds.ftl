@@ -108,7 +108,7 @@ error-expected_not_rotation = Matricea așteptată nu este o rotație.
 
 field-solutions = Valorile cuplelor
 field-combinations = Dacă sunt o infinitate: combinația care rămâne constantă (coeficienți)
-option-finite = se atinge numai cu aceste valori ale cuplelor
+option-finite = se atinge cu aceste valori ale cuplelor
 option-infinite = se atinge într-o infinitate de feluri; acestea sunt câteva
 option-out_of_reach = se află în afara spațiului de lucru
 option-joint_limits = nu se atinge în limitele cuplelor
@@ -174,6 +174,7 @@ feedback-joints_limits = Rândul { $row } atinge situarea cu cupla { $joint } di
 feedback-joints_family_missing = Situarea este singulară: spuneți ce combinație a variabilelor rămâne neschimbată de-a lungul soluțiilor.
 feedback-joints_combination_wrong = Combinația { $row } nu rămâne neschimbată de-a lungul soluțiilor.
 feedback-joints_combination_zero = Combinația { $row } este 0 orice ar face cuplele și nu spune nimic.
+feedback-joints_combination_loose = Combinația { $row } rămâne neschimbată de-a lungul soluțiilor, dar nu este destul: alte valori ale cuplelor cu aceeași combinație nu ating situarea.
 error-pose_frames_free = Situarea este dată în sistemul 0 și pentru ultimul: regulile trebuie să le fixeze pe amândouă, base = "frame" și tool = "frame".
 error-joint_row_length = Un rând conține câte o valoare pentru fiecare cuplă: trebuie { $expected }, s-au dat { $given }.
 error-joint_rows_empty = Dați valorile cuplelor care ating situarea.

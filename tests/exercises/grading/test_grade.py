@@ -173,6 +173,20 @@ def test_a_variable_counted_the_other_way_in_the_other_convention() -> None:
     assert ("variable_reversed", 3) in [(e.code, e.row) for e in verdict.feedback]
 
 
+def test_an_axis_reversed_in_the_other_convention() -> None:
+    """The variable counts as in the key: -q3 about the reversed axis."""
+    rows = with_cells(PUMA_CRAIG, (3, 0, "pi"), (3, 2, "-d3"), (3, 3, "-q3"), (4, 0, "pi/2"))
+    verdict = grade(KEY, read("modified", rows), USUAL)
+    assert verdict.correct
+    assert [(e.code, e.row) for e in verdict.feedback] == [("other_convention", None), ("axis_reversed", 3)]
+
+
+def test_the_last_frame_elsewhere_in_the_other_convention() -> None:
+    rows = with_cells(PUMA_CRAIG, (6, 2, "d4"))
+    verdict = grade(KEY, read("modified", rows), USUAL)
+    assert [(e.code, e.row) for e in verdict.feedback] == [("other_convention", None), ("origin_slid", 6)]
+
+
 def test_numbers_for_names() -> None:
     typed = read("standard", numbers(PUMA, 2))
     verdict = grade(KEY, typed, USUAL, VALUES)

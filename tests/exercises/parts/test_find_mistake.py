@@ -9,11 +9,21 @@ import pytest
 from exercises.answers import RawAnswer, parse
 from exercises.errors import AnswerError
 from exercises.grader import grade
+from exercises.grading import grade as grade_table
 from exercises.instance import generate
-from exercises.parts.mistakes.compare_tables import ComparisonCells, ComparisonReason, SameRobot
+from exercises.parts.mistakes.compare_tables import (
+    SAME,
+    ComparisonCells,
+    ComparisonReason,
+    SameRobot,
+    free_policy,
+    true_reasons,
+)
 from exercises.parts.mistakes.find_mistake import PART, FoundMistakeCells
 from exercises.parts.mistakes.planting import Planted
 from exercises.selftest.answers import context_of
+from kinematics.cells import AngleUnit, LengthUnit, RawRow, RawTable, read_table
+from kinematics.table import Convention, JointType
 from tests.exercises.packaged import exercise
 from tests.exercises.parts.planted_tables import asked
 
@@ -88,3 +98,28 @@ def test_every_true_reason_is_right_and_no_other() -> None:
         verdicts |= {same for same, _ in full}
         assert {report.score for report in reports.values()} == {0, 0.5, 1}
     assert verdicts == set(SameRobot)
+
+
+def test_reasons_across_conventions_name_reversed_axes_and_moved_ends_too() -> None:
+    """Frames do not correspond one by one there, but the axes of joints and the two ends do."""
+    found = exercise("stanford-compare")
+    fixed, turn, slide = JointType.FIXED, JointType.REVOLUTE, JointType.PRISMATIC
+    rows = (
+        RawRow(joint=fixed, theta=0, d=0, a=0, alpha=180),
+        RawRow(joint=turn, theta="q1", d="L0", a=0, alpha=90),
+        RawRow(joint=turn, theta="-q2 + 180", d="-L1", a=0, alpha=-90),
+        RawRow(joint=slide, theta=0, d="q3 + L1", a=0, alpha=0),
+        RawRow(joint=turn, theta="q4", d="-L1", a=0, alpha=-90),
+        RawRow(joint=turn, theta="-q5", d=0, a=0, alpha=90),
+        RawRow(joint=turn, theta="q6", d="L2 + L0", a=0, alpha=0),
+    )
+    second = read_table(
+        RawTable(
+            convention=Convention.STANDARD, rows=rows, angle_unit=AngleUnit.DEG, length_unit=LengthUnit.M
+        )
+    )
+    verdict = grade_table(
+        found.reference, second, free_policy(found.policy), {"L0": 0.4, "L1": 0.15, "L2": 0.1}
+    )
+    assert verdict.correct
+    assert true_reasons(verdict) == set(SAME)

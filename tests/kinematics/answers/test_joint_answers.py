@@ -186,3 +186,38 @@ def test_where_only_the_position_counts_nothing_is_said_of_the_orientation() -> 
     found = judge_joints(asked(reach=ArmReach.POSITION, every=False), finite([1.1, 0.9, -0.3, 0.2, 0.1, 0.0]))
     assert not found.right
     assert (found.rows[0].joint, found.rows[0].mistake) == (None, None)
+
+
+def test_one_solution_is_right_beside_true_statements_only() -> None:
+    question = asked(every=False)
+    answer = finite(Q)
+    assert judge_joints(question, answer).right
+    for false in (
+        replace(answer, claim=JointClaim.INFINITE),
+        replace(answer, combinations=((0, 0, 0, 1, 0, 1),)),
+    ):
+        found = judge_joints(question, false)
+        assert (found.right, found.share) == (False, 0.5)
+    stretched = asked((*Q[:4], 0.0, Q[5]), every=False)
+    answer = finite((*Q[:4], 0.0, Q[5]))
+    assert judge_joints(stretched, answer).right
+    infinite = replace(answer, claim=JointClaim.INFINITE, combinations=((0, 0, 0, 1, 0, 1),))
+    assert judge_joints(stretched, infinite).right
+
+
+@pytest.mark.parametrize("combination", [(1, 0, 0, 0, 0, 0), (1, 0, 0, 1, 0, 1)])
+def test_a_combination_that_is_fixed_without_saying_what_belongs_to_the_family_is_loose(combination) -> None:
+    question = asked((*Q[:4], 0.0, Q[5]))
+    rows = tuple(found.joints for found in question.found.solutions)
+    answer = JointAnswer(claim=JointClaim.INFINITE, rows=rows, combinations=(combination,))
+    found = judge_joints(question, answer)
+    assert (found.combinations, found.loose, found.right) == ((False,), (True,), False)
+
+
+def test_a_true_condition_stands_whatever_the_rows_are() -> None:
+    question = asked((*Q[:4], 0.0, Q[5]))
+    answer = replace(
+        finite([0.1] * 6), claim=JointClaim.INFINITE, combinations=((0, 0, 0, 1, 0, 1), (0, 0, 0, 1, 0, -1))
+    )
+    found = judge_joints(question, answer)
+    assert (found.combinations, found.loose, found.share) == ((True, False), (False, False), 0.0)
