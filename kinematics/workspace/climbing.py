@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import product
 
 import numpy as np
 
@@ -24,6 +25,12 @@ LOOKS = 768
 """Configurations that are looked at before the climb."""
 STARTS = 32
 """Configurations from which a goal is climbed to."""
+BEST_CORNERS = 8
+"""Of the starts so many are corners of the ranges, where there are as many."""
+MOST_CORNERS = 9
+"""Joints whose limits make corners: of more there would be thousands."""
+FULL_TURN = 1e-9
+"""Ranges shorter than a turn by less than this [rad] are a turn."""
 MOST_SWEEPS = 120
 FEWEST_SWEEPS = 6
 NEWTON_STEPS = 40
@@ -33,6 +40,8 @@ gained."""
 _GRID = 65
 _SMALL_GAIN = 1e-9
 """Values of a joint tried in a round, and the gain, as a share of the size, that ends the rounds."""
+_TOPS = 4
+"""Two ends and two tops between them: of nearly equal ones the grid does not tell which is greatest."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -80,15 +89,36 @@ def summits(
 
 
 def _starts(table: NumericTable, goals: Sequence[ReachGoal], spans: Array, tool: Transform | None) -> Array:
-    """For each goal the best of what was looked at, and others from all over the ranges."""
+    """For each goal the best of what was looked at, the best corners, and others from all over the ranges."""
     looked = spread(spans, LOOKS)
-    places = _places(table, looked, tool)
+    corners = _corners(table, spans)
     fixed = np.arange(0, LOOKS, 2 * LOOKS // STARTS)
+    best_corners = min(len(corners), BEST_CORNERS)
+    places, corner_places = (_places(table, q, tool) for q in (looked, corners))
     chosen = []
     for goal in goals:
         value = stacked([goal], LOOKS).values(places)
-        chosen += [np.argsort(-value, kind="stable")[: STARTS - len(fixed)], fixed]
-    return np.asarray(looked[np.concatenate(chosen)])
+        at_corners = stacked([goal], len(corners)).values(corner_places)
+        best = np.argsort(-value, kind="stable")[: STARTS - len(fixed) - best_corners]
+        chosen += [
+            looked[np.concatenate((best, fixed))],
+            corners[np.argsort(-at_corners, kind="stable")[:best_corners]],
+        ]
+    return np.concatenate(chosen)
+
+
+def _corners(table: NumericTable, spans: Array) -> Array:
+    """Corners of the ranges of the first joints that have limits, the others at the middle of theirs.
+
+    The way up to a greatest value in a corner may begin so near to it that nothing of what is spread evenly
+    lies there.
+    """
+    turning = np.array([kind is JointType.REVOLUTE for kind in table.joint_types])
+    limited = np.flatnonzero(~turning | (spans[:, 1] - spans[:, 0] < 2.0 * np.pi - FULL_TURN))[:MOST_CORNERS]
+    corners = np.tile(spans.mean(axis=1), (2 ** len(limited), 1))
+    ends = np.array([*product((0, 1), repeat=len(limited))], dtype=np.intp)
+    corners[:, limited] = spans[limited, ends.reshape(len(corners), -1)]
+    return corners
 
 
 def _places(table: NumericTable, joints: Array, tool: Transform | None) -> Array:
@@ -147,9 +177,11 @@ def _best_turn(goals: Goals, centre: Array, a: Array, b: Array, low: float, high
     s2 = np.einsum("mi,mi->m", a, Wb)
     grid = np.linspace(low, high, _GRID)
     waves = np.array([np.cos(grid), np.sin(grid), np.cos(2 * grid), np.sin(2 * grid)])
-    coefficients = np.column_stack((c1, s1, c2, s2))
-    curve = coefficients @ waves
-    start = grid[curve.argmax(axis=1)]
+    curve = np.column_stack((c1, s1, c2, s2)) @ waves
+    below = np.zeros(curve.shape, dtype=bool)
+    below[:, 1:-1] = (curve[:, 1:-1] < curve[:, :-2]) | (curve[:, 1:-1] < curve[:, 2:])
+    start = grid[np.argpartition(np.where(below, np.inf, -curve), _TOPS)[:, :_TOPS]]
+    c1, s1, c2, s2 = (each[:, None] for each in (c1, s1, c2, s2))
     q = start
     for _ in range(4):
         c, s, cc, ss = np.cos(q), np.sin(q), np.cos(2 * q), np.sin(2 * q)
@@ -157,10 +189,9 @@ def _best_turn(goals: Goals, centre: Array, a: Array, b: Array, low: float, high
         curvature = -c1 * c - s1 * s - 4 * c2 * cc - 4 * s2 * ss
         step = np.where(curvature < 0.0, -derivative / np.where(curvature < 0.0, curvature, 1.0), 0.0)
         q = np.clip(q + np.clip(step, -0.1, 0.1), low, high)
-    value = np.einsum(
-        "mk,km->m", coefficients, np.array([np.cos(q), np.sin(q), np.cos(2 * q), np.sin(2 * q)])
-    )
-    return np.asarray(np.where(value >= curve.max(axis=1), q, start))
+    tried = np.concatenate((start, q), axis=1)
+    values = c1 * np.cos(tried) + s1 * np.sin(tried) + c2 * np.cos(2 * tried) + s2 * np.sin(2 * tried)
+    return np.asarray(tried[np.arange(len(tried)), values.argmax(axis=1)])
 
 
 def _polished(

@@ -232,3 +232,31 @@ def test_refusals():
         workspace(PUMA560, tool=np.ones((4, 4)))
     with pytest.raises(JointValueError):
         workspace(PUMA560, [None])
+
+
+def test_a_corner_that_nothing_spread_evenly_is_near_is_found():
+    """The least x is where all three joints are at a limit, and the way up to it begins close by."""
+    table = numeric(
+        Convention.STANDARD,
+        ("revolute", 0.7, 0.4, 0.1, 0.0),
+        ("revolute", 0.0, 0.4, 0.1, 0.0),
+        ("prismatic", -RIGHT, 0.4, 0.2, 0.0),
+    )
+    limits = [(-1.3925, 0.8243), (-0.673, 2.8954), (-0.2, 0.2681)]
+    corner = end_pose(table, [-1.3925, -0.673, 0.2681])[0, 3]
+    assert workspace(table, limits).low[0] == pytest.approx(corner, abs=1e-9)
+
+
+def test_of_two_nearly_equal_tops_of_one_joint_the_greater_is_taken():
+    """A wrist that turns from its limit to a top between grid points, 4e-5 farther out than the limit."""
+    table = numeric(
+        Convention.STANDARD,
+        ("revolute", RIGHT, 0.0, 0.1, 0.0),
+        ("revolute", RIGHT, 0.0, 0.1, 0.0),
+        ("prismatic", 0.7, 0.4, 0.0, 0.0),
+    )
+    limits = [(-1.9391, 1.8366), (-2.6902, 0.8593536958), (-0.2, 0.4746944805)]
+    turns = np.linspace(-2.6902, 0.8593536958, 200_001)
+    q = np.column_stack((np.zeros_like(turns), turns, np.full_like(turns, 0.4746944805)))
+    places = end_poses(table, q)[:, :3, 3]
+    assert workspace(table, limits).outer.axis.value >= np.hypot(places[:, 0], places[:, 1]).max() - 1e-12
