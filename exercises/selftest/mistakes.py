@@ -21,7 +21,7 @@ from kinematics.expressions import (
     pi_times,
     rational_value,
 )
-from kinematics.table import Convention, DHTable, JointType, SymbolicRow, SymbolicTable
+from kinematics.table import Convention, DHTable, JointType, SymbolicRow
 
 QUARTER = pi_times(Fraction(1, 2))
 
@@ -29,12 +29,8 @@ Mistake = Callable[[ReadTable], Iterator[ReadTable]]
 """Every way to make it in a table."""
 
 
-def _with(read: ReadTable, table: SymbolicTable) -> ReadTable:
-    return replace(read, table=table)
-
-
 def _rows(read: ReadTable, rows: tuple[SymbolicRow, ...]) -> ReadTable:
-    return _with(read, DHTable(convention=read.table.convention, rows=rows))
+    return replace(read, table=DHTable(convention=read.table.convention, rows=rows))
 
 
 def _each_row(read: ReadTable, change: Callable[[SymbolicRow], SymbolicRow | None]) -> Iterator[ReadTable]:
@@ -130,7 +126,7 @@ def _row_extra(read: ReadTable) -> Iterator[ReadTable]:
 
 def _convention(read: ReadTable) -> Iterator[ReadTable]:
     other = Convention.MODIFIED if read.table.convention is Convention.STANDARD else Convention.STANDARD
-    yield _with(read, DHTable(convention=other, rows=read.table.rows))
+    yield replace(read, table=DHTable(convention=other, rows=read.table.rows))
 
 
 def _twists_all_reversed(read: ReadTable) -> Iterator[ReadTable]:

@@ -7,7 +7,7 @@ Greek letters, subscripts, superscripts, a little LaTeX. The grammar proper is i
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from functools import lru_cache
 from itertools import pairwise
 
@@ -346,16 +346,12 @@ def _without_dollars(plain: str) -> str:
 
 
 def _refuse_calls(tokens: list[Token]) -> None:
-    for name, bracket in _pairs(tokens):
+    for name, bracket in pairwise(tokens):
         if name.type == "NAME" and bracket.type == "LPAR":
             functions = tuple(function.value for function in Function)
             raise CellRefusal(
                 "function_unknown", column=name.column or 0, name=str(name), functions=functions
             )
-    for token, following in _pairs([*tokens, Token("END", "")]):
+    for token, following in pairwise([*tokens, Token("END", "")]):
         if token.type == "FUNCTION" and following.type not in {"LPAR", "LBRACE"}:
             raise CellRefusal("function_without_parentheses", column=token.column or 0, name=str(token))
-
-
-def _pairs(tokens: list[Token]) -> Iterator[tuple[Token, Token]]:
-    return pairwise(tokens)

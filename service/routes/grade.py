@@ -21,7 +21,7 @@ from service.schemas.grading import GradeBody, GradeManyRequest, GradeOneRequest
 from service.schemas.verdicts import VerdictModel
 from service.wire.many_grades import lines, members, verdicts
 from service.wire.ungraded import answer_refused
-from service.wire.verdicts import encoded, verdict_body
+from service.wire.verdicts import encoded, record_body
 from service.work.batches import BatchResponse
 from service.work.limiters import WorkKind
 
@@ -58,7 +58,7 @@ async def grade_table(request: ApiRequest) -> Response:
     with answer_refused():
         verdict = await _verdict(request)
     request.resources.metrics.graded(correct=verdict.correct, score=verdict.score, kept=False)
-    return BytesResponse(encoded(verdict_body(verdict, language_of(request))))
+    return BytesResponse(encoded(record_body(verdict, language_of(request))))
 
 
 async def _many(request: ApiRequest, body: dict[str, Any]) -> Response:

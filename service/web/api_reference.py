@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import base64
 import hashlib
-import html
 import json
 import re
 from collections.abc import Iterator, Mapping
+from html import escape
 from typing import Any
 
 STYLE = """
@@ -37,8 +37,8 @@ def reference_page(document: Mapping[str, Any]) -> str:
     ]
     info = document["info"]
     links = "".join(
-        f'<li><a href="#{_anchor(method, path)}"><code>{method.upper()} {_text(path)}</code></a> '
-        f"{_text(operation['summary'])}</li>"
+        f'<li><a href="#{_anchor(method, path)}"><code>{method.upper()} {escape(path)}</code></a> '
+        f"{escape(operation['summary'])}</li>"
         for method, path, operation in operations
     )
     sections = "".join(_section(method, path, operation) for method, path, operation in operations)
@@ -48,8 +48,8 @@ def reference_page(document: Mapping[str, Any]) -> str:
     return (
         '<!doctype html>\n<html lang="en"><head><meta charset="utf-8">'
         '<meta name="viewport" content="width=device-width">'
-        f"<title>{_text(info['title'])}: the API</title><style>{STYLE}</style></head><body><main>"
-        f"<h1>{_text(info['title'])}: the API</h1>{_prose(info['description'])}"
+        f"<title>{escape(info['title'])}: the API</title><style>{STYLE}</style></head><body><main>"
+        f"<h1>{escape(info['title'])}: the API</h1>{_prose(info['description'])}"
         f'<p>The same for programs: <a href="openapi.json">openapi.json</a>.</p>'
         f"<nav><ul>{links}</ul></nav>{sections}<h2>Shapes</h2>{shapes}</main></body></html>\n"
     )
@@ -57,8 +57,8 @@ def reference_page(document: Mapping[str, Any]) -> str:
 
 def _section(method: str, path: str, operation: Mapping[str, Any]) -> str:
     parts = [
-        f'<section><h2 id="{_anchor(method, path)}"><code>{method.upper()} {_text(path)}</code></h2>',
-        f"<p><strong>{_text(operation['summary'])}</strong></p>",
+        f'<section><h2 id="{_anchor(method, path)}"><code>{method.upper()} {escape(path)}</code></h2>',
+        f"<p><strong>{escape(operation['summary'])}</strong></p>",
         _prose(operation.get("description", "")),
     ]
     if operation.get("parameters"):
@@ -68,7 +68,7 @@ def _section(method: str, path: str, operation: Mapping[str, Any]) -> str:
         )
         parts.append(f"<h3>Parameters</h3><table>{rows}</table>")
     for media_type, entry in operation.get("requestBody", {}).get("content", {}).items():
-        parts.append(f"<h3>Body: <code>{_text(media_type)}</code> {_kind(entry.get('schema', {}))}</h3>")
+        parts.append(f"<h3>Body: <code>{escape(media_type)}</code> {_kind(entry.get('schema', {}))}</h3>")
         parts.extend(_examples(entry.get("examples", {})))
     answers = "".join(
         _row(status, _answer_kind(answer), answer.get("description", ""))
@@ -82,12 +82,12 @@ def _examples(examples: Mapping[str, Any]) -> Iterator[str]:
     for name, example in examples.items():
         value = json.dumps(example["value"], ensure_ascii=False, indent=1)
         flat = re.sub(r"\n\s{3,}", " ", value)
-        yield f"<details><summary>{_text(name)}</summary><pre>{_text(flat)}</pre></details>"
+        yield f"<details><summary>{escape(name)}</summary><pre>{escape(flat)}</pre></details>"
 
 
 def _answer_kind(answer: Mapping[str, Any]) -> str:
     return ", ".join(
-        f"<code>{_text(media_type)}</code> {_kind(entry.get('schema', {}))}"
+        f"<code>{escape(media_type)}</code> {_kind(entry.get('schema', {}))}"
         for media_type, entry in answer.get("content", {}).items()
     )
 
@@ -98,8 +98,8 @@ def _shape(name: str, schema: Mapping[str, Any]) -> str:
         _row(field if field in required else f"{field} (optional)", _kind(entry), _description(entry))
         for field, entry in schema.get("properties", {}).items()
     )
-    values = ", ".join(f"<code>{_text(str(value))}</code>" for value in schema.get("enum", ()))
-    head = f'<h3 id="{_text(name)}">{_text(name)}</h3>{_prose(schema.get("description", ""))}'
+    values = ", ".join(f"<code>{escape(str(value))}</code>" for value in schema.get("enum", ()))
+    head = f'<h3 id="{escape(name)}">{escape(name)}</h3>{_prose(schema.get("description", ""))}'
     return f"{head}{f'<p>{values}</p>' if values else ''}<table>{rows}</table>"
 
 
@@ -107,15 +107,15 @@ def _kind(schema: Mapping[str, Any]) -> str:
     """What a value of a schema is, in a few words; named shapes as links."""
     if "$ref" in schema:
         name = str(schema["$ref"]).removeprefix(_REFERENCE)
-        return f'<a href="#{_text(name)}">{_text(name)}</a>'
+        return f'<a href="#{escape(name)}">{escape(name)}</a>'
     for key in ("anyOf", "oneOf", "allOf"):
         if key in schema:
             return " or ".join(dict.fromkeys(_kind(choice) for choice in schema[key]))
     if "enum" in schema or "const" in schema:
-        return ", ".join(f"<code>{_text(str(v))}</code>" for v in schema.get("enum", [schema.get("const")]))
+        return ", ".join(f"<code>{escape(str(v))}</code>" for v in schema.get("enum", [schema.get("const")]))
     if schema.get("type") == "array":
         return f"list of ({_kind(schema.get('items', {}))})"
-    return _text(str(schema.get("type", "anything")))
+    return escape(str(schema.get("type", "anything")))
 
 
 def _description(schema: Mapping[str, Any]) -> str:
@@ -126,7 +126,7 @@ def _description(schema: Mapping[str, Any]) -> str:
 
 def _row(*cells: str) -> str:
     name, kind, description = cells
-    return f'<tr><th scope="row">{_text(name)}</th><td>{kind}</td><td>{_inline(description)}</td></tr>'
+    return f'<tr><th scope="row">{escape(name)}</th><td>{kind}</td><td>{_inline(description)}</td></tr>'
 
 
 def _prose(text: str) -> str:
@@ -134,11 +134,7 @@ def _prose(text: str) -> str:
 
 
 def _inline(text: str) -> str:
-    return re.sub(r"`([^`]+)`", r"<code>\1</code>", _text(text))
-
-
-def _text(value: str) -> str:
-    return html.escape(value)
+    return re.sub(r"`([^`]+)`", r"<code>\1</code>", escape(text))
 
 
 def _anchor(method: str, path: str) -> str:

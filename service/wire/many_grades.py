@@ -13,7 +13,7 @@ from service.http.problems import ServiceError, located, problem_of
 from service.http.validation import validated
 from service.schemas.grading import GradeManyRequest
 from service.schemas.tables import Table
-from service.wire.verdicts import encoded, verdict_body
+from service.wire.verdicts import encoded, record_body
 
 _TABLE: TypeAdapter[Table] = TypeAdapter(Table)
 
@@ -32,7 +32,7 @@ def verdicts(request: GradeManyRequest, limits: Limits, language: str) -> Iterat
             with located("submissions", i):
                 submission = read_table(validated(_TABLE, submitted).raw(), limits)
             verdict = grade(reference, submission, policy, request.parameters, request.help)
-            yield encoded(verdict_body(verdict, language))
+            yield encoded(record_body(verdict, language))
         except (KinematicsError, ServiceError) as error:
             yield encoded({**problem_of(error).document(language), "attempt_counted": False})
 

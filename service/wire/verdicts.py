@@ -13,7 +13,7 @@ from typing import Any, cast
 import orjson
 
 from exercises.grader import Report
-from exercises.grading import Edit, Feedback, Verdict
+from exercises.grading import Edit, Feedback
 from service.messages import sentence
 from service.schemas.derived import SPOKEN, carries_sentences
 
@@ -23,21 +23,11 @@ def encoded(body: dict[str, Any] | Report) -> bytes:
     return orjson.dumps(body, default=_plain)
 
 
-def verdict_body(verdict: Verdict, language: str) -> dict[str, Any]:
-    """Return a verdict on a table as `encoded` takes it."""
-    return _fields(verdict, language)
-
-
-def record_body(record: Any, language: str) -> dict[str, Any]:
-    """Return a record with its sentences as `encoded` takes it."""
-    return _fields(record, language)
-
-
 def report_body(report: Report, language: str) -> dict[str, Any]:
     """Return a report on all that was handed in: the verdict on the table, with the parts beside it."""
     return {
-        **(_without_table(report) if report.verdict is None else _fields(report.verdict, language)),
-        "parts": {part.kind: _fields(part, language) for part in report.parts},
+        **(_without_table(report) if report.verdict is None else record_body(report.verdict, language)),
+        "parts": {part.kind: record_body(part, language) for part in report.parts},
         "total": {
             "points": report.points,
             "max_points": report.max_points,
@@ -78,14 +68,15 @@ def _written(value: Any, language: str) -> Any:
     """Return a value with its sentences; what has none stays the record that it is."""
     if isinstance(value, tuple):
         return [_written(entry, language) for entry in value] if value and _speaks(value[0]) else value
-    return _fields(value, language) if _speaks(value) else value
+    return record_body(value, language) if _speaks(value) else value
 
 
 def _speaks(value: object) -> bool:
     return hasattr(value, "__dataclass_fields__") and carries_sentences(cast(type, type(value)))
 
 
-def _fields(record: Any, language: str) -> dict[str, Any]:
+def record_body(record: Any, language: str) -> dict[str, Any]:
+    """Return a record, as a verdict, with its sentences as `encoded` takes it."""
     body = {name: _written(getattr(record, name), language) for name in _names(cast(type, type(record)))}
     if type(record) in SPOKEN:
         body["message"] = _sentence(cast("Feedback | Edit", record), language)
