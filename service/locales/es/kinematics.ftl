@@ -1,4 +1,4 @@
-# Valores articulares, poses, torsores y tablas numéricas.
+# Valores articulares, poses, tornillos y tablas numéricas.
 
 error-target_unanswered = El cálculo se detuvo a los { $seconds } s, con { $answered } de los objetivos respondidos. Pida este y los siguientes en otra petición.
 error-joints_wrong_length =
@@ -30,9 +30,9 @@ error-notation_not_finite = { $name } de { $what } no es un número finito.
 error-quaternion_length = Un cuaternión de longitud nula o demasiado grande no es una orientación. Dé un cuaternión unitario.
 error-axis_length = Un eje de longitud nula o demasiado grande no tiene dirección. Dé un vector unitario.
 
-error-screw_not_finite = Un torsor cinemático consta de seis números finitos.
-error-screw_not_unit = La parte angular del torsor de una articulación de rotación y la parte lineal del de una prismática deben tener longitud 1.
-error-screw_has_pitch = Este torsor tiene un paso de { $pitch } por radián. Una articulación o gira o se desliza.
-error-screw_of_other_type = El torsor { $joint } no es del tipo que se indica: una articulación de rotación tiene parte angular, una prismática no.
+error-screw_not_finite = Un tornillo consta de seis números finitos.
+error-screw_not_unit = La parte angular del tornillo de una articulación de rotación y la parte lineal del de una prismática deben tener longitud 1.
+error-screw_has_pitch = Este tornillo tiene un paso de { $pitch } por radián. Una articulación o gira o se desliza.
+error-screw_of_other_type = El tornillo { $joint } no es del tipo que se indica: una articulación de rotación tiene parte angular, una prismática no.
 error-tree_after_unknown = La fila { $row } sigue al sistema { $given }: debe seguir a la base (0) o a una fila anterior. No se admiten cadenas cerradas.
 error-frame_unknown = No existe el sistema { $given }; el último es el { $count }.

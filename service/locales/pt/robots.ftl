@@ -1,6 +1,6 @@
 # Os robôs do catálogo e o aspeto das suas configurações.
 
-robot-cloos = Robô de soldagem Cloos
+robot-cloos = Robô de soldadura Cloos
 configuration-cloos-zero = braço ao longo de x0, antebraço para cima, a tocha pende de volta ao longo dele (punho singular)
 configuration-cloos-reach = braço levantado 45°, antebraço em ângulo reto com ele, mão em ângulo reto com o antebraço
 robot-dmra = Braço de robô móvel DoIt (6DMRA)
