@@ -1,10 +1,10 @@
 """Cosines and sines: exact for multiples of 15°, vectorised for the many angles of a batch.
 
-No double is π/2, so `math.cos(math.pi / 2)` is 6e-17, and a right angle would smear small numbers over every
-matrix. The doubles that people get when they write k·π/12 (|k| ≤ 24, that is up to two turns), in radians or
-by one of the usual conversions from degrees, therefore count as k·π/12 itself: in tables and in joint values
-alike, for one configuration and for many. There are 82 of them, and the farthest is 8.3e-16 rad from what it
-counts as; the doubles beside them are left alone.
+No double is π/2, so `math.cos(math.pi / 2)` is 6e-17, and a right angle would spread small numbers over every
+matrix. Therefore the doubles that result from writing k·π/12 (|k| ≤ 24, that is up to two turns), in radians
+or by one of the usual conversions from degrees, count as k·π/12 itself, in tables and in joint values,
+for one configuration and for many. There are 82 such doubles, each within 8.3e-16 rad of the value for which
+it counts; neighbouring doubles are not changed.
 """
 
 from __future__ import annotations
@@ -29,7 +29,7 @@ twelfths."""
 
 
 def cos_sin(angle: float) -> tuple[float, float]:
-    """Return the cosine and sine of an angle, exact where it counts as a multiple of π/12.
+    """Return the cosine and sine of an angle, exact if it counts as a multiple of π/12.
 
     Args:
         angle: [rad], finite.
@@ -41,7 +41,7 @@ def cos_sin(angle: float) -> tuple[float, float]:
 
 
 def nearest_twelfth(angle: float, tolerance: float) -> int | None:
-    """Return k where an angle is k·π/12, or None where it is none.
+    """Return k if an angle is k·π/12, otherwise None.
 
     Args:
         angle: [rad].
@@ -61,7 +61,7 @@ def twelfths(k: int) -> float:
 
 
 def cos_sin_arrays(half: NDArray[np.float64], cos: NDArray[np.float64], sin: NDArray[np.float64]) -> None:
-    """Cosines and sines of many angles, from one tangent each.
+    """Compute the cosines and sines of many angles, from one tangent each.
 
     With t = tan(q/2):  cos q = 2/(1 + t²) − 1  and  sin q = t · 2/(1 + t²).
 

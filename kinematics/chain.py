@@ -1,10 +1,10 @@
-"""The serial chain in numbers: joint axes and home pose at q = 0, whatever it was described by.
+"""The numeric serial chain: joint axes and home pose at q = 0, from any description.
 
     T(q) = exp([S_1] q_1) ⋯ exp([S_n] q_n) M
 
-S_i is the screw of joint i at q = 0 and M the home pose, in the coordinates of the base. A table of either
-convention, screws, an SCM chain and a URDF file all come down to this, so nothing that takes a `Chain` asks
-how it was written. Frames that travel with the links can be carried along.
+S_i is the screw of joint i at q = 0 and M the home pose, in the coordinates of the base. Tables of either
+convention, screws, SCM chains and URDF files all reduce to this, so code that takes a `Chain` need not know
+its source. A chain can carry frames that move with the links.
 
 Source: R. W. Brockett (1984); R. M. Murray, Z. Li, S. S. Sastry (1994), section 3.2.
 """
@@ -55,7 +55,7 @@ class Axis:
     """A joint axis at q = 0, pointing the way the joint variable counts.
 
     Attributes:
-        prismatic: the joint slides along the axis; only its direction has a meaning then.
+        prismatic: whether the joint slides along the axis; then only the direction matters.
         direction: unit vector.
         point: some point of the axis [m].
     """
@@ -65,7 +65,7 @@ class Axis:
     point: Vector
 
     def motion(self, q: float) -> Motion:
-        """Return exp([S] q), what the joint does at a value of its variable [rad or m]."""
+        """Return exp([S] q), the joint's motion at a value of its variable [rad or m]."""
         if self.prismatic:
             return translation(scale(self.direction, q))
         return rotation_about(self.point, self.direction, cos(q), sin(q))
@@ -78,9 +78,9 @@ class Chain:
     Attributes:
         axes: the joint axes, base first.
         end: M, the home pose: that of the end frame at q = 0.
-        extent: sum of all |a| and |d| of the table it was made from [m]; of other descriptions, how far a
-            walk along the axes goes, or where that is nothing the distances of axes and end from the origin.
-        links: for each frame that is carried along how many joints move it, and its pose at q = 0.
+        extent: sum of all |a| and |d| of the source table [m]; for other descriptions the length of a walk
+            along the axes or, if that is zero, the distances of axes and end from the origin.
+        links: for each carried frame, the number of joints that move it, and its pose at q = 0.
     """
 
     axes: tuple[Axis, ...]
@@ -148,7 +148,7 @@ class Chain:
 def chain_of_table(
     table: NumericTable, base: Transform | None = None, tool: Transform | None = None
 ) -> Chain:
-    """Return the chain of a table, carrying its frames 0 … N along.
+    """Return the chain of a table, with its frames 0 … N.
 
     Args:
         table: the DH table; its entries are finite.
@@ -174,7 +174,7 @@ def chain_of_table(
 
 
 def chain_of_axes(axes: Sequence[Axis], end: Motion) -> Chain:
-    """Return the chain of joint axes and a home pose, as whoever has no table gives them."""
+    """Return the chain of joint axes and a home pose that come from no table."""
     spread = norm(position(end)) + sum(norm(axis.point) for axis in axes)
     chain = Chain(tuple(axes), end, spread)
     return replace(chain, extent=size_of(chain))
@@ -214,7 +214,7 @@ def frames_at_zero(table: NumericTable) -> list[Motion]:
 
 
 def frames_at(table: NumericTable, joints: Sequence[float], base: Transform | None = None) -> list[Motion]:
-    """Return frames 0 … N at one configuration; of a table that is asked once, at a third of a plan's cost.
+    """Return frames 0 … N at one configuration; for a table used once, this costs a third of a plan.
 
     Args:
         table: the DH table; its entries are finite.
@@ -233,13 +233,13 @@ def frames_at(table: NumericTable, joints: Sequence[float], base: Transform | No
 
 
 def size_of(chain: Chain) -> float:
-    """Return a length that is typical of the robot, whatever its frames: what relative tolerances refer to.
+    """Return the robot's size, independent of its frames, to which relative tolerances refer.
 
-    Starting with the origin of the base, go to the nearest point of the first revolute axis, from there to
-    the nearest point of the next one and so on, and at last to the origin of the end frame; the same from the
-    other end; add up the steps but for the first one of the forward way, and take the shorter way. These
-    steps do not change with q, and neither a far-away world frame nor the huge offsets of nearly parallel
-    axes inflate them. Where all are zero, the chain's extent.
+    Walk from the origin of the base to the nearest point of the first revolute axis, from there to
+    the nearest point of the next one and so on, and finally to the origin of the end frame. Walk back in the
+    same way. Add up the steps, without the first one of the forward walk, and take the shorter walk. The
+    steps do not change with q, and neither a distant world frame nor the huge offsets of nearly parallel
+    axes increase them. If all are zero, the size is the chain's extent.
 
     Returns:
         A length, in the table's unit; 0 if all its lengths are zero, or what a computation leaves of zero.
@@ -258,7 +258,7 @@ def size_of(chain: Chain) -> float:
 
 
 def walk(here: Vector, axes: Sequence[Axis]) -> tuple[Vector, float]:
-    """Go from a point to the nearest point of one axis after the other; return the last and the length."""
+    """Walk from a point to the nearest point of each axis in turn; return the last point and the length."""
     total = 0.0
     for axis in axes:
         step = rejection(subtract(axis.point, here), axis.direction)
@@ -268,7 +268,7 @@ def walk(here: Vector, axes: Sequence[Axis]) -> tuple[Vector, float]:
 
 
 def screw_bases(chain: Chain) -> Floats:
-    """Return the matrices that the joint motions are made of.
+    """Return the matrices from which the joint motions are composed.
 
     exp([S_i] q) = 1 + sin q · A_i + (1 - cos q) · B_i for a revolute joint, 1 + q · A_i for a prismatic one.
 

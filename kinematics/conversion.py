@@ -1,4 +1,4 @@
-"""Standard to modified and back, with nothing lost.
+"""Standard to modified tables and back, without loss.
 
 Write Z_i for the motion along and about z of row i (theta, d: it holds the joint) and X_i for the one along
 and about x (a, alpha: constant). Then
@@ -68,7 +68,7 @@ def convert(
     base: XScrew[Entry] | None = None,
     tool: XScrew[Entry] | None = None,
 ) -> Conversion[Entry]:
-    """Write a table in a convention.
+    """Return a table in a convention.
 
     Args:
         table: the old table, numeric or symbolic; fixed rows and prismatic joints may stand anywhere.

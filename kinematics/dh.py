@@ -39,7 +39,7 @@ def link_transform(row: NumericRow, convention: Convention, q: float = 0.0) -> T
         row: theta joint angle [rad], d link offset [m], a link length [m], alpha link twist [rad];
             in a modified table a and alpha belong to link i-1.
         convention: which of the two products to form.
-        q: the joint variable [rad], or [m] of a prismatic row; a fixed row ignores it.
+        q: the joint variable [rad, or m for a prismatic row]; a fixed row ignores it.
 
     Returns:
         (4, 4) homogeneous transform, translation in [m]. Angles that are multiples of π/12 count as exact.
@@ -130,8 +130,8 @@ class ElementaryMotion(NamedTuple):
         kind: which one.
         first: cosine of a turn's angle, or the length of a shift.
         second: sine of a turn's angle.
-        joint: number of the joint that moves so, from 0; None of a constant motion.
-        sign: −1 of a joint whose variable enters reversed.
+        joint: number of the joint that makes the motion, from 0; None for a constant motion.
+        sign: −1 if the joint's variable enters with a minus sign.
     """
 
     kind: MotionKind
@@ -165,12 +165,12 @@ def turn_x(v: Scalars, c: Scalar, s: Scalar) -> Scalars:
 def link_motions(
     row: NumericRow, convention: Convention, joint: int = 0, where: tuple[str | int, ...] = ()
 ) -> list[ElementaryMotion]:
-    """Return the elementary motions of a row, base side first, without constant ones that do not move.
+    """Return the elementary motions of a row, base side first, without constant motions by zero.
 
     Args:
         row: the row.
         convention: their order.
-        joint: number of the row's joint, from 0; ignored of a fixed row.
+        joint: number of the row's joint, from 0; ignored for a fixed row.
         where: place of the row, for the faults.
 
     Raises:
@@ -221,9 +221,9 @@ def set_joints(motions: Iterable[ElementaryMotion], values: Sequence[JointValue]
 def pose_of_motions(motions: Sequence[ElementaryMotion]) -> tuple[Row, Row, Row]:
     """Return the 3×4 pose that a product of elementary motions makes, by rows, for any kind of number.
 
-    Columns x and z of the rotation and the origin p are carried from the tip to the base. Turns about
-    parallel axes are put together (by the rule for the cosine and sine of a sum) before the columns are
-    turned, and y = z × x.
+    Columns x and z of the rotation and the origin p are transformed from the tip to the base. Rotations
+    about parallel axes are combined (by the addition theorems) before the columns are rotated, and
+    y = z × x.
     """
     x, z, p = X_AXIS, Z_AXIS, ORIGIN
     c, s = 1.0, 0.0

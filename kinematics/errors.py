@@ -6,7 +6,7 @@
     ├── ParameterError     a parameter is missing, unused or not finite
     ├── JointValueError    joint values of the wrong number, or not finite
     ├── PoseError          a 4x4 matrix is not a rigid motion, or a pose notation is malformed
-    ├── DescriptionError   a robot described otherwise (axes, SCM chain, URDF, catalogue file) is malformed
+    ├── DescriptionError   a robot described by axes, an SCM chain, URDF or a catalogue file is malformed
     └── FormSizeError      a closed form would be larger than its limit
 
 An error carries one or more faults, so that a caller sees all of them at once. Unreachable, singular and
@@ -28,7 +28,7 @@ class Fault:
     Attributes:
         code: stable identifier in snake_case; `error-<code>` is the sentence in every language.
         where: path from the object that was read to the offending value, such as ("rows", 2, "alpha").
-        params: the values that the sentence speaks of, by name.
+        params: the values that the sentence mentions, by name.
     """
 
     code: str
@@ -42,7 +42,7 @@ class Fault:
         return f"{self.code}{place}" + (f" ({values})" if values else "")
 
     def within(self, *prefix: str | int) -> Fault:
-        """Return the same fault, seen from an enclosing object that holds the read one at `prefix`."""
+        """Return the same fault with its place in an enclosing object, which contains the read one at `prefix`."""
         return Fault(code=self.code, where=(*prefix, *self.where), params=self.params)
 
 

@@ -13,7 +13,7 @@ from kinematics.table import NumericTable
 class ForwardKinematics:
     """Poses of a serial chain at one configuration, or at m of them (each array then has a leading axis m).
 
-    Links and frames are computed when they are first asked for; nothing here ever changes.
+    Links and frames are computed at first use; the object is immutable.
 
     Attributes:
         transform: (4, 4) pose of the end frame, base and tool included.

@@ -1,4 +1,4 @@
-"""Geometric Jacobians: joint rates to the velocity of the tool, and what they say about a configuration."""
+"""Geometric Jacobians: from joint rates to the velocity of the tool; rank, singularity, manipulability."""
 
 from __future__ import annotations
 
@@ -45,11 +45,11 @@ def jacobian(
     base: ArrayLike | None = None,
     tool: ArrayLike | None = None,
 ) -> Numbers:
-    """Geometric Jacobian: (v, ω) = J(q) dq/dt.
+    """Return the geometric Jacobian: (v, ω) = J(q) dq/dt.
 
     v is the velocity of the tool's origin, ω the angular velocity of the tool. A revolute joint about z_i
     through p_i contributes the column (z_i × (p − p_i), z_i), a prismatic one along z_i the column (z_i, 0);
-    a reversed variable turns the sign of its column.
+    a reversed variable changes the sign of its column.
 
     Args:
         table: the DH table.
@@ -129,11 +129,11 @@ def dexterity(
     tool: ArrayLike | None = None,
     tolerance: float = RANK_TOLERANCE,
 ) -> Dexterity:
-    """Manipulability, rank, and whether a configuration is singular.
+    """Return manipulability, rank, and whether a configuration is singular.
 
-    A Jacobian mixes lengths with angles, so its singular values mean nothing until both are measured alike.
-    They are taken of the dimensionless Jacobian: linear rows divided by a length L, columns of prismatic
-    joints multiplied by it. L is the sum of |a| and |d| over the table, or 1 where that is zero. The verdict
+    A Jacobian mixes lengths with angles, so its singular values mean nothing until both have one scale.
+    They are those of the dimensionless Jacobian: linear rows divided by a length L, columns of prismatic
+    joints multiplied by it. L is the sum of |a| and |d| over the table, or 1 if that is zero. The result
     is therefore the same in metres and in millimetres.
 
     Singular means that the tool loses a direction of motion that the arm otherwise has: the rank is below the

@@ -23,8 +23,7 @@ _FLOAT = frozenset({float})
 def configurations(joints: ArrayLike, n_joints: int) -> list[float] | Floats:
     """Return one configuration as a list of n finite floats, or many as an (m, n) array of them.
 
-    One-dimensional arrays and lists of floats, the usual arguments, are read first and at a fifth of the cost
-    of
+    One-dimensional arrays and lists of floats, the usual arguments, are read first, at a fifth of the cost of
     others: reading them takes a tenth of the time of a pose.
 
     Raises:
@@ -47,7 +46,7 @@ def configurations(joints: ArrayLike, n_joints: int) -> list[float] | Floats:
 
 
 def one_configuration(joints: ArrayLike, n_joints: int) -> list[float]:
-    """q_1 … q_n as finite floats.
+    """Return q_1 … q_n as finite floats.
 
     Raises:
         JointValueError: not n_joints numbers, or one of them NaN or infinite, at ("joints", j).
@@ -59,7 +58,7 @@ def one_configuration(joints: ArrayLike, n_joints: int) -> list[float]:
 
 
 def many_configurations(joints: ArrayLike, n_joints: int) -> Floats:
-    """(m, n) configurations as finite floats.
+    """Return (m, n) configurations as finite floats.
 
     Raises:
         JointValueError: not rows of n_joints numbers, or one of them NaN or infinite, at ("joints", i, j).

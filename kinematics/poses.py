@@ -101,7 +101,7 @@ def pose_notations(transform: Transform) -> PoseNotations:
 def quaternion_from_transform(transform: Transform) -> Quaternion:
     """Return the unit quaternion of a pose's orientation, w ≥ 0.
 
-    The largest of the four components is found first and the others are divided by it, so nothing is lost
+    The largest of the four components is found first and the others are divided by it, so no digits are lost
     near half turns. Within 1e-15 of a half turn w counts as 0 and the first of x, y, z
     above 1e-14 in size is positive.
 
@@ -112,10 +112,10 @@ def quaternion_from_transform(transform: Transform) -> Quaternion:
 
 
 def rpy_from_transform(transform: Transform) -> RollPitchYaw:
-    """Roll, pitch and yaw of a pose's orientation.
+    """Return the roll, pitch and yaw of a pose's orientation.
 
-    At pitch ±π/2 (within 1e-12) only roll ∓ yaw is determined: yaw is then 0 and roll carries the whole. Just
-    beside it roll is taken from the rotation that yaw leaves over, so the three always reproduce the matrix.
+    At pitch ±π/2 (within 1e-12) only roll ∓ yaw is determined: yaw is then 0 and roll takes the whole angle.
+    Nearby, roll is computed from the rotation that remains after yaw, so the three reproduce the matrix.
     """
     r0, r1, r2, _ = transform.tolist()
     return _roll_pitch_yaw(r0, r1, r2)
@@ -127,7 +127,7 @@ def axis_angle_from_transform(transform: Transform) -> AxisAngle:
 
 
 def xyzabc_from_transform(transform: Transform) -> XYZABC:
-    """X Y Z A B C of a pose, by the rules of `rpy_from_transform` (at b = ±π/2: a = 0).
+    """Return X Y Z A B C of a pose, by the rules of `rpy_from_transform` (at b = ±π/2: a = 0).
 
     Source: seed 001 eq. 2.4 and 2.5 (its operator GEO).
     """
@@ -139,8 +139,8 @@ def xyzabc_from_transform(transform: Transform) -> XYZABC:
 def axis_angle_from_quaternion(quaternion: Quaternion) -> AxisAngle:
     """Return the axis and angle of a unit quaternion with w ≥ 0.
 
-    Accurate at both ends, since the angle is 2·atan2(|v|, w). A rotation below 2e-15 rad has no axis worth
-    the name: its angle is 0 and its axis z.
+    The angle is 2·atan2(|v|, w), which is accurate at both ends. A rotation below 2e-15 rad has no meaningful
+    axis: its angle is 0 and its axis z.
     """
     w, x, y, z = quaternion
     length = math.sqrt(x * x + y * y + z * z)
@@ -152,7 +152,7 @@ def axis_angle_from_quaternion(quaternion: Quaternion) -> AxisAngle:
 def transform_from_quaternion(
     quaternion: Sequence[float], position: Sequence[float] = (0, 0, 0)
 ) -> Transform:
-    """Return the pose with the orientation of a quaternion (w, x, y, z) of any length but zero.
+    """Return the pose with the orientation of a quaternion (w, x, y, z) of any nonzero length.
 
     Raises:
         PoseError: not four finite numbers, or all of them zero.
@@ -171,7 +171,7 @@ def transform_from_quaternion(
 
 
 def transform_from_rpy(rpy: Sequence[float], position: Sequence[float] = (0, 0, 0)) -> Transform:
-    """Pose with the orientation Rot_z(yaw) Rot_y(pitch) Rot_x(roll), given as (roll, pitch, yaw) [rad].
+    """Return the pose with orientation Rot_z(yaw) Rot_y(pitch) Rot_x(roll), from (roll, pitch, yaw) [rad].
 
     Raises:
         PoseError: not three finite numbers.
@@ -201,7 +201,7 @@ def transform_from_xyzabc(xyzabc: Sequence[float]) -> Transform:
 def transform_from_axis_angle(
     axis: Sequence[float], angle: float, position: Sequence[float] = (0, 0, 0)
 ) -> Transform:
-    """Return the pose turned by an angle [rad] about an axis of any length but zero.
+    """Return the pose turned by an angle [rad] about an axis of any nonzero length.
 
     Raises:
         PoseError: not finite, or the axis is zero.

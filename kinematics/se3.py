@@ -1,12 +1,12 @@
-"""Rigid motions in space, and the 3-vectors that they move: the one home of both.
+"""Rigid motions in space, and the 3-vectors that they move.
 
-A motion is written in two ways. A `Transform` is the (4, 4) array that callers hand in and get back. A
+A motion is written in two ways. A `Transform` is the (4, 4) array that callers pass and receive. A
 `Motion` is the tuple (r00, r01, r02, r10, …, r22, x, y, z) of its rotation matrix by rows and its
-translation: one decision about a chain moves a handful of lines a handful of times, and at that size tuples
+translation: a decision about a chain moves a few lines a few times, and for so few tuples
 of floats are several times faster than arrays. Both map coordinates in frame b to coordinates in frame a if
 they are the pose of b in a.
 
-Vectors and motions stand in one file, a little longer than others, so that nobody writes either again.
+Vectors and motions share one file, a little longer than others, so that neither is written twice.
 Notations of a pose (roll, pitch, yaw; quaternions; X Y Z A B C) are in `kinematics.poses`, twists and their
 exponentials in `kinematics.screws`.
 """
@@ -275,7 +275,7 @@ def inverse_transform(transform: Transform) -> Transform:
 
 
 def turns_between(left: Transform, right: Transform) -> Floats:
-    """Return the rotation vectors that take one orientation to the other, to first order, (…, 3) [rad]."""
+    """Return the rotation vectors from one orientation to the other, to first order, (…, 3) [rad]."""
     columns, meant = (np.swapaxes(poses[..., :3, :3], -1, -2) for poses in (left, right))
     return np.asarray(0.5 * cross_arrays(columns, meant).sum(axis=-2), dtype=np.float64)
 
@@ -283,10 +283,10 @@ def turns_between(left: Transform, right: Transform) -> Floats:
 def check_transform(
     value: ArrayLike, *, where: Place = (), tolerance: float = ORTHONORMAL_TOLERANCE
 ) -> Transform:
-    """Return a copy of the value as a (4, 4) array, having made sure that it is a rigid transform.
+    """Return a copy of the value as a (4, 4) array, after checking that it is a rigid transform.
 
     Args:
-        value: what claims to be one.
+        value: the transform to check.
         where: place of the value, for the faults.
         tolerance: how far an entry of RᵀR may be from the identity's.
 

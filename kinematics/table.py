@@ -52,7 +52,7 @@ class DHRow(Generic[Entry]):
         d: link offset [m]; in a prismatic row the offset, d = sign·q + d.
         a: link length [m] (of link i-1 in a modified table).
         alpha: link twist [rad] (of link i-1 in a modified table).
-        sign: +1, or -1 where the joint variable enters reversed.
+        sign: +1, or -1 if the joint variable enters with a minus sign.
     """
 
     joint: JointType
@@ -122,7 +122,7 @@ SymbolicTable: TypeAlias = DHTable[Expression]
 
 
 def table_parameters(table: SymbolicTable) -> tuple[str, ...]:
-    """Return the names of the parameters of a table, in the order in which they first stand in it."""
+    """Return the names of the parameters of a table, in order of first appearance."""
     names: dict[str, None] = {}
     for row in table.rows:
         for cell in CELLS:
@@ -135,7 +135,7 @@ def bind(table: SymbolicTable, parameters: Mapping[str, float] | None = None) ->
 
     Args:
         table: entries exact, possibly with parameters.
-        parameters: value of every parameter [m or rad]; names that the table does not hold are ignored.
+        parameters: value of every parameter [m or rad]; names that are not in the table are ignored.
 
     Raises:
         ParameterError: a parameter has no value, or a cell has no finite value; all faults at once, each
