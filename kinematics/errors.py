@@ -42,7 +42,7 @@ class Fault:
         return f"{self.code}{place}" + (f" ({values})" if values else "")
 
     def within(self, *prefix: str | int) -> Fault:
-        """Return the same fault with its place in an enclosing object, which contains the read one at `prefix`."""
+        """Return the same fault, placed in an enclosing object that contains the read one at `prefix`."""
         return Fault(code=self.code, where=(*prefix, *self.where), params=self.params)
 
 
