@@ -27,14 +27,14 @@ def _set(code: str, row: int, cell: str, value: float) -> Change:
 
 
 def alpha_sign(work: Work) -> Iterator[Change]:
-    """α with the other sign."""
+    """Flip the sign of α."""
     for i, row in work.rows:
         if abs(math.sin(row.alpha)) > work.policy.tolerance.angle:
             yield _set("alpha_sign", i, "alpha", -row.alpha)
 
 
 def alpha_value(work: Work) -> Iterator[Change]:
-    """α another multiple of a right angle, or whatever the key's axes ask for."""
+    """Set α to another multiple of a right angle, or to what the key's axes ask for."""
     near = work.policy.tolerance.angle
     for i, row in work.rows:
         for angle in RIGHT_ANGLES:
@@ -47,21 +47,21 @@ def alpha_value(work: Work) -> Iterator[Change]:
 
 
 def sign_of_length(work: Work) -> Iterator[Change]:
-    """A with the other sign."""
+    """Flip the sign of `a`."""
     for i, row in work.rows_of_lengths:
         if row.a:
             yield _set("a_sign", i, "a", -row.a)
 
 
 def sign_of_offset(work: Work) -> Iterator[Change]:
-    """D with the other sign."""
+    """Flip the sign of `d`."""
     for i, row in work.rows_of_lengths:
         if row.d and (row.joint is not JointType.PRISMATIC or work.policy.zero is ZeroRule.FIGURE):
             yield _set("d_sign", i, "d", -row.d)
 
 
 def sign_of_variable(work: Work) -> Iterator[Change]:
-    """The variable counted the other way."""
+    """Count the variable the other way."""
     if work.policy.direction is DirectionRule.FREE:
         return
     for i, row in work.rows:
@@ -72,7 +72,7 @@ def sign_of_variable(work: Work) -> Iterator[Change]:
 
 
 def angle_in_degrees(work: Work) -> Iterator[Change]:
-    """One angle of a table in radians was meant in degrees."""
+    """Read one angle of a table in radians as degrees."""
     if work.answer.angle_unit is not AngleUnit.RAD:
         return
     for i, cell, angle in _angles(work):
@@ -81,7 +81,7 @@ def angle_in_degrees(work: Work) -> Iterator[Change]:
 
 
 def angle_in_radians(work: Work) -> Iterator[Change]:
-    """One angle of a table in degrees was meant in radians."""
+    """Read one angle of a table in degrees as radians."""
     if work.answer.angle_unit is not AngleUnit.DEG:
         return
     for i, cell, angle in _angles(work):
@@ -98,7 +98,7 @@ def _angles(work: Work) -> Iterator[tuple[int, str, float]]:
 
 
 def theta_value(work: Work) -> Iterator[Change]:
-    """θ turned by right angles, where it is no joint variable or the figure says where that is zero."""
+    """Turn θ by right angles, if it is no joint variable or the figure fixes its zero."""
     for i, row in work.rows:
         if row.joint is JointType.REVOLUTE and work.policy.zero is ZeroRule.FREE:
             continue
@@ -111,12 +111,12 @@ def theta_value(work: Work) -> Iterator[Change]:
 
 
 def length_value(work: Work) -> Iterator[Change]:
-    """A as the key's axes ask for."""
+    """Set `a` to what the key's axes ask for."""
     return _fitted_lengths(work, "a")
 
 
 def offset_value(work: Work) -> Iterator[Change]:
-    """D as the key's axes ask for."""
+    """Set `d` to what the key's axes ask for."""
     return _fitted_lengths(work, "d")
 
 
@@ -128,7 +128,7 @@ def _fitted_lengths(work: Work, cell: str) -> Iterator[Change]:
 
 
 def length_in_other_unit(work: Work) -> Iterator[Change]:
-    """One length typed in millimetres or centimetres where metres are declared, or the reverse."""
+    """Read one length in millimetres or centimetres where metres are declared, or the reverse."""
     for i, row in work.rows_of_lengths:
         for cell in ("a", "d"):
             if not getattr(row, cell) or (cell == "d" and row.joint is JointType.PRISMATIC):
@@ -146,7 +146,7 @@ def length_in_other_unit(work: Work) -> Iterator[Change]:
 
 
 def any_cell(work: Work, choice: int) -> Iterator[Change]:
-    """A cell as the whole robot asks for, where no single fact of it shows the value.
+    """Set a cell to what the whole robot asks for, if no single fact shows the value.
 
     Args:
         work: the table.

@@ -34,7 +34,7 @@ SECOND_ORDER = 1.25
 def beyond_digits(
     reference: Reference, table: NumericTable, steps: Mapping[Place, float], policy: Policy, share: float
 ) -> Invariants | None:
-    """The invariants of the key that the typed digits of a table do not explain; None if they explain all.
+    """Return the key's invariants that the typed digits do not explain; None if they explain all.
 
     Args:
         reference: the key.

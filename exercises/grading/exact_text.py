@@ -19,7 +19,7 @@ def expression_text(expression: Expression) -> str:
 
 @lru_cache(maxsize=4096)
 def angle_text(angle: Expression, unit: AngleUnit) -> str:
-    """An angle as it would stand in a cell of a table with that angle unit."""
+    """Return an angle as written in a cell of a table with that angle unit."""
     if unit is AngleUnit.RAD:
         return expression_text(angle)
     terms = angle.terms if isinstance(angle, Sum) else (angle,)

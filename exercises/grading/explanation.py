@@ -1,6 +1,6 @@
-"""What a wrong answer is told: where, what and why, as far as the help level goes, and what it still earns.
+"""What a wrong answer gets: where, what and why, as far as the help level goes, and its partial credit.
 
-An explanation is a courtesy: where it fails, the verdict stands, the failure is logged, and less is told.
+An explanation is optional: if it fails, the verdict remains, the failure is logged, and less is told.
 """
 
 from __future__ import annotations
@@ -124,7 +124,7 @@ def clearest(
     tables: tuple[ReadTable, ReadTable],
     policy: Policy,
 ) -> int:
-    """In which way a wrong answer is best taken: the right robot if it is that, else with least wrong in it.
+    """Return the best reading of a wrong answer: one of the right robot, else the one with least wrong.
 
     One wrong name among numbers so leaves the numbers what they are: values of names.
 

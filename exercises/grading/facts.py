@@ -203,7 +203,7 @@ def fixed_signs(shapes: tuple[Shape, ...], fixed: tuple[int, ...]) -> list[int]:
 
 
 def least_cost(shapes: tuple[Shape, ...], axes: int, costs: Floats, fixed: tuple[int, ...] = ()) -> Floats:
-    """The least that invariants cost, over which way every axis points: a forward sweep along the chain.
+    """Return the least cost of invariants over the directions of all axes: a forward sweep along the chain.
 
     Args:
         shapes: the invariants.

@@ -1,4 +1,4 @@
-"""How the frames of a right answer lie against the key's, so that a right answer teaches as well."""
+"""How the frames of a right answer differ from the key's, so that a right answer teaches, too."""
 
 from __future__ import annotations
 

@@ -63,7 +63,7 @@ def accept(
     policy: Policy,
     parameters: Mapping[str, float] | None = None,
 ) -> Verdict | None:
-    """The verdict on a right answer, or None: what `grade` says, without the search that explains others.
+    """Return the verdict on a right answer, as `grade` does; None for a wrong one, unexplained.
 
     Args and raises as in `grade`.
     """

@@ -1,7 +1,7 @@
-"""What students really do wrong in a DH table, and how to undo it: the catalogue.
+"""The catalogue of what students do wrong in a DH table, and how to undo it.
 
 Each misconception is a code, what happened, and a pure function that undoes it wherever it may have happened.
-The order is that of likelihood; where several edits explain a wrong answer, the earlier one is told first.
+The order is that of likelihood; if several edits explain a wrong answer, the earlier one is reported first.
 """
 
 from __future__ import annotations

@@ -44,7 +44,7 @@ class Repaired:
 
 
 def find_repairs(work: Work) -> tuple[Repaired, ...]:
-    """The repairs of a wrong table, smallest and likeliest first; of two edits only if no one edit helps.
+    """Return the repairs of a wrong table, likeliest first; of two edits only if no one edit helps.
 
     The search is bounded by the work that the meter of `work` grants.
     """

@@ -26,7 +26,7 @@ UNSOLVED = {
 
 
 def cells_swapped(work: Work) -> Iterator[Change]:
-    """A and d of a row exchanged."""
+    """Exchange `a` and `d` of a row."""
     for i, row in work.rows_of_lengths:
         if row.a != row.d and row.joint is not JointType.PRISMATIC:
             cells = ((i, "a", row.d), (i, "d", row.a))
@@ -34,7 +34,7 @@ def cells_swapped(work: Work) -> Iterator[Change]:
 
 
 def joint_of_other_type(work: Work) -> Iterator[Change]:
-    """A revolute joint made prismatic, or the reverse; any of them, if their count is not the key's."""
+    """Make a revolute joint prismatic, or the reverse; any of them, if their count is not the key's."""
     wanted, given = work.reference.table.joint_types, work.table.joint_types
     for joint, index in enumerate(work.table.joint_rows):
         if len(wanted) != len(given) or wanted[joint] is not given[joint]:
@@ -42,7 +42,7 @@ def joint_of_other_type(work: Work) -> Iterator[Change]:
 
 
 def joint_left_out(work: Work) -> Iterator[Change]:
-    """A row without a variable given one, or the reverse."""
+    """Give a variable to a row without one, or the reverse."""
     before = 0
     for i, row in enumerate(work.table.rows):
         before += row.joint is not JointType.FIXED
@@ -69,7 +69,7 @@ def _of_type(work: Work, code: str, index: int, joint: JointType) -> Change:
 
 
 def rows_swapped(work: Work) -> Iterator[Change]:
-    """Two rows exchanged."""
+    """Exchange two rows."""
     rows = work.table.rows
     entries = [(row.alpha, row.a, row.d, row.theta) for row in rows]
     kept = work.kept_rows
@@ -99,7 +99,7 @@ def _both(i: int, j: int) -> tuple[Place, ...]:
 
 
 def row_too_many(work: Work) -> Iterator[Change]:
-    """A row struck out."""
+    """Remove a row."""
     rows = work.table.rows
     for i, row in enumerate(rows):
         moves = row.joint is not JointType.FIXED
@@ -108,13 +108,13 @@ def row_too_many(work: Work) -> Iterator[Change]:
 
 
 def row_left_out(work: Work) -> Iterator[Change]:
-    """A row put in: of the joint that is missing, with a twist and lengths that fit."""
+    """Insert the row of a missing joint, with a twist and lengths that fit."""
     for place, joint in _places(work):
         yield from _put_in(work, "row_missing", place, joint, RIGHT_ANGLES)
 
 
 def fixed_row_left_out(work: Work) -> Iterator[Change]:
-    """A last row without a variable put in, which the marked point or the frame of the tool needs."""
+    """Insert a last row without a variable, which the marked point or the tool frame needs."""
     if work.policy.tool not in (ToolRule.POINT, ToolRule.FRAME) or not work.has_the_joints():
         return
     angles = RIGHT_ANGLES if work.policy.tool is ToolRule.FRAME else RIGHT_ANGLES[:1]
@@ -150,7 +150,7 @@ def _with_blank(table: NumericTable, place: int, joint: JointType) -> NumericTab
 
 
 def any_row_left_out(work: Work, choice: int, places: Collection[int | None]) -> Iterator[Change]:
-    """A row put in as the whole robot asks for, where no single fact of it shows its cells.
+    """Insert a row as the whole robot asks for, if no single fact shows its cells.
 
     Args:
         work: the table.

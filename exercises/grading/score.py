@@ -30,7 +30,7 @@ SIGNS = frozenset({"alpha_sign", "a_sign", "d_sign", "variable_sign"})
 
 
 def score_of(decision: Decision, repairs: Sequence[Repaired], work: Work, weights: Weights) -> float:
-    """Partial credit of a wrong answer, in [0, 0.95].
+    """Return the partial credit of a wrong answer, in [0, 0.95].
 
     The facts that the answer has wrong, over those that a table of zeros has wrong, taken from 1. Where one
     named slip explains everything, the answer loses no more than that costs.

@@ -59,7 +59,7 @@ def _places(rows: Iterable[int], names: Sequence[str]) -> list[Place]:
 
 
 def other_convention(work: Work) -> Iterator[Change]:
-    """The other convention declared."""
+    """Declare the other convention."""
     other = {Convention.STANDARD: Convention.MODIFIED, Convention.MODIFIED: Convention.STANDARD}
     declared = work.table.convention
     table = DHTable(convention=other[declared], rows=work.table.rows)
@@ -68,7 +68,7 @@ def other_convention(work: Work) -> Iterator[Change]:
 
 
 def all_in_degrees(work: Work) -> Iterator[Change]:
-    """All angles, or all that can't be anything else, were meant in degrees."""
+    """Read all angles, or all that can't be anything else, as degrees."""
     if work.answer.angle_unit is not AngleUnit.RAD:
         return
 
@@ -80,7 +80,7 @@ def all_in_degrees(work: Work) -> Iterator[Change]:
 
 
 def all_in_radians(work: Work) -> Iterator[Change]:
-    """All angles, or all small enough to be so, were meant in radians."""
+    """Read all angles, or all that are small enough, as radians."""
     if work.answer.angle_unit is not AngleUnit.DEG:
         return
 
@@ -92,7 +92,7 @@ def all_in_radians(work: Work) -> Iterator[Change]:
 
 
 def all_in_other_length_unit(work: Work) -> Iterator[Change]:
-    """All lengths in millimetres where metres are declared, and the like."""
+    """Read all lengths in millimetres where metres are declared, and the like."""
     if work.angular:
         return
     extent = sum(abs(row.a) + abs(row.d) for row in work.table.rows)
@@ -102,20 +102,20 @@ def all_in_other_length_unit(work: Work) -> Iterator[Change]:
 
 
 def all_twists_turned_round(work: Work) -> Iterator[Change]:
-    """Every α with the other sign."""
+    """Flip the sign of every α."""
     turned = sum(abs(math.sin(row.alpha)) > work.policy.tolerance.angle for row in work.table.rows)
     if turned > 1:
         yield from _every_cell(work, "twists_all_reversed", ("alpha",), neg)
 
 
 def columns_a_row_late(work: Work) -> Iterator[Change]:
-    """A and α moved up by a row."""
+    """Move `a` and α up by a row."""
     rows = work.table.rows
     return _along_x_of(work, "columns_late", [*rows[1:], None])
 
 
 def columns_a_row_early(work: Work) -> Iterator[Change]:
-    """A and α moved down by a row."""
+    """Move `a` and α down by a row."""
     rows = work.table.rows
     return _along_x_of(work, "columns_early", [None, *rows[:-1]])
 
@@ -141,14 +141,14 @@ SYMBOLS = {"alpha": "α", "a": "a", "d": "d"}
 
 
 def columns_exchanged(work: Work) -> Iterator[Change]:
-    """Two columns exchanged throughout: the table in another order of columns."""
+    """Exchange two columns throughout: the table has another order of columns."""
     for one, other in EXCHANGES:
         params = {"one": SYMBOLS[one], "other": SYMBOLS[other]}
         yield from _in_order(work, "columns_exchanged", {one: other, other: one}, **params)
 
 
 def columns_reordered(work: Work) -> Iterator[Change]:
-    """Three columns in another order, none in its own place; with two of them empty, two are exchanged."""
+    """Reorder three columns, none in its own place; with two of them empty, two are exchanged."""
     rows = work.table.rows
     if sum(any(getattr(row, column) for row in rows) for column in ("alpha", "a", "d")) < 2:
         return
@@ -186,7 +186,7 @@ def _in_order(work: Work, code: str, belongs: dict[str, str], **params: str) -> 
 
 
 def parameter_misnamed(work: Work) -> Iterator[Change]:
-    """A name that the key doesn't know replaced by one of the key's that is not used."""
+    """Replace a name that the key doesn't know by one of the key's that is not used."""
     kinds = work.key.parameters
     unknown = [name for name in work.answer.parameters if name not in kinds]
     unused = [name for name in kinds if name not in work.answer.parameters] or list(kinds)
@@ -198,7 +198,7 @@ def parameter_misnamed(work: Work) -> Iterator[Change]:
 
 
 def parameters_swapped(work: Work) -> Iterator[Change]:
-    """Two names of the key used for one another."""
+    """Exchange two names of the key."""
     used = [name for name in work.answer.parameters if name in work.key.parameters]
     entries = _named_entries(work) if len(used) > 1 else ()
     for one, other in combinations(used, 2):

@@ -1,4 +1,4 @@
-"""A wrong answer on the workbench: what an edit is tried on, and what it is tried against."""
+"""A wrong answer under repair: the table on which edits are tried, and what they are tried against."""
 
 from __future__ import annotations
 
