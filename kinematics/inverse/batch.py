@@ -83,7 +83,7 @@ def solve_many(solver: Solver, targets: ArrayLike) -> InverseKinematicsBatch:
     """
     poses = _checked(targets)
     n = solver.arm.n_joints
-    parts = [_Part(np.empty((0, n)), np.empty(0, dtype=np.intp), np.empty(0), np.empty(0))]
+    parts: list[_Part] = []
     done = np.zeros(len(poses), dtype=bool)
     closed = solver.closed_form
     if (
@@ -109,7 +109,7 @@ def solve_many(solver: Solver, targets: ArrayLike) -> InverseKinematicsBatch:
         answer = solver.solve(poses[i])
         status[i], complete[i] = answer.status, answer.complete
         parts.append(_part(answer, i, n))
-    joints, owner, position, angle = (np.concatenate(column) for column in zip(*parts, strict=True))
+    joints, owner, position, angle = _joined(parts, n)
     if not np.all(owner[:-1] <= owner[1:]):
         order = np.argsort(owner, kind="stable")
         joints, owner, position, angle = joints[order], owner[order], position[order], angle[order]
@@ -130,6 +130,15 @@ class _Part(NamedTuple):
     target: Indices
     position_error: Array
     orientation_error: Array
+
+
+def _joined(parts: list[_Part], n_joints: int) -> _Part:
+    """All parts in one; a single one is not copied."""
+    if not parts:
+        return _Part(np.empty((0, n_joints)), np.empty(0, dtype=np.intp), np.empty(0), np.empty(0))
+    if len(parts) == 1:
+        return parts[0]
+    return _Part(*(np.concatenate(column) for column in zip(*parts, strict=True)))
 
 
 def _part(answer: InverseKinematics, i: int, n_joints: int) -> _Part:

@@ -74,10 +74,11 @@ def _solutions(w: ClearWrist, targets: Array) -> ClearSolutions:
         x1 * c + y1 * s, y1 * c - x1 * s, z1, x3 * c + y3 * s, y3 * c - x3 * s, z3
     )
     good = (sine >= planes.least[:, None]) & (angle <= EXACT) & (away <= EXACT * w.size)
-    errors = np.empty((2, 2, 2, 2, len(targets)))
-    errors[1, :, :, 0], errors[1, :, :, 1] = angle, angle + FLIPPED
-    np.add(away[:, :, None], w.lever * errors[1], out=errors[0])
-    position, orientation = np.ascontiguousarray(errors.reshape(2, SOLUTIONS, -1).transpose(0, 2, 1))
+    position, orientation = np.empty((2, len(targets), SOLUTIONS))
+    away_by, off_by = (errors.T.reshape(2, 2, 2, -1) for errors in (position, orientation))
+    for way, off in enumerate((angle, angle + FLIPPED)):
+        off_by[:, :, way] = off
+        np.add(away, w.lever * off, out=away_by[:, :, way])
     joints = _joints(w, planes.t1, t2, _both(w.sense3 * planes.half), t4, w.sense5 * t5, t6)
     return ClearSolutions(joints, position, orientation, good.all(axis=(0, 1)) & planes.clear)
 
@@ -145,16 +146,17 @@ def _wrists(
 
 def _joints(w: ClearWrist, t1: Array, t2: Array, t3: Array, t4: Array, t5: Array, t6: Array) -> Array:
     """(m, 8, 6) joint values, both ways of the wrist one after the other."""
-    joints = np.empty((6, 2, 2, 2, t1.shape[1]))
+    found = np.empty((t1.shape[1], SOLUTIONS, 6))
+    joints = found.T.reshape(6, 2, 2, 2, -1)
     o1, o2, o3, o4, o5, o6 = w.zeros
     joints[0] = _in_range(t1 - o1)[:, None, None]
     joints[1] = _in_range(t2 - o2)[:, :, None]
     joints[2] = _in_range(t3 - o3)[:, :, None]
     for i, t, zero in ((3, t4, o4), (5, t6, o6)):
         joints[i, :, :, 0] = q = _in_range(t - zero)
-        np.add(q, np.pi - (2.0 * np.pi) * (q > 0.0), out=joints[i, :, :, 1])
+        np.add(q, np.copysign(np.pi, 0.0 - q), out=joints[i, :, :, 1])
     joints[4, :, :, 0], joints[4, :, :, 1] = _in_range(t5 - o5), _in_range(-t5 - o5)
-    return np.ascontiguousarray(joints.reshape(6, SOLUTIONS, -1).T)
+    return found
 
 
 def _both(values: Array) -> Array:
