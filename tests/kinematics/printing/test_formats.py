@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import pytest
 
 from kinematics.catalogue import robots
@@ -27,7 +29,7 @@ def test_every_robot_in_every_format(robot: object, notation: Notation) -> None:
         text = repr(written)
         assert "1.0*" not in text
         assert "0.0*" not in text
-        assert "--" not in text.replace("---", "")
+        assert not re.search(r"--(?! )", text.replace("---", ""))  # "-- " begins a comment in some languages
         assert "+ -" not in text
 
 
