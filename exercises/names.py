@@ -96,8 +96,11 @@ def in_own_names(
             else unknown_name(name, exercise, where, others)
             for name in unknown
         )
+    meanings = _meanings(names, exercise)
+    if not meanings:
+        return expression  # as read, so that what is known of it still is
     try:
-        return substitute(expression, _meanings(names, exercise))
+        return substitute(expression, meanings)
     except ZeroDivisionError:
         raise CellError(Fault(code="value_undefined", where=where)) from None
 

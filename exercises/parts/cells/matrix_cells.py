@@ -210,6 +210,8 @@ def _in_known_names(
     matrix: SymbolicMatrix, reading: Reading, part: str, *where: str | int
 ) -> SymbolicMatrix | None:
     """Return a matrix in the exercise's own names; None if it holds one that means nothing there."""
+    if matrix.names() <= reading.instance.exercise.reference.parameters.keys():
+        return matrix  # with what is known of it: it is read once for all who write the same
     rows: list[tuple[Expression, ...]] = []
     for r, row in enumerate(matrix.entries):
         own = [reading.own_names(entry, (part, *where, r, c)) for c, entry in enumerate(row)]

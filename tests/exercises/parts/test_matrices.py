@@ -27,6 +27,7 @@ from tests.exercises.answering import (
     table,
 )
 from tests.exercises.folders import changed, folder, with_part
+from tests.exercises.packaged import exercise
 
 WRONG = table("standard", (0, "a3", 0, "q1"), (180, "a2", 0, "q2"), (0, 0, "q3", 0), (0, 0, 0, "q4"))
 """a2 and a3 have changed places."""
@@ -296,3 +297,12 @@ def test_a_cell_without_a_value_is_named_not_called_no_rigid_motion() -> None:
     report = judged("scara", table=SCARA, link_matrices=undefined, transform=undefined[0])
     assert codes(part(report, "link_matrices")) == ["matrix_cells_wrong"]
     assert codes(part(report, "transform"))[0] == "transform_cells_wrong"
+
+
+def test_cells_that_were_read_before_are_the_same_ones_again() -> None:
+    """What is known of them is then not computed again for everybody who writes the same."""
+    instance = generate(exercise("scara"), "1")
+    one, other = (
+        parse(instance, RawAnswer(transform=SCARA_TRANSFORM)).parts["transform"].entries for _ in range(2)
+    )
+    assert all(a is b for row, again in zip(one, other, strict=True) for a, b in zip(row, again, strict=True))
