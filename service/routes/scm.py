@@ -11,7 +11,7 @@ from fastapi import Body
 from numpy.typing import NDArray
 
 from kinematics.errors import Fault, JointValueError
-from kinematics.inverse import IKSolution, InverseKinematics, JointLimits, NearestPose
+from kinematics.inverse import InverseKinematics, JointLimits
 from kinematics.jacobian import JacobianFrame
 from kinematics.poses import pose_notations
 from kinematics.scm import (
@@ -32,9 +32,11 @@ from service.http.routing import ApiRequest, BytesResponse, api_router
 from service.schemas import scm as wire
 from service.schemas import scm_examples as examples
 from service.schemas.forward_kinematics import AxisAngleModel, Orientation
+from service.schemas.inverse_kinematics import InverseKinematicsAnswer
 from service.schemas.scm_products import ScmProductsAnswer, ScmProductsRequest
 from service.wire.chain_forms import ChainTask, Wanted, is_quick, written_chain
 from service.wire.fault_pointers import traced
+from service.wire.inverse_solutions import told
 from service.wire.motion_products import products_task, written_products
 from service.wire.pose_matrices import pose_matrix
 from service.wire.prepared_chains import PreparedChain, prepared_chain, written_structure
@@ -136,7 +138,7 @@ async def jacobian(
 async def inverse_kinematics(
     body: Annotated[wire.ScmInverseKinematicsRequest, Body(openapi_examples=examples.INVERSE_KINEMATICS)],
     request: ApiRequest,
-) -> wire.ScmInverseKinematicsAnswer:
+) -> InverseKinematicsAnswer:
     """Return the joint values at which the tool reaches a pose: scm(manipulator, target, origin) and ik2q.
 
     All solutions where there is a closed form; joint values in the chain's angle unit.
@@ -150,13 +152,7 @@ async def inverse_kinematics(
     if found is None:
         found = await request.resources.workers.run(Lane.SLOW, _search, *question)
     found = found.nearest_first([row.joint for row in prepared.chain.rows], start)
-    return wire.ScmInverseKinematicsAnswer(
-        **prepared.units,
-        status=found.status.value,
-        complete=found.complete,
-        solutions=[wire.ScmSolution(**_reached(solution, prepared)) for solution in found.solutions],
-        nearest=_nearest(found.nearest, prepared) if found.nearest else None,
-    )
+    return InverseKinematicsAnswer(**prepared.units, **told(found, prepared))
 
 
 @router.post("/scm/random-configuration", responses=_REFUSALS, summary="Random joint values for an SCM chain")
@@ -264,16 +260,3 @@ def _refuse_length(limits: Sequence[Any], prepared: PreparedChain) -> None:
     if len(limits) != n:
         params = {"expected": n, "given": len(limits)}
         raise JointValueError(Fault(code="limits_wrong_length", where=("limits",), params=params))
-
-
-def _nearest(nearest: NearestPose, prepared: PreparedChain) -> wire.ScmNearest:
-    return wire.ScmNearest(**_reached(nearest, prepared), transform=nearest.transform.tolist())
-
-
-def _reached(found: IKSolution | NearestPose, prepared: PreparedChain) -> dict[str, Any]:
-    return {
-        "joints": prepared.answered(found.joints),
-        "residual": (found.position_error**2 + found.orientation_error**2) ** 0.5,
-        "position_error": found.position_error,
-        "orientation_error": found.orientation_error / prepared.angle,
-    }

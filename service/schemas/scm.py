@@ -260,30 +260,6 @@ class ScmJacobianAnswer(Units):
     symbols: dict[str, str] | None = Field(None, description="what the short names of a closed form mean")
 
 
-class ScmSolution(Wire):
-    """One way to reach the target."""
-
-    joints: list[Real] = Field(description="q_1 … q_n, in the chain's units")
-    residual: Real = Field(description="√(position_error² + orientation_error²), the latter in [rad]")
-    position_error: Real = Field(description="distance from the target, in the chain's length unit")
-    orientation_error: Real = Field(description="angle from the target, in the chain's angle unit")
-
-
-class ScmNearest(ScmSolution):
-    """What comes nearest to a target out of reach."""
-
-    transform: Matrix4
-
-
-class ScmInverseKinematicsAnswer(Units):
-    """Every solution that was found."""
-
-    status: str = Field(description="solved, singular or unreachable")
-    complete: bool = Field(description="whether these are all solutions within the limits")
-    solutions: list[ScmSolution]
-    nearest: ScmNearest | None = Field(None, description="where the target cannot be reached")
-
-
 class RandomConfigurationAnswer(Units):
     """Joint values, drawn evenly within the limits."""
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, TypeAlias
+from typing import Any, Protocol, TypeAlias
 
 import numpy as np
 
@@ -40,6 +40,18 @@ Matrix: TypeAlias = Any
 ALLOTTED = 0.8
 """Part of a task's processor time in which many targets are answered: what is left is for the kernel's own
 time, and for sending."""
+
+
+class InUnits(Protocol):
+    """A robot or a chain, and the units of the request that it came with."""
+
+    @property
+    def joint_units(self) -> tuple[float, ...]:
+        """For joint 1 … n what one unit of the request is in [rad], or in the length unit."""
+
+    @property
+    def angle(self) -> float:
+        """What one unit of the request's angles is in [rad]."""
 
 
 async def solved(
@@ -85,7 +97,7 @@ async def solved_each(
         angle_unit=robot.read.angle_unit.value,
         length_unit=robot.read.length_unit.value,
         answers=[
-            *(TargetAnswer(**_told(answer, robot)) for answer in answers),
+            *(TargetAnswer(**told(answer, robot)) for answer in answers),
             *(_unanswered(target, question.tolerance) for target in targets[len(answers) :]),
         ],
         faults=fault_entries(
@@ -180,11 +192,12 @@ def _answer(answer: InverseKinematics, robot: PreparedRobot) -> InverseKinematic
     return InverseKinematicsAnswer(
         angle_unit=robot.read.angle_unit.value,
         length_unit=robot.read.length_unit.value,
-        **_told(answer, robot),
+        **told(answer, robot),
     )
 
 
-def _told(answer: InverseKinematics, robot: PreparedRobot) -> dict[str, Any]:
+def told(answer: InverseKinematics, robot: InUnits) -> dict[str, Any]:
+    """Return what an answer says of one target, in the units of the request."""
     nearest = answer.nearest
     return {
         "status": answer.status,
@@ -205,7 +218,7 @@ def _told(answer: InverseKinematics, robot: PreparedRobot) -> dict[str, Any]:
     }
 
 
-def _family(family: Family, robot: PreparedRobot) -> SolutionFamily:
+def _family(family: Family, robot: InUnits) -> SolutionFamily:
     units = robot.joint_units
     parameter = family.parameters[0].joint - 1 if family.parameters else 0
     return SolutionFamily(
@@ -225,13 +238,13 @@ def _family(family: Family, robot: PreparedRobot) -> SolutionFamily:
     )
 
 
-def _nearest(nearest: NearestPose, robot: PreparedRobot) -> Nearest:
+def _nearest(nearest: NearestPose, robot: InUnits) -> Nearest:
     return Nearest(
         **_reached(nearest, robot), transform=(nearest.transform + 0.0).tolist(), size=nearest.size
     )
 
 
-def _reached(found: IKSolution | NearestPose, robot: PreparedRobot) -> dict[str, Any]:
+def _reached(found: IKSolution | NearestPose, robot: InUnits) -> dict[str, Any]:
     return {
         "joints": _in_units(found.joints, robot),
         "residual": float(np.hypot(found.position_error, found.orientation_error)),
@@ -240,5 +253,5 @@ def _reached(found: IKSolution | NearestPose, robot: PreparedRobot) -> dict[str,
     }
 
 
-def _in_units(joints: Sequence[float], robot: PreparedRobot) -> list[float]:
+def _in_units(joints: Sequence[float], robot: InUnits) -> list[float]:
     return [value / unit + 0.0 for value, unit in zip(joints, robot.joint_units, strict=True)]

@@ -304,3 +304,22 @@ def test_entries_of_a_listed_row_are_pointed_at_by_number(client: httpx.Client) 
     assert found == [(code, f"/chain{pointer}") for code, pointer in expected]
     converted = client.post("/api/v1/convert", json={"scm": chain, "to": "modified"}).json()
     assert [fault["pointer"] for fault in converted["errors"]] == [f"/scm{at}" for _, at in expected]
+
+
+def test_a_wrist_in_line_is_a_family_as_of_a_table(client: httpx.Client) -> None:
+    joints = [30.0, -40.0, 70.0, 20.0, 0.0, -80.0]
+    pose = ask(client, "forward-kinematics", robot="puma560", joints=joints)["transform"]
+    answer = ask(client, "inverse-kinematics", robot="puma560", target=pose)
+    assert answer["status"] == "singular"
+    assert answer["method"] == "closed_form"
+    (family,) = [s["family"] for s in answer["solutions"] if s["isolation"] == "continuum"]
+    assert family["dimension"] == 1
+    assert [round(way) for way in family["direction"]] == [0, 0, 0, 1, 0, -1]
+
+
+def test_limits_that_leave_no_solution_are_the_reason(client: httpx.Client) -> None:
+    limits = [[-1, 1], [-1, 1]]
+    answer = ask(client, "inverse-kinematics", robot="twolink", target=[1, 1, 0, 90, 0, 0], limits=limits)
+    assert answer["status"] == "unreachable"
+    assert answer["reason"] == "joint_limits"
+    assert answer["outside_limits"] > 0
