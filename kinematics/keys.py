@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from enum import StrEnum
@@ -15,6 +14,8 @@ Choice = TypeVar("Choice", bound=StrEnum)
 Read = TypeVar("Read")
 
 _MISSING: Any = object()
+LARGEST = 10**15
+"""Most that a number may be in size, as in cells: what is computed of it is finite."""
 
 
 class ValueKind(StrEnum):
@@ -151,7 +152,7 @@ class KeyReader:
         return 0
 
     def number(self, key: str, default: Any = _MISSING) -> float:
-        """Return a finite number."""
+        """Return a number of at most `LARGEST` in size."""
         return float(self.exact(key, default))
 
     def numbers(self, key: str, length: int) -> tuple[float, ...]:
@@ -243,12 +244,12 @@ class KeyReader:
         return tuple(entry for entry in entries if fits(entry))
 
     def _fraction(self, value: object, *where: str | int) -> Fraction:
-        if isinstance(value, float) and not math.isfinite(value):
+        if not isinstance(value, int | float | Fraction):
+            return Fraction(0)
+        if not -LARGEST <= value <= LARGEST:
             self.mistyped(ValueKind.NUMBER, *where)
             return Fraction(0)
-        if isinstance(value, float):
-            return Fraction(repr(value))
-        return Fraction(value) if isinstance(value, int | Fraction) else Fraction(0)
+        return Fraction(repr(value)) if isinstance(value, float) else Fraction(value)
 
 
 def is_number(value: object) -> bool:
@@ -257,9 +258,9 @@ def is_number(value: object) -> bool:
 
 
 def are_numbers(value: object, length: int) -> bool:
-    """Return whether a value is a list of `length` finite numbers."""
+    """Return whether a value is a list of `length` numbers of a size that is read."""
     return (
         isinstance(value, list)
         and len(value) == length
-        and all(is_number(entry) and math.isfinite(entry) for entry in value)
+        and all(is_number(entry) and abs(entry) <= LARGEST for entry in value)
     )

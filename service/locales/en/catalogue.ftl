@@ -10,7 +10,7 @@ error-robot_unknown = The catalogue holds no robot { $robot }. It holds { $known
 expected-value = { $expected ->
     [text] text that is not empty
     [texts] a list of texts
-    [number] a finite number
+    [number] a number of at most 10^15 in size
     [integer] a whole number
     [count] a whole number of at least 1
     [flag] true or false

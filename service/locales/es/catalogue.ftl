@@ -10,7 +10,7 @@ error-robot_unknown = El catálogo no contiene el robot { $robot }. Contiene { $
 expected-value = { $expected ->
     [text] un texto no vacío
     [texts] una lista de textos
-    [number] un número finito
+    [number] un número cuyo valor absoluto es como máximo 10^15
     [integer] un número entero
     [count] un número entero no menor que 1
     [flag] true o false

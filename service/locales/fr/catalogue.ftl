@@ -10,7 +10,7 @@ error-robot_unknown = Le catalogue ne contient pas de robot { $robot }. Il conti
 expected-value = { $expected ->
     [text] un texte non vide
     [texts] une liste de textes
-    [number] un nombre fini
+    [number] un nombre dont la valeur absolue est au plus 10^15
     [integer] un nombre entier
     [count] un nombre entier d’au moins 1
     [flag] true ou false

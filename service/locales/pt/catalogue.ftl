@@ -10,7 +10,7 @@ error-robot_unknown = O catálogo não contém o robô { $robot }. Contém { $kn
 expected-value = { $expected ->
     [text] um texto não vazio
     [texts] uma lista de textos
-    [number] um número finito
+    [number] um número cujo módulo é no máximo 10^15
     [integer] um número inteiro
     [count] um número inteiro não inferior a 1
     [flag] true ou false

@@ -10,7 +10,7 @@ error-robot_unknown = Catalogul nu conține robotul { $robot }. Conține { $know
 expected-value = { $expected ->
     [text] un text nevid
     [texts] o listă de texte
-    [number] un număr finit
+    [number] un număr a cărui valoare absolută este cel mult 10^15
     [integer] un număr întreg
     [count] un număr întreg cel puțin egal cu 1
     [flag] true sau false

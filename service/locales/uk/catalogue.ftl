@@ -10,7 +10,7 @@ error-robot_unknown = У каталозі немає робота { $robot }. Є
 expected-value = { $expected ->
     [text] непорожній текст
     [texts] список текстів
-    [number] скінченне число
+    [number] число, модуль якого не перевищує 10^15
     [integer] ціле число
     [count] ціле число, не менше за 1
     [flag] true або false

@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+import copy
+import functools
 import io
 import json
 import stat
 import tomllib
 import zipfile
+from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import pytest
 from hypothesis import given
@@ -19,10 +24,13 @@ from exercises.authoring.draft import (
     exercise_of_draft,
     files_of_draft,
 )
+from exercises.authoring.scaffold import started
+from exercises.authoring.sources import read_source
 from exercises.authoring.toml_text import toml_text
-from exercises.errors import DefinitionError
+from exercises.errors import DefinitionError, ExerciseError
 from exercises.library import ROOT, packaged
 from exercises.loader import load_exercise
+from tests.exercises.authoring.test_drawn_robots import UR5
 from tests.exercises.folders import TWO_LINKS, draft_of, folder
 
 NUMBERS = st.one_of(st.integers(-(2**53), 2**53), st.floats(allow_nan=False, allow_infinity=False, width=64))
@@ -114,6 +122,31 @@ def test_a_definition_is_no_larger_than_a_robot(tmp_path: Path, hostile: dict[st
     good = draft(tmp_path)
     large = ExerciseDraft(id="two", definition={**good.definition, **hostile}, statements=good.statements)
     assert codes(lambda: exercise_of_draft(large)) == {"draft_too_large"}
+
+
+def leaves(value: Any, where: tuple[str | int, ...] = ()) -> Iterator[tuple[str | int, ...]]:
+    """Places of the texts and numbers of a definition."""
+    if isinstance(value, dict | list):
+        for step, inner in value.items() if isinstance(value, dict) else enumerate(value):
+            yield from leaves(inner, (*where, step))
+    else:
+        yield where
+
+
+@pytest.mark.parametrize(
+    "extreme", [1.7e308, -1e308, 10**400, 10**15, 5e-324, 0, -1, float("nan"), "9" * 300]
+)
+def test_a_number_of_any_size_at_any_place_is_taken_or_refused(extreme: object) -> None:
+    start = started("arm", read_source({"axes": UR5}))
+    refused = 0
+    for *path, last in leaves(start.definition):
+        definition: Any = copy.deepcopy(start.definition)
+        functools.reduce(lambda inner, step: inner[step], path, definition)[last] = extreme
+        try:
+            exercise_of_draft(replace(start, definition=definition))
+        except ExerciseError:
+            refused += 1
+    assert refused > 40
 
 
 def zipped(entries: dict[str, bytes], **attributes: int) -> bytes:
