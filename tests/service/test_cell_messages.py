@@ -39,6 +39,8 @@ PARAMS = {
     "joint": "prismatic",
     "joints": 4,
     "rows": 65,
+    "number": "1e-3",
+    "difference": "1*D - 3",
 }
 
 
