@@ -118,7 +118,7 @@ repair-joint_type = Row { $row }: this joint { $joint_type ->
 repair-joint_fixed = Row { $row }: this joint moves; its variable is missing.
 repair-joint_moving = Row { $row }: nothing moves here; the row holds constants only.
 repair-rows_swapped = Rows { $row } and { $other } are swapped.
-repair-fixed_row_missing = A last row without a variable is missing: it leads from the last joint to the marked point.
+repair-fixed_row_missing = A last row without a variable is missing: it leads from the last joint to the marked point or to the prescribed last frame.
 repair-row_missing = A row is missing { $after ->
     [0] before row 1
    *[other] after row { $after }

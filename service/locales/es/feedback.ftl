@@ -118,7 +118,7 @@ repair-joint_type = Fila { $row }: esta articulación { $joint_type ->
 repair-joint_fixed = Fila { $row }: esta articulación se mueve; falta su variable.
 repair-joint_moving = Fila { $row }: aquí no se mueve nada; la fila solo tiene constantes.
 repair-rows_swapped = Las filas { $row } y { $other } se han intercambiado.
-repair-fixed_row_missing = Falta una última fila sin variable: la que lleva de la última articulación al punto marcado.
+repair-fixed_row_missing = Falta una última fila sin variable: la que lleva de la última articulación al punto marcado o al último sistema prescrito.
 repair-row_missing = Falta una fila { $after ->
     [0] antes de la fila 1
    *[other] después de la fila { $after }

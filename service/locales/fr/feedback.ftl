@@ -118,7 +118,7 @@ repair-joint_type = Ligne { $row } : cette articulation { $joint_type ->
 repair-joint_fixed = Ligne { $row } : cette articulation bouge ; sa variable manque.
 repair-joint_moving = Ligne { $row } : rien ne bouge ici ; la ligne ne contient que des constantes.
 repair-rows_swapped = Les lignes { $row } et { $other } sont interverties.
-repair-fixed_row_missing = Il manque une dernière ligne sans variable : celle qui mène de la dernière articulation au point marqué.
+repair-fixed_row_missing = Il manque une dernière ligne sans variable : celle qui mène de la dernière articulation au point marqué ou au dernier repère imposé.
 repair-row_missing = Il manque une ligne { $after ->
     [0] avant la ligne 1
    *[other] après la ligne { $after }

@@ -118,7 +118,7 @@ repair-joint_type = Linha { $row }: esta junta { $joint_type ->
 repair-joint_fixed = Linha { $row }: esta junta move-se; falta a sua variável.
 repair-joint_moving = Linha { $row }: aqui nada se move; a linha só tem constantes.
 repair-rows_swapped = As linhas { $row } e { $other } estão trocadas.
-repair-fixed_row_missing = Falta uma última linha sem variável: a que leva da última junta ao ponto marcado.
+repair-fixed_row_missing = Falta uma última linha sem variável: a que leva da última junta ao ponto marcado ou ao último referencial prescrito.
 repair-row_missing = Falta uma linha { $after ->
     [0] antes da linha 1
    *[other] depois da linha { $after }

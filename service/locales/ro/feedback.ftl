@@ -119,7 +119,7 @@ repair-joint_type = Rândul { $row }: această cuplă { $joint_type ->
 repair-joint_fixed = Rândul { $row }: această cuplă se mișcă; variabila ei lipsește.
 repair-joint_moving = Rândul { $row }: aici nu se mișcă nimic; rândul are numai constante.
 repair-rows_swapped = Rândurile { $row } și { $other } sunt inversate.
-repair-fixed_row_missing = Lipsește un ultim rând fără variabilă: cel care duce de la ultima cuplă la punctul marcat.
+repair-fixed_row_missing = Lipsește un ultim rând fără variabilă: cel care duce de la ultima cuplă la punctul marcat sau la ultimul sistem impus.
 repair-row_missing = Lipsește un rând { $after ->
     [0] înaintea rândului 1
    *[other] după rândul { $after }
