@@ -14,15 +14,13 @@ from exercises.grading.comparison import Comparison
 from exercises.grading.digits import tightened
 from exercises.grading.facts import Weights
 from exercises.grading.findings import (
-    equally_good,
     feedback_of,
     link_findings,
-    own_table_first,
     told_repairs,
     wrong_facts,
 )
 from exercises.grading.judgement import IMPRECISE, REFUTED, diagnosed, policy_of, share_of
-from exercises.grading.repairs import MOST_WORK, Repaired, find_repairs
+from exercises.grading.repairs import MOST_WORK, Repaired, equally_good, find_repairs, own_table_first
 from exercises.grading.score import lost, score_of
 from exercises.grading.verdict import Edit, Feedback, HelpLevel, LinkFinding, ParamValue, Repair
 from exercises.grading.work import Work

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from exercises.grading.misconceptions import HINTS
 from exercises.grading.repairs import Repaired
@@ -31,11 +30,6 @@ _CODE_OF_FACT = {
 }
 
 
-TURN = 2.0 * math.pi
-SAME = 0.01
-"""[rad], and a share of a length: the per cent by which an entry may be off, whatever its digits."""
-
-
 def wrong_facts(
     decision: Decision, repairs: Sequence[Repaired], alike: Sequence[Change], table: NumericTable
 ) -> frozenset[tuple[int, str]]:
@@ -50,65 +44,6 @@ def wrong_facts(
         (m.row, _FACT_OF_KIND[m.kind])
         for m in decision.mismatches
         if m.row is not None and m.kind in _FACT_OF_KIND
-    )
-
-
-def own_table_first(
-    repairs: Sequence[Repaired], table: NumericTable, key: NumericTable
-) -> tuple[Repaired, ...]:
-    """Return the repairs, first the single edits that make an answer the key's own table.
-
-    Who forgets the key's last fixed row has made that slip, though a sign in the row before it might lead to
-    the frame of the tool as well.
-    """
-
-    def leads_elsewhere(repaired: Repaired) -> bool:
-        single = len(repaired.changes) == 1
-        return not (single and _is_alike(repaired.changes[0].of(table), key, float))
-
-    return tuple(sorted(repairs, key=leads_elsewhere))
-
-
-def equally_good(repairs: Sequence[Repaired], table: NumericTable, key: NumericTable) -> tuple[Change, ...]:
-    """Return the single edits that explain an answer as well as the likeliest one does, and that one.
-
-    A mirrored arm has one handedness that is wrong, and as many signs that set it right, in one row or in
-    several; an offset along parallel axes may be wrong in any of their rows. Edits of a cell are as good as
-    one another, and edits of a row; what concerns the table throughout is told as the likeliest alone. A
-    length that was typed is likelier wrong than a zero, where with that the frames are the key's own.
-    """
-    singles = [repair.changes[0] for repair in repairs if len(repair.changes) == 1]
-    if not singles or singles[0] is not repairs[0].changes[0] or singles[0].row is None:
-        return ()
-    best = singles[0]
-    alike = [change for change in singles if change.extent is best.extent and change.row is not None]
-    if not best.fills_a_zero(table) and _is_alike(best.of(table), key, abs):
-        alike = [change for change in alike if not change.fills_a_zero(table)]
-    return tuple(alike)
-
-
-def _is_alike(table: NumericTable, key: NumericTable, by: Callable[[float], float]) -> bool:
-    """Whether a table is another but for the zeros of the variables.
-
-    Args:
-        table: the one.
-        key: the other.
-        by: by what of them entries are compared: `abs` leaves out their signs, `float` doesn't.
-    """
-    if table.convention is not key.convention or len(table.rows) != len(key.rows):
-        return False
-    return all(
-        row.joint is other.joint
-        and abs(
-            math.remainder(by(math.remainder(row.alpha, TURN)) - by(math.remainder(other.alpha, TURN)), TURN)
-        )
-        <= SAME
-        and all(
-            abs(by(getattr(row, cell)) - by(getattr(other, cell))) <= SAME * abs(getattr(other, cell))
-            for cell in ("a", "d")
-            if cell == "a" or row.joint is not JointType.PRISMATIC
-        )
-        for row, other in zip(table.rows, key.rows, strict=True)
     )
 
 
