@@ -76,10 +76,10 @@ class Picker:
         if self.seed is None or draw is None:
             return usual
         value = pick(draw.values(), self.exercise_id, self.seed, name)
-        others = [other for other in draw.values() if abs(other) not in without]
-        if abs(value) not in without or not others:
+        if abs(value) not in without:
             return value
-        return pick(others, self.exercise_id, self.seed, name)
+        others = [other for other in draw.values() if abs(other) not in without]
+        return pick(others, self.exercise_id, self.seed, name) if others else value
 
     def choice(self, values: Sequence[Value], name: str) -> Value:
         """Return one of the values: the first without a seed."""
