@@ -25,7 +25,9 @@ MOST_LEVELS = 8
 """Levels of a JSON file: lists of students, of robots, of tables, and some that mean nothing here."""
 MOST_ROWS = 100_000
 """Rows of a file: a table of six rows for each of 15 000 students."""
-_JSON_LIMITS = JsonLimits(objects=MOST_ROWS, lists=MOST_ROWS, values=8 * MOST_ROWS, fields=MOST_ROWS)
+_JSON_LIMITS = JsonLimits(
+    objects=MOST_ROWS, lists=MOST_ROWS, values=8 * MOST_ROWS, fields=MOST_ROWS, colons=8 * MOST_ROWS
+)
 """As many rows as other files may have, each an object of eight values at most."""
 
 _COLUMNS = {

@@ -36,6 +36,7 @@ class JsonLimits:
         lists: most lists.
         values: most values that stand behind a comma.
         fields: most fields of one object.
+        colons: most colons, one of which stands in each field of any object.
         long: names of the fields at the top that may hold long lists of numbers.
     """
 
@@ -43,6 +44,7 @@ class JsonLimits:
     lists: int = 40_000
     values: int = 200_000
     fields: int = 512
+    colons: int = 64_000
     long: frozenset[str] = frozenset()
 
 
@@ -110,7 +112,13 @@ def _delimiters(document: bytes) -> int:
 
 def _refuse_many(body: bytes, limits: JsonLimits) -> None:
     """Count what begins an object, a list or a further value, within strings too, before it is read."""
-    for sign, limit in ((b"{", limits.objects), (b"[", limits.lists), (b",", limits.values)):
+    counted = (
+        (b"{", limits.objects),
+        (b"[", limits.lists),
+        (b",", limits.values),
+        (b":", limits.colons),
+    )
+    for sign, limit in counted:
         if len(body) > limit and body.count(sign) > limit:
             if _is_deep(body):
                 raise BodyError(_too_deep())

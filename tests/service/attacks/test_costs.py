@@ -16,6 +16,8 @@ from typing import Any
 import httpx
 import pytest
 
+from kinematics.cells import Limits
+from kinematics.cells.grammar import parse
 from service.app import create_app
 from service.settings import Settings
 from tests.conftest import EXPLORE
@@ -38,6 +40,7 @@ def corpus() -> list[Attack]:
 def app() -> Iterator[Any]:
     made = create_app(Settings(symbolic_seconds=0.5, queue_seconds=120))
     answered(made, Attack("to read the message files", "/api/v1/understand", b"{}"))
+    parse("2*L1", Limits())  # a service that has begun has the tables of the cells' grammar
     yield made
     made.state.resources.workers.close()
 
