@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Collection
 from dataclasses import replace
+from functools import lru_cache
 
 from exercises.definition import Exercise
 from kinematics.cells import ReadTable, nearest_name
@@ -56,14 +57,22 @@ def table_faults(read: ReadTable, exercise: Exercise) -> list[Fault]:
 
 
 def without_aliases(read: ReadTable, exercise: Exercise) -> ReadTable:
-    """Return a table in the exercise's own names.
+    """Return a table in the exercise's own names, the same object for the same table.
+
+    Verdicts are known by the tables that they are of.
 
     Raises:
         ParameterError: a cell has no value in them, as 1/(a2 - L2) where L2 is another name of a2.
     """
-    aliases = exercise.aliases
-    table = with_values(read.table, _meanings(read.parameters.keys(), exercise))
-    kinds = {aliases.get(name, name): kind for name, kind in read.parameters.items()}
+    aliases = tuple((name, own) for name, own in exercise.aliases.items() if name in read.parameters)
+    return _renamed(read, aliases) if aliases else read
+
+
+@lru_cache(maxsize=512)
+def _renamed(read: ReadTable, aliases: tuple[tuple[str, str], ...]) -> ReadTable:
+    own = dict(aliases)
+    table = with_values(read.table, {name: Parameter(named) for name, named in aliases})
+    kinds = {own.get(name, name): kind for name, kind in read.parameters.items()}
     return replace(read, table=table, parameters=kinds)
 
 

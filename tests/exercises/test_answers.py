@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from importlib import import_module
 from typing import Any
 
 import pytest
@@ -10,7 +11,7 @@ import pytest
 from exercises.access import ExerciseAccess
 from exercises.answers import RawAnswer, parse
 from exercises.errors import AnswerError
-from exercises.grader import allowed_help, grade
+from exercises.grader import Report, allowed_help, grade
 from exercises.grading import HelpLevel
 from exercises.grading.facts import Weights
 from exercises.instance import generate
@@ -156,6 +157,20 @@ def test_an_alias_means_its_dimension() -> None:
     raw = RawAnswer(table=table("standard", *rows), transform=renamed)
     report = grade(generate(found), parse(generate(found), raw))
     assert report.correct
+
+
+@pytest.mark.parametrize("cell", ["a2", "L1"])
+def test_what_a_class_hands_in_again_is_judged_once(cell: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Verdicts are known by their tables: an answer that was made anew each time was never known."""
+    found = generate(replace(exercise("scara"), aliases={"L1": "a2"}))
+    rows = [(0, cell, 0, "q1"), (180, 0.123, 0, "q2"), (0, 0, "q3", 0), (0, 0, 0, "q4")]
+
+    def handed_in() -> Report:
+        return grade(found, parse(found, RawAnswer(table=table("standard", *rows))))
+
+    first = handed_in()
+    monkeypatch.setattr(import_module("exercises.grading.grade"), "judged", None)
+    assert handed_in().verdict is first.verdict
 
 
 def test_an_alias_that_leaves_a_cell_without_a_value_is_refused_at_its_place() -> None:
