@@ -1,7 +1,8 @@
 """One noun a file. Each module has a `router`, made by `service.http.routing.api_router("tag")`.
 
-The application mounts every module of this package, in alphabetical order, as it stands: the paths of an API
-router already begin with /api/v1, and a page's router says its own. Nothing is registered elsewhere.
+The application mounts every module of this package and of its rooms, in alphabetical order of the names of
+files, as it stands: the paths of an API router already begin with /api/v1, and a page's router says its own.
+Nothing is registered elsewhere.
 
 Errors: raise `KinematicsError` or `ServiceError` with faults (inside `service.http.problems.located("table")`
 when what is read stands at a place of the body); they become problem documents. No route catches them or
@@ -18,6 +19,7 @@ from fastapi import APIRouter
 
 
 def routers() -> Iterator[APIRouter]:
-    """Yield the router of every module of this package."""
-    for module in sorted(pkgutil.iter_modules(__path__), key=lambda found: found.name):
-        yield importlib.import_module(f"{__name__}.{module.name}").router
+    """Yield the router of every module of this package and of its rooms."""
+    found = [module for module in pkgutil.walk_packages(__path__, f"{__name__}.") if not module.ispkg]
+    for module in sorted(found, key=lambda entry: entry.name.rpartition(".")[2]):
+        yield importlib.import_module(module.name).router

@@ -1,28 +1,26 @@
-"""The student web form: pages, the files they load, and the messages they speak with."""
+"""The pages: each is its shell, in the reader's language; its script asks the API for the rest."""
 
 from __future__ import annotations
 
-from functools import lru_cache
 from urllib.parse import urlencode
 
 from fastapi import APIRouter, Request, Response
 
 from exercises.definition import Exercise
 from exercises.errors import AnswerError, UnknownExerciseError
+from service.http.forms import own_root
 from service.http.link_context import QUERY
 from service.http.link_guard import context_of
 from service.http.routing import ApiRequest, DirectRoute
-from service.messages import LOCALES, languages
 from service.resources import resources_of
-from service.web.responses import missing_page, page_language, page_response, text_response
+from service.settings import Publishers
+from service.web.responses import missing_page, page_language, page_response
 from service.web.shell import Page
 from service.wire.exercise_views import instance_of, statement_html
 from service.wire.figure_files import figure_path
 from service.work.limiters import WorkKind
 
 router = APIRouter(include_in_schema=False, route_class=DirectRoute)
-
-YEAR = 365 * 24 * 3600
 
 HOME = Page(name="home", title="form-home-title", styles=("exercise",))
 EXERCISE = Page(
@@ -32,7 +30,34 @@ EXERCISE = Page(
     depth=1,
     styles=("scene", "editor", "exercise"),
 )
+LESSON = Page(
+    name="lesson",
+    title="lesson-title",
+    rooms=("lesson",),
+    styles=("scene", "exercise", "playground"),
+)
+PLAYGROUND = Page(
+    name="playground",
+    title="playground-title",
+    rooms=("playground",),
+    styles=("editor", "scene", "exercise", "playground"),
+)
+TRAINER = Page(
+    name="trainer",
+    title="trainer-title",
+    rooms=("trainer",),
+    depth=1,
+    styles=("scene", "exercise", "playground"),
+)
+AUTHOR = Page(
+    name="author",
+    title="author-title",
+    rooms=("author", "exercises", "kinds"),
+    styles=("scene", "editor", "exercise", "playground", "author"),
+)
 RECEIPTS = Page(name="receipts", title="receipts-title", rooms=("receipts",))
+PLATFORMS = Page(name="platforms", title="platforms-title", rooms=("platforms",), styles=("lecturer",))
+CONNECT = Page(name="connect", title="connect-title", rooms=("platforms",), depth=1, styles=("lecturer",))
 
 
 @router.get("/")
@@ -82,46 +107,52 @@ def _figure(request: Request, found: Exercise, language: str, query: str) -> str
     return figure_path(resources.figures, instance, language, query)
 
 
+@router.get("/lesson")
+async def lesson(request: ApiRequest) -> Response:
+    """Return a page to read before the first exercise; what is drawn in it can be moved."""
+    return page_response(request, LESSON)
+
+
+@router.get("/playground")
+async def playground(request: ApiRequest) -> Response:
+    """Return a page to project in class: type any table, or take a robot of the catalogue."""
+    return page_response(request, PLAYGROUND)
+
+
+@router.get("/trainer/{exercise_id}")
+async def trainer(request: ApiRequest) -> Response:
+    """Return a page to attach frames to the axes of an exercise's robot, by the rules of the procedure."""
+    try:
+        found = resources_of(request).exercises.exercise(request.path_params["exercise_id"])
+    except UnknownExerciseError:
+        return missing_page(request)
+    return page_response(request, TRAINER, {"id": found.id, "title": found.title(page_language(request))})
+
+
+@router.get("/author")
+async def author(request: ApiRequest) -> Response:
+    """Return a page for lecturers: make an exercise from a robot, look at it, try it, take it along."""
+    resources = resources_of(request)
+    publishing = resources.settings.publishing if resources.courses is not None else Publishers.NOBODY
+    return page_response(request, AUTHOR, {"publishing": publishing.value})
+
+
 @router.get("/receipts")
 async def receipts_page(request: ApiRequest) -> Response:
     """Return where a lecturer verifies a folder of receipts."""
     return page_response(request, RECEIPTS)
 
 
-@router.get("/static/{version}/{name:path}")
-async def static_file(request: ApiRequest) -> Response:
-    """Return a file of the form. Under the current version's address it may be kept for ever."""
-    store = resources_of(request).assets
-    asset = store.get(request.path_params["name"], request.headers.get("accept-encoding", ""))
-    if asset is None:
-        return Response(status_code=404, headers={"Cache-Control": "no-cache"})
-    current = request.path_params["version"] == store.version
-    headers = {
-        "Cache-Control": f"public, max-age={YEAR}, immutable" if current else "no-cache",
-        "ETag": asset.etag,
-        "Vary": "Accept-Encoding",
-        "Access-Control-Allow-Origin": "*",
-    }
-    if asset.encoding:
-        headers["Content-Encoding"] = asset.encoding
-    if asset.etag in request.headers.get("if-none-match", ""):
-        return Response(status_code=304, headers=headers)
-    return Response(asset.body, media_type=asset.media_type, headers=headers)
+@router.get("/platforms")
+async def platforms_page(request: ApiRequest) -> Response:
+    """Return the administrator's page: who may launch."""
+    resources_of(request).with_courses()
+    return page_response(request, PLATFORMS)
 
 
-@lru_cache(maxsize=64)
-def _messages(language: str, rooms: frozenset[str]) -> str:
-    paths = sorted((LOCALES / language).glob("*.ftl"))
-    return "\n".join(path.read_text(encoding="utf-8") for path in paths if path.stem in rooms)
-
-
-@router.get("/locales/{language}.ftl")
-async def messages(request: ApiRequest) -> Response:
-    """The messages of a language, the same that the API answers with; `?rooms=form+feedback` picks files."""
-    language, rooms = request.path_params["language"], request.query_params.get("rooms", "")
-    if language not in languages():
-        return Response(status_code=404, headers={"Cache-Control": "no-cache"})
-    files = frozenset(path.stem for path in (LOCALES / language).glob("*.ftl"))
-    text = _messages(language, files.intersection(rooms.split()) if rooms else files)
-    headers = {"Cache-Control": "no-cache", "Access-Control-Allow-Origin": "*"}
-    return text_response(request, text, "text/plain; charset=utf-8", headers)
+@router.get("/lti/connect")
+async def connect_page(request: ApiRequest) -> Response:
+    """Return what a platform has to know of this tool, to be sent to its administrator."""
+    resources_of(request).with_courses()
+    root = own_root(request, resources_of(request).settings.public_url)
+    return page_response(request, CONNECT, {"address": root})

@@ -14,7 +14,7 @@ from service.http.openapi import problems
 from service.http.routing import ApiRequest, api_router
 from service.schemas import examples
 from service.schemas.exercises import FigureFrame
-from service.schemas.frame_planting import PlantFrameMistakeAnswer, PlantFrameMistakeRequest
+from service.schemas.planting import PlantFrameMistakeAnswer, PlantFrameMistakeRequest
 from service.schemas.spoken import option_name
 from service.wire.planted_choice import chosen_mistake
 from service.work.limiters import WorkKind

@@ -16,7 +16,7 @@ from service.http.openapi import problems
 from service.http.problems import located
 from service.http.routing import ApiRequest, api_router
 from service.schemas import examples
-from service.schemas.matrix_planting import (
+from service.schemas.planting import (
     PlantMatrixMistakeAnswer,
     PlantMatrixMistakeRequest,
     WrongCell,

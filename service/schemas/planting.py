@@ -1,4 +1,4 @@
-"""POST /plant-mistake, POST /compare-tables and POST /other-tables on the wire."""
+"""POST /plant-…, POST /compare-tables and POST /other-tables on the wire."""
 
 from __future__ import annotations
 
@@ -7,9 +7,12 @@ from typing import Annotated, Literal
 from pydantic import Field
 
 from exercises.parts.mistakes.compare_tables import ComparisonReason
+from exercises.parts.mistakes.planted_matrices import MatrixKind
 from exercises.parts.mistakes.planting import PLANTABLE
+from kinematics.table import Convention
 from service.schemas.base import WHOLE, Wire
-from service.schemas.exercises import Seed
+from service.schemas.exercises import FigureFrame, Seed
+from service.schemas.frame_assignment_models import AxisModel
 from service.schemas.spoken import SpokenFeedback
 from service.schemas.tables import Parameters, Table
 from service.schemas.verdicts import PolicyModel
@@ -41,6 +44,52 @@ class PlantMistakeAnswer(Wire):
     label: str = Field(description="what it is called, in the caller's language")
     row: int = Field(description="in which row, from 1")
     mended: Table = Field(description="the table as it was")
+
+
+class PlantMatrixMistakeRequest(Wire):
+    """A right table, in one of whose matrices a mistake is wanted."""
+
+    table: Table = Field(description="a right table")
+    matrix: Annotated[MatrixKind, Field(strict=False)] = Field(
+        MatrixKind.LINK, description="the matrix of one of its rows, or ⁰T_N"
+    )
+    seed: Seed = Field(None, description="names a student or a try: the same seed plants the same mistake")
+
+
+class WrongCell(Wire):
+    """A wrong entry of a matrix."""
+
+    row: int = Field(description="from 1")
+    column: int = Field(description="from 1")
+
+
+class PlantMatrixMistakeAnswer(Wire):
+    """A matrix with one mistake."""
+
+    row: int | None = Field(description="whose matrix it is: the row, from 1; null of ⁰T_N")
+    mistake: str = Field(description="what was planted")
+    label: str = Field(description="what it is called, in the caller's language")
+    matrix: list[list[str]] = Field(description="the matrix with the mistake")
+    wrong_cells: list[WrongCell] = Field(description="its wrong entries")
+    mended: list[list[str]] = Field(description="the matrix as it should be")
+
+
+class PlantFrameMistakeRequest(Wire):
+    """A robot by its joint axes, in one of whose frames a mistake is wanted."""
+
+    axes: list[AxisModel] = Field(min_length=1, max_length=64, description="the joint axes, base first")
+    convention: Annotated[Convention, Field(strict=False)]
+    seed: Seed = Field(None, description="names a student or a try: the same seed plants the same mistake")
+
+
+class PlantFrameMistakeAnswer(Wire):
+    """Frames on a robot, one of them with a mistake."""
+
+    frame: int = Field(description="which one is wrong, from 0")
+    mistake: str = Field(description="what was planted: the rule that is broken, or y_left_handed")
+    label: str = Field(description="what it is called, in the caller's language")
+    frames: list[FigureFrame] = Field(description="frame 0 … N, in the coordinates of the axes")
+    mended: FigureFrame = Field(description="the wrong frame as it should be")
 
 
 class CompareTablesRequest(Wire):

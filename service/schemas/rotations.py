@@ -2,20 +2,40 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, TypeAlias
 
-from pydantic import Field
+from pydantic import AfterValidator, Field
+from pydantic_core import PydanticCustomError
 
 from kinematics.cells import AngleUnit
+from kinematics.errors import PoseError
 from kinematics.rotations.orientation_answers import USUAL_TOLERANCE, ComponentOrder, RotationMistake
 from kinematics.rotations.properties import RotationProperty
-from kinematics.rotations.sequences import Combination, Turning
+from kinematics.rotations.sequences import Combination, EulerSequence, Turning
 from service.schemas.base import Real, Vector3, Wire
 from service.schemas.choices import forbidding, not_one_of, together
-from service.schemas.euler_axes import EulerAxes
 
 Matrix3Rows = Annotated[list[Vector3], Field(min_length=3, max_length=3)]
 Quaternion4 = Annotated[list[Real], Field(min_length=4, max_length=4)]
+
+
+def _known(axes: str) -> str:
+    try:
+        return EulerSequence(axes=axes).axes
+    except PoseError as error:
+        fault = error.faults[0]
+        raise PydanticCustomError(fault.code, "not a sequence of axes", dict(fault.params)) from None
+
+
+EulerAxes: TypeAlias = Annotated[
+    str,
+    Field(
+        description="three of X, Y, Z in the order of the angles; neighbours differ",
+        json_schema_extra={"pattern": "^(XY[XZ]|XZ[XY]|YX[YZ]|YZ[XY]|ZX[YZ]|ZY[XZ])$"},
+    ),
+    AfterValidator(_known),
+]
+"""The axes of three angles."""
 
 
 NOTATIONS = ("matrix", "quaternion", "axis", "angles")

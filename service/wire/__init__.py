@@ -2,7 +2,7 @@
 
 Robots and what is asked of them:
   prepared_robots, prepared_chains   a robot that can be computed with
-  robot_questions, joint_values, pose_matrices, exact_values, form_values   what is asked at which values
+  robot_questions, joint_values, pose_matrices, exact_values   what is asked at which values
   fault_pointers, fault_entries      faults at their places in the request
 What is computed:
   pose_answers, inverse_solutions, inverse_forms, frame_assignment, orientations, dynamics,
@@ -11,11 +11,11 @@ What is computed:
   written_tables                     tables as they are sent
 Answers of students:
   verdicts, many_grades, ungraded    what is said of them, and what is refused
-  joint_checks, answer_functions     the `check-…` calls
+  checks                             the `check-…` calls
   planted_choice                     planted mistakes
 Exercises and courses:
   exercise_views, figure_files       exercises and their figures
-  session_views, course_views, drafts, lti_custom   what students and lecturers are shown
+  drafts, courses                    what authors, students and lecturers are shown
 How it is sent:
   answer_cache, json_chunks          kept, and written in pieces
 """

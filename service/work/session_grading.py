@@ -27,7 +27,7 @@ from kinematics.cells import Limits
 from kinematics.errors import Fault
 from service.course_resources import now
 from service.schemas.exercises import AnswerBase, ExerciseAnswer
-from service.wire.session_views import seed_of
+from service.wire.courses.session_views import seed_of
 from service.wire.verdicts import encoded
 
 

@@ -20,7 +20,7 @@ from courses.refusals import UnknownRecordError
 from courses.regrading import Rejudged, Scope, apply, begin, changes, rejudge
 from courses.statistics import class_overview, link_statistics, misconceptions, unexplained
 from courses.storage import Store
-from service.wire.course_views import attempt_record, csv_of
+from service.wire.courses.course_views import attempt_record, csv_of
 from tests.courses.classroom import NOW, joined, submitted
 from tests.courses.test_attempts import WRONG, minutes
 

@@ -81,7 +81,7 @@ def test_what_scripts_and_templates_say_exists_and_what_exists_is_said() -> None
         stems |= set(STEM.findall(text))
     for path in (ROOT / "service" / "web" / "templates").glob("*.html"):
         said |= set(FIELD.findall(path.read_text(encoding="utf-8")))
-    for path in (ROOT / "service" / "routes").glob("*.py"):
+    for path in (ROOT / "service" / "routes").rglob("*.py"):
         text = path.read_text(encoding="utf-8")
         said |= set(re.findall(rf'(?:title=|say\()"({ROOM}-[a-z0-9-]+)"', text))
     assert not {f"{room}-" for room in ROOMS} & stems, "any message would do"

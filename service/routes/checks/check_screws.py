@@ -14,7 +14,7 @@ from service.http.languages import language_of
 from service.http.openapi import problems
 from service.http.routing import ApiRequest, api_router
 from service.schemas import examples
-from service.schemas.screw_answers import CheckScrewsAnswer, CheckScrewsRequest, ScrewMistakeModel
+from service.schemas.checks.screw_answers import CheckScrewsAnswer, CheckScrewsRequest, ScrewMistakeModel
 from service.schemas.spoken import feedback_sentence
 from service.wire.fault_pointers import traced
 from service.wire.pose_matrices import pose_matrix

@@ -1,14 +1,17 @@
-"""Functions of the joint variables that an answer to one of the `check-…` calls holds."""
+"""Functions of joint variables and parameters that an answer to one of the `check-…` calls holds."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Collection, Sequence
 from typing import Any
 
 from exercises.parts.cells.matrix_cells import read_functions
-from kinematics.cells import ReadTable
+from kinematics.cells import AngleUnit, ParameterKind, ReadTable
 from kinematics.errors import CellError, Fault, JointValueError
 from kinematics.expressions import Expression, parameters_in
+from service.schemas.robot_question import RobotQuestion
+from service.wire.prepared_robots import PreparedRobot, listed_robot
 
 Where = tuple[str | int, ...]
 
@@ -77,3 +80,16 @@ def check_count(row: Sequence[Any], expected: int, where: Where) -> None:
     if len(row) != expected:
         params = {"expected": expected, "given": len(row)}
         raise JointValueError(Fault(code="joint_row_length", where=where, params=params))
+
+
+def form_values(question: RobotQuestion, robot: PreparedRobot) -> dict[str, float]:
+    """Return the value of each parameter of a request's robot [rad, or the table's length]."""
+    values = dict(question.parameters)
+    if question.robot is not None:
+        values = {**listed_robot(question.robot).parameters, **values}
+    degrees = robot.read.angle_unit is AngleUnit.DEG
+    kinds = robot.read.parameters
+    return {
+        name: math.radians(value) if degrees and kinds.get(name) is ParameterKind.ANGLE else value
+        for name, value in values.items()
+    }

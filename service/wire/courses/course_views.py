@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 from courses.attempt_export import ExportedAttempt
-from service.wire.session_views import stored_report
+from service.wire.courses.session_views import stored_report
 
 COLUMNS = (
     "person",

@@ -41,10 +41,10 @@ from service.http.problems import RequestError
 from service.http.routing import ApiRequest, DirectRoute, api_router
 from service.lti.deep_links import ContentItem, response_token, takes_line_items
 from service.resources import resources_of
-from service.routes.course_sessions import grader_of, in_thread, json_response, signed_in
-from service.wire.course_views import attempt_record, csv_of, with_examples
-from service.wire.lti_custom import custom_of
-from service.wire.session_views import attempt_view
+from service.routes.courses.course_sessions import grader_of, in_thread, json_response, signed_in
+from service.wire.courses.course_views import attempt_record, csv_of, with_examples
+from service.wire.courses.lti_custom import custom_of
+from service.wire.courses.session_views import attempt_view
 from service.wire.ungraded import known_exercise
 from service.work.regrading_processes import RegradingProcesses
 from service.work.session_grading import asked_exercise

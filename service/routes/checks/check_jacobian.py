@@ -17,12 +17,12 @@ from service.http.languages import language_of
 from service.http.openapi import problems
 from service.http.routing import ApiRequest, api_router
 from service.schemas import examples
-from service.schemas.jacobian_answers import (
+from service.schemas.checks.jacobian_answers import (
     CheckJacobianAnswer,
     CheckJacobianRequest,
     jacobian_mistake,
 )
-from service.wire.answer_functions import check_count
+from service.wire.checks.answer_functions import check_count
 from service.wire.fault_pointers import traced
 from service.wire.joint_values import values_in_radians
 from service.wire.prepared_robots import PreparedRobot

@@ -16,7 +16,7 @@ from service.http.languages import language_of
 from service.http.openapi import problems
 from service.http.routing import ApiRequest, api_router
 from service.schemas import examples
-from service.schemas.dynamics_answers import (
+from service.schemas.checks.dynamics_answers import (
     CHECK_DYNAMICS,
     CheckDynamicsAnswer,
     CheckDynamicsRequest,
@@ -24,7 +24,7 @@ from service.schemas.dynamics_answers import (
 )
 from service.schemas.spoken import feedback_sentence
 from service.settings import Settings
-from service.wire.answer_functions import read_row
+from service.wire.checks.answer_functions import read_row
 from service.wire.dynamics import parameter_numbers, weighed
 from service.work.limiters import WorkKind
 

@@ -19,14 +19,14 @@ from kinematics.equivalence.reference import prepared
 from kinematics.inverse import ArmReach, solver_of
 from kinematics.se3 import check_transform, inverse_transform
 from service.http.problems import located
-from service.schemas.joint_answers import (
+from service.schemas.checks.joint_answers import (
     CheckInverseKinematicsAnswer,
     CheckInverseKinematicsRequest,
     JointRowVerdict,
 )
 from service.schemas.joint_limits import domain_limits
 from service.schemas.spoken import spoken
-from service.wire.answer_functions import check_count
+from service.wire.checks.answer_functions import check_count
 from service.wire.fault_pointers import traced
 from service.wire.pose_matrices import pose_matrix
 from service.wire.prepared_robots import PreparedRobot

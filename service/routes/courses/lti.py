@@ -49,8 +49,8 @@ from service.messages import languages, sentence
 from service.resources import resources_of
 from service.web.responses import page_language, page_response
 from service.web.shell import Page
-from service.wire.lti_custom import arrival_of
-from service.wire.session_views import seed_of
+from service.wire.courses.lti_custom import arrival_of
+from service.wire.courses.session_views import seed_of
 from service.work.limiters import WorkKind
 
 router = APIRouter(include_in_schema=False)

@@ -11,10 +11,10 @@ from kinematics.jacobian import JacobianFrame
 from kinematics.rotations.sequences import Turning
 from kinematics.symbolic import ProofStatus
 from service.schemas.base import Real, Wire
+from service.schemas.checks.jacobian_answers import JacobianMistakeModel
 from service.schemas.choices import forbidding, together
-from service.schemas.euler_axes import EulerAxes
-from service.schemas.jacobian_answers import JacobianMistakeModel
 from service.schemas.robot_question import NO_ROBOT, RobotQuestion
+from service.schemas.rotations import EulerAxes
 from service.schemas.tables import Cell, Units
 
 FormRow = Annotated[list[Cell], Field(max_length=16)]

@@ -21,10 +21,9 @@ from service.http.openapi import problems
 from service.http.problems import located
 from service.http.routing import ApiRequest, api_router
 from service.schemas import examples
-from service.schemas.jacobian_answers import jacobian_mistake
-from service.schemas.jacobian_form_answers import CheckJacobianFormAnswer, CheckJacobianFormRequest
-from service.wire.answer_functions import read_row
-from service.wire.form_values import form_values
+from service.schemas.checks.jacobian_answers import jacobian_mistake
+from service.schemas.checks.jacobian_form_answers import CheckJacobianFormAnswer, CheckJacobianFormRequest
+from service.wire.checks.answer_functions import form_values, read_row
 from service.wire.prepared_robots import PreparedRobot
 from service.work.limiters import WorkKind
 

@@ -26,7 +26,7 @@ from service.http.forms import own_root
 from service.http.problems import RequestError
 from service.http.routing import ApiRequest, DirectRoute, api_router
 from service.resources import resources_of
-from service.routes.course_sessions import in_thread, json_response
+from service.routes.courses.course_sessions import in_thread, json_response
 
 router = api_router("courses", route_class=DirectRoute)
 router.include_in_schema = False

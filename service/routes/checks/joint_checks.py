@@ -11,8 +11,8 @@ from service.http.languages import language_of
 from service.http.openapi import problems
 from service.http.routing import ApiRequest, api_router
 from service.schemas import examples
-from service.schemas.joint_answers import CheckInverseKinematicsAnswer, CheckInverseKinematicsRequest
-from service.wire.joint_checks import checked_joints
+from service.schemas.checks.joint_answers import CheckInverseKinematicsAnswer, CheckInverseKinematicsRequest
+from service.wire.checks.joint_checks import checked_joints
 from service.work.limiters import WorkKind
 
 router = api_router("kinematics")

@@ -25,11 +25,10 @@ from service.http.languages import language_of
 from service.http.openapi import problems
 from service.http.routing import ApiRequest, api_router
 from service.schemas import examples
-from service.schemas.singularity_answers import CheckSingularitiesAnswer, CheckSingularitiesRequest
+from service.schemas.checks.singularity_answers import CheckSingularitiesAnswer, CheckSingularitiesRequest
 from service.schemas.spoken import feedback_sentence
-from service.wire.answer_functions import check_count, known_functions
+from service.wire.checks.answer_functions import check_count, form_values, known_functions
 from service.wire.fault_pointers import traced
-from service.wire.form_values import form_values
 from service.wire.joint_values import values_in_radians
 from service.wire.prepared_robots import PreparedRobot
 from service.work.limiters import WorkKind

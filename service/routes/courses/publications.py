@@ -17,7 +17,7 @@ from service.course_resources import now
 from service.http.problems import ForbiddenError
 from service.http.routing import ApiRequest, api_router
 from service.resources import resources_of
-from service.routes.course_sessions import in_thread, json_response, signed_in
+from service.routes.courses.course_sessions import in_thread, json_response, signed_in
 from service.schemas import authoring as wire
 from service.schemas import examples_authoring as examples
 from service.settings import Publishers

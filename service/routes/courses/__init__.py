@@ -1,0 +1,1 @@
+"""What needs a database: launches, students, lecturers, publishers and the administrator."""

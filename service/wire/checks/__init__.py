@@ -1,0 +1,1 @@
+"""What the calls `/check-…` read, and what they say."""

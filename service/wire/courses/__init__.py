@@ -1,0 +1,1 @@
+"""What students and lecturers are shown of a course, and what a platform keeps of a link."""
