@@ -1,8 +1,9 @@
 """Inverse kinematics near singularities, of every model: python -m tests.kinematics.inverse --poses 10000."""
 
 import argparse
+import statistics
 
-from tests.kinematics.inverse.campaign import run
+from tests.kinematics.inverse.campaign import run, run_arms
 from tests.kinematics.inverse.models import MODELS
 from tests.kinematics.inverse.toolbox import toolbox_models
 
@@ -20,7 +21,12 @@ def main() -> None:
         action="store_true",
         help="the models of roboticstoolbox instead, which is to be installed",
     )
+    parser.add_argument(
+        "--arms", type=int, default=0, help="one pose each of so many random arms beside a search, instead"
+    )
     arguments = parser.parse_args()
+    if arguments.arms:
+        raise SystemExit(_searched(arguments.arms, arguments.seed))
     faults = 0
     for name, table in (toolbox_models() if arguments.toolbox else MODELS).items():
         if arguments.only and name not in arguments.only:
@@ -32,6 +38,15 @@ def main() -> None:
         )
         print(f"{name}: {counts}, {len(tally.faults)} faults {tally.faults[:6]}", flush=True)
     raise SystemExit(faults > 0)
+
+
+def _searched(arms: int, seed: int) -> bool:
+    tally, times = run_arms(arms, seed)
+    print(
+        f"{tally.poses} random arms, {tally.complete} answers complete, median processor time "
+        f"{1e3 * statistics.median(times):.1f} ms, {len(tally.faults)} faults {tally.faults[:6]}"
+    )
+    return bool(tally.faults)
 
 
 if __name__ == "__main__":

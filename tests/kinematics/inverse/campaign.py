@@ -8,6 +8,7 @@ another.
 
 from __future__ import annotations
 
+import time
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from itertools import chain, islice
@@ -22,9 +23,10 @@ from kinematics.inverse.goals import Goal, read_goal
 from kinematics.inverse.isolation import lost_value
 from kinematics.inverse.residuals import are_solutions, error_vectors
 from kinematics.inverse.results import InverseKinematics
-from kinematics.inverse.search import descend, polish, unbounded
+from kinematics.inverse.search import Bounds, descend, polish, search, unbounded
 from kinematics.inverse.solve import Solver, solver_of
 from kinematics.table import DHTable
+from tests.kinematics.inverse.arms import random_joints, random_table
 
 DISTANCES = (0.0, *(10.0**-k for k in range(12, 1, -1)))
 DECIMALS = range(4, 18)
@@ -132,6 +134,33 @@ def run(name: str, table: DHTable, poses: int, tried: int, seed: int = 1) -> Tal
                 if _another(solver, goal, np.array(isolated), k):
                     tally.faults.append(("not complete", name, k))
     return tally
+
+
+def run_arms(arms: int, seed: int) -> tuple[Tally, list[float]]:
+    """Ask a pose of each of so many random arms of six turning joints, and search for more solutions.
+
+    Returns:
+        What was found, and the processor time of each answer [s].
+    """
+    rng = np.random.default_rng(seed)
+    tally, times = Tally(), []
+    for k in range(arms):
+        table = random_table(rng, 6, sliding=0.0)
+        q = random_joints(rng, table)
+        pose = end_pose(table, q)
+        solver = solver_of(table)
+        begun = time.process_time()
+        answer = solver.solve(pose)
+        times.append(time.process_time() - begun)
+        tally.poses += 1
+        tally.complete += answer.complete
+        found = search(solver.arm, pose, solver.box, Bounds.IGNORED).solutions
+        known = np.array([solution.joints for solution in answer.solutions])
+        goal = read_goal(pose, None, where=())
+        for other in (q, *found):
+            if not is_among(solver, goal, other, known):
+                tally.faults.append(("not complete" if answer.complete else "own lost", "random arm", k))
+    return tally, times
 
 
 def _reaches(solver: Solver, goal: Goal, q: np.ndarray) -> bool:

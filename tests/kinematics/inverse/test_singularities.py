@@ -21,7 +21,7 @@ from kinematics.inverse.search import Bounds, search
 from kinematics.inverse.wrist import WristArm
 from kinematics.table import Convention
 from tests.kinematics.inverse.arms import GENERAL, STANFORD, UR5, apart, random_joints, random_table
-from tests.kinematics.inverse.campaign import is_among, questions, run, singular_configuration
+from tests.kinematics.inverse.campaign import is_among, questions, run, run_arms, singular_configuration
 from tests.kinematics.inverse.models import MODELS
 from tests.kinematics.robots import PLANAR4, PUMA560, RX90, numeric
 
@@ -34,6 +34,12 @@ def test_a_small_campaign(name):
     tally = run(name, MODELS[name], poses=12, tried=1)
     assert tally.faults == []
     assert tally.poses == 12
+
+
+def test_a_search_finds_no_solution_that_random_arms_of_six_joints_lack():
+    tally, _ = run_arms(30, seed=6)
+    assert tally.complete == tally.poses == 30
+    assert not tally.faults
 
 
 @pytest.mark.parametrize(
