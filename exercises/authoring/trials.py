@@ -2,19 +2,25 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from typing import Any
+
 from exercises.authoring.admission import PolicyAdmission, policy_admission
 from exercises.authoring.draft import ExerciseDraft, exercise_of_draft
+from exercises.authoring.scaffold import started
+from exercises.authoring.sources import read_source
 from exercises.consistency import FILE
 from exercises.definition import Exercise
 from exercises.drawings import figure_svg, values
 from exercises.errors import DefinitionError
-from exercises.instance import generate
+from exercises.instance import Instance, generate
 from exercises.needs import unneeded_dimensions
 from exercises.parts.protocol import TABLE
 from exercises.selftest.checks import check_values
 from exercises.selftest.findings import Findings
 from exercises.selftest.rehearsal import RehearsedAnswer, right_answers, usual_mistakes
 from kinematics.errors import Fault
+from kinematics.frames.axes import JointAxis
 
 MOST_ROWS = 16
 """Of a draft's table: twice those of the longest arm in the documents. A folder may have more."""
@@ -24,6 +30,34 @@ SOME_MISTAKES = 6
 """So many of the listed mistakes are made for each seed: a round stays below some seconds."""
 
 
+def new_draft(exercise_id: str, document: Mapping[str, Any]) -> tuple[ExerciseDraft, tuple[JointAxis, ...]]:
+    """Return a new draft that loads and can be drawn, and the axes that it was drawn by, if it was.
+
+    Args:
+        exercise_id: its id.
+        document: what it is about, as `sources.read_source` takes it.
+
+    Raises:
+        DefinitionError: every fault of the id and of the document, at its place there.
+    """
+    source = read_source(document)
+    draft = started(exercise_id, source)
+    try:
+        _drawn(_read(draft))
+    except DefinitionError as error:
+        raise DefinitionError(_at_its_source(fault, document) for fault in error.faults) from error
+    return draft, source.axes
+
+
+def _at_its_source(fault: Fault, document: Mapping[str, Any]) -> Fault:
+    """Return a fault of a new draft at the value that it is about, or at what the draft was started from."""
+    (form, content), *_ = document.items()
+    key, name = "lengths" if form == "axes" else "parameters", str(fault.params.get("name"))
+    values = content.get(key) if isinstance(content, dict) else None
+    place = (key, name) if isinstance(values, dict) and name in values else ()
+    return Fault(code=fault.code, where=("source", form, *place), params=fault.params)
+
+
 def trial(draft: ExerciseDraft) -> PolicyAdmission:
     """Do once what every look at a draft needs, so that its cost is known; return what the policy admits.
 
@@ -31,8 +65,7 @@ def trial(draft: ExerciseDraft) -> PolicyAdmission:
         DefinitionError: every fault of the draft.
     """
     exercise = _read(draft)
-    instance = generate(exercise)
-    figure_svg(instance, title=draft.id, description="", language="en")
+    instance = _drawn(exercise)
     unneeded_dimensions(exercise)
     return policy_admission(exercise, values(instance))
 
@@ -82,6 +115,13 @@ def check_rows(draft: ExerciseDraft) -> None:
 def _read(draft: ExerciseDraft) -> Exercise:
     check_rows(draft)
     return exercise_of_draft(draft)
+
+
+def _drawn(exercise: Exercise) -> Instance:
+    """The exercise with its usual values, once its figure can be drawn."""
+    instance = generate(exercise)
+    figure_svg(instance, title=exercise.id, description="", language="en")
+    return instance
 
 
 def _with_table(draft: ExerciseDraft) -> Exercise:

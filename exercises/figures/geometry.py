@@ -200,14 +200,11 @@ def _dimension(points: Points, mark: DimensionMark, index: int, size: float) -> 
     end = points.point(mark.end, "dimensions", index, "to")
     value = abs(points.number(mark.value, "dimensions", index, "value"))
     length = float(np.linalg.norm(end - start))
-    if length < ON_AXIS * size or abs(length - value) > ON_AXIS * size:
-        points.fault(
-            "dimension_disagrees",
-            ("dimensions", index),
-            name=mark.name,
-            length=length,
-            value=value,
-        )
+    least = ON_AXIS * size
+    if abs(length - value) > least:
+        points.fault("dimension_disagrees", ("dimensions", index), name=mark.name, length=length, value=value)
+    elif length < least:
+        points.fault("dimension_too_short", ("dimensions", index), name=mark.name, length=length, least=least)
     return Dimension(
         name=mark.name,
         start=scene_vector(start),

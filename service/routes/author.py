@@ -10,9 +10,8 @@ from pydantic import TypeAdapter
 
 from exercises.answers import parse
 from exercises.authoring.archive import LARGEST_ARCHIVE, archive_of_draft, draft_of_archive
-from exercises.authoring.scaffold import started
-from exercises.authoring.sources import read_source
 from exercises.authoring.trials import (
+    new_draft,
     rehearsed_mistakes,
     rehearsed_right,
     self_test,
@@ -69,9 +68,8 @@ async def start_draft(
     The draft loads, can be drawn and passes its own tests unchanged.
     """
     with draft_refused():
-        source = await _in_worker(request, read_source, body.source)
-        draft = started(body.id, source)
-    return _json({**draft_body(draft), "axes": source.axes}, language_of(request))
+        draft, axes = await _in_worker(request, new_draft, body.id, body.source)
+    return _json({**draft_body(draft), "axes": axes}, language_of(request))
 
 
 @router.post(

@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 from exercises.authoring.draft import exercise_of_draft
 from exercises.authoring.scaffold import started
 from exercises.authoring.sources import read_source
+from exercises.authoring.trials import new_draft
 from exercises.errors import DefinitionError
 from exercises.selftest.checks import check_values
 from kinematics.cells import read_table
@@ -160,3 +161,45 @@ def test_every_start_leads_to_an_exercise_that_passes_its_own_tests(document: di
 def test_no_start_is_told(document: dict[str, Any]) -> None:
     with pytest.raises(DefinitionError):
         read_source(document)
+
+
+def two_links(first: float, second: float) -> dict[str, Any]:
+    rows = [
+        {"theta": "q1", "d": 0, "a": "L1", "alpha": 0},
+        {"theta": "q2", "d": 0, "a": second, "alpha": 0},
+    ]
+    return {"table": {"convention": "standard", "rows": rows, "parameters": {"L1": first}}}
+
+
+@pytest.mark.parametrize("length", [0, -0.0, 1e-300, -1e-12, 1e-7])
+def test_a_length_that_no_figure_can_show_is_refused_when_an_exercise_is_started(length: float) -> None:
+    chain = {"joints": [{"x": "L1", "c": "q1"}, {"x": 1, "c": "q2"}], "parameters": {"L1": length}}
+    for document, key in (
+        (two_links(length, 1), "parameters"),
+        ({"scm": chain}, "parameters"),
+        ({"axes": {**UR5, "lengths": {**LENGTHS, "a2": 0}}}, "lengths"),
+    ):
+        with pytest.raises(DefinitionError) as caught:
+            new_draft("mine", document)
+        (fault,) = caught.value.faults
+        assert fault.code == "dimension_too_short"
+        (form,) = document
+        assert fault.where == ("source", form, key, fault.params["name"])
+        assert float(str(fault.params["length"])) < float(str(fault.params["least"]))
+
+
+def test_a_length_without_a_name_of_its_own_is_refused_where_the_table_stands() -> None:
+    with pytest.raises(DefinitionError) as caught:
+        new_draft("mine", two_links(1e9, 1))
+    (fault,) = caught.value.faults
+    assert (fault.code, fault.where) == ("dimension_too_short", ("source", "table"))
+    assert fault.params["name"] == "a2"
+
+
+def test_a_length_of_zero_that_is_added_to_another_is_taken() -> None:
+    table = two_links(0, 1)["table"]
+    table["rows"][0]["a"] = "L1 + L2"
+    table["parameters"]["L2"] = 1
+    draft, axes = new_draft("mine", {"table": table})
+    assert exercise_of_draft(draft).id == "mine"
+    assert axes == ()
