@@ -39,9 +39,9 @@ def connection_limit() -> int:
 class BoundedConnection(HttpToolsProtocol):
     """One connection."""
 
-    _in_head = False
+    _is_idle = False
     _idle_since = 0.0
-    _head_bytes = 0
+    _held_bytes = 0
     _head_fields = 0
     _head_timer: asyncio.TimerHandle | None = None
     _unread_timer: asyncio.TimerHandle | None = None
@@ -59,12 +59,16 @@ class BoundedConnection(HttpToolsProtocol):
         super().connection_lost(exc)
 
     def data_received(self, data: bytes) -> None:
-        """Take bytes in, as long as the head of a request is not too long."""
-        if self._in_head:
-            self._head_bytes += len(data)
+        """Take bytes in, as long as the parser need not hold many: a head, or fields after a body."""
+        self._held_bytes += len(data)
         super().data_received(data)
-        if self._in_head and self._head_bytes > HEAD_BYTES:
+        if self._held_bytes > HEAD_BYTES:
             self._refuse_head()
+
+    def on_message_begin(self) -> None:
+        """Count the fields of each request by themselves, also if it comes before the last was answered."""
+        self._head_fields = 0
+        super().on_message_begin()
 
     def on_header(self, name: bytes, value: bytes) -> None:
         """Take a header field in, as long as there are not too many."""
@@ -76,9 +80,14 @@ class BoundedConnection(HttpToolsProtocol):
 
     def on_headers_complete(self) -> None:
         """Begin with the request."""
-        self._in_head = False
+        self._is_idle, self._held_bytes = False, 0
         self._stop_timers()
         super().on_headers_complete()
+
+    def on_body(self, body: bytes) -> None:
+        """Hand on a part of the body, which the application counts."""
+        self._held_bytes = 0
+        super().on_body(body)
 
     def on_message_complete(self) -> None:
         """Wait for the next request, if this one is answered already."""
@@ -109,8 +118,7 @@ class BoundedConnection(HttpToolsProtocol):
 
     def _await_head(self) -> None:
         self._stop_timers()
-        self._in_head = True
-        self._head_bytes = self._head_fields = 0
+        self._is_idle = True
         self._idle_since = self.loop.time()
         self._head_timer = self.loop.call_later(HEAD_SECONDS, self.transport.close)
 
@@ -121,13 +129,15 @@ class BoundedConnection(HttpToolsProtocol):
         self._head_timer = self._unread_timer = None
 
     def _longest_idle(self) -> BoundedConnection:
-        idle = [one for one in self.connections if isinstance(one, BoundedConnection) and one._in_head]
+        idle = [one for one in self.connections if isinstance(one, BoundedConnection) and one._is_idle]
         return min(idle, key=lambda one: one._idle_since, default=self)
 
     def _refuse_head(self) -> None:
-        if not self.transport.is_closing():
+        if self.transport.is_closing():
+            return
+        if self.cycle is None or self.cycle.response_complete:  # else an answer is still under way
             self.transport.write(_REFUSAL)
-            self.transport.close()
+        self.transport.close()
 
     def send_400_response(self, msg: str) -> None:
         """Refuse what is no HTTP, unless the refusal is sent already."""

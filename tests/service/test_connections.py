@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import contextlib
+import json
 import socket
 import threading
+import time
 from collections.abc import Iterator
 
 import httpx
@@ -42,14 +44,59 @@ def test_a_long_head_is_refused(base_url: str, field: bytes) -> None:
         assert received(connection).startswith(b"HTTP/1.1 431 ")
 
 
-def test_an_endless_head_costs_no_more_than_the_limit(base_url: str) -> None:
-    sent = 0
+UNFINISHED = b"POST /api/v1/jacobian HTTP/1.1\r\nHost: here\r\nContent-Type: application/json\r\n"
+
+
+@pytest.mark.parametrize(
+    "beginning",
+    [
+        b"GET /healthz HTTP/1.1\r\nX-Long: ",
+        b"GET /healthz HTTP/1.1\r\n\r\nGET /healthz HTTP/1.1\r\nX-Long: ",
+        UNFINISHED + b"Transfer-Encoding: chunked\r\n\r\n1\r\n{\r\n0\r\nX-Long: ",
+        UNFINISHED + b"Transfer-Encoding: chunked\r\n\r\n1;long=",
+    ],
+    ids=["head", "head behind a request", "field behind a body", "extension of a chunk"],
+)
+def test_an_endless_head_costs_no_more_than_the_limit(base_url: str, beginning: bytes) -> None:
+    assert taken(base_url, beginning) < 50 * 1024 * 1024
+
+
+def test_an_endless_head_behind_a_request_in_progress_costs_no_more(base_url: str) -> None:
+    rows = [{"theta": f"q{i}", "d": f"d{i} + 0.{i}7", "a": f"a{i}", "alpha": 17 * i} for i in range(1, 9)]
+    table = {"convention": "standard", "angle_unit": "deg", "rows": rows}
+    body = json.dumps({"table": table}).encode()
+    head = UNFINISHED.replace(b"jacobian", b"symbolic") + b"Content-Length: %d\r\n\r\n" % len(body)
+    assert taken(base_url, head + body + b"GET /healthz HTTP/1.1\r\nX-Long: ") < 50 * 1024 * 1024
+
+
+def taken(base_url: str, beginning: bytes) -> int:
+    """How many bytes of something without an end the server takes, in five seconds at most."""
+    sent, until = 0, time.monotonic() + 5
     with connected(base_url) as connection, contextlib.suppress(ConnectionError):
-        connection.sendall(b"GET /healthz HTTP/1.1\r\nX-Long: ")
+        connection.sendall(beginning)
         while sent < 100 * 1024 * 1024:
             connection.sendall(b"a" * 65536)
             sent += 65536
-    assert sent < 50 * 1024 * 1024
+            assert time.monotonic() < until
+    return sent
+
+
+def test_requests_that_come_at_once_are_counted_by_themselves(base_url: str) -> None:
+    fields = b"".join(b"X-%d: 1\r\n" % i for i in range(20))
+    with connected(base_url) as connection:
+        connection.sendall((b"GET /livez HTTP/1.1\r\nHost: here\r\n" + fields + b"\r\n") * 12)
+        connection.sendall(b"GET /livez HTTP/1.1\r\nHost: here\r\nConnection: close\r\n\r\n")
+        assert received(connection).count(b"HTTP/1.1 200 ") == 13
+
+
+def test_a_body_in_small_chunks_may_be_longer_than_a_head(base_url: str) -> None:
+    body = b'{"robot":"puma560","joints":[0,0,0,0,0,0]}' + b" " * 30_000
+    chunks = b"".join(b"1\r\n%c\r\n" % byte for byte in body) + b"0\r\n\r\n"
+    with connected(base_url) as connection:
+        connection.sendall(
+            UNFINISHED + b"Connection: close\r\nTransfer-Encoding: chunked\r\n\r\n" + chunks
+        )
+        assert received(connection).startswith(b"HTTP/1.1 200 ")
 
 
 def test_a_large_ordinary_head_is_served(client: httpx.Client) -> None:
