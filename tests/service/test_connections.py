@@ -93,9 +93,7 @@ def test_a_body_in_small_chunks_may_be_longer_than_a_head(base_url: str) -> None
     body = b'{"robot":"puma560","joints":[0,0,0,0,0,0]}' + b" " * 30_000
     chunks = b"".join(b"1\r\n%c\r\n" % byte for byte in body) + b"0\r\n\r\n"
     with connected(base_url) as connection:
-        connection.sendall(
-            UNFINISHED + b"Connection: close\r\nTransfer-Encoding: chunked\r\n\r\n" + chunks
-        )
+        connection.sendall(UNFINISHED + b"Connection: close\r\nTransfer-Encoding: chunked\r\n\r\n" + chunks)
         assert received(connection).startswith(b"HTTP/1.1 200 ")
 
 
