@@ -20,6 +20,7 @@ What is wrong?
   fitting, joint_places  values and places that fit
   trials         all edits at once
   repairs        the smallest edits that mend the table; `in_common` what equally small ones share
+  own_table      whether a table is the key's own
   findings       what is said, by level of help
   facts, score   which facts of the robot are right, and what they earn
 """

@@ -2,21 +2,22 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from itertools import islice
 
 from exercises.grading.cell_edits import any_cell
+from exercises.grading.digits import PER_CENT
 from exercises.grading.fitting import MOST_SIGNS
 from exercises.grading.misconceptions import RANKS, changes_beforehand, changes_of
+from exercises.grading.own_table import is_own_table
 from exercises.grading.row_edits import any_row_left_out, joint_left_out, row_left_out
 from exercises.grading.trials import Catalogue, Trial, finishing_reaches, tried, tried_unchanged
-from exercises.grading.work import EVERYWHERE, Change, Extent, Work, after
+from exercises.grading.work import EVERYWHERE, LENGTHS, Change, Extent, Work, after
 from kinematics.equivalence.meter import WorkExhaustedError
 from kinematics.equivalence.search import Effort
-from kinematics.table import JointType, NumericRow, NumericTable
+from kinematics.table import NumericTable
 
 # Some three tenths of a second: see `kinematics.equivalence.meter`. Each way to a single
 # edit may use no more than its share, so that what comes after is tried as well; fitting cells to the whole
@@ -35,10 +36,6 @@ MOST_REPAIRS = 6
 DECLARED = (Extent.CELL.value + Extent.ROW.value) / 2
 # a single edit adds or removes one joint
 MOST_JOINTS_APART = 2
-
-TURN = 2.0 * math.pi
-SAME = 0.01
-"""[rad], and a share of a length: the per cent by which an entry may be off, whatever its digits."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -73,7 +70,7 @@ def own_table_first(
 
     def leads_elsewhere(repaired: Repaired) -> bool:
         single = len(repaired.changes) == 1
-        return not (single and _is_alike(repaired.changes[0].of(table), key, float))
+        return not (single and is_own_table(repaired.changes[0].of(table), key))
 
     return tuple(sorted(repairs, key=leads_elsewhere))
 
@@ -84,41 +81,30 @@ def equally_good(repairs: Sequence[Repaired], table: NumericTable, key: NumericT
     A mirrored arm has one handedness that is wrong, and as many signs that set it right, in one row or in
     several; an offset along parallel axes may be wrong in any of their rows. Edits of a cell are as good as
     one another, and edits of a row; what concerns the table throughout is told as the likeliest alone. A
-    length that was typed is likelier wrong than a zero, where with that the frames are the key's own.
+    length that was typed is likelier wrong than a zero, where with that the frames are the key's own, and
+    where it becomes a length of the key and the zero doesn't.
     """
     singles = [repair.changes[0] for repair in repairs if len(repair.changes) == 1]
     if not singles or singles[0] is not repairs[0].changes[0] or singles[0].row is None:
         return ()
     best = singles[0]
     alike = [change for change in singles if change.extent is best.extent and change.row is not None]
-    if not best.fills_a_zero(table) and _is_alike(best.of(table), key, abs):
-        alike = [change for change in alike if not change.fills_a_zero(table)]
+    if best.fills_a_zero(table):
+        return tuple(alike)
+    if is_own_table(best.of(table), key, either_way=True):
+        return tuple(change for change in alike if not change.fills_a_zero(table))
+    if any(_is_of_the_key(change, key) for change in alike if not change.fills_a_zero(table)):
+        return tuple(c for c in alike if not c.fills_a_zero(table) or _is_of_the_key(c, key))
     return tuple(alike)
 
 
-def _is_alike(table: NumericTable, key: NumericTable, by: Callable[[float], float]) -> bool:
-    """Whether a table is another but for the zeros of the variables.
-
-    Args:
-        table: the one.
-        key: the other.
-        by: by what of them entries are compared: `abs` leaves out their signs, `float` doesn't.
-    """
-
-    def twist(row: NumericRow) -> float:
-        return by(math.remainder(row.alpha, TURN))
-
-    if table.convention is not key.convention or len(table.rows) != len(key.rows):
-        return False
-    return all(
-        row.joint is other.joint
-        and abs(math.remainder(twist(row) - twist(other), TURN)) <= SAME
-        and all(
-            abs(by(getattr(row, cell)) - by(getattr(other, cell))) <= SAME * abs(getattr(other, cell))
-            for cell in ("a", "d")
-            if cell == "a" or row.joint is not JointType.PRISMATIC
-        )
-        for row, other in zip(table.rows, key.rows, strict=True)
+def _is_of_the_key(change: Change, key: NumericTable) -> bool:
+    """Whether an edit of a cell puts a length there that stands in the key, whatever the frames."""
+    lengths = [abs(length) for row in key.rows for length in (row.a, row.d) if length]
+    return any(
+        cell in LENGTHS and abs(abs(value) - length) <= PER_CENT * length
+        for _, cell, value in change.cells
+        for length in lengths
     )
 
 

@@ -118,7 +118,10 @@ def fixed_row_left_out(work: Work) -> Iterator[Change]:
     if work.policy.tool not in (ToolRule.POINT, ToolRule.FRAME) or not work.has_the_joints():
         return
     angles = RIGHT_ANGLES if work.policy.tool is ToolRule.FRAME else RIGHT_ANGLES[:1]
-    yield from _put_in(work, "fixed_row_missing", len(work.table.rows), JointType.FIXED, angles)
+    place = len(work.table.rows)
+    for change in _put_in(work, "fixed_row_missing", place, JointType.FIXED, angles):
+        for theta in angles:
+            yield change._replace(cells=(*change.cells, (place, "theta", theta)))
 
 
 def _places(work: Work) -> Iterator[tuple[int, JointType]]:
