@@ -28,6 +28,7 @@ from kinematics.inverse.isolation import (
     merging_value,
 )
 from kinematics.inverse.residuals import errors_of
+from kinematics.inverse.walks import leads
 
 GAP = 4.0 / LONG
 """Tolerances by which the pose may be off in a gap between pieces of a family: an error that grows from zero
@@ -378,7 +379,7 @@ class _Sorter:
         if self.follower.is_spent:
             return np.zeros(len(joints), dtype=bool)
         x = np.tile(joints / self.arm.units, (len(places), 1))
-        arrived = self.follower.leads(x, places.reshape(x.shape), self.blind)
+        arrived = leads(self.follower, x, places.reshape(x.shape), self.blind)
         return np.asarray(arrived.reshape(places.shape[:2]).any(axis=0))
 
     def _on(self, path: FamilyPath, q: Array) -> bool:

@@ -54,17 +54,12 @@ STRAIGHT = 0.03
 """Turn of the direction in one step [rad] below which the next step may be twice as long; with three times
 this a step is taken again at half the length."""
 
-WALK, SHORTEST_WALK = 0.2, 1e-2
-"""Steps of a walk from one solution to another [rad, or parts of the size]: longest and shortest."""
-
 TOGETHER = 1e-12
 """Solutions this near [rad, or parts of the size] are one."""
 
-NEARER = 0.01
-"""Part of its step by which a walk has to come nearer."""
-
-ASTRAY = 0.01
-"""A walk ends where less than this part of the way to its end lies in directions that it may take."""
+NEAR_ONE_END, SAGGING = 0.2, 0.75
+"""Of second singular values at both ends of a step: one below this part of the other, or one in the middle
+below this part of their mean, may vanish between."""
 
 MOST_CORRECTIONS = 2500
 """Corrections after which a target's families are followed no further; the longest paths take 800 more. A
@@ -131,7 +126,8 @@ class Follower:
         self.spent = 0
         self._farthest = FARTHEST * (1.0 + float(np.linalg.norm(target[:3, 3])) / self.arm.size)
 
-    def _count(self, rows: int) -> None:
+    def count(self, rows: int) -> None:
+        """Count one correction of so many configurations."""
         self.spent += 1 + rows // ROWS
 
     @property
@@ -150,7 +146,7 @@ class Follower:
 
     def corrected_all(self, x: Array, held: Array) -> tuple[Array, Array, Array]:
         """Return the same of many, (m, n), each with its own held rows, (m, k, n)."""
-        self._count(len(x))
+        self.count(len(x))
         return corrected(self.arm, self.target, x, held)
 
     def moves(self, x: Array, direction: Array, step: float) -> Array | None:
@@ -189,52 +185,6 @@ class Follower:
         kept[asked[~(near & are_solutions(e, self.arm, self.tolerance))]] = False
         return kept
 
-    def leads(self, starts: Array, ends: Array, blind: float) -> NDArray[np.bool_]:
-        """Whether steps along blind directions, each corrected across them, lead from solutions to others.
-
-        Of all ways the one is tried that comes nearer with every step: over a surface, or within the width
-        that a tolerance gives to families that cross.
-
-        Args:
-            starts: (m, n) solutions, in units.
-            ends: (m, n) the others.
-            blind: singular values up to this are zero.
-        """
-        arrived = np.zeros(len(starts), dtype=bool)
-        x, longest, going = starts.copy(), np.full(len(starts), WALK), np.arange(len(starts))
-        for _ in range(MOST_STEPS):
-            way = self._back(ends[going], x[going])
-            left = np.linalg.norm(way, axis=1)
-            close = left <= FIRST_STEP
-            arrived[going[close]] = self.joined_each(x[going[close]], x[going[close]] + way[close])
-            going, way, left = going[~close], way[~close], left[~close]
-            unseen = self._unseen(x[going], blind)
-            along = (unseen @ way[:, :, None])[:, :, 0]
-            length = np.linalg.norm(along, axis=1)
-            ahead = length >= ASTRAY * left
-            going, left, length, unseen = going[ahead], left[ahead], length[ahead], unseen[ahead]
-            if not len(going) or self.is_spent:
-                break
-            step = np.minimum(longest[going], length)
-            aim = x[going] + along[ahead] * (step / length)[:, None]
-            self._count(len(going))
-            there, e, _ = corrected_across(self.arm, self.target, aim, np.eye(len(x[0])) - unseen)
-            near = np.linalg.norm(there - aim, axis=1) <= step
-            nearer = np.linalg.norm(self._back(ends[going], there), axis=1) <= left - NEARER * step
-            moved = near & nearer & are_solutions(e, self.arm, self.tolerance)
-            x[going[moved]] = there[moved]
-            longest[going] = np.where(moved, np.minimum(2.0 * step, WALK), 0.5 * step)
-            going = going[longest[going] >= SHORTEST_WALK]
-        return arrived
-
-    def _unseen(self, x: Array, blind: float) -> Array:
-        """(m, n, n) projections onto what the Jacobians at x do not see, singular values up to `blind`."""
-        _, values, rows = np.linalg.svd(self.jacobians(x))
-        seen = np.zeros(rows.shape[:2])
-        seen[:, : values.shape[1]] = values > blind
-        rows = np.where(seen[:, :, None] > 0.0, 0.0, rows)
-        return np.asarray(rows.transpose(0, 2, 1) @ rows)
-
     def path(self, x: Array, direction: Array, held: Array) -> FamilyPath:
         """Return the component through x along a direction, both ways.
 
@@ -265,27 +215,52 @@ class Follower:
         place = self.arm.n_joints - 2
         return np.asarray(values[:, place] if 0 <= place < values.shape[1] else np.zeros(len(x)))
 
+    def _second_of(self, J: Array, held: Array) -> float:
+        """The second least singular value; infinite where a direction is held or two are spare."""
+        if len(held) or self.arm.spare > 1:
+            return math.inf
+        values = np.linalg.svd(J, compute_uv=False)
+        place = self.arm.n_joints - 2
+        return float(values[place]) if 0 <= place < len(values) else math.inf
+
+    def _passes_a_crossing(self, x: Array, new: Array, second: float, there: float) -> bool:
+        """Whether a step may lead past a place where two families all but cross, and from one to the other.
+
+        The second singular value, small at such a place, grows from it on both sides, by one for each radian
+        at most. Where it is lost the two are one within the tolerance, and a step may lead on.
+        """
+        least, greatest = min(second, there), max(second, there)
+        if least <= self.lost or second + there >= float(np.linalg.norm(new - x)):
+            return False
+        if least < NEAR_ONE_END * greatest:
+            return True
+        (middle,) = self.second(0.5 * (x + new)[None])
+        return bool(middle < SAGGING * 0.5 * (second + there))
+
     def _one_way(self, start: Array, direction: Array, held: Array) -> tuple[list[Array], bool]:
         x, t, h = start, direction, FIRST_STEP
         found: list[Array] = []
         gone = 0.0
+        second = self._second_of(self.jacobian(start), held)
         for _ in range(MOST_STEPS):
             new, e, J = self._ahead(x + h * t, t, held)
             turned = self._direction(J, t, held)
             bend = float(np.arccos(np.clip(turned @ t, -1.0, 1.0)))
             off = float(np.linalg.norm(new - x - h * t))
-            if not self.reached(e) or off > h or (bend > 3.0 * STRAIGHT and h > FIRST_STEP):
+            there = self._second_of(J, held)
+            crossed = self._passes_a_crossing(x, new, second, there)
+            if not self.reached(e) or off > h or crossed or (bend > 3.0 * STRAIGHT and h > FIRST_STEP):
                 h *= 0.5
                 if h < SHORTEST_STEP:
                     return found, False
                 continue
             gone += h
-            back = self._back(start, new)
+            back = self.back_to(start, new)
             along = float(back @ turned)
             aside = float(np.linalg.norm(back - along * turned))
             if gone > 4.0 * h and abs(along) <= h and aside < max(0.2 * h, ROOM * self.lost):
                 return [*found, new], True
-            x, t = new, turned
+            x, t, second = new, turned, there
             found.append(new)
             slides = float(np.abs(t[self.arm.revolute]).max(initial=0.0)) < SLIDING
             h = min(2.0 * h if bend < STRAIGHT else h, np.inf if slides else LONGEST_STEP)
@@ -297,7 +272,7 @@ class Follower:
         """The nearest pose across a unit direction, held·x unchanged."""
         if len(held):
             return self.corrected(x, np.vstack((t, held)))
-        self._count(1)
+        self.count(1)
         found, e, J = corrected_across(
             self.arm, self.target, x[None], (np.eye(len(x)) - np.outer(t, t))[None]
         )
@@ -313,8 +288,8 @@ class Follower:
         length = float(np.linalg.norm(t))
         return np.asarray(t / length if length > 0.1 else before)
 
-    def _back(self, start: Array, x: Array) -> Array:
-        """The way from x to the start, turns on the circle."""
+    def back_to(self, start: Array, x: Array) -> Array:
+        """Return the way from x to the start, turns on the circle."""
         difference = start - x
         turned = (difference + np.pi) % (2.0 * np.pi) - np.pi
         return np.asarray(np.where(self.arm.revolute, turned, difference))

@@ -25,6 +25,7 @@ from kinematics.inverse.residuals import are_solutions, error_vectors
 from kinematics.inverse.results import InverseKinematics
 from kinematics.inverse.search import Bounds, descend, polish, search, unbounded
 from kinematics.inverse.solve import Solver, solver_of
+from kinematics.inverse.walks import leads
 from kinematics.table import DHTable
 from tests.kinematics.inverse.arms import random_joints, random_table
 
@@ -36,8 +37,8 @@ ROUGH = 6
 STARTS = 500
 SAMPLES = 200
 NEIGHBOURS = 12
-"""Of arms with two joints or more to spare so many solutions are sampled, and ways looked for from each to so
-many that are near it: what such ways join is one family."""
+"""Where there are families of two dimensions or more, so many solutions are sampled, and ways looked for from
+each to so many that are near it: what such ways join is one family."""
 
 AWAY = 1e-3
 """What brute force found counts as another solution if it is farther than this from all and not joined to
@@ -121,11 +122,7 @@ def run(name: str, table: DHTable, poses: int, tried: int, seed: int = 1) -> Tal
             tally.faults.append(("too many", name, k))
         if not _reaches(solver, goal, q):
             tally.rough += 1
-        elif not (
-            _is_on_a_family(solver, goal, q, answer)
-            or is_among(solver, goal, q, np.array([s.joints for s in answer.solutions]))
-            or _is_on_a_surface(solver, goal, q, np.array([s.joints for s in answer.solutions]))
-        ):
+        elif not has(solver, goal, q, answer):
             tally.faults.append(("own lost", name, k))
         if answer.complete:
             tally.complete += 1
@@ -168,6 +165,15 @@ def _reaches(solver: Solver, goal: Goal, q: np.ndarray) -> bool:
     return bool(are_solutions(e, solver.arm, goal.tolerance)[0])
 
 
+def has(solver: Solver, goal: Goal, q: np.ndarray, answer: InverseKinematics) -> bool:
+    """Whether a configuration is in an answer: one of its solutions, or in one of its families."""
+    return (
+        _is_on_a_family(solver, goal, q, answer)
+        or is_among(solver, goal, q, np.array([s.joints for s in answer.solutions]))
+        or _is_on_a_surface(solver, goal, q, answer)
+    )
+
+
 def is_among(solver: Solver, goal: Goal, q: np.ndarray, known: np.ndarray) -> bool:
     """Whether a configuration is one of the solutions, joined to one, or on the path of a family of one."""
     if not len(known):
@@ -205,11 +211,13 @@ def _is_on_a_family(solver: Solver, goal: Goal, q: np.ndarray, answer: InverseKi
     )
 
 
-def _is_on_a_surface(solver: Solver, goal: Goal, q: np.ndarray, known: np.ndarray) -> bool:
-    """Whether ways from sample to sample lead from a configuration to a solution, of two joints to spare."""
+def _is_on_a_surface(solver: Solver, goal: Goal, q: np.ndarray, answer: InverseKinematics) -> bool:
+    """Whether ways from sample to sample lead from a configuration to a family of two dimensions or more."""
     arm = solver.arm
-    if arm.spare < 2 or not len(known):
+    surfaces = [s.joints for s in answer.solutions if s.family is not None and s.family.dimension > 1]
+    if not surfaces:
         return False
+    known = np.array(surfaces)
     x = np.vstack((q, known, _samples(solver, goal, SAMPLES, seed=0))) / arm.units
     apart = np.abs(differences((x * arm.units)[:, None], (x * arm.units)[None], arm)).sum(axis=2)
     np.fill_diagonal(apart, np.inf)
@@ -218,7 +226,7 @@ def _is_on_a_surface(solver: Solver, goal: Goal, q: np.ndarray, known: np.ndarra
     for others in near.T:
         apart_yet = np.flatnonzero(family != family[others])
         follower = Follower(arm, goal.pose, goal.tolerance)
-        led = follower.leads(x[apart_yet], x[others[apart_yet]], lost_value(goal.tolerance))
+        led = leads(follower, x[apart_yet], x[others[apart_yet]], lost_value(goal.tolerance))
         for one, other in zip(apart_yet[led], others[apart_yet[led]], strict=True):
             family[family == family[other]] = family[one]
     return bool((family[1 : 1 + len(known)] == family[0]).any())

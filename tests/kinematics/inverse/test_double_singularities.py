@@ -14,8 +14,11 @@ from kinematics.inverse.gaps import nearest_places, way_through_gaps
 from kinematics.inverse.goals import read_goal
 from kinematics.inverse.residuals import are_solutions, errors_of
 from kinematics.inverse.results import Isolation, Method
-from tests.kinematics.inverse.campaign import is_among, questions
+from kinematics.inverse.walks import leads
+from kinematics.table import Convention
+from tests.kinematics.inverse.campaign import has, is_among, questions
 from tests.kinematics.inverse.models import MODELS
+from tests.kinematics.robots import numeric
 
 RIGHT = math.pi / 2
 STRETCHED_DMRA = -math.atan2(130.0, 20.0)
@@ -179,3 +182,54 @@ def test_a_pose_that_makes_the_equations_dependent_keeps_its_own_configuration()
     assert answer.method is Method.SEARCH
     assert not answer.complete
     assert holds(solver, goal, answer, q)
+
+
+def test_a_walk_does_not_step_over_what_parts_two_solutions():
+    """A PUMA's forearm folded onto its upper arm but for 5e-5 rad: two elbows, their q_2 a tenth apart.
+
+    Each is a short interval within the tolerance; half way between them the pose is off by more.
+    """
+    q = np.random.default_rng(1).uniform(-math.pi, math.pi, (161, 6))[160]
+    solver, goal, answer = asked("puma, craig", q)
+    found = np.array([s.joints for s in answer.solutions])
+    assert len(found) == 8
+    assert holds(solver, goal, answer, q)
+    assert np.abs(found - q).max(axis=1).min() < 1e-6
+    other = min((s for s in found if abs(s[1] - q[1]) > 0.05), key=lambda s: np.abs(s - q).max())
+    follower = Follower(solver.arm, goal.pose, goal.tolerance)
+    assert np.abs(other - q).max() < 0.2
+    assert not leads(follower, q[None], other[None], follower.lost)[0]
+
+
+def test_a_path_does_not_change_over_to_a_family_that_it_all_but_crosses():
+    """A Sawyer's axes at right angles but for 1e-4 rad: four loops, two of them 2e-4 from each other.
+
+    Lengths of D. Layeghi, Dynamic and kinematic modelling of the Sawyer arm (2017).
+    """
+    lengths = zip([0.081, *[0.0] * 6], [0.317, 0.1925, 0.4, 0.1685, 0.4, 0.1363, 0.13375], strict=True)
+    rows = ((-RIGHT if i < 6 else 0.0, a, d) for i, (a, d) in enumerate(lengths))
+    table = numeric(Convention.STANDARD, *(("revolute", alpha, a, d, 0.0) for alpha, a, d in rows))
+    q = np.array([1.571197, -1.570568, -0.000296, -3.14242, 3.141711, 1.570806, -1.570767])
+    solver, pose = solver_of(table), end_pose(table, q)
+    follower = Follower(solver.arm, pose, 5e-9)
+    (blind,) = np.linalg.svd(follower.jacobian(q))[2][6:]
+    loop = follower.path(q, blind, np.empty((0, 7)))
+    assert loop.closed
+    answer = solver.solve(pose)
+    assert len(answer.solutions) == 4
+    assert has(solver, read_goal(pose, 5e-9, where=()), q, answer)
+    # The way round is the same from wherever on the loop it is followed.
+    for start in loop.points[:: len(loop.points) // 8]:
+        direction = np.linalg.svd(follower.jacobian(start))[2][6]
+        again = follower.path(start, direction, np.empty((0, 7)))
+        assert again.closed
+        turn = math.tau * round((again.points[-1, 2] - again.points[0, 2]) / math.tau)
+        assert abs(turn) == math.tau
+
+
+def test_a_forearm_on_the_upper_arm_of_an_arm_without_offsets_leaves_two_joints_free():
+    """Its wrist is at the shoulder within the tolerance: any q_1, a range of q_2, and q_4 to q_6 follow."""
+    q = [0.001, -0.047, -RIGHT + 4e-4, RIGHT + 6e-3, -7.5e-3, 1.88]
+    solver, goal, answer = asked("no offsets", q, 4, 1e-4)
+    assert any(s.family is not None and s.family.dimension == 2 for s in answer.solutions)
+    assert has(solver, goal._replace(tolerance=answer.tolerance), np.asarray(q), answer)

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from kinematics.forward import end_pose
-from kinematics.inverse import ArmReach, corrections, families, solver_of
+from kinematics.inverse import ArmReach, corrections, families, solver_of, walks
 from kinematics.inverse.results import Isolation
 from tests.kinematics.inverse.models import MODELS
 from tests.kinematics.robots import PUMA560
@@ -23,7 +23,7 @@ def counted(monkeypatch):
         calls.append(len(x))
         return correct(arm, targets, x, across)
 
-    for module in (corrections, families):
+    for module in (corrections, families, walks):
         monkeypatch.setattr(module, "corrected_across", corrected)
     return calls
 
