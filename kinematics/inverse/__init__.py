@@ -24,6 +24,7 @@ isolation      which solutions stand alone, in one pass
 components     which solutions stand alone, and which belong to families
 corrections    from beside a family back to it
 families       families followed along their path
+walks          ways from one solution to another
 crossings      where families cross others
 gaps           families in pieces
 valleys        folds that a target only just reaches
