@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
 from exercises.parts.cells.matrix_cells import CellMatrix, SymbolicMatrix
+from exercises.parts.cells.mixed_lengths import other_lengths
 from exercises.parts.context import Context
 from exercises.parts.report import Fact, fact
 from exercises.parts.samples import Samples
@@ -54,8 +55,9 @@ class Compared:
 def compare(context: Context, answer: SymbolicMatrix, expected: Expected) -> Compared:
     """Return an answered matrix beside the expected one.
 
-    They are compared at the exercise's values and, if the answer names all lengths, at others, too. Other
-    values tell apart what the exercise's values confuse, such as two dimensions of equal length.
+    They are compared at the exercise's values and, if the answer names all lengths, or some and none that
+    stands in numbers, at others, too. Other values tell apart what the exercise's values confuse, such as two
+    dimensions of equal length.
     """
     samples = context.samples(answer.names() | context.own_names())
     actual = answer.at_points(samples)
@@ -65,6 +67,13 @@ def compare(context: Context, answer: SymbolicMatrix, expected: Expected) -> Com
         else:
             samples, actual = samples.first, actual[: samples.counts[0]]
     cells = agreeing(actual, expected(samples), context.size, context.policy.tolerance)
+    if len(samples.points) == 1 and context.own_scales and cells.all():
+        values, joints = samples.points[0]
+        other = other_lengths(context, (answer,), values)
+        if other is not None:
+            there = Samples(((other[0], joints),))
+            tolerance = replace(context.policy.tolerance, length=other[1])
+            cells = agreeing(answer.at_points(there), expected(there), context.size, tolerance)
     return Compared(actual=actual, samples=samples, cells=cells)
 
 

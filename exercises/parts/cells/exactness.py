@@ -33,7 +33,7 @@ def exactness(raw: Any, lengths_of: Callable[[Any], Sequence[float] | None]) -> 
         (i, match, step)
         for i, cell in enumerate(cells)
         for match in _DECIMAL.finditer(cell)
-        if (step := _left_open(match))
+        if (step := left_open(float(match[0]), len(match[1])))
     ]
     if len(found) > MOST_DECIMALS:
         return 1.0
@@ -63,9 +63,9 @@ def _effect(
     return max(abs(one - two) for one, two in zip(here, there, strict=True)) / longest or step
 
 
-def _left_open(match: re.Match[str]) -> float:
+def left_open(value: float, decimals: int) -> float:
     """Return by how much a decimal may be off: a fraction of four by nothing, others by their rounding."""
-    value, half = float(match[0]), 0.5 * 10.0 ** -len(match[1])
+    half = 0.5 * 10.0**-decimals
     if (4.0 * value).is_integer():
         return 0.0
     return min((off for known in KNOWN if (off := abs(value - known)) <= half), default=half)

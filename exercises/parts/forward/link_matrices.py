@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from functools import reduce
+from collections.abc import Iterator, Sequence
 from random import Random
 from typing import Annotated, ClassVar
 
@@ -30,7 +29,6 @@ from exercises.parts.context import Context
 from exercises.parts.forward.value import is_robot
 from exercises.parts.protocol import TABLE, Length, PartTask, PartType, Reading
 from exercises.parts.report import Credit, Fact, PartReport, fact, judged, told_from
-from exercises.parts.samples import Samples
 from kinematics.table import Convention
 
 
@@ -120,7 +118,7 @@ class LinkMatricesPart(PartType[Part, Sequence[CellMatrix | None], tuple[Symboli
         if report is not None and (report.score == 1.0 or context.own_correct):
             return report
         whole = [matrix for matrix in answer if matrix is not None]
-        if len(whole) == len(answer) and _product_is_robot(context, whole):
+        if len(whole) == len(answer) and is_robot(context, whole):
             code = "matrices_right" if context.own is None else "matrices_right_not_from_table"
             return judged(part, 1.0, Credit.KEY, feedback=[Feedback(code=code)])
         if report is not None:
@@ -166,16 +164,6 @@ def _by_own_rows(context: Context, answer: Sequence[SymbolicMatrix | None], part
         code = "matrices_right" if context.own_correct else "matrices_follow_table"
         feedback.append(Feedback(code=code))
     return judged(part, right / len(answer), context.own_credit, facts=facts, feedback=feedback)
-
-
-def _product_is_robot(context: Context, matrices: list[SymbolicMatrix]) -> bool:
-    names = frozenset[str]().union(*(matrix.names() for matrix in matrices))
-
-    def poses(values: Mapping[str, float], joints: Matrices) -> Matrices:
-        samples = Samples(((values, joints),))
-        return reduce(np.matmul, [matrix.at_points(samples) for matrix in matrices])
-
-    return is_robot(context, poses, names)
 
 
 PART = LinkMatricesPart()

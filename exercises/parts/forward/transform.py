@@ -31,12 +31,11 @@ from exercises.parts.context import Context
 from exercises.parts.forward.value import is_robot
 from exercises.parts.protocol import PartTask, PartType, Reading
 from exercises.parts.report import Credit, PartReport, judged, told_from
-from exercises.parts.samples import Samples
 
 
 def transform_is_robot(context: Context, answer: SymbolicMatrix) -> bool:
     """Return whether a ⁰T_N describes the robot by itself."""
-    return is_robot(context, lambda values, q: answer.at_points(Samples(((values, q),))), answer.names())
+    return is_robot(context, (answer,))
 
 
 def _own(context: Context) -> Expected:

@@ -9,13 +9,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
-from functools import partial
+from dataclasses import replace
+from functools import partial, reduce
 
 import numpy as np
 from numpy.typing import NDArray
 
 from exercises.parts.cells.comparison import agreeing, inverse, is_doubled, is_rigid
+from exercises.parts.cells.matrix_cells import SymbolicMatrix
+from exercises.parts.cells.mixed_lengths import other_lengths
 from exercises.parts.context import Context
+from exercises.parts.samples import Samples
 from kinematics.chain import Axis, Chain, chain_of_axes
 from kinematics.equivalence import Tolerance
 from kinematics.equivalence.decision import certify
@@ -32,24 +36,36 @@ PosesAt = Callable[[Mapping[str, float], Matrix], Matrix]
 
 
 @np.errstate(all="ignore")
-def is_robot(context: Context, poses_at: PosesAt, names: frozenset[str]) -> bool:
-    """Return whether a ⁰T_N describes the robot and keeps the policy.
+def is_robot(context: Context, matrices: Sequence[SymbolicMatrix]) -> bool:
+    """Return whether a product of matrices is a ⁰T_N that describes the robot and keeps the policy.
 
-    It does at the exercise's values and, if it and the key name all lengths, at others, too: what is named
-    wrong is wrong, whatever a student was given.
+    It does at the exercise's values and, if it and the key name all lengths, or it names some and none that
+    stands in numbers, at others, too: what is named wrong is wrong, whatever a student was given.
 
     Args:
         context: the key, the policy, the units.
-        poses_at: the ⁰T_N, with lengths in the student's unit.
-        names: in it.
+        matrices: from the base to the end, with lengths in the student's unit.
     """
+    names = frozenset[str]().union(*(matrix.names() for matrix in matrices))
+
+    def poses_at(values: Mapping[str, float], joints: Matrix) -> Matrix:
+        samples = Samples(((values, joints),))
+        return reduce(np.matmul, [matrix.at_points(samples) for matrix in matrices])
+
     if context.joint_types != context.reference.table.joint_types:
         return False
     values = context.values(names)
     if not _is_robot_at(context, partial(poses_at, values), context.reference_numbers):
         return False
-    if not names & set(context.parameters) or not _names_lengths(context, poses_at, values):
+    if not names & set(context.parameters):
         return True
+    if not _names_lengths(context, poses_at, values):
+        mixed = other_lengths(context, matrices, values)
+        key = None if mixed is None else _key_at(context, mixed[0])
+        if mixed is None or key is None:
+            return True
+        tolerance = replace(context.policy.tolerance, length=mixed[1])
+        return _is_robot_at(context, partial(poses_at, mixed[0]), key, tolerance)
     for other in context.draws(names):
         key = _key_at(context, other)
         if key is not None:
@@ -83,16 +99,19 @@ def _names_lengths(context: Context, poses_at: PosesAt, values: Mapping[str, flo
     )
 
 
-def _is_robot_at(context: Context, poses_of: PosesOf, key: NumericTable) -> bool:
-    joint_types = context.joint_types
-    chain = chain_of_poses(poses_of, joint_types, context.policy.tolerance, context.size)
+def _is_robot_at(
+    context: Context, poses_of: PosesOf, key: NumericTable, tolerance: Tolerance | None = None
+) -> bool:
+    joint_types, usual = context.joint_types, context.policy.tolerance
+    chain = chain_of_poses(poses_of, joint_types, usual, context.size)
     if chain is None:
         return False
     samples = context.configurations(joint_types)
-    if not agreeing(poses_of(samples), chain.poses(samples), context.size, context.policy.tolerance).all():
+    if not agreeing(poses_of(samples), chain.poses(samples), context.size, usual).all():
         return False
     in_units = _scaled(chain, 1.0 / context.unit_ratio)
-    return certify([prepared(key)], [in_units], context.policy) is not None
+    policy = replace(context.policy, tolerance=tolerance or usual)
+    return certify([prepared(key)], [in_units], policy) is not None
 
 
 def chain_of_poses(

@@ -30,7 +30,7 @@ from kinematics.cells import ParameterKind
 from kinematics.cells.entries import read_cell
 from kinematics.expressions import evaluate
 from kinematics.table import Convention
-from tests.exercises.answering import codes, judged, part
+from tests.exercises.answering import codes, judged, part, table
 from tests.exercises.folders import changed, folder
 from tests.exercises.packaged import exercise
 
@@ -226,3 +226,56 @@ def test_another_dimension_is_wrong_in_a_chain_of_frames(seed: str | None) -> No
     assert codes(frame_chain(seed, "L1"))[0] == "chain_wrong"
     assert not frame_chain(seed, "L2", " + 0.004").correct
     assert not frame_chain(seed, "L2", "*1.012").correct
+
+
+def _planar(seed: str, first: str, second: str, **others: Any) -> PartReport:
+    """⁰T₂ of the planar arm with these lengths."""
+    rows = [
+        ["c12", "-s12", 0, f"({first})*c1 + ({second})*c12"],
+        ["s12", "c12", 0, f"({first})*s1 + ({second})*s12"],
+        [0, 0, 1, 0],
+        [0, 0, 0, 1],
+    ]
+    return part(judged("twolink", seed=seed, transform=rows, **others), "transform")
+
+
+OWN_PLANAR = table("standard", (0, "L1", 0, "q1"), (0, "L2", 0, "q2"))
+"""Seed 16 draws L1 = 0.8 and L2 = 0.7."""
+
+
+@pytest.mark.parametrize("others", [{}, {"table": OWN_PLANAR}], ids=["alone", "beside a table"])
+@pytest.mark.parametrize("first", ["L2 + 0.1", "L1 + 0.004", "1.5 - L2", "sqrt(L2^2 + 0.15)"])
+def test_a_closed_form_with_a_wrong_name_and_a_number_is_wrong_where_they_agree(
+    first: str, others: dict[str, Any]
+) -> None:
+    assert not _planar("16", first, "L2", **others).correct
+
+
+@pytest.mark.parametrize("others", [{}, {"table": OWN_PLANAR}], ids=["alone", "beside a table"])
+@pytest.mark.parametrize(
+    ("first", "second"), [("0.8", "L2"), ("L1", "0.7"), ("0.80", "0.70"), ("1.0*L1", "L2"), ("L1", "1/2*1.4")]
+)
+def test_a_closed_form_with_one_length_by_name_and_one_in_numbers_is_right(
+    first: str, second: str, others: dict[str, Any]
+) -> None:
+    assert _planar("16", first, second, **others).correct
+
+
+def test_a_link_matrix_with_a_wrong_name_and_a_number_is_wrong_where_they_agree() -> None:
+    def link(i: int, length: str) -> list[list[Any]]:
+        column = f"({length})*c{i}", f"({length})*s{i}"
+        return [
+            [f"c{i}", f"-s{i}", 0, column[0]],
+            [f"s{i}", f"c{i}", 0, column[1]],
+            [0, 0, 1, 0],
+            [0, 0, 0, 1],
+        ]
+
+    def right(first: str) -> bool:
+        matrices = (link(1, first), link(2, "L2"))
+        report = judged("twolink", seed="16", table=OWN_PLANAR, link_matrices=matrices)
+        return part(report, "link_matrices").correct
+
+    assert right("L1")
+    assert right("0.8")
+    assert not right("L2 + 0.1")
