@@ -108,8 +108,8 @@ def test_a_branch_reaches_the_target_just_where_nothing_is_amiss(robot_id):
     equations = [NamedValue(step.name, step.joint, step.value) for step in form.steps]
     rng = np.random.default_rng(6)
     space = {}
-    for number in range(4):
-        target = end_pose(numbers, rng.uniform(0.2, 1.0, numbers.n_joints))
+    for number in range(12):
+        target = end_pose(numbers, rng.uniform(-3.1, 3.1, numbers.n_joints))
         if number % 2:
             target[:3, 3] += [0.0, 0.0, 0.01]
             target[:3, :3] @= np.array([[1.0, 0.0, 0.0], [0.0, 0.8, -0.6], [0.0, 0.6, 0.8]])
