@@ -10,6 +10,8 @@ import copy
 from typing import Any
 
 from kinematics.catalogue import robot_ids
+from service.schemas.examples import TWO_LINKS
+from service.schemas.scm_examples import SCARA
 
 CELLS = [0, 1, -0.5, 0.3, "pi/2", "-pi/2", "L1", "2*L1 + 0.1", "L2", "sqrt(2)/2"]
 TURNS = ["q1", "q2", "q3 + pi/2", "0"]
@@ -35,6 +37,39 @@ _PARAMETERS = {
     "required": ["L1", "L2"],
     "additionalProperties": False,
 }
+
+
+_WHOLE: dict[str, Any] = {
+    "Table": TWO_LINKS,
+    "ScmChainModel": SCARA,
+    "ScrewProduct": {"screws": [{"linear": [0, 0, 0], "angular": [0, 0, 1]}], "home": _STRAIGHT},
+}
+"""One of each robot that bodies hold."""
+_BESIDE = {"parameters": {"L1": 0.4, "L2": 0.3}, "limits": [[-1, 1], [-1, 1]], "name": "arm"}
+"""What stands beside a robot."""
+
+
+def with_whole_robots(document: dict[str, Any]) -> dict[str, Any]:
+    """Return the document with an example of each robot, of each pose and of what goes with them.
+
+    What is covered is one field at a time, beside a whole body; drawing a new robot and new poses for every
+    such body would take nine tenths of the time, and hardly one of them would be computed with.
+    """
+    exemplary = copy.deepcopy(document)
+    shapes = exemplary["components"]["schemas"]
+    for name, example in _WHOLE.items():
+        shapes[name]["example"] = example
+    for shape in shapes.values():
+        for name, field in shape.get("properties", {}).items():
+            if name in _BESIDE:
+                field["example"] = _BESIDE[name]
+            elif _is_one_pose(field):
+                field["example"] = [0.1, 0.2, 0.3, 0, 0, 0]
+    return exemplary
+
+
+def _is_one_pose(field: dict[str, Any]) -> bool:
+    return any("a pose: 4×4" in entry.get("description", "") for entry in (field, *field.get("anyOf", ())))
 
 
 def likely(document: dict[str, Any]) -> dict[str, Any]:

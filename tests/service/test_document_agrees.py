@@ -25,7 +25,7 @@ from service.schemas.scm_examples import SCARA
 from service.schemas.workspace_request import WorkspaceRequest
 from tests.document import DOCUMENT
 from tests.drawn_calls import for_each_call
-from tests.service.likely_requests import likely
+from tests.service.likely_requests import likely, with_whole_robots
 
 EXAMPLES = int(os.environ.get("SCHEMATHESIS_EXAMPLES", "8"))
 
@@ -65,7 +65,7 @@ def as_npy(_: Any, value: Any) -> bytes:
     return value if isinstance(value, bytes) else str(value).encode()
 
 
-schema = schemathesis.openapi.from_dict(DOCUMENT)
+schema = schemathesis.openapi.from_dict(with_whole_robots(DOCUMENT))
 schema.config.generation.update(max_examples=EXAMPLES)
 schema.config.checks.negative_data_rejection.expected_statuses = ["400", "404", "406", "413", "415", "422"]
 likely_schema = schemathesis.openapi.from_dict(likely(DOCUMENT))
