@@ -14,12 +14,11 @@ symbols stay symbols.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any, Generic
 
 from kinematics.dh import link_transform
-from kinematics.expressions import ZERO, Expression, add, evaluate
+from kinematics.expressions import ZERO, add
 from kinematics.se3 import Transform
 from kinematics.table import Convention, DHRow, DHTable, Entry, JointType
 
@@ -101,15 +100,6 @@ def fixed_row(screw: XScrew[Entry]) -> DHRow[Entry]:
     """Return the fixed row that makes this motion, the same in both conventions."""
     zero = _zero_like(screw.a)
     return DHRow(joint=JointType.FIXED, theta=zero, d=zero, a=screw.a, alpha=screw.alpha)
-
-
-def bind_screw(screw: XScrew[Expression], parameters: Mapping[str, float] | None = None) -> XScrew[float]:
-    """Return the motion with numbers.
-
-    Raises:
-        ParameterError: a parameter has no value, or an entry no finite value.
-    """
-    return XScrew(a=evaluate(screw.a, parameters), alpha=evaluate(screw.alpha, parameters))
 
 
 def screw_transform(screw: XScrew[float] | None) -> Transform:

@@ -16,14 +16,12 @@ Manipulation (1994), section 3.2.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from kinematics.chain import Axis, Chain, walk
 from kinematics.errors import DescriptionError, Fault
 from kinematics.evaluation.plan import plan_of
 from kinematics.evaluation.recurrences import joint_axes
@@ -33,7 +31,7 @@ from kinematics.frames.axes import JointAxis
 from kinematics.frames.parallels import NearParallel
 from kinematics.joint_values import one_configuration
 from kinematics.poses import Vector3, axis_angle_from_transform
-from kinematics.se3 import Transform, Vector, check_transform, cross, from_matrix, position
+from kinematics.se3 import Transform, Vector, check_transform, cross
 from kinematics.table import Convention, JointType, NumericTable
 
 UNIT_TOLERANCE = 1e-9
@@ -124,29 +122,6 @@ def table_of_product(product: ProductOfExponentials, convention: Convention) -> 
     axes = [joint_axis(screw, ("screws", i)) for i, screw in enumerate(product.screws)]
     home = check_transform(product.home, where=("home",))
     return assign_frames(axes, convention, tool=home, near_parallel=NearParallel.DUMMY_ROW)
-
-
-def chain_of_product(product: ProductOfExponentials) -> Chain:
-    """Return the chain of a product of exponentials.
-
-    Raises:
-        DescriptionError: a screw is neither a rotation about a unit vector nor a translation along one, at
-            ("screws", i).
-        PoseError: the home pose is not a rigid transform.
-    """
-    found = [joint_axis(screw, ("screws", i)) for i, screw in enumerate(product.screws)]
-    axes = tuple(
-        Axis(one.joint is JointType.PRISMATIC, _triple(one.direction), _triple(one.point)) for one in found
-    )
-    end = from_matrix(check_transform(product.home, where=("home",)))
-    turning = [axis for axis in axes if not axis.prismatic]
-    _, extent = walk(position(end), turning[::-1])
-    return Chain(axes, end, extent, ((len(axes), end),))
-
-
-def _triple(values: Sequence[float]) -> Vector:
-    x, y, z = values
-    return x, y, z
 
 
 def joint_axis(screw: Screw, where: tuple[str | int, ...] = ()) -> JointAxis:

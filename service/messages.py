@@ -70,11 +70,6 @@ def _bundle(language: str) -> FluentBundle:
     return FluentBundle([language, DEFAULT_LANGUAGE], use_isolating=False, functions=FUNCTIONS)
 
 
-def has_sentence(language: str, identifier: str) -> bool:
-    """Return whether a language has a message of its own."""
-    return identifier in _sources(language)
-
-
 @lru_cache(maxsize=SENTENCES)
 def _read(language: str, identifier: str) -> ast.Message | None:
     """The message of a language as Fluent reads it; None if it has none."""

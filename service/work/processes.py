@@ -69,11 +69,6 @@ class WorkerProcess:
         """Return whether it is running."""
         return self._process.poll() is None
 
-    @property
-    def is_open(self) -> bool:
-        """Return whether its connection is still held."""
-        return not self._connection.closed
-
     def perform(self, task: bytes, timeout: float) -> bytes:
         """Send a task, and wait for its reply.
 

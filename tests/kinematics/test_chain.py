@@ -16,7 +16,7 @@ from kinematics.forward import forward_kinematics
 from kinematics.jacobian import jacobian
 from kinematics.poses import transform_from_xyzabc
 from kinematics.scm import chain_of_scm, forward_kinematics_scm
-from kinematics.screws import chain_of_product, product_of_exponentials
+from kinematics.screws import product_of_exponentials, table_of_product
 from kinematics.se3 import to_matrix
 from kinematics.table import DHTable
 from kinematics.urdf import chain_from_urdf, urdf_from_table
@@ -116,8 +116,9 @@ def test_every_description_of_a_robot_is_one_chain(robot: catalogue.RobotModel) 
     of_table = chain_of_table(table)
     assert robot.chain is not None
     lengths = {name: robot.parameters[known] for name, known in robot.chain.parameters.items()}
+    screwed = table_of_product(product_of_exponentials(table), table.convention)
     others = [
-        chain_of_product(product_of_exponentials(table)),
+        chain_of_table(screwed.table, screwed.base, screwed.tool),
         chain_of_scm(robot.chain.read.chain, lengths),
         chain_from_urdf(urdf_from_table(table).text).chain,
     ]

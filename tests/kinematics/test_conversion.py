@@ -11,8 +11,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kinematics.conversion import Conversion, XScrew, bind_screw, convert, fixed_row, screw_transform
-from kinematics.expressions import ZERO, Expression, Parameter, add, multiply, number, pi_times
+from kinematics.conversion import Conversion, XScrew, convert, fixed_row, screw_transform
+from kinematics.expressions import ZERO, Expression, Parameter, add, evaluate, multiply, number, pi_times
 from kinematics.forward import end_pose
 from kinematics.table import Convention, DHRow, DHTable, JointType, bind
 from tests.kinematics import oracle
@@ -128,7 +128,10 @@ def test_symbols_stay_symbols(table, data):
     parameters = {"L1": 0.3, "L2": -0.2, "beta": 0.7}
     joints = data.draw(st.tuples(*[st.floats(-3, 3)] * table.n_joints)).__iter__()
     q = list(joints)
-    screws = [None if s is None else bind_screw(s, parameters) for s in (converted.base, converted.tool)]
+    screws = [
+        s and XScrew(a=evaluate(s.a, parameters), alpha=evaluate(s.alpha, parameters))
+        for s in (converted.base, converted.tool)
+    ]
     base, tool = (screw_transform(screw) for screw in screws)
     np.testing.assert_allclose(
         end_pose(bind(converted.table, parameters), q, base=base, tool=tool),

@@ -17,7 +17,7 @@ from exercises.parts.protocol import PartType
 from exercises.parts.registry import part_types
 from exercises.reading import Reader
 from exercises.selftest.answers import context_of
-from service.messages import has_sentence, sentence
+from service.messages import sentence, template
 from tests.exercises.packaged import exercise, exercise_ids
 
 EXERCISES = Path(__file__).parents[3] / "exercises"
@@ -68,7 +68,7 @@ def test_every_kind_explains_what_it_says_in_every_language(kind: str) -> None:
         assert text
         assert "{" not in text
         for code in found.disclosures:
-            assert has_sentence(language, f"feedback-{code}"), code
+            assert template(language, f"feedback-{code}"), code
 
 
 @pytest.mark.parametrize("kind", part_types())
