@@ -69,7 +69,7 @@ def finding_rows(attempt_id: int, link_id: int, path: Iterable[Code]) -> list[di
 
 
 def path_of_codes(report: Mapping[str, Any]) -> Iterator[Code]:
-    """Kind, code and row of everything that a stored report tells: its path of stable codes.
+    """Yield kind, code and row of everything that a stored report tells: its path of stable codes.
 
     Kinds: `feedback` of the table, `repair` for the edits of the most plausible repair, `wrong` for the facts
     of rows that do not fit and for wrong parts that nothing explains, `part:<kind>` for misconceptions found
@@ -108,7 +108,10 @@ def _misconceptions(kind: str) -> frozenset[str]:
 
 
 def standing_of(store: Store, session: CourseSession) -> StudentStanding:
-    """How far a student is; of many attempts the latest are listed, so that it costs the same after all."""
+    """Return how far a student is.
+
+    Of many attempts the latest are listed, so that it costs the same after all.
+    """
     own = {"link_id": session.link.id, "person_id": session.person.id}
     wanted = _LISTED.where(_own(_TABLE, own)).order_by(_TABLE.c.number.desc()).limit(LISTED)
     with store.reading() as connection:

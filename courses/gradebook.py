@@ -105,7 +105,7 @@ def regrade(
 
 
 def longest_extra(connection: sa.Connection, link_id: int) -> timedelta:
-    """Longest extra time of any student of a link."""
+    """Return the longest extra time of any student of a link."""
     table = records.participation
     found = sa.select(sa.func.max(table.c.extra_seconds)).where(table.c.link_id == link_id)
     return timedelta(seconds=connection.scalar(found) or 0)
@@ -126,7 +126,7 @@ def _queued(connection: sa.Connection, link_id: int) -> frozenset[int]:
 def effective_outcomes(
     connection: sa.Connection, link_id: int, people: Collection[int]
 ) -> dict[int, list[AttemptOutcome]]:
-    """Outcomes of students' attempts by person, each with the score that its last regrading gave it."""
+    """Return students' outcomes by person, each with the score that its last regrading gave it."""
     attempt, regraded, run = records.attempt, records.regraded, records.regrading
     wanted = (
         sa.select(attempt.c.id, attempt.c.person_id, attempt.c.number, attempt.c.at, attempt.c.score)

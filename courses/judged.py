@@ -64,7 +64,10 @@ class AttemptFilter:
 
 
 def judged(link_ids: Collection[int]) -> sa.CTE:
-    """Attempts of links: id, link_id, person_id, number, at, score, correct, run, role of who made it."""
+    """Return the query of links' attempts.
+
+    Its columns are id, link_id, person_id, number, at, score, correct, run, and the role of who made it.
+    """
     attempt, done, run = records.attempt, records.regraded, records.regrading
     part = records.participation
     newest = (

@@ -53,7 +53,7 @@ def link_of(row: Any, link_id: int, title: str) -> Link:
 
 
 def links_of_course(store: Store, called: str) -> list[tuple[LinkSettings, tuple[str, ...]]]:
-    """The links of courses by their title, or of one by its number, with the pseudonyms of who was there."""
+    """Return the links of courses by title, or of one by number, with the pseudonyms of who was there."""
     course = records.course
     named = course.c.title == called
     if called.isdecimal() and len(called) < LONGEST_NUMBER:
@@ -161,7 +161,7 @@ def attempt_in(store: Store, course_id: int, attempt_id: int) -> tuple[Attempt, 
 
 
 def reports_of(store: Store, attempt_ids: list[int]) -> dict[int, Any]:
-    """Reports of attempts by their ids."""
+    """Return reports of attempts by their ids."""
     table = records.attempt
     with store.reading() as connection:
         found = connection.execute(sa.select(table.c.id, table.c.report).where(table.c.id.in_(attempt_ids)))

@@ -92,7 +92,7 @@ def _to_send(row: Any) -> ScoreToSend:
 
 
 def delivered(store: Store, sent: ScoreToSend, now: datetime) -> None:
-    """The platform has taken a score; a newer one that came meanwhile is due at once."""
+    """Note that the platform has taken a score; a newer one that came meanwhile is due at once."""
     newer = _OUTBOX.c.revision > sent.revision
     values = {
         "sent_revision": sent.revision,
@@ -105,17 +105,20 @@ def delivered(store: Store, sent: ScoreToSend, now: datetime) -> None:
 
 
 def postponed(store: Store, sent: ScoreToSend, problem: str, until: datetime) -> None:
-    """The platform could not take a score now."""
+    """Note that the platform could not take a score now."""
     _report(store, sent, {"lease": None, "problem": problem, "due": until})
 
 
 def undeliverable(store: Store, sent: ScoreToSend, problem: str) -> None:
-    """The platform will never take a score as things are: it waits for the lecturer."""
+    """Note that the platform will never take a score as things are: it waits for the lecturer."""
     _report(store, sent, {"lease": None, "problem": problem, "dead": True, "due": None})
 
 
 def bumped(store: Store, sent: ScoreToSend, now: datetime) -> ScoreToSend:
-    """The same score with a later timestamp, for a platform that has seen the first one or a later one."""
+    """Return the same score with a later timestamp.
+
+    It is for a platform that has seen the first one or a later one.
+    """
     later = next_timestamp(sent.timestamp, now)
     _report(store, sent, {"timestamp": later})
     return replace(sent, timestamp=later)

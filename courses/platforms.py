@@ -87,7 +87,7 @@ def platform_by_id(store: Store, platform_id: int) -> Platform:
 
 
 def platforms_of(store: Store, issuer: str, client_id: str | None) -> list[Platform]:
-    """Platforms of an issuer, one of them if the client is named."""
+    """Return platforms of an issuer, one of them if the client is named."""
     return [
         platform
         for platform in platforms(store)

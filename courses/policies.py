@@ -100,7 +100,7 @@ NO_ALLOWANCE = Allowance()
 
 
 def deadline(policy: AttemptPolicy, allowance: Allowance = NO_ALLOWANCE) -> datetime | None:
-    """Until when a student's attempts count."""
+    """Return until when a student's attempts count."""
     return None if policy.closes is None else policy.closes + allowance.extra_time
 
 
@@ -110,7 +110,7 @@ def attempts_allowed(policy: AttemptPolicy, allowance: Allowance = NO_ALLOWANCE)
 
 
 def refusal(policy: AttemptPolicy, made: int, allowance: Allowance, now: datetime) -> Fault | None:
-    """Why no attempt is taken now, or None if one is.
+    """Return why no attempt is taken now, or None if one is.
 
     Args:
         policy: the link's.
@@ -217,7 +217,7 @@ def disclosed(
 def score_due(
     policy: AttemptPolicy, now: datetime, *, released: bool, longest: timedelta = timedelta()
 ) -> datetime | None:
-    """When a grade may go to the gradebook: as soon as its student may know it; None until a release.
+    """Return when a grade may go to the gradebook: as soon as its student may know it; None until a release.
 
     A mark in the gradebook must not tell what the page still withholds.
     """

@@ -23,7 +23,7 @@ TOKEN_BYTES = 32
 
 
 def new_token() -> str:
-    """256 random bits, for URLs and headers."""
+    """Return 256 random bits, for URLs and headers."""
     return secrets.token_urlsafe(TOKEN_BYTES)
 
 
@@ -33,7 +33,7 @@ def hashed(token: str) -> str:
 
 
 def pseudonym(store: Store, issuer: str, client_id: str, subject: str) -> str:
-    """Key of a person: a hash of platform and subject, keyed with the installation's secret."""
+    """Return the key of a person: a hash of platform and subject, keyed with the installation's secret."""
     text = "\0".join((issuer, client_id, subject)).encode()
     return hmac.new(_secret(store, "pseudonyms"), text, hashlib.sha256).hexdigest()[:32]
 

@@ -21,7 +21,7 @@ CLUSTERS = 50
 def class_overview(
     store: Store, course_id: int, members: Mapping[str, str | None] | None = None
 ) -> dict[str, Any]:
-    """Links of a course, its students, and how far each is: not begun, begun, stuck, or done.
+    """Return links of a course, its students, and how far each is: not begun, begun, stuck, or done.
 
     Args:
         store: the database.
@@ -106,7 +106,10 @@ def _counts(link_id: int, students: Iterable[dict[str, Any]]) -> dict[str, int]:
 
 
 def link_statistics(store: Store, link_id: int) -> dict[str, Any]:
-    """Attempts at a link: success by day and at the first attempt, and tries until success or drop-out."""
+    """Return what came of the attempts at a link.
+
+    That is success by day and at the first attempt, and tries until success or drop-out.
+    """
     own = judged((link_id,))
     wanted = (
         sa.select(own.c.person_id, own.c.number, own.c.at, own.c.correct, own.c.score)
@@ -154,7 +157,7 @@ def _sequence(people: Iterable[list[Any]]) -> list[dict[str, int]]:
 
 
 def misconceptions(store: Store, link_id: int) -> list[dict[str, Any]]:
-    """How often each mistake was found, the most frequent first, with the newest attempt that has it."""
+    """Return how often each mistake was found, most frequent first, with the newest attempt that has it."""
     own = judged((link_id,))
     attempts = sa.func.count(sa.distinct(own.c.id))
     students = sa.func.count(sa.distinct(own.c.person_id))
@@ -181,7 +184,7 @@ def misconceptions(store: Store, link_id: int) -> list[dict[str, Any]]:
 
 
 def unexplained(store: Store, link_id: int) -> list[dict[str, Any]]:
-    """Wrong answers that no misconception explains, clustered by what does not fit, largest first.
+    """Return wrong answers that no misconception explains, clustered by what does not fit, largest first.
 
     What does not fit is a fact of a row (`2:length`) or a part (`:pose`). An answer that is right as far as
     it goes, with parts that were not handed in, has neither.
@@ -213,7 +216,7 @@ def unexplained(store: Store, link_id: int) -> list[dict[str, Any]]:
 
 
 def undelivered(store: Store, course_id: int) -> list[dict[str, Any]]:
-    """Scores of a course that could not be delivered, or wait for another try, with the reason."""
+    """Return scores of a course that could not be delivered, or wait for another try, with the reason."""
     outbox, person, link = records.score_to_send, records.person, records.link
     wanted = (
         sa.select(

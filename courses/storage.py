@@ -75,19 +75,19 @@ class Store:
 
     @contextmanager
     def reading(self) -> Iterator[sa.Connection]:
-        """A transaction that sees one state of the database."""
+        """Open a transaction that sees one state of the database."""
         with _answering(), self.engine.connect() as connection, connection.begin():
             yield connection
 
     @contextmanager
     def asking(self) -> Iterator[sa.Connection]:
-        """A single query, which sees one state of the database by itself: no round trip but its own."""
+        """Open a single query, which sees one state of the database by itself: no round trip but its own."""
         with _answering(), self.engine.connect() as connection:
             yield connection.execution_options(isolation_level="AUTOCOMMIT")
 
     @contextmanager
     def writing(self) -> Iterator[sa.Connection]:
-        """A transaction that changes something; on SQLite there is one at a time."""
+        """Open a transaction that changes something; on SQLite there is one at a time."""
         with _answering(), self.engine.connect() as connection:
             connection = connection.execution_options(**{_WRITES: True})
             with connection.begin():

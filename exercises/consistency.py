@@ -30,7 +30,10 @@ def inconsistencies(exercise: Exercise) -> Iterator[Fault]:
 def values_in_radians(
     parameters: Mapping[str, float], kinds: Mapping[str, ParameterKind], angle_unit: AngleUnit
 ) -> dict[str, float]:
-    """Parameter values as the kinematics takes them: angles in [rad], lengths in the exercise's unit."""
+    """Return parameter values as the kinematics takes them.
+
+    Angles in [rad], lengths in the exercise's unit.
+    """
     degrees = angle_unit is AngleUnit.DEG
     return {
         name: math.radians(value) if degrees and kinds.get(name) is ParameterKind.ANGLE else value

@@ -98,7 +98,10 @@ def figure_drawing(instance: Instance, note: str = "", frames: Sequence[DrawnFra
 
 
 def drawn_values(instance: Instance) -> dict[str, float]:
-    """The values with which the robot is drawn: those of all students where the figure names its own."""
+    """Return the values with which the robot is drawn.
+
+    Those of all students where the figure names its own.
+    """
     return {**values(instance), **instance.exercise.figure.lengths}
 
 
@@ -151,7 +154,9 @@ def figure_sentences(instance: Instance) -> tuple[Sentence, ...]:
 
 
 def figure_geometry(instance: Instance, frames: Sequence[DrawnFrame] = ()) -> dict[str, object]:
-    """The figure as plain data, lengths in [m]: axes, links, dimensions, points, size, signs, drawn frames.
+    """Return the figure as plain data, lengths in [m].
+
+    Axes, links, dimensions, points, size, signs, drawn frames.
 
     Directions of axes have a sense only where the policy fixes it (`signed`); otherwise the sense tells
     nothing.

@@ -47,7 +47,9 @@ class Instance:
 
 
 def kept_instance(exercise: Exercise, seed: str | None) -> Instance:
-    """What `generate` returns, one object for all who ask for the same: what follows from it is shared.
+    """Return what `generate` returns, one object for all who ask for the same.
+
+    What follows from it is shared.
 
     Raises:
         AnswerError: the seed is longer than 200 characters.
@@ -90,7 +92,9 @@ def _values_kept_apart(parameters: Sequence[DrawnParameter], picker: Picker) -> 
 
 
 def possible_instances(exercise: Exercise, fixed: Collection[str], most: int) -> Iterator[Instance]:
-    """The exercise with every set of values that a student may have, of some names the usual values alone.
+    """Yield the exercise with every set of values that a student may have.
+
+    Some names have their usual values alone.
 
     What parts draw beside the dimensions is as without a seed.
 

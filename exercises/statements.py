@@ -32,7 +32,9 @@ def to_html(markdown: str) -> str:
 
 
 def text_faults(text: str, longest: int) -> Iterator[Fault]:
-    """What a lecturer's text must not hold: HTML or SVG, control characters, more than so many characters.
+    """Yield what a lecturer's text must not hold.
+
+    HTML or SVG, control characters, more than so many characters.
 
     None of it would ever be taken for markup; it would be shown as it stands, which nobody wants to read.
     """

@@ -52,7 +52,7 @@ def velocity_ellipsoids(
     tool: ArrayLike | None = None,
     tolerance: float = RANK_TOLERANCE,
 ) -> VelocityEllipsoids:
-    """Manipulability ellipsoids {J q̇ : |q̇| <= 1} and the motions that are lost.
+    """Return manipulability ellipsoids {J q̇ : |q̇| <= 1} and the motions that are lost.
 
     With J = U Σ Vᵀ the ellipsoid's principal axes are the columns of U, its radii the singular values. Rates
     of prismatic joints count in characteristic lengths, those of revolute joints in radians, so that the

@@ -96,7 +96,10 @@ class KeyReader:
                 self.fault(self.codes.unknown, key, key=key, known=known)
 
     def table(self, key: str, *, needed: bool = False) -> Self:
-        """The reader of an inner table; an empty one where there is none, which reports nothing more."""
+        """Return the reader of an inner table.
+
+        An empty one where there is none, which reports nothing more.
+        """
         value = self.value(key, dict, ValueKind.TABLE, _MISSING if needed else {})
         faults = self.faults if isinstance(value, dict) else []
         return type(self)(value if isinstance(value, dict) else {}, (*self.where, key), faults)
@@ -222,7 +225,10 @@ class KeyReader:
         default: Any = _MISSING,
         **params: ParamValue,
     ) -> Any:
-        """A value of the types `kind`; the default, or None with a fault, where it is something else."""
+        """Return a value of the types `kind`.
+
+        The default, or None with a fault, where it is something else.
+        """
         absent = None if default is _MISSING else default
         if not self.given(key):
             if default is _MISSING:

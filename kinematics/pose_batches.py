@@ -38,7 +38,7 @@ def quaternions_from_transforms(transforms: Floats) -> Floats:
 
 
 def rpys_from_transforms(transforms: Floats) -> Floats:
-    """(roll, pitch, yaw) [rad], (…, 3)."""
+    """Return (roll, pitch, yaw) [rad], (…, 3)."""
     r = transforms
     level = np.hypot(r[..., 0, 0], r[..., 1, 0])
     locked = level < GIMBAL_LOCK
@@ -62,7 +62,7 @@ def axis_angles_from_transforms(transforms: Floats) -> tuple[Floats, Floats]:
 
 
 def xyzabcs_from_transforms(transforms: Floats) -> Floats:
-    """(x, y, z, a, b, c), (…, 6)."""
+    """Return (x, y, z, a, b, c), (…, 6)."""
     return np.concatenate([transforms[..., :3, 3], rpys_from_transforms(transforms)[..., ::-1]], axis=-1)
 
 

@@ -87,7 +87,9 @@ def product_of_exponentials(
 
 
 def pose_of_product(product: ProductOfExponentials, joints: ArrayLike) -> Transform:
-    """T(q) = exp([S_1] q_1) ⋯ exp([S_n] q_n) M.
+    """Return the pose of a product of exponentials.
+
+    T(q) = exp([S_1] q_1) ⋯ exp([S_n] q_n) M.
 
     The rounding of a screw is multiplied by its angle: the error grows as 1e-16·|q|, unlike that of
     `forward_kinematics`.
@@ -148,7 +150,7 @@ def joint_axis(screw: Screw, where: tuple[str | int, ...] = ()) -> JointAxis:
 
 
 def exponential(screw: Screw, q: float) -> Transform:
-    """exp([S] q): the motion along a screw.
+    """Return exp([S] q): the motion along a screw.
 
     For any ω, unit or not; as ω q → 0 it tends to the translation v q without loss of digits.
 

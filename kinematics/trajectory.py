@@ -51,7 +51,7 @@ class JointTrajectory:
 def joint_trajectory(
     start: ArrayLike, end: ArrayLike, *, duration: float, samples: int, scaling: TimeScaling
 ) -> JointTrajectory:
-    """q(t) = q_0 + s(t / T) (q_1 − q_0): all joints start and stop together, none overshoots.
+    """Return q(t) = q_0 + s(t / T) (q_1 − q_0): all joints start and stop together, none overshoots.
 
     Args:
         start: (n,) joint values at rest at the beginning.

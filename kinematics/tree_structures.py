@@ -96,7 +96,9 @@ def read_tree(
     length_unit: LengthUnit = LengthUnit.M,
     limits: Limits = DEFAULT,
 ) -> ReadTree:
-    """The tree that a branching table as handed in means; q_i is the variable of the i-th joint of the rows.
+    """Return the tree that a branching table as handed in means.
+
+    q_i is the variable of the i-th joint of the rows.
 
     Raises:
         TableError: a row that follows none before it, at ("rows", i, "after"), or no DH table.
@@ -164,7 +166,7 @@ def tree_frames(tree: ReadTree, table: NumericTable, joints: Sequence[float]) ->
 def tree_jacobian(
     tree: ReadTree, table: NumericTable, joints: Sequence[float], frame: int
 ) -> NDArray[np.float64]:
-    """J0 of a frame, (6, m): columns of joints that do not move it are zero.
+    """Return J0 of a frame, (6, m): columns of joints that do not move it are zero.
 
     Args:
         tree: the tree.
@@ -180,7 +182,7 @@ def tree_jacobian(
 
 
 def fault_in_tree(fault: Fault) -> Fault:
-    """The same fault of the table with two rows for each frame, at its place in the branching table."""
+    """Return a fault of the table with two rows a frame at its place in the branching table."""
     match fault.where:
         case ("rows", int(k), str(cell)):
             return replace(fault, where=("rows", k // 2, cell if k % 2 else _BRANCH_CELLS.get(cell, cell)))

@@ -155,7 +155,9 @@ class CourseResources:
         return self._published[address]
 
     def edition(self, library: Library, exercise_id: str) -> str:
-        """The address of an exercise as it is now, made from its content; what stands there never changes.
+        """Return the address of an exercise as it is now, made from its content.
+
+        What stands there never changes.
 
         Raises:
             UnknownExerciseError: there is no such exercise.
@@ -174,7 +176,7 @@ class CourseResources:
         return exercise_id is None or exercise_id in self._editions or exercise_id in self._published
 
     def class_members(self, course: Course) -> dict[str, str | None] | None:
-        """Names of a course's students by their pseudonyms, as the platform tells them; None: it does not.
+        """Return names of a course's students by pseudonym, as the platform tells them; None if it does not.
 
         They are asked for only where the operator lets names be stored for the platform, at most every few
         minutes, and are not written down.
@@ -224,7 +226,7 @@ class CourseResources:
         return key
 
     def frame_origins(self) -> tuple[str, ...]:
-        """Origins of active platforms: their pages may show ours in a frame."""
+        """Return origins of active platforms: their pages may show ours in a frame."""
         with self._lock:
             found, until = self._origins
             if time.monotonic() < until:

@@ -89,7 +89,7 @@ def _bundle_with(language: str, identifier: str) -> FluentBundle:
 
 
 def sentence(language: str, identifier: str, params: Mapping[str, object] | None = None) -> str | None:
-    """The message with its parameters in place, in the language or else in English; None if there is none."""
+    """Return the message with its parameters, in the language or else in English; None if there is none."""
     told = {name: _argument(value) for name, value in (params or {}).items()}
     if identifier.startswith("error-"):
         told = {name: _GREEK.sub(_greek, v) if isinstance(v, str) else v for name, v in told.items()}

@@ -55,7 +55,9 @@ def archive_of_draft(draft: ExerciseDraft) -> bytes:
 
 
 def draft_of_archive(data: bytes) -> ExerciseDraft:
-    """The draft in a zip file: a folder with exercise.toml and statement.<language>.md, or these files alone.
+    """Return the draft in a zip file.
+
+    A folder with exercise.toml and statement.<language>.md, or these files alone.
 
     Raises:
         DefinitionError: it is too large, no zip file, or holds anything else; what is in it is not read then.

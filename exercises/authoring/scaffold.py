@@ -134,7 +134,7 @@ _LEAST_LENGTH = 1e-9
 
 
 def nice_range(value: float) -> tuple[str, str, str]:
-    """About four fifths to six fifths of a length, in round steps; about zero, if it is as good as none."""
+    """Return four fifths to six fifths of a length in round steps, or about zero if it is as good as none."""
     size = abs(value) if abs(value) >= _LEAST_LENGTH else 1.0
     power = 10.0 ** math.floor(math.log10(size / 10))
     step = next(factor * power for factor in (1, 2, 5, 10) if factor * power >= size / 20)

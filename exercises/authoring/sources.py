@@ -153,7 +153,9 @@ def from_axes_file(path: Path) -> ExerciseSource:
 
 
 def from_axes(reader: Reader) -> ExerciseSource:
-    """Joint axes as they are drawn: `axes` with `joint`, `point` and `direction` each, `lengths` with values.
+    """Return joint axes as they are drawn.
+
+    `axes` with `joint`, `point` and `direction` each, `lengths` with values.
 
     Raises:
         DefinitionError: every fault with its key.
@@ -169,7 +171,9 @@ def from_axes(reader: Reader) -> ExerciseSource:
 
 
 def from_scm(reader: Reader) -> ExerciseSource:
-    """An SCM chain: `joints` with x, y, z, a, b, c each, `final` and `tool`, values under `parameters`.
+    """Return an SCM chain.
+
+    `joints` with x, y, z, a, b, c each, `final` and `tool`, values under `parameters`.
 
     Raises:
         DefinitionError: every fault with its key.

@@ -80,7 +80,7 @@ def self_test(draft: ExerciseDraft, seed: int | None) -> Findings:
 
 
 def rehearsed_right(draft: ExerciseDraft, count: int) -> tuple[RehearsedAnswer, ...]:
-    """Right answers that look different.
+    """Return right answers that look different.
 
     Raises:
         DefinitionError: every fault of the draft, or it asks for no table.

@@ -46,7 +46,7 @@ class Body:
     half: float
 
     def front(self, on_paper: Array, eye: Array) -> Array:
-        """Depth at which rays towards the eye leave the body, minus infinity where they miss it.
+        """Return the depth at which rays towards the eye leave the body, minus infinity where they miss it.
 
         Args:
             on_paper: (n, 3) points in space of the plane of the paper.
@@ -82,12 +82,15 @@ def body_of(axis: FigureJointAxis, size: float, camera: Camera) -> Body:
 
 
 def outline(body: Body, camera: Camera) -> list[tuple[str, str]]:
-    """What is drawn of a body: pairs of a role ("side", "cap") and SVG path data, in the order of drawing."""
+    """Return what is drawn of a body.
+
+    Pairs of a role ("side", "cap") and SVG path data, in the order of drawing.
+    """
     return _block(body, camera) if body.type is JointType.PRISMATIC else _cylinder(body, camera)
 
 
 def corners(body: Body, camera: Camera) -> NDArray[np.float64]:
-    """(n, 2) points on paper whose convex hull holds the body."""
+    """Return (n, 2) points on paper whose convex hull holds the body."""
     u, v = body.across
     along = [body.axis * body.half, -body.axis * body.half]
     ring = [body.radius * (a * u + b * v) for a in (-1, 1) for b in (-1, 1)]

@@ -34,7 +34,7 @@ class Camera:
     shift: tuple[float, float] = (0.0, 0.0)
 
     def project(self, points: ArrayLike) -> Array:
-        """(…, 3) points in space as (…, 2) points on paper, y downwards."""
+        """Return (…, 3) points in space as (…, 2) points on paper, y downwards."""
         p = np.asarray(points, dtype=np.float64)
         found: Array = np.empty((*p.shape[:-1], 2))
         found[..., 0] = p @ self.right * self.scale + self.shift[0]
@@ -42,7 +42,7 @@ class Camera:
         return found
 
     def depth(self, points: ArrayLike) -> Array:
-        """(…, 3) points in space as (…) distances towards the eye; the larger, the nearer."""
+        """Return (…, 3) points in space as (…) distances towards the eye; the larger, the nearer."""
         return np.asarray(np.asarray(points, dtype=np.float64) @ self.eye, dtype=np.float64)
 
 

@@ -46,7 +46,10 @@ class DimensionLine:
 
 
 def dimension_places(dimension: Dimension, camera: Camera, paper: PaperMap) -> Places[DimensionLine]:
-    """The ways in which a dimension can be drawn: its line moved aside, its name beside or beyond it."""
+    """Return the ways in which a dimension can be drawn.
+
+    Its line moved aside, its name beside or beyond it.
+    """
     ends = np.array([dimension.start, dimension.end])
     on_paper = camera.project(ends)
     along = _unit(on_paper[1] - on_paper[0])

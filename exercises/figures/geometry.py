@@ -262,7 +262,7 @@ def _unit(vector: Array | Vector) -> Vector:
 
 
 def scene_vector(array: Array) -> Vector:
-    """A point or a direction as a scene holds it: without what the arithmetic leaves in the last digits."""
+    """Return a point or a direction for a scene, without what arithmetic leaves in the last digits."""
     x, y, z = [_rounded(value, 1e12) + 0.0 for value in array.tolist()]
     return x, y, z
 

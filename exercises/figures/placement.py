@@ -45,7 +45,10 @@ class PaperMap:
         self.taken: Array = self._flat[: self.nowhere].reshape(self.rows, self.columns)
 
     def cells(self, points: Array) -> Cells:
-        """(…, n) cells under runs of (…, n, 2) points; a cell that follows itself in a run is told once."""
+        """Return (…, n) cells under runs of (…, n, 2) points.
+
+        A cell that follows itself in a run is told once.
+        """
         columns = np.floor((points[..., 0] - self.left) / CELL)
         rows = np.floor((points[..., 1] - self.top) / CELL)
         on = (columns >= 0) & (columns < self.columns) & (rows >= 0) & (rows < self.rows)
@@ -55,7 +58,7 @@ class PaperMap:
         return flat
 
     def along(self, points: Array, shifts: Array = UNMOVED) -> Cells:
-        """(s, k) cells under a polyline of (n, 2) points, moved by each of (s, 2) shifts."""
+        """Return (s, k) cells under a polyline of (n, 2) points, moved by each of (s, 2) shifts."""
         steps = points[1:] - points[:-1]
         counts = np.maximum(2, np.hypot(steps[:, 0], steps[:, 1]) / CELL + 1).astype(np.intp)
         pieces = [
@@ -65,7 +68,7 @@ class PaperMap:
         return self.cells(np.concatenate(pieces) + shifts[:, None])
 
     def inside(self, hull: Array) -> Cells:
-        """Cells inside the convex hull of points."""
+        """Return cells inside the convex hull of points."""
         corners = convex_hull(hull)
         low, high = hull.min(axis=0), hull.max(axis=0)
         xs, ys = np.arange(low[0], high[0] + CELL, CELL), np.arange(low[1], high[1] + CELL, CELL)
@@ -80,7 +83,7 @@ class PaperMap:
         return ceil(length / CELL) + 1
 
     def firsts(self, centres: Array, width: float, height: float) -> tuple[Cells, Cells]:
-        """First rows and first columns of the windows under rectangles about (…, 2) points."""
+        """Return first rows and first columns of the windows under rectangles about (…, 2) points."""
         rows = np.floor((centres[..., 1] - (self.top + height / 2)) / CELL)
         columns = np.floor((centres[..., 0] - (self.left + width / 2)) / CELL)
         return rows.astype(np.intp), columns.astype(np.intp)
@@ -90,7 +93,7 @@ class PaperMap:
         return self.taken[max(row, 0) : max(row + height, 0), max(column, 0) : max(column + width, 0)]
 
     def window_cost(self, row: int, column: int, height: int, width: int) -> float:
-        """Weight of what a window would cover; leaving the map costs much."""
+        """Return the weight of what a window would cover; leaving the map costs much."""
         view = self.view(row, column, height, width)
         weight = float(_total(view, None))
         return weight if view.size == height * width else weight + OUTSIDE
@@ -102,7 +105,7 @@ class PaperMap:
         view += weight
 
     def cost(self, cells: Cells) -> Array:
-        """(…) weight of what each run of (…, n) cells would cover."""
+        """Return (…) weight of what each run of (…, n) cells would cover."""
         return np.asarray(_total(self._flat[cells], -1))
 
     def mark(self, cells: Cells, weight: float) -> None:
@@ -216,7 +219,7 @@ class Placer(Generic[Choice]):
 
 
 def convex_hull(points: Array) -> Array:
-    """Corners of the convex hull, in the order in which edge × (point − corner) ≥ 0 inside."""
+    """Return corners of the convex hull, in the order in which edge × (point − corner) ≥ 0 inside."""
     ordered = sorted({(x, y) for x, y in points.tolist()})
 
     def half(run: list[tuple[float, float]]) -> list[tuple[float, float]]:

@@ -53,7 +53,7 @@ class Points:
         return self.frames[self.reference.axis_frames[joint - 1]]
 
     def point(self, name: str, *where: str | int) -> Array:
-        """(3,) the point of that name; O0, O1, … are the origins of the reference's frames."""
+        """Return the point of that name, (3,); O0, O1, … are the origins of the reference's frames."""
         if name in self._resolved:
             return self._resolved[name]
         self._resolved[name] = np.zeros(3)  # a circle of names ends here
@@ -125,14 +125,14 @@ class Points:
 def frames_in_figure(
     specification: FigureSpecification, reference: SymbolicTable, values: Mapping[str, float]
 ) -> list[Transform]:
-    """(4, 4) poses of frame 0 … N of a reference in the figure, at the figure's posture."""
+    """Return (4, 4) poses of frame 0 … N of a reference in the figure, at the figure's posture."""
     posture = specification.posture or (0.0,) * reference.n_joints
     base = rotation_rpy(*specification.upright)
     return [to_matrix(frame) for frame in frames_at(bind(reference, values), posture, base)]
 
 
 def rotation_rpy(roll: float, pitch: float, yaw: float) -> Transform:
-    """Rotation Rot_z(yaw) Rot_y(pitch) Rot_x(roll) as a (4, 4) transform; angles in [rad]."""
+    """Return the rotation Rot_z(yaw) Rot_y(pitch) Rot_x(roll) as a (4, 4) transform; angles in [rad]."""
     cr, sr, cp, sp, cy, sy = (f(a) for a in (roll, pitch, yaw) for f in (math.cos, math.sin))
     pose = np.eye(4)
     pose[:3, :3] = [

@@ -25,7 +25,7 @@ def axis_ends(axis: FigureJointAxis, body: Body, size: float) -> tuple[Array, Ar
 
 
 def sense_arrow(axis: FigureJointAxis, body: Body, size: float, camera: Camera) -> tuple[Array, ...]:
-    """On paper: the arrow of the positive sense, its head, and where its name belongs; or nothing."""
+    """Return on paper the arrow of the positive sense, its head, and where its name belongs; or nothing."""
     if not axis.signed:
         return ()
     direction = np.array(axis.direction)
@@ -48,7 +48,7 @@ def sense_arrow(axis: FigureJointAxis, body: Body, size: float, camera: Camera) 
 
 
 def gripper_lines(scene: Scene, camera: Camera) -> list[Array]:
-    """On paper: palm and two fingers."""
+    """Return on paper palm and two fingers."""
     gripper = scene.gripper
     if gripper is None:
         return []
@@ -62,7 +62,7 @@ def gripper_lines(scene: Scene, camera: Camera) -> list[Array]:
 
 
 def ground_lines(scene: Scene, camera: Camera) -> list[tuple[Array, float]]:
-    """On paper: the line of the ground and the hatches behind it, with their widths."""
+    """Return on paper the line of the ground and the hatches behind it, with their widths."""
     ground = scene.ground
     if ground is None:
         return []

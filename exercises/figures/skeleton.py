@@ -58,7 +58,7 @@ def completed(
     values: Mapping[str, float],
     frames: Sequence[Array],
 ) -> FigureSpecification:
-    """The specification with links, bodies, dimensions and ground from the table where it says nothing.
+    """Complete the specification with links, bodies, dimensions and ground where it says nothing.
 
     Args:
         specification: what the definition says.

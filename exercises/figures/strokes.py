@@ -17,7 +17,7 @@ STEP = 1.5
 def in_front(
     lines: Sequence[tuple[Array, Array]], bodies: Sequence[Body], camera: Camera
 ) -> list[list[tuple[Array, Array]]]:
-    """The stretches of each line that lie before a body and are hidden by none, as pairs of points on paper.
+    """Return the stretches of each line before a body that none hides, as pairs of points on paper.
 
     A figure is drawn in three passes: lines, bodies, and these stretches once more on top.
 

@@ -38,18 +38,18 @@ class Canvas:
     parts: list[str] = field(default_factory=list)
 
     def path(self, data: str, role: str, **attributes: str | float) -> None:
-        """A path of a role (a class of the style sheet)."""
+        """Add a path of a role (a class of the style sheet)."""
         self.parts.append(f'<path class="{role}" d="{data}"{_attributes(attributes)}/>')
 
     def circle(self, centre: Array, radius: float, role: str, **attributes: str | float) -> None:
-        """A circle."""
+        """Add a circle."""
         self.parts.append(
             f'<circle class="{role}" cx="{centre[0]:.1f}" cy="{centre[1]:.1f}" r="{radius:g}"'
             f"{_attributes(attributes)}/>"
         )
 
     def text(self, centre: Array, name: str, role: str, size: float, **attributes: str | float) -> None:
-        """A name, centred; digits after letters become a subscript."""
+        """Add a name, centred; digits after letters become a subscript."""
         stem, index = split_name(name)
         body = escape(stem)
         if index:
@@ -73,7 +73,7 @@ def split_name(name: str) -> tuple[str, str]:
 
 
 def text_width(name: str, size: float) -> float:
-    """Estimated width of a name on paper."""
+    """Return the estimated width of a name on paper."""
     stem, index = split_name(name)
     return size * (0.62 * len(stem) + 0.6 * SUBSCRIPT * len(index))
 

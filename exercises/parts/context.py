@@ -117,7 +117,10 @@ class Context:
         return (self.own or self.reference).table.joint_types
 
     def values(self, names: Iterable[str] = ()) -> dict[str, float]:
-        """Value of every parameter, in the student's length unit and in [rad]; other names get some value."""
+        """Return the value of every parameter, in the student's length unit and in [rad].
+
+        Other names get some value.
+        """
         known = self.reference_values
         values = {
             name: value * (1.0 if self._is_angle(name) else self.unit_ratio) for name, value in known.items()
@@ -127,7 +130,7 @@ class Context:
         return values
 
     def draws(self, names: Iterable[str]) -> Iterator[dict[str, float]]:
-        """Other values of the parameters, all different from one another and far from zero."""
+        """Yield other values of the parameters, all different from one another and far from zero."""
         ordered = sorted({*self.parameters, *names})
         for draw in range(1, DRAWS):
             yield {
@@ -136,7 +139,7 @@ class Context:
             }
 
     def configurations(self, joint_types: Sequence[JointType]) -> NDArray[np.float64]:
-        """(CONFIGURATIONS, n) joint values on no grid, in [rad] and in the student's unit."""
+        """Return (CONFIGURATIONS, n) joint values on no grid, in [rad] and in the student's unit."""
         return np.array(
             [
                 [

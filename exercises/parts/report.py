@@ -135,7 +135,9 @@ def told_from(level: HelpLevel, *codes: str, instead: str | None = None) -> dict
 
 
 def shown(report: PartReport, help_level: HelpLevel, disclosures: Mapping[str, Disclosure]) -> PartReport:
-    """The report as a level of help shows it; an answer that is not right is never left without a word.
+    """Return the report as a level of help shows it.
+
+    An answer that is not right is never left without a word.
 
     Args:
         report: everything that was found.

@@ -35,7 +35,7 @@ class Samples:
         return np.ascontiguousarray(np.concatenate([joints for _, joints in self.points]).T)
 
     def parameters(self, names: Iterable[str]) -> dict[str, NDArray[np.float64]]:
-        """(k,) the values of some parameters beside these joint values."""
+        """Return the values of some parameters beside these joint values, (k,)."""
         for name in names:
             if name not in self._parameters:
                 values = [values[name] for values, _ in self.points]

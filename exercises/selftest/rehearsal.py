@@ -56,7 +56,7 @@ class RehearsedAnswer:
 
 
 def right_answers(exercise: Exercise, count: int) -> tuple[RehearsedAnswer, ...]:
-    """Right answers that look different: other frames, signs, zeros, conventions, as the policy allows.
+    """Return right answers with other frames, signs, zeros and conventions, as the policy allows.
 
     Args:
         exercise: one that asks for a table.

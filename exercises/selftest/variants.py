@@ -26,7 +26,7 @@ EMPTY: SymbolicRow = DHRow(joint=JointType.FIXED, theta=ZERO, d=ZERO, a=ZERO, al
 def variant(
     table: SymbolicTable, policy: Policy, lengths: tuple[Expression, ...], rng: Random
 ) -> SymbolicTable:
-    """Another right table for the same robot.
+    """Return another right table for the same robot.
 
     Args:
         table: a right table.
@@ -236,7 +236,7 @@ def _is_parallel(alpha: Expression) -> bool:
 
 
 def some_lengths(table: SymbolicTable, usual: float) -> tuple[Expression, ...]:
-    """Lengths of about the robot's size: its own dimensions, and a round number."""
+    """Return lengths of about the robot's size: its own dimensions, and a round number."""
     own = {entry for row in table.rows for entry in (row.a, row.d) if entry != ZERO}
     step = Number(Fraction(round(usual * 10) or 1, 10) if usual >= 0.1 else Fraction(repr(round(usual, 4))))
     return (*sorted(own, key=repr), step, multiply((Number(Fraction(-1, 2)), step)))

@@ -118,7 +118,10 @@ def cell_syntax(cell: Cell | NoCell, limits: Limits) -> Node | Fraction:
 
 
 def text_length(cells: Iterable[object], limits: Limits) -> int:
-    """The characters of all cells that are text; those that are too long by themselves are not counted."""
+    """Return the characters of all cells that are text.
+
+    Those that are too long by themselves are not counted.
+    """
     lengths = (len(cell) for cell in cells if isinstance(cell, str))
     return sum(length for length in lengths if length <= limits.cell_characters)
 

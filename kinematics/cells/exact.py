@@ -50,7 +50,7 @@ _SNAP_STEPS = 12 * 64
 
 
 def reciprocal(value: Expression) -> Expression:
-    """1/value, factor by factor; 1/sqrt(n) becomes sqrt(n)/n.
+    """Return 1/value, factor by factor; 1/sqrt(n) becomes sqrt(n)/n.
 
     Raises:
         ZeroDivisionError: the value is zero.
@@ -66,7 +66,7 @@ def reciprocal(value: Expression) -> Expression:
 
 
 def raised(base: Expression, exponent: Fraction) -> Expression:
-    """Base ** exponent; halves become square roots; sqrt(n) ** 2 of a number n becomes n.
+    """Return base ** exponent; halves become square roots; sqrt(n) ** 2 of a number n becomes n.
 
     Raises:
         ZeroDivisionError: zero to a negative power.
@@ -88,7 +88,7 @@ def absolute(value: Expression) -> Expression:
 
 
 def trigonometric(function: Function, angle: Expression) -> Expression:
-    """Sine, cosine or tangent; exact for multiples of π/6 and π/4.
+    """Return the sine, cosine or tangent; exact for multiples of π/6 and π/4.
 
     Raises:
         ZeroDivisionError: the tangent of a right angle.
@@ -115,7 +115,7 @@ def _of_turns(function: Function, angle: Expression) -> Expression:
 
 
 def inverse_trigonometric(function: Function, *arguments: Expression) -> Expression:
-    """asin, acos, atan or atan2; exact where the angle is a multiple of π/6 or π/4 and provably so."""
+    """Return asin, acos, atan or atan2; exact where the angle is a multiple of π/6 or π/4 and provably so."""
     plain = call(function, *arguments)
     if any(_is_symbolic(argument) for argument in arguments):
         return plain
@@ -128,7 +128,7 @@ def inverse_trigonometric(function: Function, *arguments: Expression) -> Express
 
 
 def snapped(value: Fraction) -> Expression:
-    """An angle [rad]: a multiple of π/12 if it is one to a double's last digit, else the number itself."""
+    """Return an angle [rad] as a multiple of π/12, if it is one to a double's last digit, else itself."""
     approximate = float(value)
     k = nearest_twelfth(approximate, _SNAP_RELATIVE * abs(approximate))
     return pi_times(Fraction(k, 12)) if k and abs(k) <= _SNAP_STEPS else Number(value)

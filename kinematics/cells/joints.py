@@ -73,7 +73,10 @@ def row_joints(
 def variable_names(
     joints: Sequence[RowJoint], syntax: Sequence[Syntax], parameters: Collection[str]
 ) -> tuple[str, ...]:
-    """The names of the joint variables as typed, q_i where there is none that says which joint it is."""
+    """Return the names of the joint variables as typed.
+
+    The name is q_i where none was typed that says which joint it is.
+    """
     names: list[str] = []
     for joint, cells in zip(joints, syntax, strict=True):
         if joint.joint is JointType.FIXED:

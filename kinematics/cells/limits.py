@@ -43,7 +43,10 @@ class Limits:
     largest: float = 1e15
 
     def is_precise(self, value: Fraction) -> bool:
-        """Whether a number has no more digits than results may have: those of a double, and room to spare."""
+        """Return whether a number has no more digits than results may have.
+
+        They may have those of a double, and room to spare.
+        """
         return max(value.numerator.bit_length(), value.denominator.bit_length()) <= RESULT_BITS
 
     def admits(self, value: Fraction) -> bool:

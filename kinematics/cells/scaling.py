@@ -24,7 +24,7 @@ Kinds = Mapping[str, ParameterKind]
 
 
 def scaled_cell(expression: Expression, kind: ParameterKind, kinds: Kinds, ratio: Fraction) -> Expression:
-    """c(p·ratio)/ratio of a length, c(p·ratio) of an angle, where p are the length parameters.
+    """Return c(p·ratio)/ratio of a length, c(p·ratio) of an angle, where p are the length parameters.
 
     Args:
         expression: the cell, its lengths in the old unit.

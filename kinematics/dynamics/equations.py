@@ -40,7 +40,10 @@ def rate_name(joint: int) -> str:
 def reading_order(
     table: SymbolicTable, links: Sequence[SymbolicBody], gravity: Sequence[Expression]
 ) -> tuple[str, ...]:
-    """The parameters as terms are written with them: masses, lengths, inertias, gravity; rates come last."""
+    """Return the parameters as terms are written with them: masses, lengths, inertias, gravity.
+
+    Rates come last.
+    """
     cells = [link.mass for link in links]
     cells += [getattr(row, cell) for row in table.rows for cell in CELLS]
     cells += [entry for link in links for _, entry in link.entries()]

@@ -135,7 +135,7 @@ class WaveTable:
                 yield angle, _steps(monomial.turn), powers, whole
 
     def derivative(self, waves: Waves, joint: int) -> Waves:
-        """∂/∂q of a joint variable, whether it is an angle or a distance."""
+        """Return ∂/∂q of a joint variable, whether it is an angle or a distance."""
         angular, linear = 2 * (joint - 1), 2 * (joint - 1) + 1
         found: dict[Wave, int] = {}
         for (angle, turn, powers), weight in waves.items():
@@ -150,7 +150,10 @@ class WaveTable:
         return found
 
     def nested(self, waves: Waves, factor: Fraction = Fraction(1)) -> Nested:
-        """A multiple as it is written: what stands before one cosine in parentheses, shared factors out."""
+        """Return a multiple as it is written.
+
+        What stands before one cosine in parentheses, shared factors out.
+        """
         groups: dict[tuple[Exponents, Rational], list[tuple[Exponents, int]]] = {}
         for (angle, turn, powers), weight in waves.items():
             key = angle, turn

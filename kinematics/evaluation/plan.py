@@ -198,7 +198,10 @@ def _plans_of_equal(table: NumericTable) -> _Plans:
 
 
 def may_overflow(chain: LinkMotions) -> bool:
-    """Whether finite joint values can give infinite results: rotations are bounded, but shifts add up."""
+    """Return whether finite joint values can give infinite results.
+
+    Rotations are bounded, but shifts add up.
+    """
     shifts = [
         motion.first for motions in chain.links for motion in motions if motion.kind.startswith("shift")
     ]

@@ -72,7 +72,7 @@ def compose(left: Rows, right: Rows) -> Rows:
 
 
 def end_pose(chain: LinkMotions, values: Sequence[JointValue]) -> Rows:
-    """T = base · A_1 ⋯ A_N · tool.
+    """Return T = base · A_1 ⋯ A_N · tool.
 
     Source: seed 000 eq. 3.3.
     """
@@ -83,7 +83,7 @@ def end_pose(chain: LinkMotions, values: Sequence[JointValue]) -> Rows:
 
 
 def link_poses(chain: LinkMotions, values: Sequence[JointValue]) -> list[Rows]:
-    """A_1 … A_N: pose of frame i in frame i-1."""
+    """Return A_1 … A_N: pose of frame i in frame i-1."""
     return [pose_of_motions(set_joints(motions, values)) for motions in chain.links]
 
 
@@ -99,7 +99,7 @@ def frame_poses(chain: LinkMotions, values: Sequence[JointValue]) -> list[Rows]:
 
 
 def joint_axes(chain: LinkMotions, values: Sequence[JointValue]) -> list[tuple[Scalars, Scalars]]:
-    """For every joint the direction of its positive motion and a point of its axis, in the world's axes."""
+    """Return the direction of every joint's positive motion and a point of its axis, in the world's axes."""
     return [(direction, point) for direction, point, _ in _axes_and_tip(chain, values)[0]]
 
 

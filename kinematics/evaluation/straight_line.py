@@ -79,7 +79,7 @@ def straight_line(tape: Tape, joint_types: Sequence[JointType], shape: tuple[int
 
 
 def function_of_floats(tape: Tape) -> Callable[..., tuple[float, ...]]:
-    """The function that takes a tape's inputs as floats, one after another, and returns its outputs."""
+    """Return the function that takes a tape's inputs as floats, one after another, and gives its outputs."""
     writer = _CodeWriter(tape)
     values, results = writer.computed()
     body = [*values, ast.Return(value=ast.Tuple(elts=results, ctx=ast.Load()))]
@@ -105,7 +105,7 @@ def _function(
 
 
 def joint_motions(joint_types: Sequence[JointType], joints: Sequence[float]) -> list[tuple[float, float]]:
-    """(cos q, sin q) of every revolute joint, exact for multiples of π/12; (q, 0) of every prismatic one."""
+    """Return (cos q, sin q) of every revolute joint, exact for multiples of π/12, and (q, 0) of others."""
     return [
         (q, 0.0) if kind is JointType.PRISMATIC else cos_sin(q)
         for q, kind in zip(joints, joint_types, strict=True)

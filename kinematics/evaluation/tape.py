@@ -91,7 +91,7 @@ class Recorder:
         self._constants: dict[float, int] = {}
 
     def add(self, left: RecordedNumber, right: RecordedNumber | float) -> RecordedNumber | float:
-        """Sum; −a − b is recorded as −(a + b), and a − b and b − a as one operation."""
+        """Return the sum; −a − b is recorded as −(a + b), and a − b and b − a as one operation."""
         if not isinstance(right, RecordedNumber):
             if right == 0.0:
                 return left
@@ -109,7 +109,7 @@ class Recorder:
         return RecordedNumber(self, opposite, -1) if opposite else self._do(Operator.SUBTRACT, plus, minus)
 
     def multiply(self, left: RecordedNumber, right: RecordedNumber | float) -> RecordedNumber | float:
-        """Product; the sign stays outside."""
+        """Return the product; the sign stays outside."""
         if isinstance(right, RecordedNumber):
             a, b = left.register, right.register
             product = self._do(Operator.MULTIPLY, min(a, b), max(a, b))

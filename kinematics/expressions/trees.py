@@ -127,7 +127,10 @@ def pi_fraction(expression: Expression) -> Fraction | None:
 
 
 def add(terms: Iterable[Expression]) -> Expression:
-    """Sum of the terms: flattened, numbers and rational multiples of π added exactly, like terms merged."""
+    """Return the sum of the terms, flattened.
+
+    Numbers and rational multiples of π are added exactly, and like terms are merged.
+    """
     terms = [term for term in terms if type(term) is not Number or term.value]
     if len(terms) == 1:
         return terms[0]
@@ -183,7 +186,7 @@ def negate(expression: Expression) -> Expression:
 
 
 def power(base: Expression, exponent: Fraction | int) -> Expression:
-    """Power with a constant exponent; an integer power of a rational number is folded.
+    """Return the power with a constant exponent; an integer power of a rational number is folded.
 
     Raises:
         ZeroDivisionError: zero to a negative power.
@@ -201,7 +204,10 @@ def power(base: Expression, exponent: Fraction | int) -> Expression:
 
 
 def call(function: Function, *arguments: Expression) -> Expression:
-    """Value of a function; the root of a rational square and the absolute value of a number are folded."""
+    """Return the value of a function.
+
+    The root of a rational square and the absolute value of a number are folded.
+    """
     value = rational_value(arguments[0])
     if value is not None:
         if function is Function.ABS:

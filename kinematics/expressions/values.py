@@ -42,7 +42,7 @@ COARSE = 10
 def evaluate(
     expression: Expression, parameters: Mapping[str, float] | None = None, joints: Sequence[float] = ()
 ) -> float:
-    """Numerical value of an expression.
+    """Return the numerical value of an expression.
 
     Args:
         expression: what to evaluate.
@@ -80,7 +80,7 @@ def parameters_in(expression: Expression) -> frozenset[str]:
 
 
 def joint_variables_in(expression: Expression) -> frozenset[int]:
-    """Indices of the joint variables that an expression contains."""
+    """Return indices of the joint variables that an expression contains."""
     return frozenset(node.index for node in walk(expression) if isinstance(node, JointVariable))
 
 

@@ -182,7 +182,10 @@ def read_point(value: Sequence[float], where: tuple[str | int, ...], faults: lis
 
 
 def read_direction(value: Sequence[float], where: tuple[str | int, ...], faults: list[Fault]) -> Vector:
-    """The unit vector along three numbers, not all zero; if there is none, a fault is added to the list."""
+    """Return the unit vector along three numbers, not all zero.
+
+    If there is none, a fault is added to the list.
+    """
     before = len(faults)
     vector = read_point(value, where, faults)
     if any(vector):

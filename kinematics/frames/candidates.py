@@ -80,7 +80,9 @@ def candidates(
     last: Pose | None,
     size: float,
 ) -> Candidates:
-    """Candidates for frame `index`; the same in both conventions: which axis it is, is the student's choice.
+    """Return candidates for frame `index`.
+
+    The same in both conventions: which axis it is, is the student's choice.
 
     Args:
         index: number of the frame, 0 … N.

@@ -60,7 +60,7 @@ def choose_directions(
     lengths: LengthSigns = LengthSigns.POSITIVE,
     intersecting: CrossProduct = CrossProduct.FEWEST,
 ) -> list[Vector]:
-    """Directions x of the N+1 normals: at the given or chosen frame 0, between the axes, at frame N.
+    """Return directions x of the N+1 normals: at the given or chosen frame 0, between the axes, at frame N.
 
     Args:
         lines: the N axes.

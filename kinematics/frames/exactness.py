@@ -25,7 +25,7 @@ def clean_angle(angle: float) -> float:
 
 
 def clean_length(length: float, size: float) -> float:
-    """The length; zero if it is below 1e-10 of the robot's size; the short decimal that it rounds to."""
+    """Return the short decimal that a length rounds to; zero if it is below 1e-10 of the robot's size."""
     if abs(length) <= EXACT_LENGTH * size:
         return 0.0
     short = float(f"{length:.12g}")

@@ -111,7 +111,9 @@ def with_dummies(
 
 
 def middle(lines: Sequence[AxisLine]) -> Vector:
-    """The point with the least sum of squared distances to the axes; prismatic axes have no place and no say.
+    """Return the point with the least sum of squared distances to the axes.
+
+    Prismatic axes have no place and no say.
 
     Along directions in which the axes alone decide nothing, or nothing sound (they are parallel, or all but
     parallel and meet far away), it is level with the mean of the points that were given.

@@ -10,7 +10,7 @@ from kinematics.table import JointType
 
 
 def robot_size(lines: Sequence[AxisLine], first: Pose | None, last: Pose | None) -> float:
-    """Extent [m] of the points that were given; 1 where they all coincide.
+    """Return the extent [m] of the points that were given; 1 where they all coincide.
 
     The points of prismatic axes mean nothing and do not count. Coordinates that are large beside the extent
     carry rounding of their own size, so the result is at least 1e-5 of the largest.

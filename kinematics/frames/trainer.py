@@ -159,7 +159,7 @@ def rules_and_table(
     *,
     rounding: float = 0.0,
 ) -> tuple[list[list[FrameFinding]], NumericTable | None]:
-    """The rules that each of the chosen frames breaks, and the table that follows; None while there is none.
+    """Return the rules that each of the chosen frames breaks, and the table that follows, or None.
 
     It is what `check_frames` finds, without advice and without what to choose from; arguments and errors as
     there.

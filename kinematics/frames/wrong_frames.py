@@ -72,7 +72,7 @@ def frame_mistakes(
     *,
     rounding: float = 0.0,
 ) -> list[frozenset[str]]:
-    """By frame what is wrong with it; nothing if the frames obey the convention.
+    """Return by frame what is wrong with it; nothing if the frames obey the convention.
 
     Args:
         axes: the joint axes, in the position in which the frames stand.

@@ -57,15 +57,18 @@ class JointPlane:
         return cross(self.h, self.f)
 
     def point(self, v: Vector) -> Point:
-        """Coordinates of a point."""
+        """Return coordinates of a point."""
         return along(self.f, v), along(self.g, v)
 
     def moves_in(self, joint: SignedJoint) -> bool:
-        """Whether a joint moves points in the plane: it turns about its normal, or slides across that."""
+        """Return whether a joint moves points in the plane.
+
+        It turns about its normal, or slides across that.
+        """
         return (dot(joint.axis, self.h) != 0) is joint.turns
 
     def sense(self, joint: SignedJoint) -> int:
-        """1 if a joint turns about h, -1 if about -h."""
+        """Return 1 if a joint turns about h, -1 if about -h."""
         return dot(joint.axis, self.h)
 
     def way(self, joint: SignedJoint) -> tuple[int, int]:

@@ -153,18 +153,18 @@ def dot(one: Axis, other: Axis) -> int:
 
 
 def cross(one: Axis, other: Axis) -> Axis:
-    """Vector product of two axes."""
+    """Return the vector product of two axes."""
     (a, b, c), (d, e, f) = one, other
     return b * f - c * e, c * d - a * f, a * e - b * d
 
 
 def along(axis: Axis, v: Sequence[Expression]) -> Expression:
-    """Component of a vector along an axis."""
+    """Return the component of a vector along an axis."""
     return add(signed(a, x) for a, x in zip(axis, v, strict=True))
 
 
 def signed(sign: int, x: Expression) -> Expression:
-    """x, -x or 0."""
+    """Return x, -x or 0."""
     return (ZERO, x, negate(x))[sign]
 
 
@@ -181,7 +181,7 @@ def plus(v: Vector, w: Vector) -> Vector:
 
 
 def minus(v: Vector, w: Vector) -> Vector:
-    """Difference of two vectors."""
+    """Return the difference of two vectors."""
     return plus(v, tuple(map(negate, w)))  # type: ignore[arg-type]
 
 

@@ -172,7 +172,7 @@ def determined(*values: Expression) -> InverseCondition:
 
 
 def square(value: Expression) -> Expression:
-    """value², a sum left together and a minus sign left out."""
+    """Return value², a sum left together and a minus sign left out."""
     return power(positive(value), 2)
 
 
@@ -183,7 +183,7 @@ def positive(value: Expression) -> Expression:
 
 
 def root(value: Expression) -> Expression:
-    """√value."""
+    """Return √value."""
     return call(Function.SQRT, value)
 
 
@@ -195,12 +195,12 @@ def atan2(y: Expression, x: Expression) -> Expression:
 
 
 def times(*factors: Expression) -> Expression:
-    """Product."""
+    """Return the product."""
     return multiply(factors)
 
 
 def over(value: Expression, divisor: Expression) -> Expression:
-    """Quotient."""
+    """Return the quotient."""
     return multiply((value, power(divisor, -1)))
 
 

@@ -158,7 +158,7 @@ class Language(Printer):
         return "\n".join([*self._lines(), ""])
 
     def equations(self) -> str:
-        """The source of a function of the arguments alone that returns the first column."""
+        """Return the source of a function of the arguments alone that returns the first column."""
         template = self.template
         assert template is not None
         steps = self.steps(template.step)

@@ -360,7 +360,7 @@ class Mathematica(Language, MCodePrinter):
     suffix = "0"
 
     def identifier(self, wanted: str) -> str:
-        """No underscores, which make patterns, and no word that may be one of the many built-in symbols."""
+        """Return a name without underscores, which make patterns, and unlike any built-in symbol."""
         first, *rest = super().identifier(wanted).split("_")
         name = first + "".join(word[:1].upper() + word[1:] for word in rest)
         return f"{name[0].lower()}{name[1:]}0" if name[0].isupper() and name.isalpha() else name

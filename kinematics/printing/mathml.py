@@ -61,7 +61,7 @@ class MathmlWriter(Typesetter):
         )
 
     def presentation(self, expression: Expression) -> str:
-        """Presentation markup of one expression."""
+        """Return presentation markup of one expression."""
         return self.text(expression)
 
     def _call(self, node: Call, arguments: Sequence[WrittenTerm]) -> WrittenTerm:

@@ -29,7 +29,10 @@ class NameParts(NamedTuple):
 
 
 def split_name(name: str) -> NameParts:
-    """L1 is L with the index 1, alpha2 is α with the index 2, L_x is L with the index x, dq1 is q̇ with 1."""
+    """Return a name in its pieces.
+
+    L1 is L with the index 1, alpha2 is α with the index 2, L_x is L with the index x, dq1 is q̇ with 1.
+    """
     rate = _RATE.fullmatch(name)
     if rate:
         return NameParts("q", rate[1], "", dotted=True)

@@ -98,7 +98,7 @@ class ScmChain:
 
 
 def verify(chain: ScmChain) -> tuple[Fault, ...]:
-    """What keeps a chain from being an SCM chain in the strict form: the toolbox's input check `verifyData`.
+    """Return what keeps a chain from being an SCM chain in the strict form: the toolbox's `verifyData`.
 
     A prismatic row translates along one axis only and does not turn; a revolute row turns about one axis only
     and holds no offset angle. Constant turns belong to the Final Transformation.

@@ -37,7 +37,7 @@ Matrix: TypeAlias = Sequence[Sequence[Expression]]
 
 
 def derivative(expression: Expression, joint: int) -> Expression:
-    """∂/∂q_joint of an expression in sines, cosines, products and sums of joint variables.
+    """Return ∂/∂q_joint of an expression in sines, cosines, products and sums of joint variables.
 
     Raises:
         ValueError: a joint variable stands in a function other than sine and cosine; no transform has one.
@@ -66,7 +66,7 @@ def derivative(expression: Expression, joint: int) -> Expression:
 def jacobian_by_differentiation(
     transform: Matrix, n_joints: int, frame: JacobianFrame = JacobianFrame.BASE
 ) -> tuple[tuple[Expression, ...], ...]:
-    """J0 or Jn from the matrix of direct kinematics: v = ∂p/∂q, and ω from the skew matrix (∂R/∂q) Rᵀ.
+    """Return J0 or Jn from the matrix of direct kinematics: v = ∂p/∂q, and ω from the skew matrix (∂R/∂q) Rᵀ.
 
     Args:
         transform: 4×4 pose of the end frame in closed form.
@@ -109,7 +109,9 @@ def jacobian_numbers_by_differentiation(
     parameters: Mapping[str, float] | None = None,
     frame: JacobianFrame = JacobianFrame.BASE,
 ) -> NDArray[np.float64]:
-    """J0 or Jn in numbers: ∂H/∂q_i = H_1 ⋯ (∂H_i/∂q_i) ⋯ H_n · FT, v = ∂p/∂q_i, and ω from (∂R/∂q_i) Rᵀ.
+    """Return J0 or Jn in numbers.
+
+    ∂H/∂q_i = H_1 ⋯ (∂H_i/∂q_i) ⋯ H_n · FT, v = ∂p/∂q_i, and ω from (∂R/∂q_i) Rᵀ.
 
     Args:
         chain: the chain; it need not pass `verify`.

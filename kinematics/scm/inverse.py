@@ -20,7 +20,7 @@ def inverse_kinematics_scm(
     limits: JointLimits | None = None,
     start: Sequence[float] | None = None,
 ) -> InverseKinematics:
-    """The joint variables at which the tool reaches a target: the toolbox's scm(manipulator, target, origin).
+    """Return the joint variables at which the tool reaches a target: scm(manipulator, target, origin).
 
     The toolbox iterates with the pseudo-inverse from one origin and finds at most one solution; here all are
     found where a closed form exists, and the one nearest to the origin comes first.
@@ -47,5 +47,8 @@ def inverse_kinematics_scm(
 def solver_of_chain(
     chain: ScmChain, parameters: Mapping[str, float] | None = None, *, limits: JointLimits | None = None
 ) -> Solver:
-    """The chain made ready for many targets; arguments and refusals are those of `inverse_kinematics_scm`."""
+    """Return the chain made ready for many targets.
+
+    Arguments and refusals are those of `inverse_kinematics_scm`.
+    """
     return solver_of(bind(table_of_chain(chain), parameters), limits=limits)

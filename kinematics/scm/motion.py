@@ -51,7 +51,7 @@ class ScmKinematics:
 def forward_kinematics_scm(
     chain: ScmChain, joints: Sequence[float], parameters: Mapping[str, float] | None = None
 ) -> ScmKinematics:
-    """Poses of every frame: H = H_1 ⋯ H_n · FT with H_i = Trans(x, y, z) Rot_z(A) Rot_y(B) Rot_x(C).
+    """Return poses of every frame: H = H_1 ⋯ H_n · FT with H_i = Trans(x, y, z) Rot_z(A) Rot_y(B) Rot_x(C).
 
     Args:
         chain: the chain; it need not pass `verify`.
@@ -102,7 +102,7 @@ def check_values(chain: ScmChain, parameters: Mapping[str, float]) -> None:
 def jacobian_base_by_inspection(
     chain: ScmChain, joints: Sequence[float], parameters: Mapping[str, float] | None = None
 ) -> NDArray[np.float64]:
-    """Jacobian J0 of the tool, in frame 0, column by column without differentiating.
+    """Return the Jacobian J0 of the tool, in frame 0, column by column without differentiating.
 
     Column i is [R u × (R p) ; R u] of a revolute joint and [R u ; 0] of a prismatic one, with u the joint's
     unit vector in frame i, p from frame i to the tool and R the rotation of frame i.
@@ -125,7 +125,7 @@ def jacobian_base_by_inspection(
 def jacobian_end_by_inspection(
     chain: ScmChain, joints: Sequence[float], parameters: Mapping[str, float] | None = None
 ) -> NDArray[np.float64]:
-    """Jacobian Jn of the tool, in the tool's own frame, column by column without differentiating.
+    """Return the Jacobian Jn of the tool, in the tool's own frame, column by column without differentiating.
 
     Returns:
         (6, n): velocity above, angular velocity below.
@@ -194,7 +194,7 @@ def _row_transform(row: ChainRow, q: float, values: Mapping[str, float], i: int)
 
 
 def row_derivative(row: ChainRow, q: float, values: Mapping[str, float]) -> Transform:
-    """∂H/∂q of one row, 4×4: the factor that holds the variable is replaced by its derivative.
+    """Return ∂H/∂q of one row, 4×4: the factor that holds the variable is replaced by its derivative.
 
     A translation's derivative is the unit vector; that of Rot_u(φ) is [u] Rot_u(φ), [u] the skew matrix of u.
     """

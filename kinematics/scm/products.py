@@ -82,7 +82,9 @@ def read_products(
     length_unit: LengthUnit = LengthUnit.M,
     limits: Limits = DEFAULT,
 ) -> ReadProducts:
-    """The products that factors as handed in mean; q_i and θ_i are joint variables, other names parameters.
+    """Return the products that factors as handed in mean.
+
+    q_i and θ_i are joint variables, other names parameters.
 
     Args:
         raw: for each product its factors: entries x, y, z, a, b, c by name, or a 4×4 of cells.
@@ -144,7 +146,7 @@ def compare_matrices(left: Matrix, right: Matrix) -> ProofStatus:
 
 
 def jacobian_of_product(product: Matrix, n_joints: int, frame: JacobianFrame) -> Matrix:
-    """H2J of any matrix of direct kinematics: J0 or Jn by differentiation, each entry as short as it can be.
+    """Return J0 or Jn of any matrix of direct kinematics (H2J), each entry as short as it can be.
 
     Raises:
         DescriptionError: a joint variable stands in a function of which no transform consists.
@@ -177,7 +179,7 @@ def names_left(matrix: Matrix) -> tuple[frozenset[str], frozenset[int]]:
 
 
 def matrix_with_values(matrix: Matrix, values: Mapping[str, Expression]) -> Matrix:
-    """S2D with some of the values: a matrix with parameters replaced.
+    """Return a matrix with parameters replaced: S2D with some of the values.
 
     Raises:
         ZeroDivisionError: an entry now divides by zero.
@@ -186,7 +188,7 @@ def matrix_with_values(matrix: Matrix, values: Mapping[str, Expression]) -> Matr
 
 
 def matrix_in_numbers(matrix: Matrix, joints: Sequence[float]) -> NDArray[np.float64]:
-    """S2D: the (r, c) values of a matrix without parameters.
+    """Return the (r, c) values of a matrix without parameters (S2D).
 
     Args:
         matrix: its entries.

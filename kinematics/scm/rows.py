@@ -21,7 +21,7 @@ def fixed_row(
 
 
 def turn_rows(turn: Placement) -> list[SymbolicRow]:
-    """Rot_z(A) Rot_y(B) Rot_x(C) as rows; Rot_y(B) = Rot_z(π/2) Rot_x(B) Rot_z(-π/2)."""
+    """Return Rot_z(A) Rot_y(B) Rot_x(C) as rows; Rot_y(B) = Rot_z(π/2) Rot_x(B) Rot_z(-π/2)."""
     rows = [fixed_row(theta=turn.a)] if turn.a != ZERO else []
     if turn.b != ZERO:
         rows += [fixed_row(theta=RIGHT_ANGLE), fixed_row(alpha=turn.b, theta=negate(RIGHT_ANGLE))]
@@ -31,7 +31,7 @@ def turn_rows(turn: Placement) -> list[SymbolicRow]:
 
 
 def shift_rows(shift: Placement) -> list[SymbolicRow]:
-    """Trans(x, y, z) as rows; Trans_y(y) = Rot_z(π/2) Trans_x(y) Rot_z(-π/2)."""
+    """Return Trans(x, y, z) as rows; Trans_y(y) = Rot_z(π/2) Trans_x(y) Rot_z(-π/2)."""
     rows = [fixed_row(a=shift.x)] if shift.x != ZERO else []
     if shift.y != ZERO:
         rows += [fixed_row(theta=RIGHT_ANGLE), fixed_row(a=shift.y, theta=negate(RIGHT_ANGLE))]
@@ -41,7 +41,10 @@ def shift_rows(shift: Placement) -> list[SymbolicRow]:
 
 
 def appended(rows: list[SymbolicRow], row: SymbolicRow) -> list[SymbolicRow]:
-    """The rows with one more behind them; a last row that only turns and shifts along x flows into it."""
+    """Return the rows with one more behind them.
+
+    A last row that only turns and shifts along x flows into it.
+    """
     if rows and _is_still(rows[-1]):
         *rows, last = rows
         row = replace(row, a=add((last.a, row.a)), alpha=principal(add((last.alpha, row.alpha))))

@@ -18,7 +18,9 @@ Limit = tuple[float, float]
 
 
 def default_limits(chain: ScmChain, parameters: Mapping[str, float]) -> tuple[Limit, ...]:
-    """A full turn, -π to π, for revolute joints; for prismatic ones 0 to the sum of the chain's lengths.
+    """Return a full turn, -π to π, for revolute joints.
+
+    For prismatic ones 0 to the sum of the chain's lengths.
 
     The document states no strokes: the sum of all lengths (1 if there are none) keeps a slider in proportion.
     """

@@ -60,7 +60,7 @@ def inverse_closed_form_scm(chain: ScmChain) -> Matrix:
 
 
 def jacobian_closed_form_scm(chain: ScmChain, frame: JacobianFrame = JacobianFrame.BASE) -> Matrix:
-    """J0 or Jn by inspection: columns [u × p; u] of a revolute and [u; 0] of a prismatic joint.
+    """Return J0 or Jn by inspection: columns [u × p; u] of a revolute and [u; 0] of a prismatic joint.
 
     Source: seed 001 eq. 3.22 and 3.23.
     """
@@ -68,7 +68,7 @@ def jacobian_closed_form_scm(chain: ScmChain, frame: JacobianFrame = JacobianFra
 
 
 def link_matrix(row: ChainRow, number: int) -> Matrix:
-    """H = Trans(x, y, z) Rot_z(A) Rot_y(B) Rot_x(C), the variable of the row being q_number.
+    """Return H = Trans(x, y, z) Rot_z(A) Rot_y(B) Rot_x(C), the variable of the row being q_number.
 
     Source: seed 001 eq. 2.4.
     """

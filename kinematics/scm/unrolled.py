@@ -17,7 +17,10 @@ from kinematics.table import Convention, DHRow, DHTable, JointType, SymbolicRow,
 
 
 def table_of_chain(chain: ScmChain) -> SymbolicTable:
-    """A modified DH table that moves as the chain: derived where `verify` passes, else motion by motion."""
+    """Return a modified DH table that moves as the chain.
+
+    It is derived where `verify` passes, else made motion by motion.
+    """
     return unrolled_dh_from_scm(chain) if verify(chain) else modified_dh_from_scm(chain)
 
 

@@ -82,7 +82,7 @@ class Angle:
         return quarters.numerator
 
     def weight_of(self, joint: int) -> int:
-        """With which sign a joint variable enters, 0 if it does not."""
+        """Return with which sign a joint variable enters, 0 if it does not."""
         for part, weight in self.parts:
             if isinstance(part, JointVariable) and part.index == joint:
                 return weight.numerator
@@ -143,7 +143,10 @@ def angle_of(expression: Expression) -> Angle:
 
 @lru_cache(maxsize=4096)
 def cosine_and_sine(angle: Angle) -> tuple[Expression, Expression]:
-    """Cosine and sine: quarter turns folded, multiples of π/12 exact, other constants left as they are."""
+    """Return the cosine and sine.
+
+    Quarter turns folded, multiples of π/12 exact, other constants left as they are.
+    """
     if not angle.parts and not angle.number and (angle.half_turns * 12).denominator == 1:
         steps = (angle.half_turns * 12).numerator
         return _twelfth(steps), _twelfth(steps - 6)

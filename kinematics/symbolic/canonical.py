@@ -61,7 +61,7 @@ def canonical(expression: Expression, *, limit: int = LIMIT) -> Canonical:
 
 
 def compare(a: Expression, b: Expression, *, limit: int = LIMIT) -> ProofStatus:
-    """Whether two expressions are the same function of joint variables and parameters, where both exist.
+    """Return whether two expressions are the same function of variables and parameters, where both exist.
 
     Raises:
         FormSizeError: the expansion needs more products of terms than `limit`.
@@ -74,7 +74,10 @@ def compare(a: Expression, b: Expression, *, limit: int = LIMIT) -> ProofStatus:
 
 
 def same_function(a: Expression, b: Expression, *, limit: int = LIMIT) -> bool:
-    """Whether two expressions were proved to be the same function; see `compare` for the third answer."""
+    """Return whether two expressions were proved to be the same function.
+
+    See `compare` for the third answer.
+    """
     return compare(a, b, limit=limit) is ProofStatus.PROVED
 
 
@@ -88,7 +91,7 @@ def _real_sum(terms: frozenset[Term]) -> Expression:
 
 
 def real_part(monomial: Monomial) -> Expression:
-    """Re(ζ · e^(i·angle)) · (powers) as an expression."""
+    """Return Re(ζ · e^(i·angle)) · (powers) as an expression."""
     angle = [pi_times(2 * monomial.turn)]
     factors = []
     for symbol, exponent in monomial.exponents:
@@ -102,7 +105,10 @@ def real_part(monomial: Monomial) -> Expression:
 
 
 def symbol_expression(symbol: RingSymbol) -> Expression:
-    """A parameter, π, the root of a prime, or something opaque, named by its function and arguments."""
+    """Return what a symbol stands for as an expression.
+
+    It is a parameter, π, the root of a prime, or something opaque, named by its function and arguments.
+    """
     if symbol.kind == "radical":
         assert isinstance(symbol.of, int)
         return call(Function.SQRT, number(symbol.of))

@@ -153,7 +153,9 @@ def jacobian(
     base: Sequence[Sequence[Expression]] | None = None,
     tool: Sequence[Sequence[Expression]] | None = None,
 ) -> Matrix:
-    """The geometric Jacobian: column k holds the linear and angular velocity of the end frame for q̇_k = 1.
+    """Return the geometric Jacobian.
+
+    Column k holds the linear and angular velocity of the end frame for q̇_k = 1.
 
     Revolute joint: (z_k × (p - p_k), z_k); prismatic joint: (z_k, 0), z_k the direction of the joint's axis.
 

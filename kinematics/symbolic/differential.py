@@ -37,11 +37,11 @@ class MovingJoint:
         return NOTHING, NOTHING, UNITY if self.motion.sign > 0 else arena.negative(UNITY)
 
     def run(self, runs: Sequence[Run]) -> int:
-        """In which run a revolute joint is."""
+        """Return in which run a revolute joint is."""
         return next(i for i, run in enumerate(runs) if run.angle.weight_of(self.motion.joint))
 
     def lever(self, arena: Arena, run: Run, tip: Vector, *, after: Angle = NO_ANGLE) -> Vector:
-        """∂p/∂q in the frame where the joint's run begins, turned back by the angle `after`.
+        """Return ∂p/∂q in the frame where the joint's run begins, turned back by the angle `after`.
 
         Only the arms that the joint turns count; each enters with the sum of its own angles, so a run of
         parallel joints gives a2·c2 + a3·c23 for the first and a3·c23 for the second.
@@ -57,7 +57,7 @@ class MovingJoint:
 def column_in_base(
     writer: MatrixWriter, joint: MovingJoint, runs: Sequence[Run], end: Pose | None
 ) -> tuple[Vector, Vector]:
-    """Linear and angular velocity of the end in the axes of the base: (z × (p - p_k), z)."""
+    """Return linear and angular velocity of the end in the axes of the base: (z × (p - p_k), z)."""
     arena = writer.arena
     axis = writer.in_world(writer.rotated(joint.before, joint.axis(arena)))
     if joint.motion.kind is MotionKind.SHIFT_Z:
@@ -71,7 +71,7 @@ def column_in_base(
 def column_in_end(
     writer: MatrixWriter, joint: MovingJoint, runs: Sequence[Run], end: Pose | None
 ) -> tuple[Vector, Vector]:
-    """Linear and angular velocity of the end in its own axes: carried outward from joint to joint.
+    """Return linear and angular velocity of the end in its own axes: carried outward from joint to joint.
 
     Source: J. J. Craig, Introduction to Robotics, 3rd ed., eq. 5.45 ff., run by run.
     """
@@ -101,7 +101,7 @@ def column_in_end(
 
 
 def passed(arena: Arena, run: Run, point: Vector) -> Vector:
-    """A vector from a fixed point to where the run begins, as one to where it ends, seen from there."""
+    """Return a vector from a fixed point to a run's beginning as one to its end, seen from there."""
     point = turned(arena, point, NO_ANGLE.plus(run.angle, -1))
     return twisted(arena, swung(arena, _seen_from_end(run), point), NO_ANGLE.plus(run.twist, -1))
 

@@ -51,7 +51,7 @@ IMAGINARY_UNIT = Form({6: 1})
 
 
 def content(terms: Terms) -> Fraction:
-    """A rational number by which a form can be divided so that its multiples become one and the same."""
+    """Return a rational number that, divided by, makes all multiples of a form one and the same."""
     numerator = gcd(*(weight.numerator for weight in terms.values()))
     denominator = lcm(*(weight.denominator for weight in terms.values()))
     lead = terms[min(terms, key=order_text)]

@@ -86,7 +86,10 @@ class FormReader:
         return known
 
     def exponentials(self, angle: Expression) -> tuple[Form, Form]:
-        """e^(i·angle) and e^(-i·angle) of an angle [rad]: one term each, unless it is an arctangent."""
+        """Return e^(i·angle) and e^(-i·angle) of an angle [rad].
+
+        One term each, unless it is an arctangent.
+        """
         return self._pair(self.form(angle))
 
     def half_turns(self, angle: Expression) -> Fraction | None:

@@ -72,7 +72,10 @@ class KeyLayout:
     _end: int = ROOT_BITS
 
     def key(self, symbol: RingSymbol, exponent: Fraction, degree: int, value: Form) -> int:
-        """The key of symbol^exponent; with a degree, of a symbol whose power of that degree is `value`."""
+        """Return the key of symbol^exponent.
+
+        With a degree, of a symbol whose power of that degree is `value`.
+        """
         unit = Fraction(1, exponent.denominator)
         place = self._known.get((symbol, unit))
         width = exponent.numerator.bit_length() + _ROOM_BITS
@@ -114,7 +117,7 @@ class KeyLayout:
         return plain and self.are_normal
 
     def split(self, kind: str) -> tuple[int, int]:
-        """A number whose sum with a key has no negative exponents, and the mask of the symbols of a kind."""
+        """Return what makes a key's exponents non-negative when added, and the mask of a kind's symbols."""
         bias = mask = 0
         for place in self.places:
             bias += 1 << (place.shift + place.width - 1)

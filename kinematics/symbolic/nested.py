@@ -115,7 +115,7 @@ class Arena:
         return tuple((weight, factors) for factors, weight in weights.items() if weight)
 
     def negative(self, a: Nested) -> Nested:
-        """-a."""
+        """Return -a."""
         return tuple((-weight, factors) for weight, factors in a)
 
     def product(self, a: Nested, b: Nested) -> Nested:

@@ -32,7 +32,7 @@ class ExactPose:
     m: list[list[Form]]
 
     def then(self, motion: Motion) -> None:
-        """X ← X · motion."""
+        """Replace X by X · motion."""
         ring = self.reader.ring
         if motion.kind in (MotionKind.SHIFT_X, MotionKind.SHIFT_Z):
             amount = self.reader.form(motion.amount)
@@ -46,7 +46,7 @@ class ExactPose:
             row[i], row[j] = self._mixed(circle, row[i], row[j])
 
     def undo(self, motion: Motion) -> None:
-        """X ← motion^(-1) · X."""
+        """Replace X by motion^(-1) · X."""
         ring = self.reader.ring
         if motion.kind in (MotionKind.SHIFT_X, MotionKind.SHIFT_Z):
             row = self.m[0 if motion.kind is MotionKind.SHIFT_X else 2]
@@ -65,7 +65,7 @@ class ExactPose:
             row[:] = [tidy(ring, entry) if len(entry.coefficients) > _SHORT else entry for entry in row]
 
     def carries(self, kind: MotionKind, sign: int) -> bool:
-        """Whether X takes the joint's axis, or its direction if it slides, onto sign times the z-axis."""
+        """Return whether X takes the joint's axis, or its direction if it slides, onto sign · z."""
         m, ring = self.m, self.reader.ring
         vanishing = [m[0][2], m[1][2]]
         if kind is MotionKind.TURN_Z:
@@ -76,7 +76,7 @@ class ExactPose:
         return all(map(self.reader.vanishes, vanishing))
 
     def multiply(self, right: list[list[Form]]) -> None:
-        """X ← X · right."""
+        """Replace X by X · right."""
         ring = self.reader.ring
         for row in self.m:
             product = []

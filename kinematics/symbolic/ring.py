@@ -75,7 +75,7 @@ class Ring:
         degree: int = 0,
         value: Form = ZERO_FORM,
     ) -> Form:
-        """symbol^exponent; with a degree, a symbol whose power of that degree is `value`."""
+        """Return symbol^exponent; with a degree, a symbol whose power of that degree is `value`."""
         return Form({self._keys.key(symbol, exponent, degree, value): 1})
 
     def add(self, a: Form, b: Form, sign: int = 1) -> Form:
@@ -251,7 +251,7 @@ class Ring:
         )
 
     def exponents(self, key: int) -> list[tuple[int, int]]:
-        """The exponents in a key without roots of unity, each with its symbol's number in `symbols`."""
+        """Return the exponents in a key without roots of unity, each with its symbol's place in `symbols`."""
         return self._keys.numbered(key)
 
     @property

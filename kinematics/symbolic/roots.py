@@ -25,7 +25,10 @@ _TRIAL_BOUND = 10_000
 
 @lru_cache(maxsize=4096)
 def basis_terms(turn: Fraction) -> tuple[tuple[Fraction, int], ...]:
-    """The root of unity e^(2πi·turn) in the basis: pairs of a turn in [0, 1) and an integer coefficient."""
+    """Return the root of unity e^(2πi·turn) in the basis.
+
+    It is a sum of pairs of a turn in [0, 1) and an integer coefficient.
+    """
     terms = {Fraction(0): 1}
     for prime, part in _prime_parts(turn % 1):
         reduced = _reduce_part(prime, part)
@@ -50,7 +53,7 @@ def has_large_prime(turn: Fraction) -> bool:
 
 @lru_cache(maxsize=256)
 def square_root_of_prime(prime: int) -> tuple[tuple[Fraction, int], ...]:
-    """√prime as a sum of roots of unity, for a prime up to `LARGEST_PRIME`.
+    """Return √prime as a sum of roots of unity, for a prime up to `LARGEST_PRIME`.
 
     √2 = ζ_8 + ζ_8^(-1). For an odd prime the Gauss sum Σ (k/p) ζ_p^k is √p if p ≡ 1
     and i·√p if p ≡ 3 (mod 4).

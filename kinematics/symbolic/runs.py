@@ -160,13 +160,13 @@ class Runs:
 
 
 def turned(arena: Arena, vector: Vector, angle: Angle) -> Vector:
-    """Rot_z(angle) · vector."""
+    """Return Rot_z(angle) · vector."""
     x, y, z = vector
     return (*_rotated(arena, x, y, angle), z)
 
 
 def twisted(arena: Arena, vector: Vector, angle: Angle) -> Vector:
-    """Rot_x(angle) · vector."""
+    """Return Rot_x(angle) · vector."""
     x, y, z = vector
     return (x, *_rotated(arena, y, z, angle))
 

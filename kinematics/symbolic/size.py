@@ -54,7 +54,7 @@ def children(node: Expression) -> tuple[Expression, ...]:
 
 
 def count_operations(expressions: Iterable[Expression]) -> int:
-    """Additions, subtractions, signs, multiplications, divisions, powers and function calls, as written.
+    """Count additions, subtractions, signs, multiplications, divisions, powers and calls, as written.
 
     Counted as SymPy's `count_ops` does. What occurs several times counts each time but is visited once, so
     the count is cheap however large the written form would be.

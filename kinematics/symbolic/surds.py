@@ -17,7 +17,10 @@ product longer."""
 
 
 def tidy(ring: Ring, form: Form) -> Form:
-    """The same form, written from its normal form: cos(π/3) is 1/2, not a sum of two roots of unity."""
+    """Return the same form, written from its normal form.
+
+    cos(π/3) is 1/2, not a sum of two roots of unity.
+    """
     return ring.form(ring.terms(form))
 
 
@@ -43,7 +46,7 @@ def root_of_rational(ring: Ring, value: Fraction) -> Form:
 
 
 def denested_root(ring: Ring, terms: Terms) -> Form | None:
-    """√(a + b√c) = √((a+d)/2) ± √((a-d)/2) where d² = a² - b²c is the square of a rational number."""
+    """Return √(a + b√c) = √((a+d)/2) ± √((a-d)/2) where d² = a² - b²c is the square of a rational number."""
     conjugates = _conjugates(ring, terms)
     if not conjugates:
         return None
@@ -68,7 +71,10 @@ def denested_root(ring: Ring, terms: Terms) -> Form | None:
 
 
 def algebraic_reciprocal(ring: Ring, terms: Terms) -> Form | None:
-    """1/x of an algebraic number: the product of its other conjugates over its norm, if they are few."""
+    """Return 1/x of an algebraic number.
+
+    It is the product of its other conjugates over its norm, if they are few.
+    """
     conjugates = _conjugates(ring, terms)
     if not conjugates:
         return None

@@ -86,7 +86,10 @@ def _shared_weight(a: Nested) -> Rational:
 
 
 def leads_negative(a: Nested) -> bool:
-    """Whether a sum without parentheses within looks better with the opposite sign: c4·c6 - s4·c5·s6."""
+    """Return whether a sum without parentheses within looks better with the opposite sign.
+
+    So does -c4·c6 + s4·c5·s6.
+    """
     if any(factors and rank_of(factors[-1]) == Rank.PARENTHESES for _, factors in a):
         return False
     excess = sum([1 if weight < 0 else -1 for weight, _ in a])

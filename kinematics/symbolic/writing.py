@@ -39,13 +39,13 @@ class MatrixWriter:
         return (x[0], x[1], x[2]), (y[0], y[1], y[2]), (z[0], z[1], z[2]), (p[0], p[1], p[2])
 
     def know(self, runs: Sequence[Run]) -> None:
-        """Factors are written in the order in which they become known: base first."""
+        """Have factors written in the order in which they become known: base first."""
         for run in runs:
             for angle in (*run.arms, run.angle, run.twist):
                 self.arena.circle(angle)
 
     def matrix(self, runs: Sequence[Run], end: Pose = HERE) -> Matrix:
-        """Base · runs · end."""
+        """Return base · runs · end."""
         *axes, origin = end
         pose = [self.in_world(self.rotated(runs, axis)) for axis in axes]
         pose.append(self.in_world(self.carried(runs, origin), self.base and self.base[3]))
@@ -70,7 +70,7 @@ class MatrixWriter:
         return self.combined(self.base, vector, origin)
 
     def combined(self, axes: Sequence[Vector], vector: Vector, origin: Vector | None = None) -> Vector:
-        """Σ_k vector_k · axes_k + origin."""
+        """Return Σ_k vector_k · axes_k + origin."""
         sums: list[Nested] = []
         for i in range(3):
             products = [self.arena.product(axes[k][i], vector[k]) for k in range(3)]

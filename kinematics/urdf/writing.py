@@ -62,7 +62,7 @@ def urdf_from_table(
     joint_names: Sequence[str] | None = None,
     metres_per_unit: float = 1.0,
 ) -> WrittenUrdf:
-    """URDF that has the pose base · A_1 ⋯ A_N · tool between its first and its last link.
+    """Return a URDF that has the pose base · A_1 ⋯ A_N · tool between its first and its last link.
 
     Args:
         table: the DH table.

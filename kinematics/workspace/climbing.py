@@ -62,7 +62,7 @@ class Summit:
 def summits(
     table: NumericTable, goals: Sequence[ReachGoal], spans: Array, tool: Transform | None = None
 ) -> list[Summit]:
-    """For each goal the greatest value that the origin of the tool can have.
+    """Return for each goal the greatest value that the origin of the tool can have.
 
     Args:
         table: the robot.
@@ -131,7 +131,7 @@ def _axes(table: NumericTable, joints: Array) -> tuple[Array, Array]:
 
 
 def first_axis(table: NumericTable) -> tuple[Array, Array]:
-    """(3,) point and (3,) direction of the first joint's axis in frame 0."""
+    """Return (3,) point and (3,) direction of the first joint's axis in frame 0."""
     directions, points = _axes(table, np.zeros((1, table.n_joints)))
     return points[0, 0] + 0.0, directions[0, 0] + 0.0
 

@@ -114,7 +114,7 @@ def summits_within(
     conditions: Conditions,
     tool: Transform | None = None,
 ) -> list[Summit]:
-    """For each goal the greatest value that the origin of the tool can have under conditions.
+    """Return for each goal the greatest value that the tool's origin can have under conditions.
 
     Args:
         table: the robot.
@@ -149,7 +149,7 @@ def summits_within(
 def places_within(
     table: NumericTable, count: int, spans: Array, conditions: Conditions, tool: Transform | None = None
 ) -> Array:
-    """(m, 3) places of the tool's origin where conditions hold, m ≤ count."""
+    """Return (m, 3) places of the tool's origin where conditions hold, m ≤ count."""
     surface = _Surface(table, conditions, spans, tool)
     return np.asarray(surface.seen(_on_it(surface, spans, count))[0])
 

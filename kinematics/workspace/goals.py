@@ -59,7 +59,7 @@ class Goals:
     c: Array
 
     def values(self, p: Array) -> Array:
-        """(m,) values at the places p, (m, 3)."""
+        """Return (m,) values at the places p, (m, 3)."""
         r = p - self.origin
         return np.asarray(np.einsum("mi,mij,mj->m", r, self.W, r) + np.einsum("mi,mi->m", self.c, r))
 

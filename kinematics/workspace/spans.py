@@ -13,7 +13,7 @@ from kinematics.workspace.goals import Array
 
 
 def joint_spans(table: NumericTable, limits: JointLimits | None) -> Array:
-    """(n, 2) lowest and highest value of every joint; of a revolute joint one turn at most.
+    """Return (n, 2) lowest and highest value of every joint; of a revolute joint one turn at most.
 
     Raises:
         JointValueError: limits of the wrong number, reversed or too far from zero, or a sliding joint without
@@ -41,5 +41,5 @@ def joint_spans(table: NumericTable, limits: JointLimits | None) -> Array:
 
 
 def spread(spans: Array, count: int) -> Array:
-    """(count, n) configurations that fill the ranges evenly, always the same ones."""
+    """Return (count, n) configurations that fill the ranges evenly, always the same ones."""
     return np.asarray(spans[:, 0] + low_discrepancy(count, len(spans)) * (spans[:, 1] - spans[:, 0]))

@@ -28,7 +28,7 @@ def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
 
 @contextmanager
 def opened_store() -> Iterator[Store]:
-    """The database of the environment's settings."""
+    """Open the database of the environment's settings."""
     settings = settings_of_environment()
     store = open_store(settings.database_url, settings.data_folder)
     try:

@@ -43,7 +43,7 @@ def preferred_language(header: str, available: tuple[str, ...], default: str = "
 
 @lru_cache(maxsize=256)
 def preferred_media_type(header: str, offers: tuple[str, ...]) -> str | None:
-    """The offered media type that the caller wants most, the first of equals; None if none is acceptable."""
+    """Return the offered media type that the caller wants most, the first of equals; None if none will do."""
     items = weighted(header)
     if not items:
         return offers[0]

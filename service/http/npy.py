@@ -72,7 +72,7 @@ def npy_header(shape: tuple[int, ...]) -> bytes:
 
 
 def npy_data(array: NDArray[np.float64]) -> memoryview:
-    """The data of an npy file of little-endian float64 in C order, copied only if it is not that already."""
+    """Return the data of an npy file of little-endian float64 in C order, copied only if it is not so."""
     flat = np.ascontiguousarray(array, dtype="<f8").reshape(-1)
     return flat.view(np.uint8).data
 

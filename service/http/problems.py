@@ -279,7 +279,7 @@ def _headers(error: ServiceError | KinematicsError) -> Mapping[str, str]:
 
 
 def json_pointer(where: Iterable[str | int]) -> str:
-    """RFC 6901 pointer of a path of keys and indices; the empty string is the whole document."""
+    """Return the RFC 6901 pointer of a path of keys and indices; the empty string is the whole document."""
     return "".join("/" + str(part).replace("~", "~0").replace("/", "~1") for part in where)
 
 

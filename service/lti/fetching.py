@@ -64,7 +64,7 @@ class FetchedAnswer:
             return None
 
     def next_page(self) -> str | None:
-        """Address of the next page (RFC 8288), on the same origin only."""
+        """Return the address of the next page (RFC 8288), on the same origin only."""
         import httpx
 
         link = httpx.Response(200, headers={"Link": self.headers.get("link", "")}).links.get("next")
@@ -157,7 +157,7 @@ class Fetcher:
 
 
 def origin_of(address: str) -> str:
-    """Scheme, host and port of an address, the usual port left out.
+    """Return the scheme, host and port of an address, the usual port left out.
 
     Raises:
         ValueError: it is not an http or https address.

@@ -64,14 +64,17 @@ def read_login(parameters: Mapping[str, str], own_origin: str) -> LoginRequest:
 
 
 def new_secret() -> str:
-    """256 random bits: a state, a nonce, or what only one browser knows."""
+    """Return 256 random bits: a state, a nonce, or what only one browser knows."""
     return secrets.token_urlsafe(32)
 
 
 def authorization_address(
     request: LoginRequest, platform: LtiPlatform, *, redirect_uri: str, state: str, nonce: str
 ) -> str:
-    """Where the browser goes next: the platform's authorization endpoint, with the parameters of §5.1.1.2."""
+    """Return where the browser goes next.
+
+    It is the platform's authorization endpoint, with the parameters of §5.1.1.2.
+    """
     parameters = {
         "scope": "openid",
         "response_type": "id_token",

@@ -32,7 +32,10 @@ class ToolRegistration:
     names_asked: bool = False
 
     def written(self) -> dict[str, Any]:
-        """The configuration as the specification writes it. Of people, only `sub` is asked for by default."""
+        """Return the configuration as the specification writes it.
+
+        Of people, only `sub` is asked for by default.
+        """
         scopes = [names.LINE_ITEM_SCOPE, names.RESULT_SCOPE, names.SCORE_SCOPE]
         claims = ["iss", "sub"]
         if self.names_asked:

@@ -46,7 +46,10 @@ class ScoreMessage:
     submitted_at: datetime | None = None
 
     def written(self) -> dict[str, Any]:
-        """The message as the specification writes it; never pending: some gradebooks then forget a mark."""
+        """Return the message as the specification writes it.
+
+        It is never pending: some gradebooks then forget a mark.
+        """
         message: dict[str, Any] = {
             "userId": self.user,
             "timestamp": _written(self.timestamp),

@@ -70,7 +70,7 @@ class Paper:
         self._pages += 1
 
     def width(self, text: str, face: Face, size: float) -> float:
-        """Width of a text [pt]."""
+        """Return the width of a text [pt]."""
         return size * sum(self._width(face, letter) for letter in text)
 
     def text(

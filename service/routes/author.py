@@ -131,7 +131,10 @@ async def right_answers_of_draft(
 async def mistakes_of_draft(
     body: Annotated[wire.DraftRequest, Body(openapi_examples=examples.DRAFT)], request: ApiRequest
 ) -> Response:
-    """Every misconception about the draft's robot, made in the key: what it earns, what a student is told."""
+    """Return every misconception about the draft's robot, made in the key.
+
+    Each is given with what it earns and what a student is told.
+    """
     return await _rehearsed(request, rehearsed_mistakes, body.draft)
 
 

@@ -54,14 +54,14 @@ class Version(Wire):
 @router.get("/healthz", summary="Is the service alive?")
 @router.get("/livez", summary="Is the process alive?")
 async def livez(response: Response) -> Health:
-    """Answers as long as requests are served; what does not answer should be started again."""
+    """Answer as long as requests are served; what does not answer should be started again."""
     response.headers["Cache-Control"] = "no-store"
     return Health(status="ok")
 
 
 @router.get("/readyz", summary="Should requests be sent here?", responses={503: {"model": Readiness}})
 async def readyz(response: Response, resources: AppResources) -> Readiness:
-    """Asks each lane for its worker processes, and the database; processes that have died are started again.
+    """Ask each lane for its worker processes, and the database; processes that have died are started again.
 
     While one is being started, and while the database does not answer, the answer is 503 with this document.
     """
@@ -89,7 +89,7 @@ async def readyz(response: Response, resources: AppResources) -> Readiness:
     responses={200: {"content": {CONTENT_TYPE_LATEST: {"example": EXAMPLE}}}, **problems(404)},
 )
 async def metrics(resources: AppResources) -> Response:
-    """Figures in Prometheus's text format; they name nobody.
+    """Return figures in Prometheus's text format; they name nobody.
 
     Latency by route, refusals by code, judgements by outcome, what runs and waits in each lane, and the
     scores that wait to be sent.

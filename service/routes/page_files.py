@@ -45,7 +45,10 @@ def _messages(language: str, rooms: frozenset[str]) -> str:
 
 @router.get("/locales/{language}.ftl")
 async def messages(request: ApiRequest) -> Response:
-    """The messages of a language, the same that the API answers with; `?rooms=form+feedback` picks files."""
+    """Return the messages of a language, the same that the API answers with.
+
+    `?rooms=form+feedback` picks files.
+    """
     language, rooms = request.path_params["language"], request.query_params.get("rooms", "")
     if language not in languages():
         return Response(status_code=404, headers={"Cache-Control": "no-cache"})

@@ -42,7 +42,7 @@ async def plant_matrix_mistake(
     body: Annotated[PlantMatrixMistakeRequest, Body(openapi_examples=examples.named(_EXAMPLES))],
     request: ApiRequest,
 ) -> PlantMatrixMistakeAnswer:
-    """One mistake of the catalogue, in the matrix of one row or in ⁰T_N, that makes it another function.
+    """Plant a mistake of the catalogue, in the matrix of one row or in ⁰T_N, that makes it another function.
 
     The seed decides which one it is and where.
     """

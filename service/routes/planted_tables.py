@@ -62,7 +62,7 @@ async def plant_mistake(
     body: Annotated[PlantMistakeRequest, Body(openapi_examples=examples.named(_PLANT))],
     request: ApiRequest,
 ) -> PlantMistakeAnswer:
-    """One mistake of the catalogue, in one row, that makes the table another robot or breaks its policy.
+    """Plant a mistake of the catalogue, in one row, that makes the table another robot or breaks its policy.
 
     What the frames leave free is no mistake and is never planted. The seed decides which one it is.
     """
@@ -79,7 +79,7 @@ async def compare_tables(
     body: Annotated[CompareTablesRequest, Body(openapi_examples=examples.named(_COMPARE))],
     request: ApiRequest,
 ) -> CompareTablesAnswer:
-    """Whether they are the same robot, whichever way frames, zeros, directions and conventions were chosen.
+    """Return whether they are one robot, whichever way frames, zeros, directions and conventions were chosen.
 
     Nothing is fixed but the joints: frame 0 and the last frame may lie anywhere. For the certificate and for
     policies see `/grade`.
@@ -97,7 +97,7 @@ async def write_other_tables(
     body: Annotated[OtherTablesRequest, Body(openapi_examples=examples.named(_OTHERS))],
     request: ApiRequest,
 ) -> OtherTablesAnswer:
-    """Tables that describe the robot of a given one and keep a policy, with what differs in their frames.
+    """Return tables of a given one's robot that keep a policy, with what differs in their frames.
 
     Each was judged against the given table by the checker before it was sent.
     """

@@ -100,7 +100,10 @@ async def receipt_page(
     body: Annotated[ReceiptRequest, Body(openapi_examples=_RECEIPT)],
     resources: AppResources,
 ) -> Response:
-    """The same receipt on a page: what it earned, the robot, the table as it was typed, the QR code (PDF)."""
+    """Return the same receipt on a page.
+
+    What it earned, the robot, the table as it was typed, the QR code (PDF).
+    """
     token, receipt = await _issued(request, exercise_id, body, resources)
     language = language_of(request)
 
@@ -184,7 +187,10 @@ async def verify_receipts(
         GradebookFormat | None, Query(alias="format", description="a gradebook file instead of JSON")
     ] = None,
 ) -> Any:
-    """What receipts say, in the order in which they were sent; a forged one says why it is not believed."""
+    """Return what receipts say, in the order in which they were sent.
+
+    A forged one says why it is not believed.
+    """
     language = language_of(request)
     check = partial(check_receipts, body.receipts, resources.receipt_keys)
     checked = await resources.limiters[WorkKind.GRADING].run(check)

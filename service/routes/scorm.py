@@ -56,7 +56,9 @@ async def scorm_package(
     ] = None,
     lang: Language = None,
 ) -> Response:
-    """A package that an LMS plays: it shows the exercise from this service and records score and answer.
+    """Return a package that an LMS plays.
+
+    It shows the exercise from this service and records score and answer.
 
     What an LMS learns through SCORM comes from the student's browser and can be forged there; the receipt
     that the package leaves in the comments cannot.

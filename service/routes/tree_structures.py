@@ -50,7 +50,7 @@ _EXAMPLES: dict[str, Any] = {
 async def trees(
     body: Annotated[TreeRequest, Body(openapi_examples=examples.named(_EXAMPLES))], request: ApiRequest
 ) -> TreeAnswer:
-    """Poses of all frames of a tree by Khalil and Kleinfinger, and for each tip its Jacobian and its table.
+    """Return the poses of all frames of a tree (Khalil, Kleinfinger), and each tip's Jacobian and table.
 
     Frame j follows frame i: iT_j = Rot_z(γ) Trans_z(b) Rot_x(α) Trans_x(a) Rot_z(θ) Trans_z(d). The path to a
     tip is a serial arm, whose modified table is returned and can be given to every other call. Closed loops

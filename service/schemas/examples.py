@@ -109,5 +109,5 @@ CONVERT: dict[str, Any] = {
 
 
 def named(found: Mapping[str, Any]) -> dict[str, Any]:
-    """Examples as OpenAPI lists them."""
+    """Return examples as OpenAPI lists them."""
     return {name: {"summary": name, "value": value} for name, value in found.items()}

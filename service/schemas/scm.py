@@ -40,7 +40,7 @@ class ListedPlacement(PlacementModel):
 
 
 def placement_by_name(value: Any) -> Any:
-    """Six entries by name, whether they came by name or in order."""
+    """Return six entries by name, whether they came by name or in order."""
     if isinstance(value, list) and len(value) == len(ENTRIES):
         return ListedPlacement(**dict(zip(ENTRIES, value, strict=True)))
     if not isinstance(value, dict | PlacementModel):

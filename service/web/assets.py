@@ -76,7 +76,7 @@ class Assets:
         return self._version
 
     def get(self, name: str, accepted: str) -> Asset | None:
-        """The file `name` in the smallest encoding that the client accepts, or None if there is no such file.
+        """Return the file `name` in the smallest encoding that the client accepts; None if there is none.
 
         Args:
             name: path below the folder, with slashes.
@@ -95,7 +95,7 @@ class Assets:
         return asset
 
     def imports(self, name: str) -> tuple[str, ...]:
-        """Everything that a module imports before it runs, and what that imports, in order of discovery.
+        """Return all that a module imports before it runs, and what that imports, in order of discovery.
 
         A page names them all at once, so that a browser need not find them one behind the other. What a
         module imports later, by `import()`, is not among them.

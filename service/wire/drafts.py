@@ -37,7 +37,7 @@ KEPT = 64
 
 @contextmanager
 def draft_refused() -> Iterator[None]:
-    """Faults of a draft, told by their place in the request."""
+    """Tell faults of a draft by their place in the request."""
     try:
         yield
     except DefinitionError as error:
@@ -170,5 +170,5 @@ def _lines(found: Sequence[Failure], language: str) -> list[dict[str, Any]]:
 
 
 def rehearsal_body(answers: Sequence[RehearsedAnswer], language: str) -> dict[str, Any]:
-    """Rehearsed answers with what a student is told."""
+    """Return rehearsed answers with what a student is told."""
     return {"answers": [record_body(answer, language) for answer in answers]}

@@ -79,7 +79,7 @@ class NamedValues(Protocol):
 
 
 def exact_values(read: NamedValues, given: Mapping[str, Any]) -> dict[str, Expression]:
-    """Given values as exact expressions: decimals as typed, degrees as multiples of π.
+    """Return given values as exact expressions: decimals as typed, degrees as multiples of π.
 
     Raises:
         ParameterError: a value is not a finite number, or of a parameter that the robot does not have.

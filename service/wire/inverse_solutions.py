@@ -57,7 +57,9 @@ class InUnits(Protocol):
 async def solved(
     request: NumericInverseKinematicsRequest, robot: PreparedRobot, workers: Workers
 ) -> InverseKinematicsAnswer:
-    """The joint values that reach a target: by a closed form at once, else by a search in a worker process.
+    """Return the joint values that reach a target.
+
+    A closed form gives them at once, else a search in a worker process.
 
     Raises:
         KinematicsError: malformed limits or poses, or a table that inverse kinematics does not take.

@@ -24,7 +24,7 @@ MOST_FAULTS = 1000
 
 
 def plain_configuration(joints: Any, robot: PreparedRobot) -> list[float] | None:
-    """One configuration in [rad] and length units, if the value is a list of just that many numbers."""
+    """Return a configuration in [rad] and length units, if the value is a list of just so many numbers."""
     units = robot.joint_units
     if type(joints) is list and len(joints) == len(units) and _NUMBERS.issuperset(map(type, joints)):
         return [value * unit for value, unit in zip(joints, units, strict=True)]
@@ -32,7 +32,7 @@ def plain_configuration(joints: Any, robot: PreparedRobot) -> list[float] | None
 
 
 def read_joints(joints: list[Any], robot: PreparedRobot, batch_limit: int) -> list[float] | Floats:
-    """Validated joint values in [rad] and length units.
+    """Return validated joint values in [rad] and length units.
 
     Raises:
         JointValueError: a configuration of the wrong length, at its place.

@@ -38,7 +38,10 @@ def list_chunks(array: NDArray[Any]) -> Iterator[bytes]:
 
 
 def member_chunks(value: Mapping[str, Any]) -> Iterator[bytes]:
-    """The members of a JSON object, which may be objects or arrays; the braces are left to the caller."""
+    """Yield the members of a JSON object, which may be objects or arrays.
+
+    The braces are left to the caller.
+    """
     for place, (name, member) in enumerate(value.items()):
         yield (b"," if place else b"") + written(name) + b":"
         if isinstance(member, Mapping):

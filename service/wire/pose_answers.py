@@ -164,7 +164,7 @@ def npy_blocks(question: PoseQuestion) -> Iterator[bytes | memoryview]:
 
 
 def npy_shape(question: PoseQuestion) -> tuple[int, ...]:
-    """Shape of the one array that is wanted."""
+    """Return the shape of the one array that is wanted."""
     (part,) = question.parts
     rows = len(question.robot.table.rows)
     shapes: dict[PoseQuantity, tuple[int, ...]] = {
@@ -177,7 +177,7 @@ def npy_shape(question: PoseQuestion) -> tuple[int, ...]:
 
 
 def npy_length(question: PoseQuestion) -> int:
-    """Length of that npy file [byte]."""
+    """Return the length of that npy file [byte]."""
     shape = npy_shape(question)
     return len(npy_header(shape)) + math.prod(shape) * 8
 
@@ -189,7 +189,7 @@ def one_array(question: PoseQuestion) -> bytes:
 
 
 def may_overflow(question: PoseQuestion) -> bool:
-    """Whether a result may be larger than a double can hold: whether `refuse_overflow` has anything to do."""
+    """Return whether a result may be too large for a double, and `refuse_overflow` has something to do."""
     return _reach(question) >= _SAFE_REACH
 
 

@@ -128,7 +128,9 @@ async def batch_response(
     check: Callable[[], None] | None = None,
     length: int | None = None,
 ) -> Response:
-    """The answer to a batch: a small one at once, a large one in a thread and sent while it is computed.
+    """Return the answer to a batch.
+
+    A small one at once, a large one in a thread and sent while it is computed.
 
     Args:
         question: the question.

@@ -133,7 +133,7 @@ def written_out(answer: Mapping[str, Any]) -> bytes:
 
 
 def written_jacobians(task: SymbolicTask) -> bytes:
-    """J0 and Jn as JSON, with what the answer says besides.
+    """Return J0 and Jn as JSON, with what the answer says besides.
 
     Raises:
         FormSizeError: a matrix has too many operations to be written out.

@@ -15,7 +15,7 @@ MEMBERS = {"attempt_counted": False, "note": MessageId("problem-note-ungraded")}
 
 @contextmanager
 def answer_refused() -> Iterator[None]:
-    """Whatever is refused inside costs no attempt, and the problem document says so."""
+    """Let whatever is refused inside cost no attempt, and say so in the problem document."""
     try:
         with known_exercise():
             yield
@@ -30,7 +30,7 @@ def answer_refused() -> Iterator[None]:
 
 @contextmanager
 def known_exercise() -> Iterator[None]:
-    """An exercise that does not exist is an address at which nothing is."""
+    """Refuse an exercise that does not exist as an address at which nothing is."""
     try:
         yield
     except UnknownExerciseError as error:

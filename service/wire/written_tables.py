@@ -113,7 +113,10 @@ def numeric_row(row: NumericRow, joint: int, angle_unit: AngleUnit) -> dict[str,
 
 
 def angle_in(unit: AngleUnit, value: float) -> float:
-    """An angle [rad] in a unit; a multiple of π/12, but for rounding, becomes a whole number of degrees."""
+    """Return an angle [rad] in a unit.
+
+    What is a multiple of π/12, but for rounding, becomes a whole number of degrees.
+    """
     if unit is AngleUnit.RAD:
         return _readable(value)
     turns = pi_fraction(snapped(Fraction(repr(value))))

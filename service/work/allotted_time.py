@@ -17,7 +17,7 @@ class _AllottedTimeOverError(Exception):
 def each_in_time(
     function: Callable[[_Item], _Result], items: Iterable[_Item], seconds: float
 ) -> list[_Result]:
-    """Results of a function for the first items, as many as the time allows.
+    """Return results of a function for the first items, as many as the time allows.
 
     It is for the main thread of a worker process, which has no other use for the timer.
 

@@ -78,7 +78,7 @@ def compare(context: Context, answer: SymbolicMatrix, expected: Expected) -> Com
 
 
 def agreeing(actual: Matrices, wanted: Matrices, size: float, tolerance: Tolerance) -> NDArray[np.bool_]:
-    """(4, 4) which cells of (k, 4, 4) matrices agree at every sample; lengths relative to the size."""
+    """Return which cells of (k, 4, 4) matrices agree in every sample, (4, 4); lengths relative to size."""
     limit = np.full((4, 4), tolerance.angle)
     limit[:3, 3] = tolerance.length * size
     limit[3] = 1e-6
@@ -88,7 +88,10 @@ def agreeing(actual: Matrices, wanted: Matrices, size: float, tolerance: Toleran
 
 
 def is_doubled(once: Matrices, twice: Matrices, size: float) -> bool:
-    """Whether a matrix names every length: twice the lengths double its last column and nothing else."""
+    """Return whether a matrix names every length.
+
+    Then twice the lengths double its last column and nothing else.
+    """
     wanted = once.copy()
     wanted[..., :3, 3] *= 2.0
     with np.errstate(invalid="ignore"):
@@ -96,7 +99,7 @@ def is_doubled(once: Matrices, twice: Matrices, size: float) -> bool:
 
 
 def inverse(poses: Matrices) -> Matrices:
-    """(…, 4, 4) inverses of rigid motions."""
+    """Return (…, 4, 4) inverses of rigid motions."""
     rotation = np.swapaxes(poses[..., :3, :3], -1, -2)
     result = np.zeros_like(poses)
     result[..., :3, :3] = rotation
@@ -106,7 +109,7 @@ def inverse(poses: Matrices) -> Matrices:
 
 
 def transposed_rotation(poses: Matrices) -> Matrices:
-    """(…, 4, 4) the same positions with transposed rotations."""
+    """Return the same positions with transposed rotations, (…, 4, 4)."""
     result = poses.copy()
     result[..., :3, :3] = np.swapaxes(poses[..., :3, :3], -1, -2)
     return result

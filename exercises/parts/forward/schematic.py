@@ -106,7 +106,10 @@ def schematic_of(table: NumericTable) -> Schematic:
 
 
 def relation(first: Axis, second: Axis, size: float) -> AxisRelation:
-    """How two axes lie relative to each other; distances count as zero below `EXACT` of the robot's size."""
+    """Return how two axes lie relative to each other.
+
+    Distances count as zero below `EXACT` of the robot's size.
+    """
     a, b = np.array(first.direction), np.array(second.direction)
     apart = np.array(second.point) - np.array(first.point)
     normal = cross_arrays(a, b)

@@ -161,7 +161,7 @@ class MatrixMistakeType(MistakeType[MatrixMistakePart, FoundMatrixMistakeCells, 
         return FoundMatrixMistake(cell=cell, mistake=mistake, mended=mended)
 
     def grade(self, part: MatrixMistakePart, answer: FoundMatrixMistake, context: Context) -> PartReport:
-        """A third each for place, name and repair; where no place is given, a repair that does says it."""
+        """Grade place, name and repair, a third each; where no place is given, a repair that does says it."""
         found: PlantedMatrix = context.instance.drawn[self.kind]
         table = context.reference.table
         mended = answer.mended is not None and _is_right(found, answer.mended, context)

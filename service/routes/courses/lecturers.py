@@ -135,7 +135,7 @@ def _title(request: ApiRequest, exercise_id: str | None) -> str | None:
 
 @router.get("/course/links/{link}/settings")
 async def show_settings(request: ApiRequest) -> Response:
-    """Exercise and rules of a link."""
+    """Return the exercise and the rules of a link."""
     staff = await _staff(request)
     link = await staff.link()
     return json_response({"exercise": link.settings.exercise_id, **written(link.settings)})
@@ -159,7 +159,10 @@ def _known_exercise(request: ApiRequest, exercise_id: object) -> str:
 
 @router.get("/course/links/{link}/statistics")
 async def statistics(request: ApiRequest) -> Response:
-    """Numbers of a link: success, mistakes that were found, and wrong answers that nothing explains."""
+    """Return numbers of a link.
+
+    Success, mistakes that were found, and wrong answers that nothing explains.
+    """
     staff, language = await _staff(request), language_of(request)
     link = await staff.link()
 

@@ -138,7 +138,10 @@ async def course_page(request: Request) -> Response:
 
 @router.get("/lti/choose")
 async def choose(request: Request) -> Response:
-    """The page on which a teacher chooses the exercise of a link; its answer is posted to the platform."""
+    """Return the page on which a teacher chooses the exercise of a link.
+
+    Its answer is posted to the platform.
+    """
     resources_of(request).with_courses()
     return page_response(request, CHOOSE, form_action="https: http:")
 

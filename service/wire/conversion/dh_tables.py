@@ -125,7 +125,7 @@ def matrix_of_cells(
     before: Transform | None = None,
     behind: Transform | None = None,
 ) -> Matrix:
-    """Before · screw · behind: numbers where all is known, else expressions."""
+    """Return before · screw · behind: numbers where all is known, else expressions."""
     if screw is not None and robot.parameters is None and parameters_in(screw.a) | parameters_in(screw.alpha):
         factors = [None if before is None else _numbers(before), _expressions(screw)]
         factors.append(None if behind is None else _numbers(behind))

@@ -76,7 +76,7 @@ def _harmless(value: object) -> object:
 def with_examples(
     found: Iterable[Mapping[str, Any]], reports: Mapping[int, Mapping[str, Any]], language: str
 ) -> list[dict[str, Any]]:
-    """Mistakes, each with the sentence that the newest student with it would read."""
+    """Return mistakes, each with the sentence that the newest student with it would read."""
     return [
         {**entry, "example": _example(entry, reports.get(entry["newest"], {}), language)} for entry in found
     ]

@@ -18,7 +18,7 @@ LONGEST_SETTINGS = 2000
 
 
 def custom_of(exercise_id: str, settings: Mapping[str, Any]) -> dict[str, str]:
-    """Custom parameters of a link to an exercise: only settings that are not the usual ones."""
+    """Return custom parameters of a link to an exercise: only settings that are not the usual ones."""
     told = {name: value for name, value in settings.items() if value not in (None, [], False)}
     return {EXERCISE: exercise_id, SETTINGS: json.dumps(told, separators=(",", ":"))}
 
