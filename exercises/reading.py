@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import ClassVar
 
 from kinematics.cells import AngleUnit, Cell, ParameterKind, canonical_name, read_cell
-from kinematics.expressions import ZERO, Expression
+from kinematics.expressions import ZERO, Expression, joint_variables_in
 from kinematics.keys import KeyFaults, KeyReader, ValueKind
 
 
@@ -67,4 +67,7 @@ class Reader(KeyReader):
             return ZERO
         cell: Cell = value
         found = self.guarded(lambda: read_cell(cell, ParameterKind.LENGTH, angle_unit=AngleUnit.RAD), *where)
-        return found if found is not None else ZERO
+        variables = () if found is None else sorted(joint_variables_in(found))
+        for index in variables:
+            self.fault("joint_variable_in_number", *where, name=f"q{index}")
+        return ZERO if found is None or variables else found

@@ -258,6 +258,8 @@ class Search:
         everywhere = [first]
         for draw in range(1, len(self.references)):
             candidate = self._followed(draw, way)
+            if candidate is None:
+                return None
             sides, tolerance = (self.references[draw], self.submissions[draw]), self.policy.tolerance
             found = judged(*sides, candidate, tolerance, measured=self.measured)
             if found.within(tolerance):
@@ -269,20 +271,31 @@ class Search:
             everywhere.append(refined)
         return Found(tuple(candidate for candidate, _ in everywhere), tuple(found for _, found in everywhere))
 
-    def _followed(self, draw: int, way: Way) -> CertificateCandidate:
-        """The certificate to which a way leads at a draw."""
-        plan, choice = self._plan_and_choice(draw, way)
+    def _followed(self, draw: int, way: Way) -> CertificateCandidate | None:
+        """The certificate to which a way leads at a draw; None if there is no such way there.
+
+        Where lengths are of very different sizes, axes may coincide at one draw and not at another.
+        """
+        followed = self._plan_and_choice(draw, way)
+        if followed is None or way.start >= len(followed[0].starts):
+            return None
+        plan, choice = followed
         submission = self.submissions[draw]
         path = forced_path(plan, submission, plan.starts[way.start], way.signs)
         here = compose(path.totals[-1] if path.totals else path.start, submission.end)
-        last = placements(choice, here)[way.placement]
-        return self._candidate(draw, plan, choice, replace(path, last=last))
+        placed = placements(choice, here)
+        if way.placement >= len(placed):
+            return None
+        return self._candidate(draw, plan, choice, replace(path, last=placed[way.placement]))
 
-    def _plan_and_choice(self, draw: int, way: Way) -> tuple[Plan, ToolChoice]:
+    def _plan_and_choice(self, draw: int, way: Way) -> tuple[Plan, ToolChoice] | None:
         reference, near = self.references[draw], self.near(draw)
-        plan = reference.plans(self.policy.base, self.policy.zero, near)[way.plan]
+        plans = reference.plans(self.policy.base, self.policy.zero, near)
+        if way.plan >= len(plans):
+            return None
+        plan = plans[way.plan]
         choices = tool_choices(reference, plan, self.policy.tool, near)
-        return plan, choices[way.choice]
+        return (plan, choices[way.choice]) if way.choice < len(choices) else None
 
     def _candidate(
         self, draw: int, plan: Plan, choice: ToolChoice, path: CertificatePath
@@ -295,7 +308,10 @@ class Search:
         self, draw: int, way: Way, candidate: CertificateCandidate
     ) -> tuple[CertificateCandidate, Residual] | None:
         """The certificate refined, if equation (1) holds with it then."""
-        plan, choice = self._plan_and_choice(draw, way)
+        followed = self._plan_and_choice(draw, way)
+        if followed is None:
+            return None
+        plan, choice = followed
         return refine(
             self.references[draw],
             self.submissions[draw],

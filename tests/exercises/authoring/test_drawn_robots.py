@@ -104,6 +104,8 @@ def test_a_length_that_is_a_sum_is_written_as_one() -> None:
     [
         ({"point": {"on": 1, "at": 0}, "direction": [0, 0, 1]}, "axis_not_before"),
         ({"point": ["L9", 0, 0], "direction": [0, 0, 1]}, "length_unknown"),
+        ({"point": ["q1 + 1", 0, 0], "direction": [0, 0, 1]}, "joint_variable_in_number"),
+        ({"point": {"from": 1, "by": [0, "sin(q2)", 0]}, "direction": [0, 0, 1]}, "joint_variable_in_number"),
         ({"point": [0, 0, 0], "direction": [0, 0, 0]}, "direction_zero"),
         ({"point": [0, 0, 0], "direction": {"parallel": 7}}, "axis_not_before"),
         ({"point": [0, 0], "direction": [0, 0, 1]}, "exercise_value_type"),
