@@ -6,9 +6,9 @@ import math
 from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from fractions import Fraction
-from functools import lru_cache
 
 from kinematics.cells.refusals import fault
+from kinematics.cells.remembering import USUAL_TABLE, remembered
 from kinematics.cells.scaling import scaled_cell
 from kinematics.cells.scanner import canonical_name
 from kinematics.cells.tables import ReadTable
@@ -95,7 +95,7 @@ def _scaled_row(row: SymbolicRow, kinds: Mapping[str, ParameterKind], ratio: Fra
     )
 
 
-@lru_cache(maxsize=4096)
+@remembered(lambda read, values: read.characters, longest=USUAL_TABLE, most=1024, few=16)
 def _bound(read: ReadTable, values: tuple[tuple[str, float], ...]) -> NumericTable:
     return bind(read.table, dict(values))
 

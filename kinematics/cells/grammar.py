@@ -15,13 +15,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from fractions import Fraction
-from functools import cache, lru_cache
+from functools import cache
 from typing import Any
 
 from lark import Lark, Token, Transformer, UnexpectedToken, v_args
 
 from kinematics.cells.limits import Limits
 from kinematics.cells.refusals import CellRefusal
+from kinematics.cells.remembering import remembered
 from kinematics.cells.scanner import scan
 from kinematics.cells.syntax import (
     Addition,
@@ -200,7 +201,7 @@ def _parser() -> Lark:
     return Lark(_GRAMMAR, parser="lalr", lexer="basic", transformer=_Builder())
 
 
-@lru_cache(maxsize=8192)
+@remembered(lambda text, limits: len(text), longest=40, most=8192, few=256)
 def parse(text: str, limits: Limits) -> Node:
     """Return the syntax tree of a cell.
 

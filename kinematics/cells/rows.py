@@ -9,13 +9,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import lru_cache
 
 from kinematics.cells.entries import cell_syntax, entry_of
 from kinematics.cells.joints import VARIABLE_CELLS, RowJoint
 from kinematics.cells.limits import Limits
 from kinematics.cells.meaning import Position
 from kinematics.cells.refusals import CellRefusal
+from kinematics.cells.remembering import remembered
 from kinematics.cells.syntax import Node
 from kinematics.cells.tables import RawRow
 from kinematics.cells.units import AngleUnit, ParameterKind
@@ -27,6 +27,8 @@ from kinematics.table import CELLS, DHRow, JointType, SymbolicRow
 POSITIONS = {"alpha": Position.ANGLE, "a": Position.LENGTH, "d": Position.LENGTH, "theta": Position.ANGLE}
 REMEMBERED = 4096
 """Rows that are kept as read: those of some 600 tables of six or seven joints."""
+USUAL_ROW = 80
+"""Length of the cells of a row [character] up to which so many are kept."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -59,7 +61,12 @@ class RowMeaning:
     faults: Mapping[str, Fault]
 
 
-@lru_cache(maxsize=REMEMBERED)
+def _length(row: RawRow) -> int:
+    """The characters of a row's cells; a number counts as none."""
+    return sum(len(cell) for cell in (row.alpha, row.a, row.d, row.theta) if isinstance(cell, str))
+
+
+@remembered(lambda row, limits: _length(row), longest=USUAL_ROW, most=REMEMBERED, few=64)
 def row_syntax(row: RawRow, limits: Limits) -> RowSyntax:
     """Return the cells of a row, before anything is known of its joint."""
     trees: dict[str, Node] = {}
@@ -80,7 +87,7 @@ def row_syntax(row: RawRow, limits: Limits) -> RowSyntax:
     return RowSyntax(trees=trees, numbers=numbers, faults=faults)
 
 
-@lru_cache(maxsize=REMEMBERED)
+@remembered(lambda row, joint, angle_unit, limits: _length(row), longest=USUAL_ROW, most=REMEMBERED, few=64)
 def row_meaning(row: RawRow, joint: RowJoint, angle_unit: AngleUnit, limits: Limits) -> RowMeaning:
     """Return the exact entries of a row whose joint is known."""
     syntax = row_syntax(row, limits)

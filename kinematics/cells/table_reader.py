@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import lru_cache
 from types import MappingProxyType
 
 from kinematics.cells.entries import text_length
@@ -11,6 +10,7 @@ from kinematics.cells.joints import row_joints, variable_names
 from kinematics.cells.last_places import last_places
 from kinematics.cells.limits import DEFAULT, Limits
 from kinematics.cells.refusals import CellRefusal, fault
+from kinematics.cells.remembering import USUAL_TABLE, remembered
 from kinematics.cells.rows import RowMeaning, row_meaning, row_syntax
 from kinematics.cells.tables import RawTable, ReadTable
 from kinematics.cells.units import ParameterKind
@@ -32,12 +32,12 @@ def read_table(raw: RawTable, limits: Limits = DEFAULT) -> ReadTable:
     return _read_by_default(raw) if limits is DEFAULT else _read(raw, limits)
 
 
-@lru_cache(maxsize=4096)
+@remembered(lambda raw: raw.characters, longest=USUAL_TABLE, most=1024, few=16)
 def _read_by_default(raw: RawTable) -> ReadTable:
     return _read_anew(raw, DEFAULT)
 
 
-@lru_cache(maxsize=4096)
+@remembered(lambda raw, limits: raw.characters, longest=USUAL_TABLE, most=1024, few=16)
 def _read(raw: RawTable, limits: Limits) -> ReadTable:
     return _read_anew(raw, limits)
 
@@ -61,6 +61,7 @@ def _read_anew(raw: RawTable, limits: Limits) -> ReadTable:
     if len(kinds) > limits.table_parameters:
         raise TableError(fault("table_too_many_parameters", "rows", limit=limits.table_parameters))
     return ReadTable(
+        characters=raw.characters,
         table=DHTable(convention=raw.convention, rows=tuple(row.row for row in rows)),
         angle_unit=raw.angle_unit,
         length_unit=raw.length_unit,

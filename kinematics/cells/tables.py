@@ -75,12 +75,14 @@ class RawTable:
         rows: the rows, base first.
         angle_unit: unit of plain numbers where an angle stands.
         length_unit: unit of the lengths.
+        characters: length of its cells that are text.
     """
 
     convention: Convention
     rows: tuple[RawRow, ...]
     angle_unit: AngleUnit = AngleUnit.RAD
     length_unit: LengthUnit = LengthUnit.M
+    characters: int = field(init=False, repr=False)
     _content: tuple[object, ...] = field(init=False, repr=False)
     _hash: int = field(init=False, repr=False)
 
@@ -90,6 +92,8 @@ class RawTable:
         content = (self.convention, self.angle_unit, self.length_unit, *cells)
         object.__setattr__(self, "_content", content)
         object.__setattr__(self, "_hash", hash(content))
+        typed = (cell for row in self.rows for cell in (row.alpha, row.a, row.d, row.theta))
+        object.__setattr__(self, "characters", sum(len(cell) for cell in typed if isinstance(cell, str)))
 
     def __hash__(self) -> int:
         return self._hash
@@ -112,6 +116,7 @@ class ReadTable:
             typed them.
         last_places: units of the last place [rad or `length_unit`], by row and cell, of decimals whose value
             does not show it, such as 0.2100.
+        characters: length of the cells that it was read from and that are text; 0 if nobody typed them.
     """
 
     table: SymbolicTable
@@ -120,6 +125,7 @@ class ReadTable:
     parameters: Mapping[str, ParameterKind]
     variables: tuple[str, ...] = ()
     last_places: Mapping[tuple[int, str], float] = field(default_factory=dict, repr=False)
+    characters: int = field(default=0, repr=False)
 
     def _repr_html_(self) -> str:
         from kinematics.printing.table_markup import table_html  # a notebook asks, and nobody else
