@@ -11,6 +11,7 @@ from __future__ import annotations
 
 import gc
 import sys
+import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Any
@@ -24,7 +25,12 @@ OLD_ROUNDS = 4
 GROWN = 1.25
 """Times the memory held when all objects were looked at, beyond which all are looked at again."""
 IDLE_SECONDS = 5.0
-"""Time that nobody has asked for anything before all objects are looked at [s]."""
+"""Least time that nobody has asked for anything before all objects are looked at [s]."""
+IDLE_TIMES = 100.0
+"""How many times as long as the last such look took nobody must have asked: then about one look in a hundred
+delays a request."""
+DOUBLED = 2.0
+"""Times the memory held at the last look, beyond which the least time is enough."""
 _OLDEST = 2
 
 
@@ -35,11 +41,12 @@ class Collection:
         times: how often that was, since all objects were looked at.
     """
 
-    def __init__(self) -> None:
-        self._looked()
+    def __init__(self, took: float = 0.0) -> None:
+        """Begin after a look at all objects that took so long [s]."""
+        self._looked(took)
 
-    def _looked(self) -> None:
-        self.times, self._held = 0, sys.getallocatedblocks()
+    def _looked(self, took: float) -> None:
+        self.times, self._held, self._took = 0, sys.getallocatedblocks(), took
 
     def __call__(self, phase: str, info: dict[str, Any]) -> None:
         """Take note of a collection, as `gc.callbacks` asks for."""
@@ -53,22 +60,20 @@ class Collection:
         Args:
             idle_seconds: time since anybody asked for anything [s].
         """
-        if idle_seconds < IDLE_SECONDS or not self._has_grown():
+        grown = sys.getallocatedblocks() / self._held if self.times else 0.0
+        least = IDLE_SECONDS if grown > DOUBLED else max(IDLE_SECONDS, IDLE_TIMES * self._took)
+        if idle_seconds < least or grown <= GROWN:
             return False
         gc.unfreeze()
-        _put_all_aside()
-        self._looked()
+        self._looked(_put_all_aside())
         return True
-
-    def _has_grown(self) -> bool:
-        return self.times > 0 and sys.getallocatedblocks() > GROWN * self._held
 
 
 @contextmanager
 def new_objects_alone() -> Iterator[Collection]:
     """Have the collector look at new objects alone, while an application runs; switch it on if it is off."""
-    found, thresholds = Collection(), gc.get_threshold()
-    _put_all_aside()
+    thresholds = gc.get_threshold()
+    found = Collection(_put_all_aside())
     gc.set_threshold(YOUNG, ROUNDS, OLD_ROUNDS)
     gc.callbacks.append(found)
     gc.enable()
@@ -80,13 +85,15 @@ def new_objects_alone() -> Iterator[Collection]:
         gc.unfreeze()
 
 
-def _put_all_aside() -> None:
-    """Put aside all objects that are no garbage.
+def _put_all_aside() -> float:
+    """Put aside all objects that are no garbage; return how long it took [s].
 
     The collector looks at the oldest only when a quarter as many are new as it found the last time: it is
     shown that it finds none now.
     """
+    begun = time.perf_counter()
     if not gc.get_freeze_count():
         gc.collect()
     gc.freeze()
     gc.collect()
+    return time.perf_counter() - begun

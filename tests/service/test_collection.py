@@ -14,6 +14,9 @@ import pytest
 from service.metrics import Metrics
 from service.work.collection import IDLE_SECONDS, OLD_ROUNDS, ROUNDS, YOUNG, Collection, new_objects_alone
 
+LONG = 1e6
+"""Time since anybody asked that is longer than any look takes a hundred times [s]."""
+
 
 class Knot:
     """Something in a cycle."""
@@ -97,14 +100,14 @@ def test_garbage_that_was_put_aside_goes_when_all_is_looked_at(
     watched = weakref.ref(aged())
     gc.collect()
     assert watched() is not None
-    assert not collection.look_at_all(IDLE_SECONDS)
+    assert not collection.look_at_all(LONG)
     monkeypatch.setattr("service.work.collection.GROWN", 0.0)
     assert not collection.look_at_all(0.0)  # somebody would wait
     assert watched() is not None
-    assert collection.look_at_all(IDLE_SECONDS)
+    assert collection.look_at_all(LONG)
     assert watched() is None
     assert collection.times == 0
-    assert not collection.look_at_all(IDLE_SECONDS)
+    assert not collection.look_at_all(LONG)
 
 
 def test_what_is_gone_with_its_request_does_not_make_all_be_looked_at(collection: Collection) -> None:
@@ -112,7 +115,7 @@ def test_what_is_gone_with_its_request_does_not_make_all_be_looked_at(collection
         values: list[list[int]] = [[] for _ in range(2 * YOUNG)]
         del values
     gc.collect()
-    assert not collection.look_at_all(IDLE_SECONDS)
+    assert not collection.look_at_all(LONG)
 
 
 def test_what_stays_makes_all_be_looked_at(collection: Collection, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -122,7 +125,33 @@ def test_what_stays_makes_all_be_looked_at(collection: Collection, monkeypatch: 
         monkeypatch.setattr(
             "service.work.collection.sys", SimpleNamespace(getallocatedblocks=lambda n=blocks: n)
         )
-        assert collection.look_at_all(IDLE_SECONDS) == is_due
+        assert collection.look_at_all(LONG) == is_due
+
+
+@pytest.mark.parametrize(
+    ("took", "grown", "idle", "is_due"),
+    [
+        (0.4, 1.4, IDLE_SECONDS, False),
+        (0.4, 1.4, 39.0, False),
+        (0.4, 1.4, 41.0, True),
+        (0.4, 2.1, IDLE_SECONDS, True),
+        (0.4, 2.1, 4.0, False),
+        (0.01, 1.4, IDLE_SECONDS, True),
+    ],
+)
+def test_a_long_look_waits_until_hardly_anybody_is_likely_to_ask_meanwhile(
+    took: float, grown: float, idle: float, is_due: bool, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    blocks = 1000
+
+    def held() -> int:
+        return blocks
+
+    monkeypatch.setattr("service.work.collection.sys", SimpleNamespace(getallocatedblocks=held))
+    monkeypatch.setattr("service.work.collection._put_all_aside", lambda: took)
+    collection = Collection(took)
+    collection.times, blocks = 1, int(1000 * grown)
+    assert collection.look_at_all(idle) == is_due
 
 
 def test_a_process_is_idle_when_nobody_asks_and_nothing_runs() -> None:
