@@ -17,7 +17,6 @@ from kinematics.cells.unit_words import is_symbol_of_unit
 from kinematics.cells.variables import variable_index
 from kinematics.errors import CellError, Fault, ParamValue
 from kinematics.expressions import Expression, Parameter, parameters_in
-from kinematics.table import CELLS
 
 
 def unknown_name(
@@ -45,15 +44,12 @@ def unknown_name(
 
 
 def table_faults(read: ReadTable, exercise: Exercise) -> list[Fault]:
-    """Return the unknown names of a table, each at its first cell."""
-    faults: dict[str, Fault] = {}
-    if read.parameters.keys() <= _known(exercise):
-        return []
-    for i, row in enumerate(read.table.rows):
-        for cell in CELLS:
-            for name in sorted(parameters_in(getattr(row, cell)) - _known(exercise)):
-                faults.setdefault(name, unknown_name(name, exercise, ("rows", i, cell)))
-    return list(faults.values())
+    """Return the unknown names of a table, each at its first cell; also of one that makes no difference."""
+    return [
+        unknown_name(name, exercise, ("rows", *read.places.get(name, ())))
+        for name in read.parameters
+        if name not in _known(exercise)
+    ]
 
 
 def without_aliases(read: ReadTable, exercise: Exercise) -> ReadTable:

@@ -73,6 +73,8 @@ _ALLOWED = re.compile(
     + "]*"
 )
 
+_RAISED_POINT = re.compile("(?<![\\w.,])0[\u00b7\u22c5\u2219\u2022][0-9]+")
+
 
 def translated(text: str) -> str:
     """Return the text in the characters that the scanner knows, as many as before.
@@ -80,6 +82,9 @@ def translated(text: str) -> str:
     Raises:
         CellRefusal: a character has no meaning in a cell; the first such one, with its column.
     """
+    raised = _RAISED_POINT.search(text)
+    if raised:  # half of something by hand, and no product that anybody writes
+        raise CellRefusal("number_malformed", column=raised.start() + 1, text=raised.group())
     plain = "".join(_TRANSLATED.get(character, character) for character in text)
     if any(ord(character) >= _MATHEMATICAL_LETTERS.start for character in plain):
         plain = "".join(

@@ -265,6 +265,10 @@ def _open_brackets(tokens: list[Token], until: Token) -> list[Token]:
     return opened
 
 
+_BEFORE_A_VALUE = {"COMMA", "PLUS", "MINUS", "STAR", "SLASH", "LPAR"}
+"""What stands before a number that begins with its comma: an operator, or nothing but the comma itself."""
+
+
 def _comma_refusal(comma: Token, tokens: list[Token]) -> CellRefusal:
     index = next(i for i, token in enumerate(tokens) if token is comma)
     around = tokens[max(index - 1, 0) : index + 2]
@@ -273,4 +277,6 @@ def _comma_refusal(comma: Token, tokens: list[Token]) -> CellRefusal:
             text = f"{around[0]},{around[2]}"
             return CellRefusal("number_malformed", column=_column(around[0]), text=text)
         return CellRefusal("decimal_comma", column=_column(comma), suggestion=f"{around[0]}.{around[2]}")
+    if around[-1].type == "NUMBER" and around[-1].isdecimal() and around[0].type in _BEFORE_A_VALUE:
+        return CellRefusal("decimal_comma", column=_column(comma), suggestion=f"0.{around[-1]}")
     return CellRefusal("comma_misplaced", column=_column(comma))

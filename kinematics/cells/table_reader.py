@@ -50,7 +50,7 @@ def _read_anew(raw: RawTable, limits: Limits) -> ReadTable:
     rows = [
         row_meaning(row, joint, raw.angle_unit, limits) for row, joint in zip(raw.rows, joints, strict=True)
     ]
-    kinds, faults = _gathered(rows)
+    kinds, places, faults = _gathered(rows)
     if not any(row.faults for row in syntax):  # a cell not read may be the very one that names the joint
         for found in misnumbered:
             faults.setdefault((int(found.where[1]), str(found.where[2])), found)
@@ -66,6 +66,7 @@ def _read_anew(raw: RawTable, limits: Limits) -> ReadTable:
         angle_unit=raw.angle_unit,
         length_unit=raw.length_unit,
         parameters=MappingProxyType(kinds),
+        places=MappingProxyType(places),
         variables=variable_names(joints, trees, kinds),
         last_places=MappingProxyType(dict(last_places(raw.rows, [row.row for row in rows]))),
     )
@@ -73,9 +74,10 @@ def _read_anew(raw: RawTable, limits: Limits) -> ReadTable:
 
 def _gathered(
     rows: Sequence[RowMeaning],
-) -> tuple[dict[str, ParameterKind], dict[tuple[int, str], Fault]]:
-    """The kinds of all parameters, and the faults by row and cell."""
+) -> tuple[dict[str, ParameterKind], dict[str, tuple[int, str]], dict[tuple[int, str], Fault]]:
+    """The kinds of all parameters, the cells in which they stand first, and the faults by row and cell."""
     kinds: dict[str, ParameterKind] = {}
+    places: dict[str, tuple[int, str]] = {}
     faults: dict[tuple[int, str], Fault] = {}
     for i, row in enumerate(rows):
         for cell, found in row.faults.items():
@@ -84,10 +86,11 @@ def _gathered(
             if (i, cell) in faults:
                 continue
             known = kinds.setdefault(name, kind)
+            places.setdefault(name, (i, cell))
             if known is not kind:
                 refusal = CellRefusal("parameter_two_kinds", column=1, name=name, kind=kind, other=known)
                 faults[i, cell] = refusal.at("rows", i, cell)
-    return kinds, faults
+    return kinds, places, faults
 
 
 def _refuse_size(raw: RawTable, limits: Limits) -> None:

@@ -110,13 +110,15 @@ class ReadTable:
         table: exact entries; angles in [rad], lengths in `length_unit`.
         angle_unit: the unit in which its angle parameters are given.
         length_unit: the unit of its lengths and length parameters.
-        parameters: what each parameter measures, in the order in which they stand in the table.
+        parameters: what each parameter measures, in the order in which they stand in the table; also of one
+            that makes no difference, as in 0*x.
         variables: the names of the joint variables as typed (theta1, d3), in joint order; q_i where the table
             does not name the variable, numbers it by row, or has a parameter of that name. Empty if nobody
             typed them.
         last_places: units of the last place [rad or `length_unit`], by row and cell, of decimals whose value
             does not show it, such as 0.2100.
         characters: length of the cells that it was read from and that are text; 0 if nobody typed them.
+        places: the row and cell in which each parameter stands first, of a table that was typed.
     """
 
     table: SymbolicTable
@@ -126,6 +128,7 @@ class ReadTable:
     variables: tuple[str, ...] = ()
     last_places: Mapping[tuple[int, str], float] = field(default_factory=dict, repr=False)
     characters: int = field(default=0, repr=False)
+    places: Mapping[str, tuple[int, str]] = field(default_factory=dict, repr=False)
 
     def _repr_html_(self) -> str:
         from kinematics.printing.table_markup import table_html  # a notebook asks, and nobody else

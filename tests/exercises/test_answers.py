@@ -245,3 +245,20 @@ def test_a_joint_variable_is_no_joint_value() -> None:
 def test_a_vector_has_components_and_no_joints() -> None:
     cells = SingularityCells(conditions=(("sin(q2)",),), lost=(0, 0, 1, 0, 0))
     assert refused("scara-singularities", singularities=cells) == {"singularities.lost": "vector_length"}
+
+
+@pytest.mark.parametrize(
+    ("cell", "name"), [("0 (cero)", "cero"), ("0*A2", "A2"), ("a2 + xyz - xyz", "xyz"), ("0/yy", "yy")]
+)
+def test_an_unknown_name_that_makes_no_difference_is_told(cell: str, name: str) -> None:
+    """No word is accepted silently, even where its value drops out."""
+    rows = ((0, "a2", 0, "q1"), (180, cell, 0, "q2"), (0, 0, "q3", 0), (0, 0, 0, "q4"))
+    instance = generate(exercise("scara"))
+    with pytest.raises(AnswerError) as refused:
+        parse(instance, RawAnswer(table=table("standard", *rows)))
+    (fault,) = refused.value.faults
+    assert (fault.code, fault.where, fault.params["name"]) == (
+        "name_unknown",
+        ("table", "rows", 1, "a"),
+        name,
+    )
