@@ -2,7 +2,8 @@
 
 A caller who sends a request's head too slowly, or one that is too long, who doesn't read its answer, or
 who holds a connection open for nothing costs a descriptor and some memory. Each is given up after a time;
-and before the descriptors run out, the connection that has been idle longest makes room for a new one.
+and before the descriptors run out, the connection that has been idle longest makes room for a new one, or
+else that whose body has stood still longest.
 """
 
 from __future__ import annotations
@@ -40,17 +41,17 @@ class BoundedConnection(HttpToolsProtocol):
     """One connection."""
 
     _is_idle = False
-    _idle_since = 0.0
+    _heard_at = 0.0
     _held_bytes = 0
     _head_fields = 0
     _head_timer: asyncio.TimerHandle | None = None
     _unread_timer: asyncio.TimerHandle | None = None
 
     def connection_made(self, transport: asyncio.Transport) -> None:  # type: ignore[override]
-        """Accept, and let the longest idle connection go if there are too many."""
+        """Accept, and let the connection go that has been silent longest if there are too many."""
         super().connection_made(transport)
         if len(self.connections) > connection_limit():
-            self._longest_idle().transport.abort()
+            self._longest_silent().transport.abort()
         self._await_head()
 
     def connection_lost(self, exc: Exception | None) -> None:
@@ -61,6 +62,7 @@ class BoundedConnection(HttpToolsProtocol):
     def data_received(self, data: bytes) -> None:
         """Take bytes in, as long as the parser need not hold many: a head, or fields after a body."""
         self._held_bytes += len(data)
+        self._heard_at = self.loop.time()
         super().data_received(data)
         if self._held_bytes > HEAD_BYTES:
             self._refuse_head()
@@ -119,7 +121,7 @@ class BoundedConnection(HttpToolsProtocol):
     def _await_head(self) -> None:
         self._stop_timers()
         self._is_idle = True
-        self._idle_since = self.loop.time()
+        self._heard_at = self.loop.time()
         self._head_timer = self.loop.call_later(HEAD_SECONDS, self.transport.close)
 
     def _stop_timers(self) -> None:
@@ -128,9 +130,15 @@ class BoundedConnection(HttpToolsProtocol):
                 timer.cancel()
         self._head_timer = self._unread_timer = None
 
-    def _longest_idle(self) -> BoundedConnection:
-        idle = [one for one in self.connections if isinstance(one, BoundedConnection) and one._is_idle]
-        return min(idle, key=lambda one: one._idle_since, default=self)
+    def _longest_silent(self) -> BoundedConnection:
+        """The connection that can go: idle ones before those whose callers owe the rest of a body."""
+        silent = [one for one in self.connections if isinstance(one, BoundedConnection) and one._is_waiting]
+        return min(silent, key=lambda one: (not one._is_idle, one._heard_at), default=self)
+
+    @property
+    def _is_waiting(self) -> bool:
+        """Whether the next thing to come is to come from the caller."""
+        return self._is_idle or (self.cycle is not None and self.cycle.more_body)
 
     def _refuse_head(self) -> None:
         if self.transport.is_closing():

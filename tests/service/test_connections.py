@@ -149,3 +149,30 @@ def test_idle_connections_make_room_for_new_ones(monkeypatch: pytest.MonkeyPatch
             with contextlib.suppress(TimeoutError):
                 closed += received(connection) == b""
         assert closed >= 10
+
+
+def test_bodies_that_stand_still_make_room_for_new_connections(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The one that has stood still longest goes first, and none that still moves."""
+    monkeypatch.setattr("service.http.connections.connection_limit", lambda: 20)
+    head = UNFINISHED + b"Expect: 100-continue\r\nContent-Length: 90\r\n\r\n"
+    with running(Settings(read_seconds=60)) as url, contextlib.ExitStack() as stack:
+
+        def begun() -> socket.socket:
+            connection = stack.enter_context(connected(url))
+            connection.sendall(head)
+            assert connection.recv(300).startswith(b"HTTP/1.1 100 ")  # the body is being waited for
+            return connection
+
+        moving, still = begun(), []
+        for _ in range(30):
+            still.append(begun())
+            moving.sendall(b" ")
+            time.sleep(0.01)
+        for _ in range(5):
+            assert patient.get(f"{url}/healthz").status_code == 200
+        for connection in still[:10]:
+            assert received(connection) == b""
+        for connection in (moving, still[-1]):
+            connection.settimeout(0.2)
+            with pytest.raises(TimeoutError):
+                connection.recv(1)
