@@ -153,7 +153,7 @@ class MatrixMistakeType(MistakeType[MatrixMistakePart, FoundMatrixMistakeCells, 
         column = self.number(raw.cell_column, "cell_column", range(1, 5), reading, "column_unknown")
         mistake = self.known_name(raw.mistake, reading, sorted(self.catalogue))
         mended = None
-        if raw.mended_matrix is not None:
+        if raw.mended_matrix is not None and any(cell != "" for cells in raw.mended_matrix for cell in cells):
             mended = read_known_matrix(raw.mended_matrix, reading, self.kind, "mended_matrix")
         if len(reading.faults) > before:
             return None

@@ -36,6 +36,15 @@ def test_place_name_and_repair_earn_a_third_each(name: str) -> None:
     assert found.judged(right).score == 1.0
 
 
+def test_a_matrix_of_empty_cells_is_none_given() -> None:
+    """As of a row or a frame: place and name stand by themselves."""
+    found = student(EXERCISES[0], 3)
+    planted: PlantedMatrix = found.instance.drawn[PART.kind]
+    report = found.judged(FoundMatrixMistakeCells(mistake=planted.code, mended_matrix=(("",) * 4,) * 4))
+    assert report.score == pytest.approx(1 / 3)
+    assert {entry.code for entry in report.feedback} == {"matrix_mistake_missing"}
+
+
 def test_an_entry_that_is_right_is_no_place_even_beside_the_mended_matrix() -> None:
     found = student(EXERCISES[0], 3)
     planted: PlantedMatrix = found.instance.drawn[PART.kind]
