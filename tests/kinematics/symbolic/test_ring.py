@@ -35,3 +35,14 @@ def test_coordinates_turn_by_cosine_and_sine(angle: Fraction | str, which: tuple
     assert ring.is_zero(ring.add(second, ring.add(ring.multiply(sine, x), ring.multiply(cosine, y)), -1))
     square = ring.add(ring.multiply(cosine, cosine), ring.multiply(sine, sine))
     assert ring.is_zero(ring.add(square, ONE_FORM, -1))
+
+
+@pytest.mark.parametrize("factor", [Fraction(1, 2), Fraction(3, 4), Fraction(-5, 6), Fraction(7, 3)], ids=str)
+@pytest.mark.parametrize("times", [2, 3, 4])
+def test_a_form_is_in_lowest_terms_whichever_way_it_was_made(factor: Fraction, times: int) -> None:
+    ring = Ring()
+    whole = ring.add(ring.symbol(RingSymbol("power", "L1")), ring.rational(5))
+    wanted = ring.scale(whole, factor)
+    assert ring.scale(ring.scale(whole, times), factor / times) == wanted
+    assert ring.multiply(ring.scale(whole, times), ring.rational(factor / times)) == wanted
+    assert ring.add(ring.scale(whole, factor * times), ring.scale(whole, factor * (times - 1)), -1) == wanted
