@@ -39,6 +39,9 @@ _PUBLIC = re.compile(f"https?://{_NAMED}({PREFIX.pattern})?/?")
 LONGEST_DAYS = 36_500
 """A hundred years: what is kept longer is kept for ever."""
 
+LONGEST_SECONDS = 86_400
+"""A day: longer times are no limits, and timers of the system do not take infinity."""
+Seconds = Annotated[float, Field(gt=0, le=LONGEST_SECONDS)]
 Names = Annotated[tuple[str, ...], NoDecode]
 
 
@@ -75,8 +78,11 @@ class Settings(BaseSettings):
         "",
         description="OpenTelemetry collector (OTLP over HTTP) for traces; needs the extra telemetry",
     )
-    shutdown_seconds: PositiveInt = Field(
-        10, description="time for requests to finish when the server is told to stop [s]"
+    shutdown_seconds: int = Field(
+        10,
+        ge=1,
+        le=LONGEST_SECONDS,
+        description="time for requests to finish when the server is told to stop [s]",
     )
     prefix: str = Field("", description="path under which a reverse proxy serves this, such as /dh")
     trusted_proxies: Names = Field(
@@ -94,7 +100,7 @@ class Settings(BaseSettings):
     batch_body_limit: PositiveInt = Field(
         32 * MIB, description="largest request body of a call that takes batches [byte]"
     )
-    read_seconds: PositiveFloat = Field(
+    read_seconds: Seconds = Field(
         10.0, description="time that a body may take to arrive, and a second more for each 16 KiB of it [s]"
     )
     batch_limit: PositiveInt = Field(200_000, description="most configurations in one request")
@@ -120,14 +126,14 @@ class Settings(BaseSettings):
     table_cache: PositiveInt = Field(512, description="parsed tables in the cache")
     symbolic_workers: PositiveInt = Field(1, description="processes for closed forms")
     symbolic_queue: NonNegativeInt = Field(256, description="closed forms that may wait for their turn")
-    symbolic_seconds: PositiveFloat = Field(
-        5.0, description="processor time that one closed form may take [s]"
-    )
-    queue_seconds: PositiveFloat = Field(
+    symbolic_seconds: Seconds = Field(5.0, description="processor time that one closed form may take [s]")
+    queue_seconds: Seconds = Field(
         20.0, description="time that a request may wait for its turn, wherever it waits [s]"
     )
-    symbolic_memory: PositiveInt = Field(
-        1024 * MIB, description="memory that one process for closed forms may take [byte]"
+    symbolic_memory: int = Field(
+        1024 * MIB,
+        ge=256 * MIB,
+        description="memory that one process for closed forms may take, at least 256 MiB [byte]",
     )
 
     storage: Literal["on", "off"] = Field(

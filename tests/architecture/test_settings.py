@@ -57,6 +57,12 @@ def test_every_setting_is_explained() -> None:
         ("CALLBACK_HOSTS", "*"),
         ("PEOPLE_DAYS", "99999999999"),
         ("ACCESS_DAYS", "99999999999"),
+        ("READ_SECONDS", "inf"),
+        ("SYMBOLIC_SECONDS", "inf"),
+        ("SYMBOLIC_SECONDS", "1e300"),
+        ("QUEUE_SECONDS", "inf"),
+        ("SHUTDOWN_SECONDS", "99999999999"),
+        ("SYMBOLIC_MEMORY", "1048576"),
     ],
 )
 def test_a_setting_that_is_wrong_stops_the_service_and_is_named(
