@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from fractions import Fraction
+
 import numpy as np
 import pytest
 
 from kinematics import catalogue
 from kinematics.chain import chain_of_table
-from kinematics.expressions import ZERO, Parameter, evaluate
+from kinematics.expressions import ZERO, Parameter, evaluate, pi_times
 from kinematics.symbolic.determinants import MotionRows, largest_minor, minor_factors
 from kinematics.table import Convention, DHTable, JointType, SymbolicTable, bind
 from tests.kinematics.symbolic.tables import row
@@ -132,3 +134,16 @@ def test_an_arm_whose_tip_never_moves_has_no_minor() -> None:
     minor, only = largest_minor(table, TRANSLATION)
     assert minor.expression() == ZERO
     assert only
+
+
+def test_a_factor_that_no_tangent_of_a_half_angle_shows_is_found() -> None:
+    """1 + cos q2 = 2 / (1 + t²) has no zero in t; the arm folds back onto its first axis at q2 = π."""
+    length, quarter = Parameter("L1"), pi_times(Fraction(1, 2))
+    folding = DHTable(
+        convention=Convention.STANDARD,
+        rows=(row(JointType.FIXED, alpha=quarter), row(a=length, alpha=quarter), row(a=length)),
+    )
+    factors, _ = minor_factors(folding, TRANSLATION)
+    at = {q2: [abs(evaluate(f, {"L1": 1.0}, [0.7, q2])) for f in factors] for q2 in (np.pi, 0.0)}
+    assert min(at[np.pi]) < 1e-12
+    assert min(at[0.0]) > 1e-3
