@@ -15,10 +15,11 @@ from numpy.typing import NDArray
 
 from exercises.grading.typed import Place
 from kinematics.equivalence import BaseRule, Policy, ToolRule
-from kinematics.equivalence.batches import Variation, axes_of_tables
+from kinematics.equivalence.batches import Variation
 from kinematics.equivalence.invariants import FLOOR, Invariants, invariants_of
-from kinematics.equivalence.measures import Shape, measured
+from kinematics.equivalence.measures import Shape
 from kinematics.equivalence.reference import Reference
+from kinematics.equivalence.row_measures import measured_of_tables
 from kinematics.table import NumericTable
 
 Floats = NDArray[np.float64]
@@ -117,7 +118,7 @@ def _measured_as_typed(
     for (i, cell), step in steps:
         here = getattr(table.rows[i], cell)
         variations += (0, ((i, cell, here + step),)), (0, ((i, cell, here - step),))
-    return measured(shapes, axes_of_tables((table,), variations, policy))
+    return measured_of_tables(shapes, (table,), variations, policy)
 
 
 def _reaches(sizes: Floats) -> Floats:

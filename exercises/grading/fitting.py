@@ -19,13 +19,14 @@ from exercises.grading.typed import ANGLES, Place
 from exercises.grading.work import VARIABLE_CELLS, Work
 from kinematics.chain import chain_of_table
 from kinematics.equivalence import Policy
-from kinematics.equivalence.batches import CellChange, Variation, axes_of_tables
+from kinematics.equivalence.batches import CellChange, Variation
 from kinematics.equivalence.cell_fitting import fitted_cells
 from kinematics.equivalence.diagnosis import likely_signs
 from kinematics.equivalence.invariants import Invariants
 from kinematics.equivalence.measures import Measure
 from kinematics.equivalence.meter import PER_ALIGNMENT, per_batch
 from kinematics.equivalence.reference import Reference
+from kinematics.equivalence.row_measures import measured_of_tables
 from kinematics.table import NumericTable
 
 # A cell that changes an invariant by a smaller share has nothing to do with it.
@@ -65,7 +66,7 @@ def measured(
     invariants = work.invariants
     rows = max(len(table.rows) for table in tables)
     work.meter.charge(per_batch(len(variations), rows, len(invariants.shapes)))
-    return invariants.measured(axes_of_tables(tables, variations, work.policy))
+    return measured_of_tables(invariants.shapes, tables, variations, work.policy)
 
 
 def fitting_values(

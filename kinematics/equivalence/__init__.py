@@ -21,7 +21,7 @@ Proof:
 What does not fit:
   diagnosis       fact by fact
   invariants, home_invariants  facts that no choice of frames changes
-  measures, batches  the same of many tables at once
+  measures, batches  the same of many tables at once; row_measures, where their rows show it
   cell_fitting    cells with which a table would be the robot
   rounding        what the rounding of entries can do
 """

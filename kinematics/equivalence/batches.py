@@ -70,7 +70,7 @@ def axes_of_tables(
         The axes of every candidate: the base's place, the joints', the tool's.
     """
     which = [number for number, _ in variations]
-    directions, points, end = _carried(_cells(tables, variations, which))
+    directions, points, end = _carried(cells_of_tables(tables, variations))
     joints = [table.joint_rows for table in tables]
     n, k = len(joints[0]), len(which)
     found = AxisBatch(np.zeros((n + 2, 3, k)), np.zeros((n + 2, 3, k)))
@@ -94,8 +94,12 @@ def axes_of_tables(
     return found
 
 
-def _cells(tables: Sequence[NumericTable], variations: Sequence[Variation], which: Sequence[int]) -> Numbers:
-    """The four numbers of every row in the order of a modified table, (rows, 4, k)."""
+def cells_of_tables(tables: Sequence[NumericTable], variations: Sequence[Variation]) -> Numbers:
+    """Return the four numbers of every row in the order of a modified table, (rows, 4, k).
+
+    They are exp(-iα), a, exp(-iθ) and d; arguments as of `axes_of_tables`.
+    """
+    which = [number for number, _ in variations]
     lower = [table.convention is Convention.STANDARD for table in tables]
     length = max(len(table.rows) + down for table, down in zip(tables, lower, strict=True))
     plain = _plain(tables, lower, length)

@@ -16,12 +16,12 @@ from exercises.grading import (
     Tolerance,
     ToolRule,
     ZeroRule,
-    fitting,
     grade,
 )
 from exercises.grading.comparison import comparisons
 from exercises.grading.explanation import work_on
 from exercises.grading.repairs import MOST_WORK, find_repairs
+from kinematics.equivalence import row_measures
 from kinematics.equivalence.batches import AxisBatch, Variation, axes_of_tables
 from kinematics.equivalence.meter import OVERDRAFT, PER_ROUND, Meter, WorkExhaustedError
 from kinematics.table import NumericTable
@@ -107,7 +107,7 @@ def test_long_tables_are_tried_less_often(monkeypatch: pytest.MonkeyPatch) -> No
         carried.append(len(variations) * max(len(table.rows) for table in tables))
         return axes_of_tables(tables, variations, policy)
 
-    monkeypatch.setattr(fitting, "axes_of_tables", counted)
+    monkeypatch.setattr(row_measures, "axes_of_tables", counted)
     hostile_answers(25, 2)
     assert 10**5 < sum(carried) < 10**6
 

@@ -1,0 +1,159 @@
+"""What is measured between joint axes, read off the rows of tables where one row leads to the next joint.
+
+There α is the angle between the axes, `a` the distance along their common normal, counted as z × z' points,
+and d what lies between the feet of two normals; no axis need be carried through space. Along parallel axes
+the d add up, each as its axis points. What is not seen so is measured between the axes: where rows without a
+joint, sliders or frames take part, and axes that are parallel only nearly.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.equivalence.batches import Floats, Variation, axes_of_tables, cells_of_tables
+from kinematics.equivalence.measures import PARALLEL, Measure, Shape, measured
+from kinematics.equivalence.policy import Policy
+from kinematics.table import NumericTable
+
+Places = NDArray[np.intp]
+
+# A sine: axes are parallel but for the errors of the arithmetic.
+EXACTLY = 1e-12
+
+
+def measured_of_tables(
+    shapes: tuple[Shape, ...], tables: Sequence[NumericTable], variations: Sequence[Variation], policy: Policy
+) -> Floats:
+    """(q, k) invariants of tables in which some cells are changed, as their axes point.
+
+    Args:
+        shapes: the invariants, as `measured` takes them.
+        tables: tables with the same number of joints.
+        variations: the candidates.
+        policy: what is fixed at the ends.
+    """
+    joints = tables[0].joint_rows
+    seen = _seen(shapes, len(joints)) if joints and _has_a_row_each(tables) else None
+    if seen is None:
+        return measured(shapes, axes_of_tables(tables, variations, policy))
+    first, last = joints[0], joints[-1] + 1
+    cells = cells_of_tables(tables, variations)
+    found, doubtful = _read(seen, cells[first + 1 : last], cells[first:last, 3].real)
+    if doubtful.any():
+        which = np.flatnonzero(doubtful)
+        some = [variations[k] for k in which.tolist()]
+        found[:, which] = measured(shapes, axes_of_tables(tables, some, policy))
+    return found
+
+
+def _has_a_row_each(tables: Sequence[NumericTable]) -> bool:
+    """Whether the same rows, one after the other, hold the joints of all tables, none of them reversed."""
+    rows = tables[0].joint_rows
+    return rows[-1] - rows[0] == len(rows) - 1 and all(
+        table.joint_rows == rows and all(table.rows[i].sign > 0 for i in rows) for table in tables
+    )
+
+
+class _Seen(NamedTuple):
+    """Invariants by what they are read off; links and joints are counted from 0, link i leading from joint i.
+
+    Attributes:
+        number: how many there are.
+        angles: places among the invariants, and links.
+        normals: of distances the same.
+        offsets: places, and joints, of offsets along one axis.
+        runs: places, and the first and the last joint, of offsets along several.
+        flat: links between axes that must be parallel, or steep.
+        steep: the latter.
+    """
+
+    number: int
+    angles: tuple[Places, Places]
+    normals: tuple[Places, Places]
+    offsets: tuple[Places, Places]
+    runs: tuple[tuple[int, int, int], ...]
+    flat: Places
+    steep: Places
+
+
+@lru_cache(maxsize=1024)
+def _seen(shapes: tuple[Shape, ...], joints: int) -> _Seen | None:
+    """What is read where; None if not all is seen in the rows."""
+    angles: list[tuple[int, int]] = []
+    normals: list[tuple[int, int]] = []
+    offsets: list[tuple[int, int]] = []
+    runs: list[tuple[int, int, int]] = []
+    flat: set[int] = set()
+    steep: set[int] = set()
+    for place, (measure, axes) in enumerate(shapes):
+        if min(axes) < 1 or max(axes) > joints or measure is Measure.TURN:
+            return None
+        if measure is Measure.OFFSET:
+            before, first, last, after = (axis - 1 for axis in axes)
+            if before != first - 1 or after != last + 1:
+                return None
+            steep |= {before, last}
+            flat |= set(range(first, last))
+            if first == last:
+                offsets.append((place, first))
+            else:
+                runs.append((place, first, last))
+            continue
+        if axes[1] != axes[0] + 1:
+            return None
+        if measure is Measure.ANGLE:
+            angles.append((place, axes[0] - 1))
+        elif set(axes[2:]) <= set(axes[:2]):
+            normals.append((place, axes[0] - 1))
+            if len(axes) == 3:
+                flat.add(axes[0] - 1)
+        else:
+            return None
+    return _Seen(
+        number=len(shapes),
+        angles=_columns(angles),
+        normals=_columns(normals),
+        offsets=_columns(offsets),
+        runs=tuple(runs),
+        flat=_numbers(flat),
+        steep=_numbers(steep),
+    )
+
+
+def _columns(pairs: Sequence[tuple[int, int]]) -> tuple[Places, Places]:
+    places, numbers = np.array(pairs, dtype=np.intp).reshape(-1, 2).T
+    return places, numbers
+
+
+def _numbers(links: set[int]) -> Places:
+    return np.array(sorted(links), dtype=np.intp)
+
+
+def _read(seen: _Seen, links: NDArray[np.complex128], d: Floats) -> tuple[Floats, NDArray[np.bool_]]:
+    """The invariants (q, k), and in which tables they are not what is read: (k,).
+
+    Args:
+        seen: what is read where.
+        links: (joints - 1, 4, k) the rows that lead from joint to joint, as `cells_of_tables` gives them.
+        d: (joints, k) the offsets of all joints.
+    """
+    cosine, sine, a = links[:, 0].real, -links[:, 0].imag, links[:, 1].real
+    size = np.abs(sine)
+    found = np.empty((seen.number, d.shape[1]))
+    places, which = seen.angles
+    found[places] = np.arctan2(size, cosine)[which]
+    places, which = seen.normals
+    found[places] = np.where(size > PARALLEL, np.copysign(a, a * sine), np.abs(a))[which]
+    places, which = seen.offsets
+    found[places] = d[which]
+    for place, first, last in seen.runs:
+        ways = np.copysign(1.0, np.multiply.accumulate(cosine[first:last], axis=0))
+        found[place] = d[first] + (ways * d[first + 1 : last + 1]).sum(axis=0)
+    between = (size > EXACTLY) & (size <= PARALLEL)
+    out_of_line = between.sum(axis=0) + (size[seen.flat] > EXACTLY).sum(axis=0)
+    return found, out_of_line + (size[seen.steep] <= PARALLEL).sum(axis=0) > 0
