@@ -18,6 +18,7 @@ What is wrong?
   cell_edits, row_edits, table_edits  the ways to undo it
   work           what an edit is tried on
   fitting, joint_places  values and places that fit
+  sieve          edits that are seen to fail, without measuring
   trials         all edits at once
   repairs        the smallest edits that mend the table; `in_common` what equally small ones share
   own_table      whether a table is the key's own

@@ -8,7 +8,7 @@ from __future__ import annotations
 import logging
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cache
+from functools import cache, lru_cache
 
 from exercises.grading.comparison import Comparison
 from exercises.grading.digits import tightened
@@ -35,6 +35,8 @@ from kinematics.table import CELLS, DHTable, JointType
 
 _LOG = logging.getLogger(__name__)
 _ROW_PARAMS = ("row", "other", "place")
+WAYS_REMEMBERED = 32
+"""More than the ways in which one answer may be meant."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -85,7 +87,7 @@ def diagnosis(
     score = 0.0
     try:
         if decision is not IMPRECISE:
-            repairs = find_repairs(work)
+            repairs = find_repairs(replace(work, meter=Meter(MOST_WORK)))
     except Exception:
         _LOG.exception("no repairs")
     try:
@@ -146,8 +148,12 @@ def clearest(
     return off.index(min(off))
 
 
+@lru_cache(maxsize=WAYS_REMEMBERED)
 def work_on(comparison: Comparison, tables: tuple[ReadTable, ReadTable], policy: Policy) -> Work:
-    """Return the key and an answer, with what edits of it are tried against."""
+    """Return the key and an answer, with what edits of it are tried against.
+
+    Remembered: ways in which an answer may be meant are compared by it, and the clearest is repaired.
+    """
     strict = policy_of(comparison, policy)
     share = share_of(comparison)
     references = tuple(

@@ -47,6 +47,9 @@ from exercises.grading.table_edits import (
 from exercises.grading.typed import ANGLES
 from exercises.grading.work import Change, TableSlip, Work
 
+ALL, NONE = frozenset({"alpha", "a", "d"}), frozenset[str]()
+TWISTS, ALONG_X, LENGTHS = frozenset({"alpha"}), frozenset({"alpha", "a"}), frozenset({"a", "d"})
+
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Misconception:
@@ -61,6 +64,7 @@ class Misconception:
         cells: those of a row of which it concerns one by itself.
         counts: undoing it changes how many joints there are.
         beforehand: it is undone first where it comes together with one that changed their number.
+        sizes: the columns in which undoing it may put entries of another size.
     """
 
     code: str
@@ -71,6 +75,7 @@ class Misconception:
     cells: tuple[str, ...] = ()
     counts: bool = False
     beforehand: bool = False
+    sizes: frozenset[str] = ALL
 
     @property
     def codes(self) -> tuple[str, ...]:
@@ -107,6 +112,7 @@ CATALOGUE: tuple[Misconception, ...] = (
         changes=all_in_degrees,
         hint="angles_throughout",
         beforehand=True,
+        sizes=TWISTS,
     ),
     Misconception(
         code="angles_in_radians",
@@ -114,6 +120,7 @@ CATALOGUE: tuple[Misconception, ...] = (
         changes=all_in_radians,
         hint="angles_throughout",
         beforehand=True,
+        sizes=TWISTS,
     ),
     Misconception(
         code="length_unit",
@@ -121,6 +128,7 @@ CATALOGUE: tuple[Misconception, ...] = (
         changes=all_in_other_length_unit,
         hint="lengths_throughout",
         beforehand=True,
+        sizes=LENGTHS,
     ),
     Misconception(
         code="columns_late",
@@ -128,6 +136,7 @@ CATALOGUE: tuple[Misconception, ...] = (
         changes=columns_a_row_late,
         hint="columns_throughout",
         beforehand=True,
+        sizes=ALONG_X,
     ),
     Misconception(
         code="columns_early",
@@ -135,6 +144,7 @@ CATALOGUE: tuple[Misconception, ...] = (
         changes=columns_a_row_early,
         hint="columns_throughout",
         beforehand=True,
+        sizes=ALONG_X,
     ),
     Misconception(
         code="columns_exchanged",
@@ -162,18 +172,28 @@ CATALOGUE: tuple[Misconception, ...] = (
         story="typed one angle in degrees in a table in radians",
         changes=angle_in_degrees,
         cells=ANGLES,
+        sizes=TWISTS,
     ),
     Misconception(
         code="cell_in_radians",
         story="typed one angle in radians in a table in degrees",
         changes=angle_in_radians,
         cells=ANGLES,
+        sizes=TWISTS,
     ),
     Misconception(
-        code="alpha_sign", story="turned a twist the wrong way", changes=alpha_sign, cells=("alpha",)
+        code="alpha_sign",
+        story="turned a twist the wrong way",
+        changes=alpha_sign,
+        cells=("alpha",),
+        sizes=NONE,
     ),
     Misconception(
-        code="alpha_value", story="took a twist for another one", changes=alpha_value, cells=("alpha",)
+        code="alpha_value",
+        story="took a twist for another one",
+        changes=alpha_value,
+        cells=("alpha",),
+        sizes=TWISTS,
     ),
     Misconception(
         code="twists_all_reversed",
@@ -181,12 +201,21 @@ CATALOGUE: tuple[Misconception, ...] = (
         changes=all_twists_turned_round,
         hint="twists_throughout",
         beforehand=True,
+        sizes=NONE,
     ),
     Misconception(
-        code="a_sign", story="measured a length against the x axis", changes=sign_of_length, cells=("a",)
+        code="a_sign",
+        story="measured a length against the x axis",
+        changes=sign_of_length,
+        cells=("a",),
+        sizes=NONE,
     ),
     Misconception(
-        code="d_sign", story="measured an offset against the z axis", changes=sign_of_offset, cells=("d",)
+        code="d_sign",
+        story="measured an offset against the z axis",
+        changes=sign_of_offset,
+        cells=("d",),
+        sizes=NONE,
     ),
     Misconception(code="a_d_swapped", story="wrote a under d and d under a", changes=cells_swapped),
     Misconception(
@@ -195,12 +224,14 @@ CATALOGUE: tuple[Misconception, ...] = (
         changes=parameters_swapped,
         hint="names_throughout",
         beforehand=True,
+        sizes=LENGTHS,
     ),
     Misconception(
         code="cell_length_unit",
         story="typed one length in a unit that is not the declared one",
         changes=length_in_other_unit,
         cells=("a", "d"),
+        sizes=LENGTHS,
     ),
     Misconception(
         code="a_value",
@@ -208,6 +239,7 @@ CATALOGUE: tuple[Misconception, ...] = (
         changes=length_value,
         cells=("a",),
         told_as=LENGTH_STORIES,
+        sizes=frozenset({"a"}),
     ),
     Misconception(
         code="d_value",
@@ -215,6 +247,7 @@ CATALOGUE: tuple[Misconception, ...] = (
         changes=offset_value,
         cells=("d",),
         told_as=OFFSET_STORIES,
+        sizes=frozenset({"d"}),
     ),
     Misconception(
         code="theta_value",
@@ -222,12 +255,14 @@ CATALOGUE: tuple[Misconception, ...] = (
         changes=theta_value,
         cells=("theta",),
         told_as=("theta_value", "theta_offset"),
+        sizes=NONE,
     ),
     Misconception(
         code="variable_sign",
         story="counted a variable the wrong way",
         changes=sign_of_variable,
         cells=("theta", "d"),
+        sizes=NONE,
     ),
     Misconception(
         code="joint_type",
@@ -257,6 +292,7 @@ CATALOGUE: tuple[Misconception, ...] = (
         story="left out the last row, without a variable, that leads to the marked point",
         changes=fixed_row_left_out,
         hint="row_missing",
+        sizes=NONE,
     ),
     Misconception(
         code="row_extra",
@@ -279,9 +315,13 @@ HINTS = {code: entry.hint for entry in CATALOGUE if entry.hint is not None for c
 
 def changes_of(work: Work) -> Iterator[Change]:
     """Every change of the catalogue with which a table may have the key's joints, and which is wanted."""
-    excess, only = work.excess, work.only
+    excess, only, lacking = work.excess, work.only, work.lacking
     for misconception in CATALOGUE:
-        if (misconception.counts or not excess) and (only is None or misconception.may_be(only)):
+        if (
+            (misconception.counts or not excess)
+            and (only is None or misconception.may_be(only))
+            and lacking <= misconception.sizes
+        ):
             yield from misconception.changes(work)
 
 

@@ -113,6 +113,7 @@ def drawn_value(name: str, attempt: int, values: Values) -> float:
     return middle * (1.0 + _deviation(name, attempt, 0.6))
 
 
+@lru_cache(maxsize=256)
 def has_a_value_always(table: SymbolicTable) -> bool:
     """Whether a table has a value at every draw, which then owes nothing to given values: it has no root."""
     entries = (getattr(row, cell) for row in table.rows for cell in CELLS)

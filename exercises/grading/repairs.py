@@ -13,8 +13,9 @@ from exercises.grading.fitting import MOST_SIGNS
 from exercises.grading.misconceptions import RANKS, changes_beforehand, changes_of
 from exercises.grading.own_table import is_own_table
 from exercises.grading.row_edits import any_row_left_out, joint_left_out, row_left_out
+from exercises.grading.sieve import Sieve
 from exercises.grading.trials import Catalogue, Trial, finishing_reaches, tried, tried_unchanged
-from exercises.grading.work import EVERYWHERE, LENGTHS, Change, Extent, Work, after
+from exercises.grading.work import ANYTHING, EVERYWHERE, LENGTHS, Change, Extent, Work, after
 from kinematics.equivalence.meter import WorkExhaustedError
 from kinematics.equivalence.search import Effort
 from kinematics.table import NumericTable
@@ -111,7 +112,7 @@ def _is_of_the_key(change: Change, key: NumericTable) -> bool:
 def _found(work: Work) -> Iterator[Repaired]:
     """Single edits, by growing effort; if there are none, pairs."""
     here = tried_unchanged(work)
-    near = work if here is None else replace(work, reach=here.reach, angular=here.angular)
+    near = work if here is None else replace(work, reach=here.reach, angular=here.angular, off=here.off)
     (trials,) = tried([near])
     trials.sort(key=lambda trial: _likelihood(trial.change, work.table))
     ways = [_helping(work, trials, Effort.PLAIN)]
@@ -143,6 +144,7 @@ def _fitted(work: Work) -> Iterator[Change]:
     """Single edits found by fitting a cell to the whole robot; those made before the work runs out count."""
     made: list[Change] = []
     with work.meter.at_most(WORK_OF_FITTING):
+        work = Sieve(work).narrowed()
         work = replace(work, reach=finishing_reaches([work])[0])
         (put_in,) = tried([work], row_left_out, finishing=False)
         places = frozenset(trial.change.row for trial in put_in)
@@ -173,7 +175,7 @@ def _helping(work: Work, trials: Iterable[Trial], effort: Effort) -> Iterator[Ch
 
 def _is_right(work: Work, edited: Work, changes: Sequence[Change], effort: Effort) -> bool:
     """Whether edits make a table right at every draw, the last one made in what the others led to."""
-    if work.draw:
+    if work.draw or len(work.references) == 1:
         return edited.accepts(changes[-1], effort)
     if effort is Effort.PLAIN and work.accepts_alike(changes, effort):
         return True
@@ -219,16 +221,17 @@ def _pairs(work: Work, first: Sequence[Trial]) -> Iterator[Repaired]:
 def _halves(work: Work, trials: Iterable[Trial], *, keeping: bool = False) -> list[Work]:
     """The table with each of some edits made; what one has changed is kept, unless that was all there is."""
     halves = []
-    for change, _, _, _, reach, angular in trials:
+    for change, _, _, _, reach, angular, off in trials:
         keeps = keeping and not (change.row is None and work.excess)
         kept = frozenset(change.places if keeps else ())
-        halves.append(work.edited(change, reach, angular=angular, kept=kept))
+        halves.append(work.edited(change, reach, angular=angular, off=off, kept=kept))
     return halves
 
 
 def _nearer(work: Work, here: Trial | None, catalogue: Catalogue = changes_of) -> list[Trial]:
     """The edits of a catalogue that bring the table nearer to the key, so that one more may mend it."""
-    (made,) = tried([work], catalogue, finishing=False)
+    most = None if here is None else max(here.failing - 1, 0)
+    (made,) = tried([work], catalogue, finishing=False, most_failing=most)
     first = [trial for trial in made if trial.meets and _is_nearer(trial, here)]
     first.sort(key=lambda trial: (trial.failing, trial.misplaced, RANKS[trial.change.code]))
     return first[:MOST_FIRST_EDITS]
@@ -243,4 +246,6 @@ def _is_nearer(trial: Trial, before: Trial | None) -> bool:
 def _beforehand(work: Work) -> list[Trial]:
     """The edits after which one that mends the count of the joints might finish; they cannot be tried."""
     changes = islice(changes_beforehand(work), MOST_BEFOREHAND)
-    return [Trial(change, 0, 0, might=False, reach=EVERYWHERE, angular=False) for change in changes]
+    return [
+        Trial(change, 0, 0, might=False, reach=EVERYWHERE, angular=False, off=ANYTHING) for change in changes
+    ]

@@ -44,7 +44,7 @@ def joint_of_other_type(work: Work) -> Iterator[Change]:
 def joint_left_out(work: Work) -> Iterator[Change]:
     """Give a variable to a row without one, or the reverse."""
     before = 0
-    for i, row in enumerate(work.table.rows):
+    for i, row in enumerate(work.table.rows if work.excess else ()):
         before += row.joint is not JointType.FIXED
         if row.joint is JointType.FIXED and work.excess < 0 and work.is_place(before + 1):
             for joint in sorted(set(work.reference.table.joint_types)):

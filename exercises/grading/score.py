@@ -88,8 +88,9 @@ def lost(decision: Decision, work: Work, weights: Weights) -> float:
     return wrong + weights.rule * (rules)
 
 
+@lru_cache(maxsize=32)
 def _wrong(work: Work, standard: _Standard) -> float:
-    """The weight of the facts that are wrong."""
+    """The weight of the facts that are wrong; asked for by what compares ways, and twice by the score."""
     facts = replace(standard.facts, invariants=work.facts)
     axes = axes_of(chain_of_table(work.table), work.policy)
     if not axes:

@@ -163,7 +163,7 @@ def _in_order(work: Work, code: str, belongs: dict[str, str], **params: str) -> 
     A number keeps what was typed: 90 under a, in a table in degrees, was a right angle. A name is what it is
     under every column.
     """
-    if work.angular and set(belongs) == set(LENGTHS):
+    if (work.angular and set(belongs) == set(LENGTHS)) or not work.lacking <= belongs.keys():
         return
     if not work.leaves(tuple(belongs), sliders="d" not in belongs):
         return

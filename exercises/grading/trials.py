@@ -11,11 +11,12 @@ from numpy.typing import NDArray
 
 from exercises.grading.digits import measured_as_typed
 from exercises.grading.facts import fixed_ends, fixed_signs, least_cost
-from exercises.grading.fitting import Unsolved, fitting_values, measured
+from exercises.grading.fitting import OFF, Unsolved, fitting_values, measured
 from exercises.grading.joint_places import joint_places
 from exercises.grading.misconceptions import changes_of
+from exercises.grading.sieve import Sieve
 from exercises.grading.typed import ANGLES
-from exercises.grading.work import EVERYWHERE, FAR, VARIABLE_CELLS, Change, Extent, Work
+from exercises.grading.work import EVERYWHERE, FAR, VARIABLE_CELLS, Change, Extent, Off, Work
 from kinematics.equivalence import DirectionRule, ZeroRule
 from kinematics.equivalence.batches import Variation
 from kinematics.table import NumericTable
@@ -39,6 +40,7 @@ class Trial(NamedTuple):
         reach: what an edit must have to do with that mends all facts that fail, or, if none does, all that
             is misplaced: joints from … to.
         angular: an angle is among them, so that lengths alone do not mend them.
+        off: what is off at all; see `Work`.
     """
 
     change: Change
@@ -47,6 +49,7 @@ class Trial(NamedTuple):
     might: bool
     reach: tuple[int, int]
     angular: bool
+    off: Off
 
     @property
     def meets(self) -> bool:
@@ -62,6 +65,7 @@ def tried(
     catalogue: Catalogue = changes_of,
     *,
     finishing: bool = True,
+    most_failing: int | None = None,
 ) -> list[list[Trial]]:
     """Return the edits of a catalogue, tried on tables.
 
@@ -69,12 +73,20 @@ def tried(
         works: tables for one key, at the same draw.
         catalogue: the edits that may be made to a table.
         finishing: only edits are wanted after which the table might be the robot.
+        most_failing: after others that are not wanted either more facts than these fail; None: any may.
 
     Returns:
         For every table the edits with which its joints are those of the key.
     """
     if not works:
         return []
+    sieves: list[Sieve] = []
+    if finishing:
+        sieves = [Sieve(work) for work in works]
+        works = [sieve.narrowed() for sieve in sieves]
+    elif most_failing is not None:
+        sieves = [Sieve(work, most_failing) for work in works]
+        works = [sieve.concerned() for sieve in sieves]
     fits = _fits(works)
     reaches = finishing_reaches(works) if finishing else [work.reach for work in works]
     made = [
@@ -84,6 +96,10 @@ def tried(
     ]
     trials: list[list[Trial]] = [[] for _ in works]
     while made:
+        if sieves:
+            made = [(number, change) for number, change in made if not sieves[number].holds_back(change)]
+        if not made:
+            break
         batch = _Batch(works, made)
         found = batch.trials()
         for (number, _), trial in zip(made, found, strict=True):
@@ -116,15 +132,24 @@ def tried_unchanged(work: Work) -> Trial | None:
 
 
 def _fits(works: Sequence[Work]) -> list[dict[tuple[int, str], list[float]]]:
-    """Values that fit, for every cell of the tables that have the key's joints."""
-    wanted = [
-        Unsolved(number, (), _cells(work)) for number, work in enumerate(works) if work.has_the_joints()
-    ]
+    """Values that fit, for the cells of the tables that have the key's joints, where any fact is off."""
     found: list[dict[tuple[int, str], list[float]]] = [{} for _ in works]
+    wanted: list[Unsolved] = []
+    for number, work in enumerate(works):
+        places = []
+        angles, lengths, misplaced = work.off
+        for row, cell in _cells(work) if work.has_the_joints() else ():
+            moves = cell == VARIABLE_CELLS.get(work.table.rows[row].joint)
+            if misplaced if moves else angles if cell in ANGLES else lengths:
+                places.append((row, cell))
+            elif not moves and (angles or lengths):
+                found[number][row, cell] = []
+        if places:
+            wanted.append(Unsolved(number, (), places))
     if wanted:
         tables = [work.table if work.has_the_joints() else works[wanted[0].number].table for work in works]
         for unsolved, values in zip(wanted, fitting_values(works[0], tables, wanted), strict=True):
-            found[unsolved.number] = values
+            found[unsolved.number] |= values
     return found
 
 
@@ -141,12 +166,12 @@ def finishing_reaches(works: Sequence[Work]) -> list[tuple[int, int]]:
 
 def _cells(work: Work) -> list[tuple[int, str]]:
     """The cells that are no variable's, may mend all that fails, and are not kept as they are."""
-    if work.only is not None and work.only.code is not None:
+    if (work.only is not None and work.only.code is not None) or len(work.lacking) > 1:
         return []
     return [
         (i, cell)
         for i, row in work.rows
-        for cell in (ANGLES if work.angular else ("a", "d", *ANGLES))
+        for cell in work.lacking or (ANGLES if work.angular else ("a", "d", *ANGLES))
         if (work.only is None or cell == work.only.cell)
         and (i, cell) not in work.kept
         and (work.policy.zero is ZeroRule.FIGURE or cell != VARIABLE_CELLS.get(row.joint))
@@ -226,12 +251,18 @@ class _Batch:
         return number, id(change.table), *cells.items()
 
 
-def _judged(work: Work, found: NDArray[np.float64]) -> list[tuple[int, int, bool, tuple[int, int], bool]]:
+def _judged(
+    work: Work, found: NDArray[np.float64]
+) -> list[tuple[int, int, bool, tuple[int, int], bool, Off]]:
     """What a trial says of tables, from their invariants (q, k): all but the change."""
     invariants, axes = work.invariants, len(work.reference.chain.axes) + 2
     fixed = fixed_ends(axes, work.policy)
-    failing = invariants.strains(found) > 1.0
-    counts = failing[: work.n_facts].sum(axis=0)
+    strains, facts = invariants.strains(found), work.n_facts
+    failing, strained = strains > 1.0, strains > OFF
+    angles = invariants.angular[:facts]
+    kinds = (strained[:facts] & angles, strained[:facts] & ~angles, strained[facts:])
+    off = zip(*((some.sum(axis=0) > 0).tolist() for some in kinds), strict=True)
+    counts = failing[:facts].sum(axis=0)
     if work.policy.direction is DirectionRule.FIGURE:
         fixed = (*fixed, *range(1, axes - 1))
         pointing = fixed_signs(invariants.shapes, fixed)
@@ -243,13 +274,13 @@ def _judged(work: Work, found: NDArray[np.float64]) -> list[tuple[int, int, bool
         costs = ~np.array(invariants.fits(found[:, which]))
         might[which] = least_cost(invariants.shapes, axes, costs.astype(float), fixed) == 0.0
     if misplaced.any():
-        failing &= (counts == 0) | (invariants.strains(found) > 1.0)
-        failing[work.n_facts :, counts > 0] = False
+        failing &= (counts == 0) | (strains > 1.0)
+        failing[facts:, counts > 0] = False
     first, last = invariants.spans
     starts = np.where(failing, first, 0).max(axis=0, initial=0) - REACH_OF_A_ROW
     ends = np.where(failing, last, FAR).min(axis=0, initial=FAR) + REACH_OF_A_ROW
     reaches = zip(starts.tolist(), ends.tolist(), strict=True)
     angular = np.where(invariants.angular, failing, False).sum(axis=0) > 0
     return list(
-        zip(counts.tolist(), misplaced.tolist(), might.tolist(), reaches, angular.tolist(), strict=True)
+        zip(counts.tolist(), misplaced.tolist(), might.tolist(), reaches, angular.tolist(), off, strict=True)
     )

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 from enum import Enum
 from functools import cached_property
 from itertools import accumulate
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
 
 from exercises.grading.comparison import Comparison
 from exercises.grading.typed import ANGLES, Place
@@ -34,6 +34,11 @@ LENGTHS = ("a", "d")
 VARIABLE_CELLS = {JointType.REVOLUTE: "theta", JointType.PRISMATIC: "d"}
 """Where the variable of a joint stands."""
 ROW_CELLS = ("alpha", "a", "d", "joint")
+
+
+Off: TypeAlias = tuple[bool, bool, bool]
+"""Whether angles are off, and lengths, that no choice of frames changes; and others, joints being zero."""
+ANYTHING: Off = (True, True, True)
 
 
 class Extent(Enum):
@@ -147,6 +152,8 @@ class Work:
         reach: what an edit has to do with, to mend all that is wrong: joints from … to, counted from 1; where
             there is one too many or too few, the places of it.
         angular: an angle is wrong that no choice of frames changes: lengths alone do not mend it.
+        lacking: columns in which an entry has a size that an edit must change, to mend all that is wrong.
+        off: what is off, if only by what need not be mended: other values of cells are found from that.
         only: the one slip that is to be undone; any, if none is named.
         kept: places that an edit made before has changed, which another one leaves alone.
     """
@@ -163,6 +170,8 @@ class Work:
     fits: Mapping[Place, list[float]] = field(default_factory=dict)
     reach: tuple[int, int] = EVERYWHERE
     angular: bool = False
+    lacking: frozenset[str] = frozenset()
+    off: Off = ANYTHING
     only: TableSlip | None = None
     kept: frozenset[Place] = frozenset()
 
@@ -201,7 +210,7 @@ class Work:
         An edit changes how the axes before it lie to those after it; what it leaves alone, it cannot mend.
         """
         start, end = self.reach
-        counts = self._joints
+        counts = self.joints_up_to
         return start <= counts[first if last is None else last] and counts[first] <= end
 
     def is_place(self, joint: int) -> bool:
@@ -210,7 +219,7 @@ class Work:
         return start <= joint <= end
 
     @cached_property
-    def _joints(self) -> list[int]:
+    def joints_up_to(self) -> list[int]:
         """For every row the number of joints up to it."""
         return list(accumulate(row.joint is not JointType.FIXED for row in self.table.rows))
 
@@ -243,7 +252,13 @@ class Work:
     def at(self, draw: int) -> Work:
         """Return the answer at another draw."""
         table = self.comparison.meant[draw]
-        return replace(self, draw=draw, table=table, fits={}, reach=EVERYWHERE, angular=False, only=None)
+        known: dict[str, object] = {
+            "reach": EVERYWHERE,
+            "angular": False,
+            "lacking": frozenset(),
+            "off": ANYTHING,
+        }
+        return replace(self, draw=draw, table=table, fits={}, only=None, **known)  # type: ignore[arg-type]
 
     def edited(
         self,
@@ -251,10 +266,12 @@ class Work:
         reach: tuple[int, int] = EVERYWHERE,
         *,
         angular: bool = False,
+        off: Off = ANYTHING,
         kept: frozenset[Place] = frozenset(),
     ) -> Work:
         """Return the table with an edit made, and what another has to do with then."""
-        return replace(self, table=change.of(self.table), fits={}, reach=reach, angular=angular, kept=kept)
+        known: dict[str, object] = {"reach": reach, "angular": angular, "lacking": frozenset(), "off": off}
+        return replace(self, table=change.of(self.table), fits={}, kept=kept, **known)  # type: ignore[arg-type]
 
     def leaves(self, columns: Sequence[str], *, sliders: bool = True) -> bool:
         """Whether an edit of columns, perhaps but for sliders, leaves alone what one before has changed."""
@@ -282,7 +299,7 @@ class Work:
         for draw in range(first, len(self.references)):
             here, elsewhere = self, self.at(draw)
             for change in changes:
-                alike = _alike(change, here, elsewhere)
+                alike = _alike(change, here, elsewhere) if draw != self.draw else change
                 if alike is None:
                     return False
                 here, elsewhere = here.edited(change), elsewhere.edited(alike)
