@@ -39,6 +39,8 @@ NEGLIGIBLE = 1e-9
 MOST_STRAINED = 4
 # Choices of the axes’ directions that are tried, the best first.
 MOST_SIGNS = 4
+# Parts of the robot's size: from farther off than this, squares of lengths lose what they differ by.
+DISTANT = 2.0
 # [rad] Three evaluations round the circle give A + B cos x + C sin x.
 THIRD = 2.0 * math.pi / 3.0
 # [rad] By how much a turn about a slider is tried to change.
@@ -82,30 +84,37 @@ def fitting_values(
     invariants, scale = work.invariants, work.reference.size
     turns = any(shape.measure is Measure.TURN for shape in invariants.shapes)
     variations: list[Variation] = []
+    counts: list[int] = []
     for unsolved in wanted:
         variations.append((unsolved.number, unsolved.cells))
         for place in unsolved.places:
             here = _entry(tables, unsolved, place)
-            around = [here - scale, here + scale]
             if place[1] in ANGLES:
                 around = [0.0, THIRD, -THIRD, *([here + SMALL_TURN] if turns else ())]
+            elif abs(here) <= DISTANT * scale:
+                around = [here - scale, here + scale]
+            else:
+                around = [-scale, scale, 0.0]
+            counts.append(len(around))
             variations += [(unsolved.number, (*unsolved.cells, (*place, value))) for value in around]
     found = measured(work, tables, variations)
     functions = _Functions(invariants, work.n_facts, found, scale)
     solved: list[dict[Place, list[float]]] = []
-    column = 0
+    column, each = 0, iter(counts)
     for unsolved in wanted:
         own, column = column, column + 1
         solved.append({})
         facts, misplaced = functions.strained(own)
         for row, cell in unsolved.places:
-            place, angular = (row, cell), cell in ANGLES
+            place, angular, count = (row, cell), cell in ANGLES, next(each)
             moves = cell == VARIABLE_CELLS.get(tables[unsolved.number].rows[row].joint)
             if strained := misplaced if moves else facts:
-                here = _entry(tables, unsolved, place)
-                values = functions.solved(strained, own, column, here, angular=angular)
+                distant = count == 3 and not angular
+                here = 0.0 if distant else _entry(tables, unsolved, place)
+                middle = column + 2 if distant else own
+                values = functions.solved(strained, middle, column, here, angular=angular)
                 solved[-1][place] = [0.0 if abs(x) < NEGLIGIBLE * scale else x for x in values]
-            column += 2 if not angular else 4 if turns else 3
+            column += count
     return solved
 
 
@@ -143,9 +152,9 @@ class _Functions:
 
         Args:
             strained: the invariants.
-            own: the column in which the cell is what it is.
+            own: the column in which the cell is what it is, or, if that is a distant length, zero.
             first: the first of those in which it is something else.
-            here: what it is.
+            here: what it is in the one column.
             angular: it is an angle.
         """
         for k in strained:
