@@ -83,20 +83,22 @@ def equally_good(repairs: Sequence[Repaired], table: NumericTable, key: NumericT
     several; an offset along parallel axes may be wrong in any of their rows. Edits of a cell are as good as
     one another, and edits of a row; what concerns the table throughout is told as the likeliest alone. A
     length that was typed is likelier wrong than a zero, where with that the frames are the key's own, and
-    where it becomes a length of the key and the zero doesn't.
+    where it becomes a length of the key and the zero doesn't. An offset is so only in the key's own table to
+    the letter: along parallel axes, what is missing in one row makes it any number in another.
     """
     singles = [repair.changes[0] for repair in repairs if len(repair.changes) == 1]
     if not singles or singles[0] is not repairs[0].changes[0] or singles[0].row is None:
         return ()
-    best = singles[0]
-    alike = [change for change in singles if change.extent is best.extent and change.row is not None]
-    if best.fills_a_zero(table):
-        return tuple(alike)
-    if is_own_table(best.of(table), key, either_way=True):
-        return tuple(change for change in alike if not change.fills_a_zero(table))
-    if any(_is_of_the_key(change, key) for change in alike if not change.fills_a_zero(table)):
-        return tuple(c for c in alike if not c.fills_a_zero(table) or _is_of_the_key(c, key))
-    return tuple(alike)
+    best, is_offset = singles[0], singles[0].cell == "d"
+    alike = tuple(change for change in singles if change.extent is best.extent and change.row is not None)
+    typed = tuple(change for change in alike if not change.fills_a_zero(table))
+    if best not in typed:
+        return alike
+    if is_own_table(best.of(table), key, either_way=not is_offset):
+        return typed
+    if not is_offset and any(_is_of_the_key(change, key) for change in typed):
+        return tuple(change for change in alike if change in typed or _is_of_the_key(change, key))
+    return alike
 
 
 def _is_of_the_key(change: Change, key: NumericTable) -> bool:

@@ -106,3 +106,23 @@ def test_a_forgotten_last_row_that_turns_about_z(convention: str, theta: int, ze
     key, answer = read(convention, rows, "deg"), read(convention, rows[:-1], "deg")
     verdict = grade(key, answer, policy)
     assert [[edit.code for edit in repair.edits] for repair in verdict.repairs] == [["fixed_row_missing"]]
+
+
+PUMA_KEY: Rows = [
+    (90, 0, 0, "q1"), (0, 0.4318, 0, "q2"), (-90, 0.0203, 0.15, "q3"),
+    (90, 0, 0.4318, "q4"), (-90, 0, 0, "q5"), (0, 0, 0, "q6"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("slid", [1.9247, 0.0745, -0.2814])
+def test_of_an_offset_that_is_missing_along_parallel_axes_no_other_row_is_accused_alone(slid: float) -> None:
+    """Frame 2 lies elsewhere on its axis, and that was left out in its own row."""
+    rows: Rows = [
+        (-90, 0, 0, "q1"), (0, -0.4318, slid, "q2"), (-90, 0.0203, -0.15 - slid, "q3"),
+        (90, 0, -0.4318, "q4"), (-90, 0, 0, "q5"), (0, 0, 0, "q6"),
+    ]  # fmt: skip
+    key, policy = read("standard", PUMA_KEY, "deg"), Policy(tool=ToolRule.FREE)
+    assert grade(key, read("standard", rows, "deg"), policy).correct
+    left_out: Rows = [rows[0], (0, -0.4318, 0, "q2"), *rows[2:]]
+    verdict = grade(key, read("standard", left_out, "deg"), policy, None, HelpLevel.ROW)
+    assert {row for _, row in _named(verdict)} == {2, 3}
