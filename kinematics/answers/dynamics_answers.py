@@ -16,7 +16,7 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from enum import StrEnum
 from fractions import Fraction
 from functools import cached_property, lru_cache
@@ -51,6 +51,8 @@ PRODUCTS = 100_000
 HALF = Number(Fraction(1, 2))
 TOLERANCE = 0.005
 """Of an entry that is not proved, as a share of its size: two decimals and a half."""
+TOGETHER = 1.01
+"""Times what decimals do one by one is at most what they do together, in products of them."""
 EXACT = 1e-9
 """The same where nothing was rounded, so that no small term is left out: what the arithmetic leaves."""
 
@@ -102,12 +104,16 @@ class EquationsAnswer:
         coriolis: n×n, some C; or else
         velocity: n, C q̇.
         gravity: n, g.
+        rounded: of entries with names and decimals, what each is with one of its decimals moved by half a
+            unit of its last place: no such entry is off by more. Where nothing is said of an entry, the
+            tolerance holds alone.
     """
 
     mass: Matrix | None = None
     coriolis: Matrix | None = None
     velocity: tuple[Expression, ...] | None = None
     gravity: tuple[Expression, ...] | None = None
+    rounded: Mapping[Expression, tuple[Expression, ...]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -152,7 +158,7 @@ def judge_dynamics(
     Raises:
         FormSizeError: the robot's own equations are too large to be derived.
     """
-    judge = _EntryJudge(question, repr(answer), tolerance)
+    judge = _EntryJudge(question, answer, tolerance)
     found = question.equations
     mass = velocity = gravity = skew = None
     mistakes: list[DynamicsMistake] = []
@@ -162,7 +168,8 @@ def judge_dynamics(
             mistakes += _mistakes_of_mass(judge, question, answer.mass)
     given = answer.velocity if answer.coriolis is None else _applied(answer.coriolis)
     if given is not None:
-        velocity = judge.vector(given, _column(found.velocity))
+        terms = None if answer.coriolis is None else list(map(_terms, answer.coriolis))
+        velocity = judge.vector(given, _column(found.velocity), terms)
         if not all(velocity):
             mistakes += _mistakes_of_velocity(judge, question, given)
     if answer.coriolis is not None:
@@ -184,9 +191,9 @@ def judge_dynamics(
 class _EntryJudge:
     """Compares functions; remembers how surely they agreed."""
 
-    def __init__(self, question: DynamicsQuestion, answer: str, tolerance: float) -> None:
-        self._question, self._tolerance = question, tolerance
-        self._random = random.Random(answer)  # noqa: S311 - the same answer, the same points
+    def __init__(self, question: DynamicsQuestion, answer: EquationsAnswer, tolerance: float) -> None:
+        self._question, self._tolerance, self._rounded = question, tolerance, answer.rounded
+        self._random = random.Random(repr(answer))  # noqa: S311 - the same answer, the same points
         self._n = question.table.n_joints
         self.proof = ProofStatus.PROVED
 
@@ -197,10 +204,21 @@ class _EntryJudge:
             for i in range(self._n)
         )
 
-    def vector(self, given: Sequence[Expression], ours: Sequence[Expression]) -> tuple[bool, ...]:
+    def vector(
+        self,
+        given: Sequence[Expression],
+        ours: Sequence[Expression],
+        terms: Sequence[Sequence[Pair]] | None = None,
+    ) -> tuple[bool, ...]:
+        """Compare entries, each the sum of its terms, if it was not typed as it stands."""
         return tuple(
-            self._same(one, other, [(size, size) for size in ((other,) if other != ZERO else ours)])
-            for one, other in zip(given, ours, strict=True)
+            self._same(
+                one,
+                other,
+                [(size, size) for size in ((other,) if other != ZERO else ours)],
+                None if terms is None else terms[i],
+            )
+            for i, (one, other) in enumerate(zip(given, ours, strict=True))
         )
 
     def skew(self, coriolis: Matrix) -> bool:
@@ -209,7 +227,12 @@ class _EntryJudge:
         rate = self._question.equations.mass_rate
         sizes = [(entry, entry) for row in rate for entry in row if entry != ZERO] or [(ONE, ONE)]
         found = all(
-            self._same(add((coriolis[i][j], coriolis[j][i])), rate[i][j], sizes)
+            self._same(
+                add((coriolis[i][j], coriolis[j][i])),
+                rate[i][j],
+                sizes,
+                [(coriolis[i][j], ONE), (coriolis[j][i], ONE)],
+            )
             for i in range(self._n)
             for j in range(i + 1)
         )
@@ -223,19 +246,29 @@ class _EntryJudge:
         self.proof = before
         return found
 
-    def _same(self, given: Expression, ours: Expression, sizes: Sequence[Pair]) -> bool:
+    def _same(
+        self, given: Expression, ours: Expression, sizes: Sequence[Pair], terms: Sequence[Pair] | None = None
+    ) -> bool:
         """Compare an entry; the tolerance is a share of the largest geometric mean of two sizes.
 
         M_ij is at most √(M_ii M_jj), and may be far less than the larger one. Names get other values of about
-        one, so that none is lost beside the others: what is small for a student is not left out.
+        one, so that none is lost beside the others: what is small for a student is not left out. An entry
+        with names is off by no more than the decimals in it leave open.
+
+        Args:
+            given: the entry.
+            ours: the robot's.
+            sizes: pairs whose geometric means are sizes.
+            terms: what was typed and its factor, for all that the entry is the sum of; itself, if left out.
         """
         if given == ours or _proved(given, ours):
             return True
-        near = self._near(given, ours, sizes, {})
+        terms = [(given, ONE)] if terms is None else terms
+        near = self._near(given, ours, sizes, {}, terms)
         names = sorted(parameters_in(given) & self._question.values.keys())
         if near and names:
             other = {name: self._random.uniform(0.5, 2.0) for name in names}
-            near = self._near(given, ours, sizes, other)
+            near = self._near(given, ours, sizes, other, terms)
         if self.proof is not ProofStatus.REFUTED:
             self.proof = ProofStatus.UNDECIDED if near else ProofStatus.REFUTED
         return near
@@ -246,6 +279,7 @@ class _EntryJudge:
         ours: Expression,
         sizes: Sequence[Pair],
         other: Mapping[str, float],
+        terms: Sequence[Pair],
     ) -> bool:
         values = {**self._question.values, **other}
         points: dict[str, Floats] = {name: np.full(POINTS, value) for name, value in values.items()}
@@ -258,7 +292,22 @@ class _EntryJudge:
         )
         difference = np.abs(values_at(given, points, joints) - values_at(ours, points, joints))
         tolerance = self._tolerance if holds_decimals(given) else EXACT
-        return bool((difference <= tolerance * size).all())
+        left_open = self._left_open(terms, points, joints)
+        return bool((difference <= np.minimum(tolerance * size, EXACT * size + left_open)).all())
+
+    def _left_open(self, terms: Sequence[Pair], points: Mapping[str, Floats], joints: Floats) -> Floats:
+        """By how much rounding may move a sum of terms; infinite where it is not known of one."""
+        left_open = np.zeros(POINTS)
+        for entry, factor in terms:
+            if not holds_decimals(entry):
+                continue
+            if entry not in self._rounded:
+                return np.full(POINTS, np.inf)
+            here = values_at(entry, points, joints)
+            for moved in self._rounded[entry]:
+                off = values_at(moved, points, joints) - here
+                left_open = left_open + np.abs(off * values_at(factor, points, joints))
+        return TOGETHER * left_open
 
     def _drawn(self) -> Floats:
         return np.array([self._random.uniform(-3.0, 3.0) for _ in range(POINTS)])
@@ -282,9 +331,12 @@ def _proved(given: Expression, ours: Expression) -> bool:
 
 def _applied(coriolis: Matrix) -> tuple[Expression, ...]:
     """C q̇."""
-    return tuple(
-        add(multiply((entry, Parameter(rate_name(j)))) for j, entry in enumerate(row, 1)) for row in coriolis
-    )
+    return tuple(add(map(multiply, _terms(row))) for row in coriolis)
+
+
+def _terms(row: Sequence[Expression]) -> list[Pair]:
+    """A row of C, each entry with its rate."""
+    return [(entry, Parameter(rate_name(j))) for j, entry in enumerate(row, 1)]
 
 
 def _column(matrix: Matrix) -> tuple[Expression, ...]:

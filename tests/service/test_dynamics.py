@@ -249,3 +249,16 @@ def test_a_student_writes_some_of_the_equations(client: httpx.Client) -> None:
     part = found["parts"]["equations_of_motion"]
     assert part["points"] == 50
     assert [entry["code"] for entry in part["feedback"]] == ["motion_skew_wrong", "motion_missing"]
+
+
+@pytest.mark.parametrize(
+    ("factor", "right"), [("1.005", False), ("1.01", False), ("3*0.333", True), ("1.0", True)]
+)
+def test_an_entry_with_names_is_as_exact_as_its_decimals(
+    client: httpx.Client, factor: str, right: bool
+) -> None:
+    body = {**ASKED, "g": [f"(m1*r1 + m2*L1)*g*c1 + {factor}*m2*r2*g*c12", "m2*r2*g*c12"]}
+    found = client.post(CHECK, json=body, timeout=120).json()
+    assert found["g"] == [right, True]
+    body = {**ASKED, "C": [[f"-2*{H}*dq2", f"-{factor}*{H}*dq2"], [f"{H}*dq1", 0]]}
+    assert client.post(CHECK, json=body, timeout=120).json()["h"] == [right, True]

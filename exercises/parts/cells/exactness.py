@@ -4,10 +4,13 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import fields, is_dataclass, replace
 from enum import Enum
 from typing import Any
+
+from kinematics.expressions import Expression, parameters_in
+from kinematics.expressions.values import holds_decimals
 
 EXACT = 1e-6
 """A share and [rad]: what is asked of an answer without decimals at other lengths."""
@@ -61,6 +64,41 @@ def _effect(
     if there is None or len(there) != len(here) or not longest:
         return step
     return max(abs(one - two) for one, two in zip(here, there, strict=True)) / longest or step
+
+
+def roundings(
+    cells: Sequence[Any],
+    entries: Sequence[Expression],
+    rates: Collection[str],
+    read: Callable[[list[str]], Sequence[Expression] | None],
+) -> dict[Expression, tuple[Expression, ...]]:
+    """Return what entries are with each of their decimals in turn moved by what its rounding leaves open.
+
+    Entries without decimals or without names are left out, and those with very many decimals.
+
+    Args:
+        cells: a row as typed.
+        entries: what its cells mean.
+        rates: names that are no dimensions.
+        read: returns what cells mean; None where one means nothing.
+    """
+    found = {}
+    for cell, entry in zip(cells, entries, strict=True):
+        if holds_decimals(entry) and parameters_in(entry) - set(rates):
+            moved = _moved_decimals(str(cell))
+            meant = read(moved) if len(moved) <= MOST_DECIMALS else None
+            if meant is not None:
+                found[entry] = tuple(meant)
+    return found
+
+
+def _moved_decimals(cell: str) -> list[str]:
+    found = ((match, left_open(float(match[0]), len(match[1]))) for match in _DECIMAL.finditer(cell))
+    return [
+        f"{cell[: match.start()]}{float(match[0]) + step:.12f}{cell[match.end() :]}"
+        for match, step in found
+        if step
+    ]
 
 
 def left_open(value: float, decimals: int) -> float:

@@ -6,7 +6,7 @@ right; whether Ṁ − 2C is skew-symmetric is asked for separately (`kinematics
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from fractions import Fraction
@@ -18,6 +18,7 @@ from exercises.definition import DrawnParameter, Exercise, Part
 from exercises.draws import Picker, read_draw
 from exercises.grading import Feedback, Finding, HelpLevel
 from exercises.instance import Instance
+from exercises.parts.cells.exactness import roundings
 from exercises.parts.cells.matrix_cells import read_row, write_matrix
 from exercises.parts.context import Context
 from exercises.parts.definition_keys import TOLERANCE, DefinitionKey, KeyShape, Start, choices, joint_names
@@ -46,7 +47,7 @@ from kinematics.dynamics import rate_name
 from kinematics.dynamics.equations import Derivation
 from kinematics.dynamics.reading import NOTHING, RawBody, ReadBodies, read_bodies
 from kinematics.errors import Fault, KinematicsError
-from kinematics.expressions import ZERO
+from kinematics.expressions import ZERO, Expression
 from kinematics.symbolic import Matrix
 
 CellRow = Annotated[tuple[Cell, ...], Length(least=1, most=64)]
@@ -230,8 +231,14 @@ class MotionType(PartType[MotionPart, MotionCells, EquationsAnswer]):
         n = len(reading.joint_types)
         part = reading.instance.exercise.part(self.kind)
         assert isinstance(part, MotionPart)
-        names = {weight.name for weight in part.weights} | {rate_name(i) for i in range(1, n + 1)}
+        rates = {rate_name(i) for i in range(1, n + 1)}
+        names = {weight.name for weight in part.weights} | rates
         found: dict[str, Any] = {}
+        rounded: dict[Expression, tuple[Expression, ...]] = {}
+
+        def read_again(cells: Sequence[Cell]) -> tuple[Expression, ...] | None:
+            return read_row(cells, replace(reading, faults=[]), self.kind, names=names)
+
         for field in ("mass", "coriolis", "velocity", "gravity"):
             given = getattr(raw, field)
             if given is None:
@@ -246,11 +253,14 @@ class MotionType(PartType[MotionPart, MotionCells, EquationsAnswer]):
             for i, row in enumerate(rows):
                 place = where or (field, i)
                 if reading.is_row_of(n, row, self.kind, *place):
-                    read.append(read_row(row, reading, self.kind, *place, names=names))
+                    entries = read_row(row, reading, self.kind, *place, names=names)
+                    read.append(entries)
+                    if entries is not None:
+                        rounded |= roundings(row, entries, rates, read_again)
             found[field] = tuple(read) if count == n and where is None else read[0] if read else None
         if not found and len(reading.faults) == before:
             reading.fault("motion_empty", self.kind)
-        return None if len(reading.faults) > before else EquationsAnswer(**found)
+        return None if len(reading.faults) > before else EquationsAnswer(**found, rounded=rounded)
 
     def grade(self, part: MotionPart, answer: EquationsAnswer, context: Context) -> PartReport:
         """Judge M entry by entry, C q̇ and g row by row; what is asked counts the same.

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import partial
 from typing import Annotated, Any
 
 from fastapi import Body
 
+from exercises.parts.cells.exactness import roundings
 from kinematics.answers.dynamics_answers import DynamicsQuestion, EquationsAnswer, judge_dynamics
 from kinematics.cells import ReadTable
 from kinematics.dynamics import rate_name
@@ -65,6 +67,7 @@ def _checked(body: CheckDynamicsRequest, settings: Settings, language: str) -> C
     )
     if body.M is body.C is body.h is body.g is None:
         raise JointValueError(Fault(code="motion_empty"))
+    answer = replace(answer, rounded=_rounded(body, answer, found.read, question))
     verdict = judge_dynamics(question, answer, body.tolerance)
     told: dict[str, Any] = {
         "angle_unit": found.read.angle_unit.value,
@@ -98,6 +101,32 @@ def _matrix(
 def _row(
     cells: list[Any], read: ReadTable, question: DynamicsQuestion, *where: str | int
 ) -> tuple[Expression, ...]:
-    n = question.table.n_joints
-    known = {*question.values, *(rate_name(joint) for joint in range(1, n + 1))}
-    return read_row(cells, n, read, known, where)
+    return read_row(cells, question.table.n_joints, read, _known(question), where)
+
+
+def _known(question: DynamicsQuestion) -> set[str]:
+    return {*question.values, *_rates(question)}
+
+
+def _rates(question: DynamicsQuestion) -> list[str]:
+    return [rate_name(joint) for joint in range(1, question.table.n_joints + 1)]
+
+
+def _rounded(
+    body: CheckDynamicsRequest, answer: EquationsAnswer, read: ReadTable, question: DynamicsQuestion
+) -> dict[Expression, tuple[Expression, ...]]:
+    """Return what entries with names are with each of their decimals moved by half a unit of its last."""
+    typed = (*(body.M or ()), *(body.C or ()), *(row for row in (body.h, body.g) if row is not None))
+    meant = (
+        *(answer.mass or ()),
+        *(answer.coriolis or ()),
+        *(row for row in (answer.velocity, answer.gravity) if row is not None),
+    )
+
+    def again(cells: list[str]) -> tuple[Expression, ...]:
+        return read_row(cells, len(cells), read, _known(question), ())
+
+    found: dict[Expression, tuple[Expression, ...]] = {}
+    for cells, entries in zip(typed, meant, strict=True):
+        found |= roundings(cells, entries, _rates(question), again)
+    return found

@@ -1,0 +1,83 @@
+"""Equations of motion in names are as exact as they were typed, whatever a student was given."""
+
+from __future__ import annotations
+
+import pytest
+
+from exercises.answers import RawAnswer, parse
+from exercises.grader import grade
+from exercises.instance import generate
+from exercises.parts.motion.equations_of_motion import MotionCells
+from tests.exercises.answering import part
+from tests.exercises.packaged import exercise
+
+H = "m2*L1*r2*sin(q2)"
+ANSWER = MotionCells(
+    mass=(
+        ("m1*r1^2 + m2*(L1^2 + r2^2 + 2*L1*r2*cos(q2)) + I1 + I2", "m2*r2*(r2 + L1*cos(q2)) + I2"),
+        ("m2*r2*(r2 + L1*cos(q2)) + I2", "I2 + m2*r2^2"),
+    ),
+    coriolis=((f"-{H}*dq2", f"-{H}*(dq1 + dq2)"), (f"{H}*dq1", "0")),
+    gravity=("(m1*r1 + m2*L1)*g*cos(q1) + m2*r2*g*cos(q1+q2)", "m2*r2*g*cos(q1+q2)"),
+)
+STUDENTS = [str(number) for number in range(12)]
+
+
+def earned(answer: MotionCells, seed: str) -> tuple[bool, float]:
+    instance = generate(exercise("twolink-dynamics"), seed)
+    found = part(
+        grade(instance, parse(instance, RawAnswer(equations_of_motion=answer))), "equations_of_motion"
+    )
+    return found.correct, found.score
+
+
+def changed(old: str, new: str) -> MotionCells:
+    """The answer with something else in every cell."""
+
+    def row(cells: tuple) -> tuple:
+        return tuple(cell.replace(old, new) for cell in cells)
+
+    return MotionCells(
+        mass=tuple(map(row, ANSWER.mass)),
+        coriolis=tuple(map(row, ANSWER.coriolis)),
+        gravity=row(ANSWER.gravity),
+    )
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("L1*cos", "1.01*L1*cos"),
+        ("L1*cos", "1.005*L1*cos"),
+        ("L1*cos", "(L1 + 0.004)*cos"),
+        ("I1", "1.01*I1"),
+        ("m2*L1*r2*sin", "1.003*m2*L1*r2*sin"),
+        ("g*cos(q1+q2)", "(g + 0.02)*cos(q1+q2)"),
+    ],
+)
+def test_a_factor_or_a_term_that_no_rounding_explains_is_wrong_for_every_student(old: str, new: str) -> None:
+    assert {earned(changed(old, new), seed)[0] for seed in STUDENTS} == {False}
+
+
+@pytest.mark.parametrize(
+    ("old", "new"),
+    [
+        ("2*L1*r2*cos", "2.0*L1*r2*cos"),
+        ("r2^2", "0.333*3*r2^2"),
+        ("L1*cos", "0.71*sqrt(2)*L1*cos"),
+        ("m2*L1*r2*sin", "0.333*0.75*4*m2*L1*r2*sin"),
+        ("cos(q1+q2)", "0.707*0.707*2*cos(q1+q2)"),
+    ],
+)
+def test_what_decimals_leave_open_is_right_for_every_student(old: str, new: str) -> None:
+    assert {earned(changed(old, new), seed)[0] for seed in STUDENTS} == {True}
+
+
+def test_values_that_were_given_may_stand_for_their_names() -> None:
+    for seed in STUDENTS:
+        instance = generate(exercise("twolink-dynamics"), seed)
+        values = instance.drawn["equations_of_motion"]
+        gravity = f"{float(values['g']):.2f}"
+        mass = f"{float(values['m2']):.2f}"
+        for old, new in (("*g", f"*{gravity}"), ("m2", mass), ("r2", f"{float(values['r2']):.2f}")):
+            assert earned(changed(old, new), seed)[0], (seed, old)
