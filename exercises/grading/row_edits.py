@@ -75,11 +75,12 @@ def rows_swapped(work: Work) -> Iterator[Change]:
     kept = work.kept_rows
     farthest = len(rows) if len(rows) <= MOST_ROWS_FOR_ALL_PAIRS else 1
     for (i, one), (j, other) in combinations(enumerate(rows), 2):
-        if j - i > farthest or i in kept or j in kept or not work.is_near(i, j):
+        differ = one.joint is not other.joint or one.sign != other.sign
+        if j - i > farthest or i in kept or j in kept or not work.is_near(i, j, moves=differ):
             continue
         cells: list[CellChange] = []
         table = None
-        if one.joint is not other.joint or one.sign != other.sign:
+        if differ:
             order = list(rows)
             order[i], order[j] = other, one
             table = with_rows(work.table, order)

@@ -204,14 +204,19 @@ class Work:
         """How many joints the table has more than the key."""
         return self.table.n_joints - self.reference.table.n_joints
 
-    def is_near(self, first: int, last: int | None = None) -> bool:
+    def is_near(self, first: int, last: int | None = None, *, moves: bool = False) -> bool:
         """Return whether an edit in a row, or in rows from … to, may mend all that is wrong.
 
         An edit changes how the axes before it lie to those after it; what it leaves alone, it cannot mend.
+
+        Args:
+            first: the row, or the first of them, counted from 0.
+            last: the last of them.
+            moves: whether a joint goes elsewhere, so that what is before and behind the rows changes too.
         """
         start, end = self.reach
         counts = self.joints_up_to
-        return start <= counts[first if last is None else last] and counts[first] <= end
+        return start <= counts[first if last is None else last] + moves and counts[first] - moves <= end
 
     def is_place(self, joint: int) -> bool:
         """Return whether the joint that is missing may have this place, counted from 1."""

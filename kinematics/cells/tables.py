@@ -75,14 +75,13 @@ class RawTable:
         rows: the rows, base first.
         angle_unit: unit of plain numbers where an angle stands.
         length_unit: unit of the lengths.
-        characters: length of its cells that are text.
     """
 
     convention: Convention
     rows: tuple[RawRow, ...]
     angle_unit: AngleUnit = AngleUnit.RAD
     length_unit: LengthUnit = LengthUnit.M
-    characters: int = field(init=False, repr=False)
+    _characters: int = field(init=False, repr=False)
     _content: tuple[object, ...] = field(init=False, repr=False)
     _hash: int = field(init=False, repr=False)
 
@@ -93,7 +92,12 @@ class RawTable:
         object.__setattr__(self, "_content", content)
         object.__setattr__(self, "_hash", hash(content))
         typed = (cell for row in self.rows for cell in (row.alpha, row.a, row.d, row.theta))
-        object.__setattr__(self, "characters", sum(len(cell) for cell in typed if isinstance(cell, str)))
+        object.__setattr__(self, "_characters", sum(len(cell) for cell in typed if isinstance(cell, str)))
+
+    @property
+    def characters(self) -> int:
+        """Length of its cells that are text."""
+        return self._characters
 
     def __hash__(self) -> int:
         return self._hash
