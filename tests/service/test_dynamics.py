@@ -262,3 +262,12 @@ def test_an_entry_with_names_is_as_exact_as_its_decimals(
     assert found["g"] == [right, True]
     body = {**ASKED, "C": [[f"-2*{H}*dq2", f"-{factor}*{H}*dq2"], [f"{H}*dq1", 0]]}
     assert client.post(CHECK, json=body, timeout=120).json()["h"] == [right, True]
+
+
+def test_an_entry_as_long_as_may_be_is_read_whatever_its_decimals(client: httpx.Client) -> None:
+    """A decimal that is moved by half a unit has more digits, with which the cell would be too long."""
+    entry = "(m1*r1 + m2*L1)*g*c1 + 3*0.333*m2*r2*g*c12"
+    entry = entry.replace(" + 3", " " * (2000 - len(entry)) + " + 3")
+    assert len(entry) == 2000
+    response = client.post(CHECK, json={**ASKED, "g": [entry, "m2*r2*g*c12"]}, timeout=120)
+    assert (response.status_code, response.json()["g"]) == (200, [True, True])

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Collection, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from dataclasses import fields, is_dataclass, replace
 from enum import Enum
 from typing import Any
@@ -18,6 +18,8 @@ EITHER_WAY = 2.0
 """What a length that is off may do to a pose: a turn carries it to the other side."""
 MOST_DECIMALS = 64
 """Decimals that are looked at one by one; an answer with more is held to the usual tolerance."""
+MOST_READ_AGAIN = 16_000
+"""Characters that are read again with a decimal moved: a tenth of a second of work."""
 _DECIMAL = re.compile(r"(?<![\w.])[0-9]*\.([0-9]+)")
 _NUMBER = re.compile(r"(?<![\w.])(?:[0-9]+(?:\.([0-9]+))?|\.([0-9]+))")
 KNOWN = (*(math.sin(k * math.pi / 12) for k in (1, 3, 4, 5)), math.sqrt(2), math.sqrt(3))
@@ -67,29 +69,28 @@ def _effect(
 
 
 def roundings(
-    cells: Sequence[Any],
-    entries: Sequence[Expression],
+    cells: Iterable[tuple[Any, Expression]],
     rates: Collection[str],
     read: Callable[[list[str]], Sequence[Expression] | None],
 ) -> dict[Expression, tuple[Expression, ...]]:
     """Return what entries are with each of their decimals in turn moved by what its rounding leaves open.
 
-    Entries without decimals or without names are left out, and those with very many decimals.
+    Entries without decimals or without names are left out; all are where that is too much to read.
 
     Args:
-        cells: a row as typed.
-        entries: what its cells mean.
+        cells: of an answer, each as typed and what it means.
         rates: names that are no dimensions.
         read: returns what cells mean; None where one means nothing.
     """
-    found = {}
-    for cell, entry in zip(cells, entries, strict=True):
-        if holds_decimals(entry) and parameters_in(entry) - set(rates):
-            moved = _moved_decimals(str(cell))
-            meant = read(moved) if len(moved) <= MOST_DECIMALS else None
-            if meant is not None:
-                found[entry] = tuple(meant)
-    return found
+    moved = {
+        entry: _moved_decimals(str(cell))
+        for cell, entry in cells
+        if holds_decimals(entry) and not parameters_in(entry) <= set(rates)
+    }
+    if sum(len(text) for texts in moved.values() for text in texts) > MOST_READ_AGAIN:
+        return {}
+    meant = ((entry, read(texts)) for entry, texts in moved.items())
+    return {entry: tuple(found) for entry, found in meant if found is not None}
 
 
 def _moved_decimals(cell: str) -> list[str]:

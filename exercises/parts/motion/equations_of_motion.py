@@ -234,11 +234,7 @@ class MotionType(PartType[MotionPart, MotionCells, EquationsAnswer]):
         rates = {rate_name(i) for i in range(1, n + 1)}
         names = {weight.name for weight in part.weights} | rates
         found: dict[str, Any] = {}
-        rounded: dict[Expression, tuple[Expression, ...]] = {}
-
-        def read_again(cells: Sequence[Cell]) -> tuple[Expression, ...] | None:
-            return read_row(cells, replace(reading, faults=[]), self.kind, names=names)
-
+        cells: list[tuple[Cell, Expression]] = []
         for field in ("mass", "coriolis", "velocity", "gravity"):
             given = getattr(raw, field)
             if given is None:
@@ -255,12 +251,17 @@ class MotionType(PartType[MotionPart, MotionCells, EquationsAnswer]):
                 if reading.is_row_of(n, row, self.kind, *place):
                     entries = read_row(row, reading, self.kind, *place, names=names)
                     read.append(entries)
-                    if entries is not None:
-                        rounded |= roundings(row, entries, rates, read_again)
+                    cells += zip(row, entries or (), strict=False)
             found[field] = tuple(read) if count == n and where is None else read[0] if read else None
         if not found and len(reading.faults) == before:
             reading.fault("motion_empty", self.kind)
-        return None if len(reading.faults) > before else EquationsAnswer(**found, rounded=rounded)
+        if len(reading.faults) > before:
+            return None
+
+        def read_again(texts: Sequence[str]) -> tuple[Expression, ...] | None:
+            return read_row(texts, replace(reading, faults=[]), self.kind, names=names)
+
+        return EquationsAnswer(**found, rounded=roundings(cells, rates, read_again))
 
     def grade(self, part: MotionPart, answer: EquationsAnswer, context: Context) -> PartReport:
         """Judge M entry by entry, C q̇ and g row by row; what is asked counts the same.

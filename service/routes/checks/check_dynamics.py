@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import partial
+from itertools import chain
 from typing import Annotated, Any
 
 from fastapi import Body
@@ -12,7 +13,7 @@ from exercises.parts.cells.exactness import roundings
 from kinematics.answers.dynamics_answers import DynamicsQuestion, EquationsAnswer, judge_dynamics
 from kinematics.cells import ReadTable
 from kinematics.dynamics import rate_name
-from kinematics.errors import Fault, JointValueError
+from kinematics.errors import CellError, Fault, JointValueError
 from kinematics.expressions import Expression
 from service.http.languages import language_of
 from service.http.openapi import problems
@@ -116,17 +117,15 @@ def _rounded(
     body: CheckDynamicsRequest, answer: EquationsAnswer, read: ReadTable, question: DynamicsQuestion
 ) -> dict[Expression, tuple[Expression, ...]]:
     """Return what entries with names are with each of their decimals moved by half a unit of its last."""
-    typed = (*(body.M or ()), *(body.C or ()), *(row for row in (body.h, body.g) if row is not None))
-    meant = (
-        *(answer.mass or ()),
-        *(answer.coriolis or ()),
-        *(row for row in (answer.velocity, answer.gravity) if row is not None),
-    )
+    typed = [*(body.M or ()), *(body.C or ()), *(row for row in (body.h, body.g) if row is not None)]
+    meant = [*(answer.mass or ()), *(answer.coriolis or ())]
+    meant += [row for row in (answer.velocity, answer.gravity) if row is not None]
+    cells = zip(chain.from_iterable(typed), chain.from_iterable(meant), strict=True)
 
-    def again(cells: list[str]) -> tuple[Expression, ...]:
-        return read_row(cells, len(cells), read, _known(question), ())
+    def read_again(texts: list[str]) -> tuple[Expression, ...] | None:
+        try:
+            return read_row(texts, len(texts), read, _known(question), ())
+        except CellError:  # longer by its digits, a cell may be too long
+            return None
 
-    found: dict[Expression, tuple[Expression, ...]] = {}
-    for cells, entries in zip(typed, meant, strict=True):
-        found |= roundings(cells, entries, _rates(question), again)
-    return found
+    return roundings(cells, _rates(question), read_again)

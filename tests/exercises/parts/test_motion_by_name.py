@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+from importlib import import_module
+from typing import Any
+
 import pytest
 
 from exercises.answers import RawAnswer, parse
@@ -81,3 +85,21 @@ def test_values_that_were_given_may_stand_for_their_names() -> None:
         mass = f"{float(values['m2']):.2f}"
         for old, new in (("*g", f"*{gravity}"), ("m2", mass), ("r2", f"{float(values['r2']):.2f}")):
             assert earned(changed(old, new), seed)[0], (seed, old)
+
+
+def test_an_answer_of_very_many_decimals_is_read_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """To read each cell anew for each decimal in it took seconds."""
+    rows = 0
+    module = import_module("exercises.parts.motion.equations_of_motion")
+    read_row = module.read_row
+
+    def counted(*given: Any, **named: Any) -> Any:
+        nonlocal rows
+        rows += 1
+        return read_row(*given, **named)
+
+    monkeypatch.setattr(module, "read_row", counted)
+    cells = iter(["+".join(f"0.{100 + 61 * i + k}*L1" for k in range(60)) for i in range(4)])
+    answer = replace(ANSWER, mass=((next(cells), next(cells)), (next(cells), next(cells))))
+    assert not earned(answer, "1")[0]
+    assert rows == 5
