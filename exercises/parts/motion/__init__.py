@@ -6,4 +6,5 @@ jacobian_forms   a Jacobian in symbols
 jacobian_cells   what both read
 singularities, conditions   where rank is lost, by which conditions
 equations_of_motion         M, C and g
+motion_cells                how they are typed
 """

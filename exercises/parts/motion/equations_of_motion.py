@@ -6,28 +6,27 @@ right; whether Ṁ − 2C is skew-symmetric is asked for separately (`kinematics
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from fractions import Fraction
 from functools import lru_cache
 from random import Random
-from typing import Annotated, Any, ClassVar
+from typing import ClassVar
 
 from exercises.definition import DrawnParameter, Exercise, Part
 from exercises.draws import Picker, read_draw
 from exercises.grading import Feedback, Finding, HelpLevel
 from exercises.instance import Instance
-from exercises.parts.cells.exactness import roundings
-from exercises.parts.cells.matrix_cells import read_row, write_matrix
+from exercises.parts.cells.matrix_cells import write_matrix
 from exercises.parts.context import Context
 from exercises.parts.definition_keys import TOLERANCE, DefinitionKey, KeyShape, Start, choices, joint_names
 from exercises.parts.given_table import given_table
+from exercises.parts.motion.motion_cells import MotionCells, read_motion
 from exercises.parts.protocol import (
     FieldShape,
     FormField,
     GivenNumbers,
-    Length,
     PartTask,
     PartType,
     Reading,
@@ -47,11 +46,8 @@ from kinematics.dynamics import rate_name
 from kinematics.dynamics.equations import Derivation
 from kinematics.dynamics.reading import NOTHING, RawBody, ReadBodies, read_bodies
 from kinematics.errors import Fault, KinematicsError
-from kinematics.expressions import ZERO, Expression
+from kinematics.expressions import ZERO
 from kinematics.symbolic import Matrix
-
-CellRow = Annotated[tuple[Cell, ...], Length(least=1, most=64)]
-CellRows = Annotated[tuple[CellRow, ...], Length(least=1, most=64)]
 
 MOST_OF_WRONG = 0.8
 """Of a matrix with a wrong entry no more than this is earned, however many entries are right."""
@@ -66,23 +62,6 @@ class MotionAsk(StrEnum):
     SKEW = "skew"
     VELOCITY = "velocity"
     GRAVITY = "gravity"
-
-
-@dataclass(frozen=True, kw_only=True, slots=True)
-class MotionCells:
-    """The equations of motion: expressions in q1 … qn, the rates dq1 … dqn, and the names that are given.
-
-    Attributes:
-        mass: n×n, the mass matrix M.
-        coriolis: n×n, C with the right C q̇.
-        velocity: n, C q̇, where it is asked instead.
-        gravity: n, what gravity asks of the joints.
-    """
-
-    mass: CellRows | None = None
-    coriolis: CellRows | None = None
-    velocity: CellRow | None = None
-    gravity: CellRow | None = None
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -227,41 +206,9 @@ class MotionType(PartType[MotionPart, MotionCells, EquationsAnswer]):
 
     def read(self, raw: MotionCells, reading: Reading) -> EquationsAnswer | None:
         """Return the functions."""
-        before = len(reading.faults)
-        n = len(reading.joint_types)
         part = reading.instance.exercise.part(self.kind)
         assert isinstance(part, MotionPart)
-        rates = {rate_name(i) for i in range(1, n + 1)}
-        names = {weight.name for weight in part.weights} | rates
-        found: dict[str, Any] = {}
-        cells: list[tuple[Cell, Expression]] = []
-        for field in ("mass", "coriolis", "velocity", "gravity"):
-            given = getattr(raw, field)
-            if given is None:
-                continue
-            rows = given if field in ("mass", "coriolis") else (given,)
-            count = n if field in ("mass", "coriolis") else 1
-            where = (field,) if count == 1 else None
-            if len(rows) != count:
-                reading.fault("motion_row_count", self.kind, field, expected=n, given=len(rows))
-                continue
-            read = []
-            for i, row in enumerate(rows):
-                place = where or (field, i)
-                if reading.is_row_of(n, row, self.kind, *place):
-                    entries = read_row(row, reading, self.kind, *place, names=names)
-                    read.append(entries)
-                    cells += zip(row, entries or (), strict=False)
-            found[field] = tuple(read) if count == n and where is None else read[0] if read else None
-        if not found and len(reading.faults) == before:
-            reading.fault("motion_empty", self.kind)
-        if len(reading.faults) > before:
-            return None
-
-        def read_again(texts: Sequence[str]) -> tuple[Expression, ...] | None:
-            return read_row(texts, replace(reading, faults=[]), self.kind, names=names)
-
-        return EquationsAnswer(**found, rounded=roundings(cells, rates, read_again))
+        return read_motion(raw, reading, self.kind, {weight.name for weight in part.weights})
 
     def grade(self, part: MotionPart, answer: EquationsAnswer, context: Context) -> PartReport:
         """Judge M entry by entry, C q̇ and g row by row; what is asked counts the same.

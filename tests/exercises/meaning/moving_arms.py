@@ -16,7 +16,8 @@ from numpy.typing import NDArray
 
 from exercises.instance import Instance
 from exercises.parts.joint_draws import key_numbers
-from exercises.parts.motion.equations_of_motion import MotionAsk, MotionCells, MotionPart
+from exercises.parts.motion.equations_of_motion import MotionAsk, MotionPart
+from exercises.parts.motion.motion_cells import MotionCells
 from tests.exercises.meaning.answers_known import KnownAnswer, known
 from tests.exercises.meaning.own_tables import TINY, plain
 from tests.exercises.meaning.posed_answers import asking, student

@@ -8,8 +8,8 @@ import pytest
 
 from exercises.grading import HelpLevel
 from exercises.parts.inverse.joint_solutions import JointAnswerCells
-from exercises.parts.motion.equations_of_motion import MotionCells
 from exercises.parts.motion.jacobian_cells import JacobianCells
+from exercises.parts.motion.motion_cells import MotionCells
 from exercises.parts.motion.singularities import SingularityCells
 from kinematics.answers.joint_verdicts import JointClaim
 from kinematics.answers.screw_answers import ScrewOrder

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from importlib import import_module
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -11,8 +12,10 @@ import pytest
 from exercises.answers import RawAnswer, parse
 from exercises.grader import grade
 from exercises.instance import generate
-from exercises.parts.motion.equations_of_motion import MotionCells
+from exercises.loader import load_exercise
+from exercises.parts.motion.motion_cells import MotionCells
 from tests.exercises.answering import part
+from tests.exercises.folders import folder
 from tests.exercises.packaged import exercise
 
 H = "m2*L1*r2*sin(q2)"
@@ -90,7 +93,7 @@ def test_values_that_were_given_may_stand_for_their_names() -> None:
 def test_an_answer_of_very_many_decimals_is_read_once(monkeypatch: pytest.MonkeyPatch) -> None:
     """To read each cell anew for each decimal in it took seconds."""
     rows = 0
-    module = import_module("exercises.parts.motion.equations_of_motion")
+    module = import_module("exercises.parts.motion.motion_cells")
     read_row = module.read_row
 
     def counted(*given: Any, **named: Any) -> Any:
@@ -103,3 +106,41 @@ def test_an_answer_of_very_many_decimals_is_read_once(monkeypatch: pytest.Monkey
     answer = replace(ANSWER, mass=((next(cells), next(cells)), (next(cells), next(cells))))
     assert not earned(answer, "1")[0]
     assert rows == 5
+
+
+PENDULUM = """
+version = 1
+[title]
+en = "Pendulum"
+ro = "Pendul"
+pt = "Pêndulo"
+fr = "Pendule"
+uk = "Маятник"
+es = "Péndulo"
+[reference]
+convention = "standard"
+angle_unit = "deg"
+length_unit = "m"
+rows = [{ joint = "revolute", theta = "q1", d = 0, a = "L1", alpha = 0 }]
+[parameters]
+L1.value = 0.5
+[[parts]]
+kind = "equations_of_motion"
+points = 10
+ask = ["mass", "coriolis", "gravity"]
+gravity = [0, "-g", 0]
+links = [{ mass = "m1", centre = [0, 0, 0], moments = [0, 0, "I1"] }]
+weights = { m1 = { value = 2 }, I1 = { value = 0.15 }, g = { value = 9.81 } }
+"""
+
+
+@pytest.mark.parametrize(
+    ("mass", "score"), [("m1*L1^2 + I1", 1.0), ("m1*L1^2", 2 / 3), ("1.01*m1*L1^2 + I1", 2 / 3)]
+)
+def test_the_equations_of_a_single_joint_are_matrices_of_one_entry(
+    tmp_path: Path, mass: str, score: float
+) -> None:
+    instance = generate(load_exercise(folder(tmp_path, PENDULUM, name="pendulum", statement="Length *L1*.")))
+    answer = MotionCells(mass=((mass,),), coriolis=((0,),), gravity=("m1*g*L1*cos(q1)",))
+    found = grade(instance, parse(instance, RawAnswer(equations_of_motion=answer)))
+    assert part(found, "equations_of_motion").score == pytest.approx(score)

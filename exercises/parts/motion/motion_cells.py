@@ -1,0 +1,80 @@
+"""The equations of motion as they are typed, and the functions that they mean."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass, replace
+from typing import Annotated, Any
+
+from exercises.parts.cells.exactness import roundings
+from exercises.parts.cells.matrix_cells import read_row
+from exercises.parts.protocol import Length, Reading
+from kinematics.answers.dynamics_answers import EquationsAnswer
+from kinematics.cells import Cell
+from kinematics.dynamics import rate_name
+from kinematics.expressions import Expression
+
+CellRow = Annotated[tuple[Cell, ...], Length(least=1, most=64)]
+CellRows = Annotated[tuple[CellRow, ...], Length(least=1, most=64)]
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class MotionCells:
+    """The equations of motion: expressions in q1 … qn, the rates dq1 … dqn, and the names that are given.
+
+    Attributes:
+        mass: n×n, the mass matrix M.
+        coriolis: n×n, C with the right C q̇.
+        velocity: n, C q̇, where it is asked instead.
+        gravity: n, what gravity asks of the joints.
+    """
+
+    mass: CellRows | None = None
+    coriolis: CellRows | None = None
+    velocity: CellRow | None = None
+    gravity: CellRow | None = None
+
+
+def read_motion(
+    raw: MotionCells, reading: Reading, kind: str, weights: Collection[str]
+) -> EquationsAnswer | None:
+    """Return the functions that were typed; faults are kept in the reading.
+
+    Args:
+        raw: the cells.
+        reading: what they are read beside.
+        kind: of the part.
+        weights: names of what the links weigh, which may stand beside the exercise's own.
+    """
+    before = len(reading.faults)
+    n = len(reading.joint_types)
+    rates = {rate_name(i) for i in range(1, n + 1)}
+    names = {*weights, *rates}
+    found: dict[str, Any] = {}
+    cells: list[tuple[Cell, Expression]] = []
+    for field in ("mass", "coriolis", "velocity", "gravity"):
+        given = getattr(raw, field)
+        if given is None:
+            continue
+        is_matrix = field in ("mass", "coriolis")
+        rows = given if is_matrix else (given,)
+        if is_matrix and len(rows) != n:
+            reading.fault("motion_row_count", kind, field, expected=n, given=len(rows))
+            continue
+        read = []
+        for i, row in enumerate(rows):
+            place = (field, i) if is_matrix else (field,)
+            if reading.is_row_of(n, row, kind, *place):
+                entries = read_row(row, reading, kind, *place, names=names)
+                read.append(entries)
+                cells += zip(row, entries or (), strict=False)
+        found[field] = tuple(read) if is_matrix else read[0] if read else None
+    if not found and len(reading.faults) == before:
+        reading.fault("motion_empty", kind)
+    if len(reading.faults) > before:
+        return None
+
+    def read_again(texts: Sequence[str]) -> tuple[Expression, ...] | None:
+        return read_row(texts, replace(reading, faults=[]), kind, names=names)
+
+    return EquationsAnswer(**found, rounded=roundings(cells, rates, read_again))
