@@ -19,7 +19,13 @@ from kinematics.inverse.arm import ArmReach, Array
 from kinematics.inverse.clear_blocks import SOLUTIONS, clear_solutions
 from kinematics.inverse.delicate_blocks import delicate_targets
 from kinematics.inverse.distinct import SAME
-from kinematics.inverse.goals import read_goal
+from kinematics.inverse.goals import (
+    COMPUTED_TOLERANCE,
+    LEAST_TOLERANCE,
+    Goal,
+    read_goal,
+    tolerances_of_exact,
+)
 from kinematics.inverse.judging import judge
 from kinematics.inverse.lengths import LARGEST_LENGTH
 from kinematics.inverse.limits import within_limits
@@ -81,7 +87,7 @@ def solve_many(solver: Solver, targets: ArrayLike) -> InverseKinematicsBatch:
     Raises:
         PoseError: not (m, 4, 4), or a target is not a rigid motion, at ("target", i, …).
     """
-    poses = _checked(targets)
+    poses, tolerances = _checked(targets)
     n = solver.arm.n_joints
     parts: list[_Part] = []
     done = np.zeros(len(poses), dtype=bool)
@@ -96,17 +102,19 @@ def solve_many(solver: Solver, targets: ArrayLike) -> InverseKinematicsBatch:
         if solver.clear is not None:
             for start in range(0, len(poses), AT_ONCE):
                 block = slice(start, start + AT_ONCE)
-                part, done[block] = _at_once(solver, solver.clear, poses[block])
+                part, done[block] = _at_once(solver, solver.clear, poses[block], tolerances[block])
                 parts.append(part._replace(target=part.target + start))
             left = left[~done]
-        for start in range(0, len(left) if len(left) > FEW else 0, TOGETHER):
-            some = left[start : start + TOGETHER]
-            part, done[some] = _together(solver, closed, poses[some])
-            parts.append(part._replace(target=some[part.target]))
+        for tolerance in (COMPUTED_TOLERANCE, LEAST_TOLERANCE):
+            alike = left[tolerances[left] == tolerance]
+            for start in range(0, len(alike) if len(alike) > FEW else 0, TOGETHER):
+                some = alike[start : start + TOGETHER]
+                part, done[some] = _together(solver, closed, poses[some], tolerance)
+                parts.append(part._replace(target=some[part.target]))
     status = [IKStatus.SOLVED] * len(poses)
     complete = done.copy()
     for i in np.flatnonzero(~done).tolist():
-        answer = solver.solve(poses[i])
+        answer = solver.solve_goal(Goal(poses[i], float(tolerances[i])))
         status[i], complete[i] = answer.status, answer.complete
         parts.append(_part(answer, i, n))
     joints, owner, position, angle = _joined(parts, n)
@@ -151,8 +159,8 @@ def _part(answer: InverseKinematics, i: int, n_joints: int) -> _Part:
     )
 
 
-def _checked(targets: ArrayLike) -> Array:
-    """The targets, made sure to be rigid motions."""
+def _checked(targets: ArrayLike) -> tuple[Array, Array]:
+    """The targets, made sure to be rigid motions, and their tolerances."""
     poses = np.asarray(targets, dtype=np.float64)
     if poses.ndim != 3 or poses.shape[1:] != (4, 4):
         raise PoseError(
@@ -162,7 +170,7 @@ def _checked(targets: ArrayLike) -> Array:
             )
         )
     if not len(poses):
-        return poses
+        return poses, np.empty(0)
     R = poses[:, :3, :3]
     with np.errstate(all="ignore"):
         off = _off_orthonormal(R)
@@ -170,13 +178,14 @@ def _checked(targets: ArrayLike) -> Array:
         bottom = poses[:, 3] - (0.0, 0.0, 0.0, 1.0)
     far = np.abs(poses[:, :3, 3])
     if off.max() <= 1e-14 and handed.min() > 0.0 and not bottom.any() and far.max() < LARGEST_LENGTH:
-        return poses
+        return poses, tolerances_of_exact(poses)
     suspects = ~(off.max(axis=1) <= 1e-14) | ~(handed > 0.0) | (bottom != 0.0).any(axis=1)
     suspects |= ~(far.max(axis=1) < LARGEST_LENGTH)
-    rigid = poses.copy()
+    rigid, tolerances = poses.copy(), np.empty(len(poses))
+    tolerances[~suspects] = tolerances_of_exact(poses[~suspects])
     for i in np.flatnonzero(suspects).tolist():
-        rigid[i] = read_goal(poses[i], None, where=("target", i)).pose
-    return rigid
+        rigid[i], tolerances[i] = read_goal(poses[i], None, where=("target", i))
+    return rigid, tolerances
 
 
 def _off_orthonormal(R: Array) -> Array:
@@ -189,9 +198,11 @@ def _off_orthonormal(R: Array) -> Array:
     return np.abs(off, out=off).T
 
 
-def _at_once(solver: Solver, clear: ClearWrist, poses: Array) -> tuple[_Part, NDArray[np.bool_]]:
+def _at_once(
+    solver: Solver, clear: ClearWrist, poses: Array, tolerances: Array
+) -> tuple[_Part, NDArray[np.bool_]]:
     """Solutions of the targets that are away from singularities, and which targets those are."""
-    joints, position, angle, done = clear_solutions(clear, poses)
+    joints, position, angle, done = clear_solutions(clear, poses, tolerances)
     targets = np.arange(len(poses))
     if not done.all():
         joints, position, angle, targets = joints[done], position[done], angle[done], targets[done]
@@ -203,8 +214,10 @@ def _at_once(solver: Solver, clear: ClearWrist, poses: Array) -> tuple[_Part, ND
     return _Part(inside[fits], found.target[fits], position.ravel()[fits], angle.ravel()[fits]), done
 
 
-def _together(solver: Solver, wrist: WristArm, poses: Array) -> tuple[_Part, NDArray[np.bool_]]:
-    """Solutions of the targets that need no care, and which targets those are."""
+def _together(
+    solver: Solver, wrist: WristArm, poses: Array, tolerance: float
+) -> tuple[_Part, NDArray[np.bool_]]:
+    """Solutions of the targets of one tolerance that need no care, and which targets those are."""
     joints, counts = candidates_of_many(wrist, poses)
     if not len(joints):
         nothing = np.empty(0)
@@ -215,7 +228,7 @@ def _together(solver: Solver, wrist: WristArm, poses: Array) -> tuple[_Part, NDA
     exact = (position <= max(AS_IT_IS, solver.arm.rounding)) & (angle <= AS_IT_IS)
     done = counts > 0
     done[owner[~exact]] = False
-    done[delicate_targets(solver.arm, poses, joints, volume, counts)] = False
+    done[delicate_targets(solver.arm, poses, joints, volume, counts, tolerance)] = False
     done[_repeated(fingerprint, counts)] = False
     joints, fits = within_limits(joints, solver.arm.revolute, solver.box, solver.arm.size)
     kept = done[owner] & fits

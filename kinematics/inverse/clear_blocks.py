@@ -15,7 +15,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.inverse.arm import Array
-from kinematics.inverse.goals import LEAST_TOLERANCE
 from kinematics.inverse.wrist_scalars import EXACT, FLIPPED, MARGIN, STILL, ClearWrist
 from kinematics.inverse.wrist_tapes import run_on_arrays
 
@@ -41,20 +40,21 @@ class ClearSolutions(NamedTuple):
     clear: NDArray[np.bool_]
 
 
-def clear_solutions(clear: ClearWrist, targets: Array) -> ClearSolutions:
+def clear_solutions(clear: ClearWrist, targets: Array, tolerances: Array) -> ClearSolutions:
     """Return all solutions of those targets that have eight and are away from singularities.
 
     Args:
         clear: the arm.
         targets: (m, 4, 4) rigid motions.
+        tolerances: (m,) distance [m] and angle [rad] within which each is reached.
     """
     with np.errstate(all="ignore"):
-        return _solutions(clear, targets)
+        return _solutions(clear, targets, tolerances)
 
 
-def _solutions(w: ClearWrist, targets: Array) -> ClearSolutions:
+def _solutions(w: ClearWrist, targets: Array, tolerances: Array) -> ClearSolutions:
     seen = run_on_arrays(w.seen_tape, [*np.ascontiguousarray(targets.reshape(-1, 16)[:, :12].T)])
-    planes = _planes(w, *seen[6:])
+    planes = _planes(w, tolerances, *seen[6:])
     c3, s3 = _cos_sin(planes.half)
     f1, f2 = w.a2 + w.rho * c3, _both(w.rho * s3)
     g1, g2 = planes.g1, planes.g2
@@ -103,8 +103,8 @@ class _Planes(NamedTuple):
     clear: NDArray[np.bool_]
 
 
-def _planes(w: ClearWrist, x: Array, y: Array, z: Array) -> _Planes:
-    delta = LEAST_TOLERANCE * w.spread
+def _planes(w: ClearWrist, tolerances: Array, x: Array, y: Array, z: Array) -> _Planes:
+    delta = w.spread * tolerances
     g2 = (z - w.ca1 * w.aside) / w.sa1
     py = w.ca1 * g2 - w.sa1 * w.aside
     far = np.sqrt(x * x + y * y)
@@ -121,7 +121,7 @@ def _planes(w: ClearWrist, x: Array, y: Array, z: Array) -> _Planes:
     # Comparisons with NaN are false: a target without four heads is not clear.
     clear = ((across > edge) & (wobble <= STILL)).all(axis=0) & (argument > MARGIN * squared)
     t1 = np.arctan2(y * px - x * py, x * px + y * py)
-    return _Planes(t1, g1, g2, np.arccos(k / length), (wobble + LEAST_TOLERANCE) / STILL, clear)
+    return _Planes(t1, g1, g2, np.arccos(k / length), (wobble + tolerances) / STILL, clear)
 
 
 def _wrists(

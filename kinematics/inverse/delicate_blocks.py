@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 from kinematics.inverse.arm import Arm, Array
 from kinematics.inverse.distinct import differences
 from kinematics.inverse.families import LOST
-from kinematics.inverse.goals import LEAST_TOLERANCE
 from kinematics.inverse.isolation import (
     LONG,
     can_move,
@@ -23,15 +22,13 @@ from kinematics.inverse.isolation import (
 
 Indices = NDArray[np.intp]
 
-OF_A_FAMILY = max(LOST, 2.0 * LEAST_TOLERANCE / LONG)
-"""Least singular value up to which an exact solution may be of a family. Those of a double root may have
-more, and are told by the other root beside them."""
-
 REGULAR = 1e-14
 """Determinants up to this, lengths in units of the size, are as good as zero: nothing is inverted."""
 
 
-def delicate_targets(arm: Arm, targets: Array, joints: Array, volume: Array, counts: Indices) -> Indices:
+def delicate_targets(
+    arm: Arm, targets: Array, joints: Array, volume: Array, counts: Indices, tolerance: float
+) -> Indices:
     """Targets of which a solution may belong to a family, or two may be one across a fold.
 
     Args:
@@ -40,40 +37,43 @@ def delicate_targets(arm: Arm, targets: Array, joints: Array, volume: Array, cou
         joints: (k, 6) solutions, in order of the targets.
         volume: (k,) |det J| of each.
         counts: (m,) how many each target has.
+        tolerance: distance [m] and angle [rad] within which the targets are reached.
     """
-    suspects = _suspects(arm, joints, volume, counts)
+    suspects = _suspects(arm, joints, volume, counts, tolerance)
     if not len(suspects):
         return suspects
     owner = np.repeat(np.arange(len(counts)), counts)
     rows = np.flatnonzero(np.isin(owner, suspects))
     J = arm.jacobians(arm.frames(joints[rows])) * arm.units
-    rows = rows[np.linalg.svd(J, compute_uv=False)[:, -1] <= merging_value(LEAST_TOLERANCE)]
-    moving = rows[can_move(arm, targets[owner[rows]], joints[rows], LEAST_TOLERANCE)]
-    joined = joined_rows(arm, targets, joints, owner, rows, LEAST_TOLERANCE)
+    rows = rows[np.linalg.svd(J, compute_uv=False)[:, -1] <= merging_value(tolerance)]
+    moving = rows[can_move(arm, targets[owner[rows]], joints[rows], tolerance)]
+    joined = joined_rows(arm, targets, joints, owner, rows, tolerance)
     return np.unique(owner[np.concatenate((moving, joined))])
 
 
-def _suspects(arm: Arm, joints: Array, volume: Array, counts: Indices) -> Indices:
+def _suspects(arm: Arm, joints: Array, volume: Array, counts: Indices, tolerance: float) -> Indices:
     """Targets with a solution so near to a singularity that it has to be looked at.
 
     The least singular value is the volume divided by the product of the others, at least.
     """
     scaled = volume / (arm.larger_five * arm.size**3)
-    near = np.flatnonzero(~(scaled > merging_value(LEAST_TOLERANCE)))
+    near = np.flatnonzero(~(scaled > merging_value(tolerance)))
     if not len(near):
         return near
     owner = np.repeat(np.arange(len(counts)), counts)
-    lost = near[~(scaled[near] > OF_A_FAMILY)]
-    lost = lost[_least_values(arm, joints[lost], OF_A_FAMILY) <= OF_A_FAMILY]
+    # Double roots may have more, and are told by the other root beside them.
+    of_a_family = max(LOST, 2.0 * tolerance / LONG)
+    lost = near[~(scaled[near] > of_a_family)]
+    lost = lost[_least_values(arm, joints[lost], of_a_family) <= of_a_family]
     first = (np.cumsum(counts) - counts)[owner[near]]
     close = np.zeros(len(near), dtype=bool)
     for k in range(int(counts.max())):
         other = np.minimum(first + k, len(joints) - 1)
         theirs = (k < counts[owner[near]]) & (other != near)
         apart = np.abs(differences(joints[other], joints[near], arm)).max(axis=1)
-        close |= theirs & (apart <= fold_length(LEAST_TOLERANCE))
+        close |= theirs & (apart <= fold_length(tolerance))
     beside = near[close]
-    merging = merging_value(LEAST_TOLERANCE)
+    merging = merging_value(tolerance)
     beside = beside[_least_values(arm, joints[beside], merging) <= merging]
     return np.unique(owner[np.concatenate((lost, beside))])
 

@@ -8,11 +8,21 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from kinematics.errors import Fault, PoseError
+from kinematics.inverse.arm import Array
 from kinematics.inverse.lengths import LARGEST_LENGTH, is_far, too_long
 from kinematics.se3 import ORTHONORMAL_TOLERANCE, Transform, check_transform
 
 LEAST_TOLERANCE = 7e-10
-"""Tolerance for exact targets [m and rad]: distance and angle together are then within 1e-9."""
+"""Tolerance for targets that may have been printed [m and rad]: distance and angle together are then within
+1e-9."""
+
+COMPUTED_TOLERANCE = 1e-11
+"""The same for targets with all digits of a double: rounding of the forward kinematics has room, and what is
+isolated is not joined by a way on which the target is missed by more than rounding."""
+
+PRINTED = 1e10
+"""A position that is a whole number of 1/PRINTED [m] may have been printed; with more decimals it was
+computed."""
 
 ROUNDING = 1e-12
 """No tolerance is smaller: rounding of the forward kinematics has to pass."""
@@ -26,6 +36,9 @@ in all but one in ten thousand poses; measured on random rotations with 3 to 12 
 
 EXACT = 1e-14
 """A rotation whose RᵀR is no farther off than this was not rounded."""
+
+_WHOLE = 1e-4
+"""What is off a whole number of 1/PRINTED by no more, for lengths of 1, is one: rounding leaves 2e-6."""
 
 ROUNDED_ENTRIES = 4.0
 """Entries off by half a tolerance each leave RᵀR off by up to √3 tolerances, and by twice that where a
@@ -51,7 +64,8 @@ def read_goal(target: ArrayLike, tolerance: float | None, where: tuple[str | int
 
     Args:
         target: (4, 4).
-        tolerance: [m and rad]; left out, three times what the rotation part is off, 7e-10 at least.
+        tolerance: [m and rad]; left out, three times what the rotation part is off, and at least 1e-11 where
+            the target has all digits of a double, 7e-10 elsewhere.
         where: place of the target, for faults.
 
     Raises:
@@ -61,7 +75,8 @@ def read_goal(target: ArrayLike, tolerance: float | None, where: tuple[str | int
     Source: N. J. Higham, Matrix nearness problems and applications (1989) §3, the orthogonal polar factor.
     """
     if tolerance is None and type(target) is np.ndarray and target.shape == (4, 4) and _is_exact(target):
-        return Goal(target.astype(np.float64), LEAST_TOLERANCE)
+        pose = target.astype(np.float64)
+        return Goal(pose, _least_tolerance(*pose[:3, 3].tolist()))
     if tolerance is not None and not 0.0 < tolerance <= LARGEST_TOLERANCE:
         params = {"limit": LARGEST_TOLERANCE}
         raise PoseError(Fault(code="pose_tolerance_out_of_range", where=("tolerance",), params=params))
@@ -71,12 +86,30 @@ def read_goal(target: ArrayLike, tolerance: float | None, where: tuple[str | int
         raise PoseError(too_long(where))
     R = pose[:3, :3]
     off = float(np.abs(R.T @ R - np.eye(3)).max())
+    least = LEAST_TOLERANCE
     if off > EXACT:
         U, _, V = np.linalg.svd(R)
         pose[:3, :3] = U @ V
-    return Goal(
-        pose, max(OF_ROUNDING * off, LEAST_TOLERANCE) if tolerance is None else max(tolerance, ROUNDING)
-    )
+    else:
+        least = _least_tolerance(*pose[:3, 3].tolist())
+    return Goal(pose, max(OF_ROUNDING * off, least) if tolerance is None else max(tolerance, ROUNDING))
+
+
+def tolerances_of_exact(targets: Array) -> Array:
+    """Return the tolerance of each target whose rotation part is exact, (m,) of (m, 4, 4), as `read_goal`."""
+    position = targets[:, :3, 3]
+    scaled = PRINTED * position
+    computed = (np.abs(scaled - np.rint(scaled)) > _WHOLE * (1.0 + np.abs(position))).any(axis=1)
+    return np.where(computed, COMPUTED_TOLERANCE, LEAST_TOLERANCE)
+
+
+def _least_tolerance(*position: float) -> float:
+    """The tolerance of a target whose rotation part is exact."""
+    for length in position:
+        scaled = PRINTED * length
+        if abs(scaled - round(scaled)) > _WHOLE * (1.0 + abs(length)):
+            return COMPUTED_TOLERANCE
+    return LEAST_TOLERANCE
 
 
 def _is_exact(target: NDArray[Any]) -> bool:

@@ -79,13 +79,13 @@ def _with_member(arm: Arm, points: Array, closed: bool, q: Array) -> tuple[Array
 
 
 def _told(arm: Arm, points: Array, closed: bool, q: Array) -> Family:
-    """A path as a family: its parameter is the joint that moves farthest without turning back."""
+    """A path as a family: its parameter is the first joint that moves farthest without turning back."""
     moved = np.diff(points, axis=0) / arm.units
     last = differences(points[0], points[-1], arm) if closed else np.zeros(points.shape[1])
     moved = np.vstack((moved, last))
     way = np.abs(moved).sum(axis=0)
     one_way = np.abs(moved.sum(axis=0)) >= way - 1e-6
-    joint = int(np.where(one_way, way + 1e3 * (way > 0.1 * way.max()), way).argmax())
+    joint = int(np.where(one_way, way + 1e3 * (way > 0.1 * way.max()), way).round(6).argmax())
     winds = closed and abs(float(moved[:, joint].sum())) > math.pi
     least, greatest = float(points[:, joint].min()), float(points[:, joint].max())
     turns = 2.0 * math.pi * round((q[joint] - _nearest(points[:, joint], q[joint])) / (2.0 * math.pi))

@@ -78,11 +78,12 @@ class Solver:
         Raises:
             PoseError: not a rigid motion, or too far away to be computed with, at ("target", …).
         """
-        goal = read_goal(target, tolerance, where=("target",))
+        return self.solve_goal(read_goal(target, tolerance, where=("target",)))
+
+    def solve_goal(self, goal: Goal) -> InverseKinematics:
+        """Return what `solve` does, of a target that was read already."""
         answer = self._directly(goal)
-        if answer is not None:
-            return answer
-        return self._searched(goal)
+        return self._searched(goal) if answer is None else answer
 
     def solve_by_search(self, target: ArrayLike, tolerance: float | None = None) -> InverseKinematics:
         """Return what there is to say where `solve_directly` has no answer.

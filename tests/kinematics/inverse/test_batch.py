@@ -9,6 +9,7 @@ from kinematics.errors import PoseError
 from kinematics.forward import end_poses
 from kinematics.inverse import IKStatus, solve_many, solver_of
 from kinematics.inverse.delicate_blocks import delicate_targets
+from kinematics.inverse.goals import COMPUTED_TOLERANCE, read_goal, tolerances_of_exact
 from kinematics.inverse.wrist_blocks import candidates_of_many
 from kinematics.table import Convention, DHRow, DHTable, JointType
 from tests.kinematics.inverse.arms import STANFORD, UR5, apart, random_joints
@@ -70,7 +71,7 @@ def test_beside_folds_as_one_by_one(table):
     joints, counts = candidates_of_many(solver.closed_form, targets)
     volume = np.abs(np.linalg.det(solver.arm.jacobians(solver.arm.frames(joints))))
     volume *= solver.arm.size**3
-    delicate = delicate_targets(solver.arm, targets, joints, volume, counts)
+    delicate = delicate_targets(solver.arm, targets, joints, volume, counts, COMPUTED_TOLERANCE)
     assert 0 < len(delicate) < 0.75 * FOLDS
     batch = solve_many(solver, targets)
     for i, target in enumerate(targets):
@@ -108,6 +109,34 @@ def test_every_head_before_a_wrist_that_is_not_at_right_angles(name):
         assert apart(table, q[i], rows).min() < 1e-6
         if i < 6:
             assert len(rows) == len(solver.solve(targets[i]).solutions)
+
+
+@pytest.mark.parametrize("decimals", [7, 9, 17])
+def test_poses_as_they_are_printed(decimals):
+    """Beside a stretched elbow, where rounding leaves some out of reach."""
+    rng = np.random.default_rng(5)
+    solver = solver_of(PUMA560)
+    q = np.array([random_joints(rng, PUMA560) for _ in range(12)])
+    q[::2, 2] = np.pi - solver.closed_form.zeros[2] + 10.0 ** rng.uniform(-8, -3, 6)
+    targets = end_poses(PUMA560, q).round(decimals)
+    batch = solve_many(solver, targets)
+    for i, target in enumerate(targets):
+        alone = solver.solve(target)
+        assert batch.status[i] is alone.status
+        assert batch.complete[i] == alone.complete
+        assert (batch.target == i).sum() == len(alone.solutions)
+
+
+def test_tolerances_are_those_of_one_alone():
+    rng = np.random.default_rng(7)
+    targets = np.tile(np.eye(4), (300, 1, 1))
+    targets[:, :3, 3] = rng.uniform(-1.0, 1.0, (300, 3)) * 10.0 ** rng.uniform(-3, 6, (300, 1))
+    targets[::3, :3, 3] = targets[::3, :3, 3].round(9)
+    targets[1::3, :2, 3] = targets[1::3, :2, 3].round(4)
+    expected = [read_goal(target, None, where=()).tolerance for target in targets]
+    assert np.array_equal(tolerances_of_exact(targets), expected)
+    assert len(set(expected)) == 2
+    assert expected[::3] == [max(expected)] * 100
 
 
 def test_an_unreachable_target_among_others():

@@ -19,12 +19,16 @@ def drawn(table, count, seed=4):
     return end_poses(table, np.random.default_rng(seed).uniform(-math.pi, math.pi, (count, 6)))
 
 
+def alike(targets):
+    return np.full(len(targets), LEAST_TOLERANCE)
+
+
 @pytest.mark.parametrize("name", ARMS)
 def test_they_are_what_scalars_find(name):
     solver = solver_of(MODELS[name])
     assert solver.clear is not None
     targets = drawn(MODELS[name], 60)
-    found = clear_solutions(solver.clear, targets)
+    found = clear_solutions(solver.clear, targets, alike(targets))
     assert found.clear.any()
     for i, target in enumerate(targets):
         alone = solver.clear.solutions(target, LEAST_TOLERANCE)
@@ -39,7 +43,7 @@ def test_they_are_what_scalars_find(name):
 def test_each_is_no_farther_off_than_it_says(name):
     solver = solver_of(MODELS[name])
     targets = drawn(MODELS[name], 300)
-    found = clear_solutions(solver.clear, targets)
+    found = clear_solutions(solver.clear, targets, alike(targets))
     joints = found.joints[found.clear].reshape(-1, 6)
     assert (joints > -math.pi - 1e-15).all()
     assert (joints <= math.pi + 1e-15).all()
@@ -57,7 +61,7 @@ def test_what_is_beside_a_singularity_is_left_to_others(name, away):
     solver = solver_of(table)
     q = np.random.default_rng(6).uniform(-math.pi, math.pi, (40, 6))
     q[:, 4] = np.where(np.arange(40) % 2, math.pi, 0.0) + away
-    assert not clear_solutions(solver.clear, end_poses(table, q)).clear.any()
+    assert not clear_solutions(solver.clear, end_poses(table, q), alike(q)).clear.any()
 
 
 def test_out_of_reach_and_what_is_no_number_is_not_clear():
@@ -65,7 +69,7 @@ def test_out_of_reach_and_what_is_no_number_is_not_clear():
     targets = drawn(MODELS["puma"], 4)
     targets[0, :3, 3] *= 100.0
     targets[1, 0, 3] = math.nan
-    clear = clear_solutions(solver.clear, targets).clear
+    clear = clear_solutions(solver.clear, targets, alike(targets)).clear
     assert not clear[:2].any()
     assert clear[2:].all()
 

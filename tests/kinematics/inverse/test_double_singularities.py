@@ -49,6 +49,25 @@ def test_a_wrist_in_line_below_a_shoulder_at_its_edge(fourth, slide, decimals):
     assert any(s.family and s.family.parameters[0].full_turn for s in answer.solutions)
 
 
+@pytest.mark.parametrize(
+    "q",
+    [
+        (1.58369684, -0.89018123, 1.61782943, -2.84851559, 2.83287576, -1.83423119),
+        (1.77330868, -0.73299174, 1.61652164, 2.15263586, 0.63988234, -2.76288912),
+    ],
+)
+def test_a_computed_pose_near_two_singularities_has_eight_solutions(q):
+    """The PUMA's elbow nearly folded beside its shoulder: moved along a family the pose is off by 1e-10."""
+    solver, goal, answer = asked("puma", q)
+    assert holds(solver, goal, answer, q)
+    assert len(answer.solutions) == 8
+    assert answer.complete
+    assert max(s.residual for s in answer.solutions) < 1e-12
+    _, printed, rounded = asked("puma", q, decimals=9)
+    assert printed.tolerance > goal.tolerance
+    assert not rounded.complete
+
+
 @pytest.mark.parametrize("seed", range(5))
 def test_a_piece_of_a_family_that_no_exact_solution_is_on(seed):
     """A UR5's elbow folded and wrist in line, known to 1e-4: between two folds the pose is off by more."""
