@@ -84,6 +84,17 @@ def test_every_page_in_every_language_fits_a_small_phone(open_page: OpenPage, pa
         assert not re.search(r"\b(form|playground|trainer)-[a-z]|undefined|\[object|NaN", visible)
 
 
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_the_bar_is_one_line_from_large_phones_on(open_page: OpenPage, language: str) -> None:
+    page = open_page("/", lang=language, width=440)
+    for width in (440, 520, 550, 610, 680, 900):
+        page.set_viewport_size({"width": width, "height": 600})
+        nav, choice = page.locator(".bar-nav").bounding_box(), page.locator(".bar-language").bounding_box()
+        assert nav
+        assert choice
+        assert choice["y"] < nav["y"] + nav["height"] / 2, width
+
+
 @pytest.mark.parametrize("language", ["fr", "uk"])
 def test_what_is_open_refused_and_judged_fits_a_small_phone(open_page: OpenPage, language: str) -> None:
     page = open_page("/exercises/puma560", lang=language, width=320, height=600)
