@@ -6,7 +6,7 @@ An explanation is optional: if it fails, the verdict remains, the failure is log
 from __future__ import annotations
 
 import logging
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache, lru_cache
 
@@ -187,8 +187,12 @@ def _told(
     return link_findings(answer, wrong, decision, repairs, alike, level), feedback
 
 
-def without_idle_rows(read: ReadTable) -> tuple[ReadTable, tuple[int, ...]]:
+def without_idle_rows(read: ReadTable, but: Collection[int] = ()) -> tuple[ReadTable, tuple[int, ...]]:
     """Return a table without the fixed rows of zeros, which change nothing, and the rows that are left.
+
+    Args:
+        read: the table.
+        but: rows that stay nevertheless, from 0.
 
     Returns:
         The table, with at least one row, and the number of each of its rows in the original, from 0.
@@ -197,7 +201,7 @@ def without_idle_rows(read: ReadTable) -> tuple[ReadTable, tuple[int, ...]]:
     kept = tuple(
         i
         for i, row in enumerate(rows)
-        if row.joint is not JointType.FIXED or any(getattr(row, cell) != ZERO for cell in CELLS)
+        if row.joint is not JointType.FIXED or i in but or any(getattr(row, cell) != ZERO for cell in CELLS)
     ) or (0,)
     if len(kept) == len(rows):
         return read, kept

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from functools import lru_cache
 
 from exercises.grading.certificate_report import certificate_report
@@ -23,6 +24,7 @@ from exercises.grading.judgement import judged
 from exercises.grading.verdict import Basis, Feedback, HelpLevel, Verdict
 from kinematics.cells import ReadTable
 from kinematics.equivalence import Decision, Policy, prove
+from kinematics.table import JointType
 
 REMEMBERED = 512
 """Verdicts that are kept: a class hands in the same few answers again and again."""
@@ -140,11 +142,35 @@ def _diagnosed(
     if isinstance(decided, Verdict):
         return decided
     shortened, kept = without_idle_rows(submission)
+    if len(kept) < len(submission.table.rows):
+        forgotten = _row_without_its_variable(reference, submission, policy, dict(parameters), kept)
+        shortened, kept = without_idle_rows(submission, but=forgotten)
     if shortened is not submission:
         again = _decided(reference, shortened, policy, parameters)
         decided = decided if isinstance(again, Verdict) else again
     decision, way = decided
     return diagnosis(decision, way, (reference, shortened), policy, weights), way, kept
+
+
+def _row_without_its_variable(
+    reference: ReadTable,
+    submission: ReadTable,
+    policy: Policy,
+    parameters: Mapping[str, float],
+    kept: Sequence[int],
+) -> tuple[int, ...]:
+    """The row of zeros, from 0, with which a table is right once the variable of a joint stands in it."""
+    wanted, rows = reference.table.joint_types, submission.table.rows
+    if submission.table.n_joints != len(wanted) - 1:
+        return ()
+    # Of rows of zeros that follow each other the first speaks for all.
+    for i in (i for i in range(len(rows)) if i not in kept and (i == 0 or i - 1 in kept)):
+        joint = wanted[sum(row.joint is not JointType.FIXED for row in rows[:i])]
+        moving = (*rows[:i], replace(rows[i], joint=joint), *rows[i + 1 :])
+        table = replace(submission, table=replace(submission.table, rows=moving))
+        if is_accepted(reference, table, policy, parameters):
+            return (i,)
+    return ()
 
 
 @lru_cache(maxsize=REMEMBERED)

@@ -84,13 +84,17 @@ def equally_good(repairs: Sequence[Repaired], table: NumericTable, key: NumericT
     one another, and edits of a row; what concerns the table throughout is told as the likeliest alone. A
     length that was typed is likelier wrong than a zero, where with that the frames are the key's own, and
     where it becomes a length of the key and the zero doesn't. An offset is so only in the key's own table to
-    the letter: along parallel axes, what is missing in one row makes it any number in another.
+    the letter: along parallel axes, what is missing in one row makes it any number in another. A variable was
+    forgotten, rather than a row left out, where there is a row for every joint.
     """
     singles = [repair.changes[0] for repair in repairs if len(repair.changes) == 1]
     if not singles or singles[0] is not repairs[0].changes[0] or singles[0].row is None:
         return ()
     best, is_offset = singles[0], singles[0].cell == "d"
     alike = tuple(change for change in singles if change.extent is best.extent and change.row is not None)
+    forgotten = tuple(change for change in alike if change.code == "joint_fixed")
+    if forgotten and len(table.rows) >= key.n_joints:
+        return forgotten
     typed = tuple(change for change in alike if not change.fills_a_zero(table))
     if best not in typed:
         return alike

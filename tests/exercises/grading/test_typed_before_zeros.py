@@ -14,6 +14,7 @@ KEY: Rows = [(0, 0, 0, "q1"), (0, "a2", 0, "q2"), (0, "a3", "q3", 0), (0, 0, 0, 
 STANDARD: Rows = [(0, "a2", 0, "q1"), (0, "a3", 0, "q2"), (0, 0, "q3", 0), (0, 0, 0, "q4")]
 TURNED: Rows = [(0, "a2", 0, "q1"), (180, "a3", 0, "q2"), (0, 0, "q3", 0), (0, 0, 0, "q4")]
 SPREAD: Rows = [(0, "a2", 0, "q1"), (0, 0, 0, "q2"), (0, "a3", 0, 0), (0, 0, "q3", 0), (0, 0, 0, "q4")]
+ARM = {"a2": 0.4318, "a3": 0.0203, "d3": 0.15005, "d4": 0.4331}
 AXIS = Policy(tool=ToolRule.AXIS)
 
 
@@ -126,3 +127,31 @@ def test_of_an_offset_that_is_missing_along_parallel_axes_no_other_row_is_accuse
     left_out: Rows = [rows[0], (0, -0.4318, 0, "q2"), *rows[2:]]
     verdict = grade(key, read("standard", left_out, "deg"), policy, None, HelpLevel.ROW)
     assert {row for _, row in _named(verdict)} == {2, 3}
+
+
+PUMA: Rows = [
+    (90, 0, 0, "q1"),
+    (0, "a2", 0, "q2"),
+    (-90, "a3", "d3", "q3"),
+    (90, 0, "d4", "q4"),
+    (-90, 0, 0, "q5"),
+    (0, 0, 0, "q6"),
+]
+
+
+@pytest.mark.parametrize("row", range(1, 7))
+@pytest.mark.parametrize("padding", [0, 2])
+def test_a_forgotten_variable_is_told_in_its_row(row: int, padding: int) -> None:
+    """There is a row for every joint, so none is missing: in a row of zeros, too, like the PUMA's last."""
+    key = read("standard", PUMA, "deg")
+    alpha, a, d, _ = PUMA[row - 1]
+    rows = [*PUMA[: row - 1], (alpha, a, d, 0), *PUMA[row:], *[(0, 0, 0, 0)] * padding]
+    verdict = grade(key, read("standard", rows, "deg"), AXIS, ARM)
+    assert _named(verdict)[0] == ("joint_type_wrong", row)
+    assert ("row_missing", row) not in _named(verdict)
+
+
+def test_a_row_left_out_beside_a_row_of_zeros_is_missing() -> None:
+    key = read("standard", PUMA, "deg")
+    verdict = grade(key, read("standard", [(0, 0, 0, 0), *PUMA[:5]], "deg"), AXIS, ARM)
+    assert _named(verdict) == [("row_missing", 7)]
