@@ -78,6 +78,7 @@ def in_own_names(
     where: tuple[str | int, ...] = (),
     others: Collection[str] = (),
     *,
+    idle: Collection[str] = (),
     is_constant: bool = False,
 ) -> Expression:
     """Return an expression of an answer in the exercise's own names.
@@ -87,13 +88,14 @@ def in_own_names(
         exercise: the exercise.
         where: the place of the cell.
         others: names that may stand there besides the exercise's own.
+        idle: names in the cell that make no difference.
         is_constant: joint variables mean nothing there, which is said of their names.
 
     Raises:
         CellError: it holds unknown names, or has no value in the exercise's own.
     """
     names = parameters_in(expression)
-    unknown = sorted(names - _known(exercise) - set(others))
+    unknown = sorted({*names, *idle} - _known(exercise) - set(others))
     if unknown:
         raise CellError(
             Fault(code="joint_variable_in_number", where=where, params={"name": name})

@@ -259,7 +259,11 @@ class Reading:
         return None if self.keep(part, lambda: bind(own.table, values)) is None else own
 
     def own_names(
-        self, expression: Expression, where: tuple[str | int, ...], others: Collection[str] = ()
+        self,
+        expression: Expression,
+        where: tuple[str | int, ...],
+        others: Collection[str] = (),
+        idle: Collection[str] = (),
     ) -> Expression | None:
         """Return an expression in the exercise's own names, or None; faults are kept.
 
@@ -267,9 +271,10 @@ class Reading:
             expression: what was read.
             where: the place of its cell in the whole answer.
             others: names that may stand in it besides the exercise's own.
+            idle: names in its cell that make no difference.
         """
         try:
-            return in_own_names(expression, self.instance.exercise, where, others)
+            return in_own_names(expression, self.instance.exercise, where, others, idle=idle)
         except CellError as error:
             self.faults.extend(error.faults)
             return None

@@ -84,6 +84,11 @@ class CellMeaning:
     expression: Expression
     kinds: Mapping[str, ParameterKind]
 
+    @property
+    def idle(self) -> frozenset[str]:
+        """The names in it that make no difference, as in 0*x."""
+        return frozenset(self.kinds.keys() - parameters_in(self.expression))
+
 
 def interpret(
     node: Node, position: Position, angle_unit: AngleUnit, limits: Limits, variable_of: VariableOf

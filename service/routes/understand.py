@@ -150,7 +150,9 @@ def _matrices(
             faults += [
                 entry for entry, here in zip(row, typed, strict=True) if here and isinstance(entry, Fault)
             ]
-            rows.append([None if isinstance(entry, Fault) else _meaning(entry, variables) for entry in row])
+            rows.append(
+                [None if isinstance(entry, Fault) else _meaning(entry.expression, variables) for entry in row]
+            )
         found.append(rows)
     return found, faults
 

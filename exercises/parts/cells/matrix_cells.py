@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Collection, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property, lru_cache
 from typing import TypeAlias, cast
 
@@ -19,7 +19,7 @@ from exercises.parts.protocol import Reading
 from exercises.parts.samples import Samples
 from kinematics.cells import AngleUnit, Cell, Limits
 from kinematics.cells.entries import cell_meaning
-from kinematics.cells.meaning import Position
+from kinematics.cells.meaning import CellMeaning, Position
 from kinematics.cells.refusals import CellRefusal
 from kinematics.cells.tables import NoCell, as_cell
 from kinematics.cells.variables import variable_index
@@ -56,9 +56,11 @@ class SymbolicMatrix:
 
     Attributes:
         entries: row by row; angles in [rad], lengths in the unit of the answer.
+        idle: by row and column the names in a cell that make no difference.
     """
 
     entries: tuple[tuple[Expression, ...], ...]
+    idle: Mapping[tuple[int, int], frozenset[str]] = field(default_factory=dict, compare=False)
 
     def names(self) -> frozenset[str]:
         """Return the parameters in it."""
@@ -102,7 +104,9 @@ def read_matrix(
     faults = [entry for row in entries for entry in row if isinstance(entry, Fault)]
     if faults:
         raise CellError(faults)
-    return SymbolicMatrix(tuple(tuple(cast(Sequence[Expression], row)) for row in entries))
+    meanings = cast(Sequence[Sequence[CellMeaning]], entries)
+    idle = {(r, k): entry.idle for r, row in enumerate(meanings) for k, entry in enumerate(row) if entry.idle}
+    return SymbolicMatrix(tuple(tuple(entry.expression for entry in row) for row in meanings), idle)
 
 
 def read_entries(
@@ -111,7 +115,7 @@ def read_entries(
     angle_unit: AngleUnit,
     where: Where,
     limits: Limits = CELL_LIMITS,
-) -> list[list[Expression | Fault]]:
+) -> list[list[CellMeaning | Fault]]:
     """Return what each cell of a 4×4 means, or what is wrong with it, with its place.
 
     Args as in `read_matrix`.
@@ -121,7 +125,7 @@ def read_entries(
         for position in (Position.LENGTH, Position.RATIO)
     )
 
-    def entry(cell: Cell, r: int, k: int) -> Expression | Fault:
+    def entry(cell: Cell, r: int, k: int) -> CellMeaning | Fault:
         try:
             return _read(as_cell(cell), length if k == 3 and r < 3 else ratio)
         except CellRefusal as refusal:
@@ -149,14 +153,14 @@ def read_functions(
     angle_unit: AngleUnit,
     where: Where,
     position: Position = Position.LENGTH,
-) -> list[Expression | Fault]:
+) -> list[CellMeaning | Fault]:
     """Return what each cell of a row means, or what is wrong with it; numbers are not angles.
 
     Args as in `read_matrix`.
     """
     manner = _manner(position, angle_unit, CELL_LIMITS, tuple(joint_types))
 
-    def entry(cell: Cell, k: int) -> Expression | Fault:
+    def entry(cell: Cell, k: int) -> CellMeaning | Fault:
         try:
             return _read(as_cell(cell), manner)
         except CellRefusal as refusal:
@@ -184,7 +188,10 @@ def read_row(
     reading.faults.extend(entry for entry in read if isinstance(entry, Fault))
     if len(found) < len(cells):
         return None
-    own = [reading.own_names(entry, (part, *where, k), names) for k, entry in enumerate(found)]
+    own = [
+        reading.own_names(entry.expression, (part, *where, k), names, entry.idle)
+        for k, entry in enumerate(found)
+    ]
     row = tuple(entry for entry in own if entry is not None)
     return row if len(row) == len(own) else None
 
@@ -210,11 +217,14 @@ def _in_known_names(
     matrix: SymbolicMatrix, reading: Reading, part: str, *where: str | int
 ) -> SymbolicMatrix | None:
     """Return a matrix in the exercise's own names; None if it holds one that means nothing there."""
-    if matrix.names() <= reading.instance.exercise.reference.parameters.keys():
+    if matrix.names() <= reading.instance.exercise.reference.parameters.keys() and not matrix.idle:
         return matrix  # with what is known of it: it is read once for all who write the same
     rows: list[tuple[Expression, ...]] = []
     for r, row in enumerate(matrix.entries):
-        own = [reading.own_names(entry, (part, *where, r, c)) for c, entry in enumerate(row)]
+        own = [
+            reading.own_names(entry, (part, *where, r, c), idle=matrix.idle.get((r, c), ()))
+            for c, entry in enumerate(row)
+        ]
         rows.append(tuple(entry for entry in own if entry is not None))
     is_whole = all(len(own) == len(row) for own, row in zip(rows, matrix.entries, strict=True))
     return SymbolicMatrix(tuple(rows)) if is_whole else None
@@ -246,17 +256,17 @@ def _manner(
 
 
 @lru_cache(maxsize=8192, typed=True)
-def _read(cell: Cell | NoCell, manner: _Manner) -> Expression:
-    """The expression of one cell; the columns of a refusal are those of the cell as typed."""
+def _read(cell: Cell | NoCell, manner: _Manner) -> CellMeaning:
+    """The meaning of one cell; the columns of a refusal are those of the cell as typed."""
     position, unit, limits = manner.position, manner.unit, manner.limits
     variable = _variables(manner.joint_types)
     if not isinstance(cell, str):
-        return cell_meaning(cell, position, unit, limits, variable).expression
+        return cell_meaning(cell, position, unit, limits, variable)
     text = _GREEK.sub(lambda m: f"{m[1]}{m[2]}".rjust(len(m[0])), cell)
     places = [m.start() for m in _CALLED.finditer(text)]
     text = _CALLED.sub(lambda m: _FUNCTIONS[m[1].lower()].value, text)
     try:
-        return cell_meaning(text, position, unit, limits, variable).expression
+        return cell_meaning(text, position, unit, limits, variable)
     except CellRefusal as refusal:
         column = refusal.params.get("column")
         if isinstance(column, int):

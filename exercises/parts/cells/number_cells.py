@@ -56,7 +56,7 @@ def number_of(
         meaning = cell_meaning(cell, position, unit, DEFAULT, lambda _: None)
     except CellRefusal as refusal:
         raise CellError(refusal.at(*where)) from None
-    expression = in_own_names(meaning.expression, exercise, where, is_constant=True)
+    expression = in_own_names(meaning.expression, exercise, where, idle=meaning.idle, is_constant=True)
     values = values_in_radians(instance.parameters, exercise.reference.parameters, exercise.angle_unit)
     try:
         value = evaluate(expression, values)

@@ -16,7 +16,7 @@ from math import gcd
 
 from exercises.parts.cells.matrix_cells import Where, read_functions
 from kinematics.cells import AngleUnit, Cell
-from kinematics.cells.meaning import Position
+from kinematics.cells.meaning import CellMeaning, Position
 from kinematics.errors import Fault
 from kinematics.expressions import (
     Call,
@@ -61,7 +61,7 @@ class _Equation:
 
 def read_conditions(
     cell: Cell, joint_types: Sequence[JointType], angle_unit: AngleUnit, where: Where
-) -> list[Expression | Fault]:
+) -> list[CellMeaning | Fault]:
     """Return for each condition in a cell a function that vanishes just where it holds, or what is wrong.
 
     Args:
@@ -125,8 +125,8 @@ def _pieces(text: str) -> Iterator[str]:
 
 def _function(
     equation: _Equation, joint_types: Sequence[JointType], angle_unit: AngleUnit, where: Where
-) -> Expression | Fault:
-    def read(text: str, position: Position) -> Expression | Fault:
+) -> CellMeaning | Fault:
+    def read(text: str, position: Position) -> CellMeaning | Fault:
         (found,) = read_functions((text,), joint_types, angle_unit, where, position)
         return replace(found, where=where) if isinstance(found, Fault) else found
 
@@ -134,23 +134,27 @@ def _function(
     if isinstance(left, Fault):
         return left
     turning = {i for i, kind in enumerate(joint_types, 1) if kind is JointType.REVOLUTE}
-    if not _outside(left) & turning:
+    if not _outside(left.expression) & turning:
         right = read(equation.right, Position.LENGTH)
         if isinstance(right, Fault):
             return right
-        return (
-            Fault(code="condition_angle_nonlinear", where=where)
-            if _outside(right) & turning
-            else (add((left, negate(right))))
-        )
+        if _outside(right.expression) & turning:
+            return Fault(code="condition_angle_nonlinear", where=where)
+        difference = add((left.expression, negate(right.expression)))
+        return CellMeaning(expression=difference, kinds={**left.kinds, **right.kinds})
     sides = [read(equation.left, Position.ANGLE)]
     sides += [read(_LETTER.sub(value, equation.right), Position.ANGLE) for value in ("(0)", "(1)")]
     known = [side for side in sides if not isinstance(side, Fault)]
     if len(known) < len(sides):
         return next(side for side in sides if isinstance(side, Fault))
-    left, first, second = known
+    angle, first, second = (side.expression for side in known)
     period = pi_fraction(add((second, negate(first))))
-    return _angle_equation(add((left, negate(first))), period, where)
+    function = _angle_equation(add((angle, negate(first))), period, where)
+    if isinstance(function, Fault):
+        return function
+    return CellMeaning(
+        expression=function, kinds={name: kind for side in known for name, kind in side.kinds.items()}
+    )
 
 
 def _angle_equation(angle: Expression, period: Fraction | None, where: Where) -> Expression | Fault:

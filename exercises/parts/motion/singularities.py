@@ -182,9 +182,9 @@ class SingularitiesType(PartType[SingularitiesPart, SingularityCells, Singularit
         for i, (cell,) in enumerate(raw.conditions or ()):
             where = (self.kind, "conditions", i, 0)
             found = read_conditions(cell, types, exercise.angle_unit, where)
-            functions = [entry for entry in found if not isinstance(entry, Fault)]
+            read = [entry for entry in found if not isinstance(entry, Fault)]
             reading.faults.extend(entry for entry in found if isinstance(entry, Fault))
-            own = [reading.own_names(entry, where) for entry in functions]
+            own = [reading.own_names(entry.expression, where, idle=entry.idle) for entry in read]
             rows.append(tuple(entry for entry in own if entry is not None))
         lost = None
         part = next(part for part in exercise.parts if isinstance(part, SingularitiesPart))

@@ -8,8 +8,9 @@ from typing import Any
 
 from exercises.parts.cells.matrix_cells import read_functions
 from kinematics.cells import AngleUnit, ParameterKind, ReadTable
+from kinematics.cells.meaning import CellMeaning
 from kinematics.errors import CellError, Fault, JointValueError
-from kinematics.expressions import Expression, parameters_in
+from kinematics.expressions import Expression
 from service.schemas.robot_question import RobotQuestion
 from service.wire.prepared_robots import PreparedRobot, listed_robot
 
@@ -46,7 +47,7 @@ def read_row(
 
 
 def known_functions(
-    read: Sequence[Expression | Fault], known: Collection[str], places: Sequence[Where]
+    read: Sequence[CellMeaning | Fault], known: Collection[str], places: Sequence[Where]
 ) -> tuple[Expression, ...]:
     """Return what was read, if nothing is wrong with it and every name in it has a value.
 
@@ -64,11 +65,11 @@ def known_functions(
         faults = [
             Fault(code="parameter_missing", where=where, params={"name": name})
             for where, entry in zip(places, functions, strict=True)
-            for name in sorted(parameters_in(entry) - set(known))
+            for name in sorted(entry.kinds.keys() - set(known))
         ]
     if faults:
         raise CellError(faults)
-    return functions
+    return tuple(entry.expression for entry in functions)
 
 
 def check_count(row: Sequence[Any], expected: int, where: Where) -> None:

@@ -8,11 +8,13 @@ from typing import Any
 import pytest
 
 from exercises.answers import RawAnswer, parse
+from exercises.errors import AnswerError
 from exercises.grader import grade
 from exercises.grading import Finding, HelpLevel
 from exercises.instance import generate
 from exercises.loader import load_exercise
 from exercises.parts.cells.matrix_cells import read_functions, read_matrix
+from exercises.parts.motion.singularities import SingularityCells
 from exercises.parts.report import Credit
 from kinematics.cells import AngleUnit
 from kinematics.errors import CellError, Fault
@@ -306,3 +308,21 @@ def test_cells_that_were_read_before_are_the_same_ones_again() -> None:
         parse(instance, RawAnswer(transform=SCARA_TRANSFORM)).parts["transform"].entries for _ in range(2)
     )
     assert all(a is b for row, again in zip(one, other, strict=True) for a, b in zip(row, again, strict=True))
+
+
+@pytest.mark.parametrize("entry", ["0*foo", "foo - foo", "foo^0 - 1", "sin(foo - foo)"])
+def test_a_name_that_makes_no_difference_is_no_less_unknown(entry: str) -> None:
+    transform = [[*SCARA_TRANSFORM[0][:2], entry, SCARA_TRANSFORM[0][3]], *SCARA_TRANSFORM[1:]]
+    with pytest.raises(AnswerError) as refused:
+        judged("scara", transform=transform)
+    (fault,) = refused.value.faults
+    assert (fault.code, fault.where, fault.params["name"]) == ("name_unknown", ("transform", 0, 2), "foo")
+    known = [[entry.replace("foo", "a2") if cell is entry else cell for cell in row] for row in transform]
+    assert part(judged("scara", transform=known), "transform").correct
+
+
+@pytest.mark.parametrize("condition", ["sin(q2) + 0*foo", "sin(q2) = foo - foo", "q2 = k*pi + 0*foo"])
+def test_a_name_that_makes_no_difference_is_unknown_in_conditions(condition: str) -> None:
+    with pytest.raises(AnswerError) as refused:
+        judged("twolink-singularities", singularities=SingularityCells(conditions=((condition,),)))
+    assert [fault.code for fault in refused.value.faults] == ["name_unknown"]

@@ -117,7 +117,7 @@ def read(rows: Rows) -> tuple[tuple[Expression, ...], ...]:
         read_functions([str(entry).replace("**", "^") for entry in row], joints, AngleUnit.RAD, ())
         for row in rows
     ]
-    return tuple(tuple(row) for row in found)  # type: ignore[arg-type]
+    return tuple(tuple(entry.expression for entry in row) for row in found)  # type: ignore[union-attr]
 
 
 def campaign(count: int, seed: int = 1) -> tuple[int, int, list[str], tuple[float, float]]:

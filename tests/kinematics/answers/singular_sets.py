@@ -46,7 +46,7 @@ def read(name: str, text: str) -> list[Expression]:
     found = read_conditions(text, types, AngleUnit.RAD, ("conditions", 0))
     faults = [entry for entry in found if isinstance(entry, Fault)]
     assert not faults, (text, faults)
-    return [entry for entry in found if not isinstance(entry, Fault)]
+    return [entry.expression for entry in found if not isinstance(entry, Fault)]
 
 
 def written(factor: str, rng: random.Random) -> str:

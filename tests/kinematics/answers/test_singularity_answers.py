@@ -92,8 +92,8 @@ def test_which_length_is_longer_may_be_used() -> None:
 
     def right(*texts: str) -> bool:
         types = table.joint_types
-        read_ones = [read_conditions(text, types, AngleUnit.DEG, ())[0] for text in texts]
-        return judge_singularities(own, [one for one in read_ones if not isinstance(one, Fault)]).right
+        ones = [read_conditions(text, types, AngleUnit.DEG, ())[0] for text in texts]
+        return judge_singularities(own, [one.expression for one in ones if not isinstance(one, Fault)]).right
 
     assert right(f"{reach} = L1 - L2", f"{reach} = L1 + L2")
     assert not right(f"{reach} = L2 - L1", f"{reach} = L1 + L2")
