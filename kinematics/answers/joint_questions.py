@@ -94,6 +94,7 @@ def joint_question(
     every: bool = True,
     tolerance: float = USUAL_TOLERANCE,
     reach: ArmReach = ArmReach.POSE,
+    found: InverseKinematics | None = None,
 ) -> JointQuestion:
     """Return a pose with all that reaches it.
 
@@ -103,6 +104,7 @@ def joint_question(
         every: all solutions are asked, not one.
         tolerance: of positions as a share of the arm's size, and of angles [rad].
         reach: what of the tool has to reach the target: its pose, or its position alone.
+        found: what the solver says of the target, where that is known.
 
     Raises:
         PoseError: the target is no rigid motion, or too far away to be computed with.
@@ -112,7 +114,7 @@ def joint_question(
         solver=solver,
         chain=chain,
         target=target,
-        found=solver.solve(target),
+        found=solver.solve(target) if found is None else found,
         every=every,
         tolerance=tolerance,
         reach=reach,

@@ -19,15 +19,7 @@ from kinematics.inverse.families import (
     pivots_of,
 )
 from kinematics.inverse.gaps import nearest_places, way_through_gaps
-from kinematics.inverse.isolation import (
-    LONG,
-    can_move,
-    fold_length,
-    joined_before,
-    lost_value,
-    merging_value,
-)
-from kinematics.inverse.residuals import errors_of
+from kinematics.inverse.isolation import LONG, fold_length, lost_value, told_apart
 from kinematics.inverse.walks import leads
 
 GAP = 4.0 / LONG
@@ -93,34 +85,10 @@ def components_of(arm: Arm, target: Array, joints: Array, tolerance: float) -> l
         joints: (m, n) solutions, as exact as they can be had.
         tolerance: distance [m] and angle [rad] within which the target is reached.
     """
-    if not len(joints):
-        return []
-    frames = arm.frames(joints)
-    errors = np.linalg.norm(errors_of(arm, frames[-1], target), axis=1)
-    J = arm.jacobians(frames) * arm.units
-    least = np.linalg.svd(J, compute_uv=False)[:, arm.generic_rank - 1]
-    delicate = (least <= merging_value(tolerance)) | (arm.spare > 0)
-    apart = np.abs(differences(joints[:, None], joints[None], arm)).max(axis=2)
-    np.fill_diagonal(apart, np.inf)
-    if not arm.spare and float(least.min()) > lost_value(tolerance):
-        delicate &= apart.min(axis=1) <= fold_length(tolerance)
-    order = np.argsort(errors, kind="stable").tolist()
-    if not arm.spare and delicate.any():
-        some = [i for i in order if delicate[i]]
-        targets = np.broadcast_to(target, (len(some), 4, 4))
-        if not can_move(arm, targets, joints[some], tolerance).any():
-            joined = joined_before(Follower(arm, target, tolerance), joints, some, tolerance)
-            order = [i for i in order if i not in joined]
-            delicate[:] = False
-    alone: list[int] = []
-    for i in order:
-        if not delicate[i] and all(apart[i, k] > SAME for k in alone):
-            alone.append(i)
+    alone, delicate = told_apart(arm, target, joints, tolerance)
     found = [Component(joints[i]) for i in alone]
-    order = [i for i in order if delicate[i]]
-    if order:
-        sorter = _Sorter(arm, Follower(arm, target, tolerance), tolerance)
-        found += sorter.sorted(joints[order])
+    if delicate:
+        found += _Sorter(arm, Follower(arm, target, tolerance), tolerance).sorted(joints[delicate])
     return found
 
 

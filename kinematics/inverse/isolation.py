@@ -14,9 +14,9 @@ from numpy.typing import NDArray
 
 from kinematics.inverse.arm import Arm, Array
 from kinematics.inverse.corrections import corrected
-from kinematics.inverse.distinct import differences
+from kinematics.inverse.distinct import SAME, differences
 from kinematics.inverse.families import LOST, Follower, weighing_alike
-from kinematics.inverse.residuals import are_solutions
+from kinematics.inverse.residuals import are_solutions, errors_of
 
 Indices = NDArray[np.intp]
 
@@ -46,6 +46,41 @@ def lost_value(tolerance: float) -> float:
 def merging_value(tolerance: float) -> float:
     """Return the least singular value of the Jacobian above which a solution stands alone."""
     return MERGING * math.sqrt(tolerance)
+
+
+def told_apart(arm: Arm, target: Array, joints: Array, tolerance: float) -> tuple[list[int], list[int]]:
+    """Return which solutions stand alone, each once; and which may be of families, the most exact first.
+
+    Args:
+        arm: the arm.
+        target: (4, 4).
+        joints: (m, n) solutions, as exact as they can be had.
+        tolerance: distance [m] and angle [rad] within which the target is reached.
+    """
+    if not len(joints):
+        return [], []
+    frames = arm.frames(joints)
+    errors = np.linalg.norm(errors_of(arm, frames[-1], target), axis=1)
+    J = arm.jacobians(frames) * arm.units
+    least = np.linalg.svd(J, compute_uv=False)[:, arm.generic_rank - 1]
+    delicate = (least <= merging_value(tolerance)) | (arm.spare > 0)
+    apart = np.abs(differences(joints[:, None], joints[None], arm)).max(axis=2)
+    np.fill_diagonal(apart, np.inf)
+    if not arm.spare and float(least.min()) > lost_value(tolerance):
+        delicate &= apart.min(axis=1) <= fold_length(tolerance)
+    order = np.argsort(errors, kind="stable").tolist()
+    if not arm.spare and delicate.any():
+        some = [i for i in order if delicate[i]]
+        targets = np.broadcast_to(target, (len(some), 4, 4))
+        if not can_move(arm, targets, joints[some], tolerance).any():
+            joined = joined_before(Follower(arm, target, tolerance), joints, some, tolerance)
+            order = [i for i in order if i not in joined]
+            delicate[:] = False
+    alone: list[int] = []
+    for i in order:
+        if not delicate[i] and all(apart[i, k] > SAME for k in alone):
+            alone.append(i)
+    return alone, [i for i in order if delicate[i]]
 
 
 def can_move(arm: Arm, targets: Array, joints: Array, tolerance: float) -> NDArray[np.bool_]:

@@ -11,9 +11,10 @@ from numpy.typing import ArrayLike
 from kinematics.errors import Fault, PoseError, TableError
 from kinematics.inverse.arm import Arm, ArmReach, Array, arm_of
 from kinematics.inverse.closed_form import InverseClosedForm, candidates_beside, closed_form_of
-from kinematics.inverse.components import components_of
+from kinematics.inverse.components import Component, components_of
 from kinematics.inverse.families import Follower
 from kinematics.inverse.goals import Goal, read_goal
+from kinematics.inverse.isolation import told_apart
 from kinematics.inverse.lengths import check_lengths, is_far, too_long
 from kinematics.inverse.limits import JointLimits, read_limits, within_limits
 from kinematics.inverse.locked import LockedArms, locked_arms_of
@@ -85,19 +86,23 @@ class Solver:
         answer = self._directly(goal)
         return self._searched(goal) if answer is None else answer
 
-    def solve_by_search(self, target: ArrayLike, tolerance: float | None = None) -> InverseKinematics:
-        """Return what there is to say where `solve_directly` has no answer.
-
-        Arguments and refusals are those of `solve`.
-        """
-        return self._searched(read_goal(target, tolerance, where=("target",)))
-
     def solve_directly(self, target: ArrayLike, tolerance: float | None = None) -> InverseKinematics | None:
-        """What the closed form alone says: solutions within the limits, or None if it has none; never long.
+        """What the closed form alone says, never long; None if it has no solution within the limits.
+
+        None, too, where solutions may be of families, which would have to be followed.
 
         Arguments and refusals are those of `solve`.
         """
-        return self._directly(read_goal(target, tolerance, where=("target",)))
+        goal = read_goal(target, tolerance, where=("target",))
+        answer = self._at_once(goal)
+        if answer is not None:
+            return answer
+        found = self._by_closed_form(goal)
+        if found is None:
+            return None
+        alone, delicate = told_apart(self.arm, goal.pose, found, goal.tolerance)
+        parts = [Component(found[i]) for i in alone]
+        return None if delicate else self._answer_of(parts, goal, Method.CLOSED_FORM)
 
     def _directly(self, goal: Goal) -> InverseKinematics | None:
         answer = self._at_once(goal)
@@ -140,8 +145,14 @@ class Solver:
         self, joints: Array, goal: Goal, method: Method, outside: int = 0
     ) -> InverseKinematics | None:
         """The result for solutions without limits, of which some lie within them; None if none does."""
+        parts = components_of(self.arm, goal.pose, joints, goal.tolerance)
+        return self._answer_of(parts, goal, method, outside)
+
+    def _answer_of(
+        self, parts: list[Component], goal: Goal, method: Method, outside: int = 0
+    ) -> InverseKinematics | None:
+        """The same for the components that they belong to."""
         arm = self.arm
-        parts = components_of(arm, goal.pose, joints, goal.tolerance)
         alone = [part.joints for part in parts if not part.dimension]
         found: list[tuple[Array, Family | None]] = []
         if alone:

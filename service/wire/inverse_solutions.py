@@ -59,17 +59,13 @@ async def solved(
 ) -> InverseKinematicsAnswer:
     """Return the joint values that reach a target.
 
-    A closed form gives them at once, else a search in a worker process.
-
     Raises:
         KinematicsError: malformed limits or poses, or a table that inverse kinematics does not take.
-        ServiceError: no place for a search, or it took too long.
+        ServiceError: as `answer_to`.
     """
     with traced(request):
         question = _question(request, robot)
-        answer = await in_thread(_directly, question)
-    if answer is None:
-        answer = await workers.run(Lane.SLOW, _search, question)
+        answer = await answer_to(question, workers)
     return _answer(answer.nearest_first(robot.table.joint_types, question.start), robot)
 
 
@@ -93,7 +89,7 @@ async def solved_each(
             read_goal(target, question.tolerance, where=("targets", i))
         question.solver()
     seconds = api.settings.symbolic_seconds
-    answers = await api.resources.workers.run(Lane.SLOW, _search_each, question, targets, ALLOTTED * seconds)
+    answers = await api.resources.workers.run(Lane.SLOW, _solve_each, question, targets, ALLOTTED * seconds)
     answers = [answer.nearest_first(robot.table.joint_types, question.start) for answer in answers]
     return InverseKinematicsAnswers(
         angle_unit=robot.read.angle_unit.value,
@@ -129,23 +125,24 @@ def _unanswered(target: Matrix, tolerance: float | None) -> TargetAnswer:
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class _Question:
+class PoseQuestion:
     """What is asked, in domain units; it can go to another process."""
 
     table: NumericTable
     target: Matrix
-    reach: ArmReach
-    base: Matrix | None
-    tool: Matrix | None
-    limits: DomainLimits | None
-    tolerance: float | None
-    start: list[float] | None
+    reach: ArmReach = ArmReach.POSE
+    base: Matrix | None = None
+    tool: Matrix | None = None
+    limits: DomainLimits | None = None
+    tolerance: float | None = None
+    start: list[float] | None = None
 
     def solver(self) -> Solver:
+        """Return the arm made ready."""
         return solver_of(self.table, base=self.base, tool=self.tool, limits=self.limits, reach=self.reach)
 
 
-def _question(request: NumericInverseKinematicsRequest, robot: PreparedRobot) -> _Question:
+def _question(request: NumericInverseKinematicsRequest, robot: PreparedRobot) -> PoseQuestion:
     base, tool = base_and_tool(request, robot.angle)
     if request.targets is not None:
         target, reach = None, ArmReach.POSE
@@ -155,7 +152,7 @@ def _question(request: NumericInverseKinematicsRequest, robot: PreparedRobot) ->
         target = placed_matrix(request.position, request.quaternion, request.axis)
         free = ArmReach.POSITION if request.axis is None else ArmReach.AXIS
         reach = ArmReach.POSE if request.quaternion is not None else free
-    return _Question(
+    return PoseQuestion(
         table=robot.table,
         target=target,
         reach=reach,
@@ -174,17 +171,28 @@ def _start(start: list[float], robot: PreparedRobot) -> list[float]:
     return [value * unit for value, unit in zip(start, robot.joint_units, strict=True)]
 
 
-def _directly(question: _Question) -> InverseKinematics | None:
+async def answer_to(question: PoseQuestion, workers: Workers) -> InverseKinematics:
+    """Return the solutions: a closed form gives them at once; a worker process searches, or follows families.
+
+    Raises:
+        KinematicsError: malformed limits or poses, or a table that inverse kinematics does not take.
+        ServiceError: no place in the lane, or it took too long.
+    """
+    answer = await in_thread(_directly, question)
+    return await workers.run(Lane.SLOW, _solve, question) if answer is None else answer
+
+
+def _directly(question: PoseQuestion) -> InverseKinematics | None:
     """What the closed form alone says, in a thread; every refusal is made here, none in a worker."""
     return question.solver().solve_directly(question.target, question.tolerance)
 
 
-def _search(question: _Question) -> InverseKinematics:
+def _solve(question: PoseQuestion) -> InverseKinematics:
     """What a worker process does."""
-    return question.solver().solve_by_search(question.target, question.tolerance)
+    return question.solver().solve(question.target, question.tolerance)
 
 
-def _search_each(question: _Question, targets: Sequence[Matrix], seconds: float) -> list[InverseKinematics]:
+def _solve_each(question: PoseQuestion, targets: Sequence[Matrix], seconds: float) -> list[InverseKinematics]:
     """What a worker process does for many targets: the first ones, as many as the processor time allows."""
     solver = question.solver()
     return each_in_time(lambda target: solver.solve(target, question.tolerance), targets, seconds)

@@ -10,11 +10,12 @@ import numpy as np
 import pytest
 
 from kinematics.catalogue import robot, robot_ids
-from kinematics.cells import bind_parameters
+from kinematics.cells import AngleUnit, bind_parameters
 from kinematics.forward import end_pose
 from kinematics.table import JointType
 from service.schemas.examples import PUMA_560
 from service.wire import inverse_solutions
+from service.work.workers import Lane, Workers
 
 URL = "/api/v1/inverse-kinematics"
 
@@ -380,3 +381,45 @@ def test_target_and_targets_exclude_each_other(client: httpx.Client) -> None:
     response = client.post(URL, json=body)
     assert response.status_code == 422
     assert response.json()["errors"][0]["code"] == "target_or_position"
+
+
+@pytest.mark.parametrize(
+    ("robot_id", "q", "decimals", "afar"),
+    [
+        ("puma560", [0.5, -0.7, 1.2, 0.3, 0.9, -1.4], 17, False),
+        ("puma560", [0.5, -0.7, 1.2, 0.3, 0.0, -1.4], 9, True),
+        ("panda", [0.2, 0.3, 0.5, -0.7, 0.9, 1.0, 1.2], 17, True),
+    ],
+    ids=["clear", "a family to follow", "a search"],
+)
+@pytest.mark.parametrize("path", ["/inverse-kinematics", "/check-inverse-kinematics"])
+def test_what_may_take_long_is_left_to_a_worker(
+    client: httpx.Client,
+    monkeypatch: pytest.MonkeyPatch,
+    path: str,
+    robot_id: str,
+    q: list[float],
+    decimals: int,
+    afar: bool,
+) -> None:
+    lanes: list[Lane] = []
+    run = Workers.run
+
+    async def noted(self: Workers, lane: Lane, function: Any, *arguments: Any) -> Any:
+        lanes.append(lane)
+        return await run(self, lane, function, *arguments)
+
+    monkeypatch.setattr(Workers, "run", noted)
+    entry = robot(robot_id)
+    target = end_pose(bind_parameters(entry.table, entry.parameters), q).round(decimals)
+    body: dict[str, Any] = {"robot": robot_id, "target": target.tolist()}
+    if path.startswith("/check"):
+        own = client.post(f"/api/v1{path}", json={**body, "solutions": [_in_units(entry, q)]})
+        assert own.json()["rows"][0]["correct"] is True
+    else:
+        assert asked(client, **body)["solutions"]
+    assert lanes == [Lane.SLOW] * afar
+
+
+def _in_units(entry: Any, q: list[float]) -> list[float]:
+    return [math.degrees(value) if entry.table.angle_unit is AngleUnit.DEG else value for value in q]

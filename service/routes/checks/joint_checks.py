@@ -7,13 +7,11 @@ from typing import Annotated, Any
 
 from fastapi import Body
 
-from service.http.languages import language_of
 from service.http.openapi import problems
 from service.http.routing import ApiRequest, api_router
 from service.schemas import examples
 from service.schemas.checks.joint_answers import CheckInverseKinematicsAnswer, CheckInverseKinematicsRequest
 from service.wire.checks.joint_checks import checked_joints
-from service.work.limiters import WorkKind
 
 router = api_router("kinematics")
 
@@ -49,7 +47,5 @@ async def check_inverse_kinematics(
     With `own`, joint values and pose refer to the answerer's own table, and the certificate (σ, δ, B, E) of
     that table converts them. Missing branches and wrong quadrants are named.
     """
-    resources, limits = request.resources, request.settings.cell_limits
-    robot = await request.in_turn(partial(resources.robots.prepare, body))
-    work = partial(checked_joints, body, robot, limits, language_of(request))
-    return await resources.limiters[WorkKind.GRADING].run(work)
+    robot = await request.in_turn(partial(request.resources.robots.prepare, body))
+    return await checked_joints(body, robot, request)

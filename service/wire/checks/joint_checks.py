@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 from contextlib import suppress
+from functools import partial
+from typing import NamedTuple
 
 import numpy as np
 
@@ -16,9 +18,11 @@ from kinematics.chain import chain_of_table
 from kinematics.equivalence import Certificate
 from kinematics.equivalence.decision import certify
 from kinematics.equivalence.reference import prepared
-from kinematics.inverse import ArmReach, solver_of
+from kinematics.inverse import ArmReach, InverseKinematics
 from kinematics.se3 import check_transform, inverse_transform
+from service.http.languages import language_of
 from service.http.problems import located
+from service.http.routing import ApiRequest
 from service.schemas.checks.joint_answers import (
     CheckInverseKinematicsAnswer,
     CheckInverseKinematicsRequest,
@@ -28,21 +32,43 @@ from service.schemas.joint_limits import domain_limits
 from service.schemas.spoken import spoken
 from service.wire.checks.answer_functions import check_count
 from service.wire.fault_pointers import traced
+from service.wire.inverse_solutions import PoseQuestion, answer_to
 from service.wire.pose_matrices import pose_matrix
 from service.wire.prepared_robots import PreparedRobot
+from service.work.limiters import WorkKind
 
 ROUNDED = 2e-3
 """How far a target may be from a rigid motion: three decimals."""
 
 
-def checked_joints(
-    request: CheckInverseKinematicsRequest, robot: PreparedRobot, limits: Limits, language: str
+class _Asked(NamedTuple):
+    """A pose and an answer about it, in the robot's own frames, and the certificate of the answerer's."""
+
+    question: PoseQuestion
+    answer: JointAnswer
+    own: Certificate | None
+
+
+async def checked_joints(
+    request: CheckInverseKinematicsRequest, robot: PreparedRobot, api: ApiRequest
 ) -> CheckInverseKinematicsAnswer:
     """Return what is said of joint values for a pose.
 
     Raises:
         KinematicsError: a malformed table, pose, limits or row; every fault at its place.
+        ServiceError: no place for a search, or it took too long.
     """
+    grading, language = api.resources.limiters[WorkKind.GRADING], language_of(api)
+    asked = await grading.run(partial(_asked, request, robot, api.settings.cell_limits))
+    if asked is None:
+        return _refused(robot, language)
+    with traced(request):
+        found = await answer_to(asked.question, api.resources.workers)
+    return await grading.run(partial(_judged, request, robot, asked, found, language))
+
+
+def _asked(request: CheckInverseKinematicsRequest, robot: PreparedRobot, limits: Limits) -> _Asked | None:
+    """What is asked, and the answer; None if the answerer's own table is another robot."""
     units = _units(request, robot)
     target = check_transform(
         pose_matrix(request.target, robot.angle, "target"), where=("target",), tolerance=ROUNDED
@@ -51,7 +77,7 @@ def checked_joints(
     target[:3, :3] = left @ right
     own = None if request.own is None else _certificate(request, robot, limits)
     if request.own is not None and own is None:
-        return _refused(robot, language)
+        return None
     answer = JointAnswer(
         claim=request.claim,
         rows=tuple(_row(row, units, "solutions", i) for i, row in enumerate(request.solutions)),
@@ -65,10 +91,26 @@ def checked_joints(
     reach = ArmReach.POSITION if request.position_only else ArmReach.POSE
     with traced(request):
         ranges = domain_limits(request.limits, robot.joint_units)
-        solver = solver_of(robot.table, limits=ranges, reach=reach)
-        question = joint_question(
-            solver, target, every=request.every, tolerance=request.tolerance, reach=reach
-        )
+    return _Asked(PoseQuestion(table=robot.table, target=target, reach=reach, limits=ranges), answer, own)
+
+
+def _judged(
+    request: CheckInverseKinematicsRequest,
+    robot: PreparedRobot,
+    asked: _Asked,
+    solutions: InverseKinematics,
+    language: str,
+) -> CheckInverseKinematicsAnswer:
+    """What is said of the answer, beside the solutions."""
+    asking, answer, own = asked
+    question = joint_question(
+        asking.solver(),
+        asking.target,
+        every=request.every,
+        tolerance=request.tolerance,
+        reach=asking.reach,
+        found=solutions,
+    )
     found = judge_joints(question, answer)
     return CheckInverseKinematicsAnswer.model_validate(
         {

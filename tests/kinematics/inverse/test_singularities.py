@@ -9,7 +9,7 @@ import pytest
 from kinematics.catalogue import robots
 from kinematics.forward import end_pose
 from kinematics.inverse import IKStatus, UnreachableReason, inverse_kinematics, solver_of
-from kinematics.inverse import components as sorting
+from kinematics.inverse import isolation as sorting
 from kinematics.inverse.closed_form import closed_form_of
 from kinematics.inverse.components import belongs, components_of
 from kinematics.inverse.general import GeneralArm
