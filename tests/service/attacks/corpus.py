@@ -51,6 +51,10 @@ def attacks() -> Iterator[Attack]:
     for name, text in conditions():
         asked = {"robot": "puma560", "conditions": [text]}
         yield Attack(f"conditions: {name}", f"{API}/check-singularities", _written(asked))
+    for name, pose, zero in poses():
+        yield Attack(f"solutions of {name}", f"{API}/inverse-kinematics", _written(pose))
+        answer = {**pose, "solutions": [zero]}
+        yield Attack(f"answer about {name}", f"{API}/check-inverse-kinematics", _written(answer))
 
 
 CALLS = ("/understand", "/forward-kinematics", "/symbolic", "/workspace", "/grade")
@@ -98,6 +102,20 @@ def conditions() -> Iterator[tuple[str, str]]:
     for count in (1_900, 20_000, 900_000):
         yield f"spaces x{count}", "q3 = k*pi" + " " * count + "x"
         yield f"equations x{count}", "q3 = " + ", ".join(["0"] * (count // 3))
+
+
+def poses() -> Iterator[tuple[str, dict[str, object], list[int]]]:
+    """Poses whose solutions take a second, and joint values that do not reach them."""
+    near = [
+        [0.2329973, -0.7868313, 0.571497, 0.146982],
+        [0.9509681, 0.0614327, -0.3031265, 0.0301877],
+        [0.2034008, 0.6141031, 0.7625651, 0.0007213],
+        [0, 0, 0, 1],
+    ]
+    yield "a pose near two singularities", {"robot": "puma560", "target": near}, [0] * 6
+    rows = [{"alpha": 37 * i % 180, "a": 0.1 * i, "d": 0.3, "theta": f"q{i + 1}"} for i in range(12)]
+    table = {"convention": "standard", "angle_unit": "deg", "rows": rows}
+    yield "twelve joints", {"table": table, "target": [1, 1, 1, 0, 0, 0]}, [0] * 12
 
 
 def batches(count: int) -> Iterator[tuple[str, bytes]]:
