@@ -125,7 +125,7 @@ def _unanswered(target: Matrix, tolerance: float | None) -> TargetAnswer:
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class PoseQuestion:
+class TargetQuestion:
     """What is asked, in domain units; it can go to another process."""
 
     table: NumericTable
@@ -142,7 +142,7 @@ class PoseQuestion:
         return solver_of(self.table, base=self.base, tool=self.tool, limits=self.limits, reach=self.reach)
 
 
-def _question(request: NumericInverseKinematicsRequest, robot: PreparedRobot) -> PoseQuestion:
+def _question(request: NumericInverseKinematicsRequest, robot: PreparedRobot) -> TargetQuestion:
     base, tool = base_and_tool(request, robot.angle)
     if request.targets is not None:
         target, reach = None, ArmReach.POSE
@@ -152,7 +152,7 @@ def _question(request: NumericInverseKinematicsRequest, robot: PreparedRobot) ->
         target = placed_matrix(request.position, request.quaternion, request.axis)
         free = ArmReach.POSITION if request.axis is None else ArmReach.AXIS
         reach = ArmReach.POSE if request.quaternion is not None else free
-    return PoseQuestion(
+    return TargetQuestion(
         table=robot.table,
         target=target,
         reach=reach,
@@ -171,7 +171,7 @@ def _start(start: list[float], robot: PreparedRobot) -> list[float]:
     return [value * unit for value, unit in zip(start, robot.joint_units, strict=True)]
 
 
-async def answer_to(question: PoseQuestion, workers: Workers) -> InverseKinematics:
+async def answer_to(question: TargetQuestion, workers: Workers) -> InverseKinematics:
     """Return the solutions: a closed form gives them at once; a worker process searches, or follows families.
 
     Raises:
@@ -182,17 +182,19 @@ async def answer_to(question: PoseQuestion, workers: Workers) -> InverseKinemati
     return await workers.run(Lane.SLOW, _solve, question) if answer is None else answer
 
 
-def _directly(question: PoseQuestion) -> InverseKinematics | None:
+def _directly(question: TargetQuestion) -> InverseKinematics | None:
     """What the closed form alone says, in a thread; every refusal is made here, none in a worker."""
     return question.solver().solve_directly(question.target, question.tolerance)
 
 
-def _solve(question: PoseQuestion) -> InverseKinematics:
+def _solve(question: TargetQuestion) -> InverseKinematics:
     """What a worker process does."""
     return question.solver().solve(question.target, question.tolerance)
 
 
-def _solve_each(question: PoseQuestion, targets: Sequence[Matrix], seconds: float) -> list[InverseKinematics]:
+def _solve_each(
+    question: TargetQuestion, targets: Sequence[Matrix], seconds: float
+) -> list[InverseKinematics]:
     """What a worker process does for many targets: the first ones, as many as the processor time allows."""
     solver = question.solver()
     return each_in_time(lambda target: solver.solve(target, question.tolerance), targets, seconds)

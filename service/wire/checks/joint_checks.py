@@ -32,7 +32,7 @@ from service.schemas.joint_limits import domain_limits
 from service.schemas.spoken import spoken
 from service.wire.checks.answer_functions import check_count
 from service.wire.fault_pointers import traced
-from service.wire.inverse_solutions import PoseQuestion, answer_to
+from service.wire.inverse_solutions import TargetQuestion, answer_to
 from service.wire.pose_matrices import pose_matrix
 from service.wire.prepared_robots import PreparedRobot
 from service.work.limiters import WorkKind
@@ -44,7 +44,7 @@ ROUNDED = 2e-3
 class _Asked(NamedTuple):
     """A pose and an answer about it, in the robot's own frames, and the certificate of the answerer's."""
 
-    question: PoseQuestion
+    question: TargetQuestion
     answer: JointAnswer
     own: Certificate | None
 
@@ -91,7 +91,7 @@ def _asked(request: CheckInverseKinematicsRequest, robot: PreparedRobot, limits:
     reach = ArmReach.POSITION if request.position_only else ArmReach.POSE
     with traced(request):
         ranges = domain_limits(request.limits, robot.joint_units)
-    return _Asked(PoseQuestion(table=robot.table, target=target, reach=reach, limits=ranges), answer, own)
+    return _Asked(TargetQuestion(table=robot.table, target=target, reach=reach, limits=ranges), answer, own)
 
 
 def _judged(
