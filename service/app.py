@@ -46,7 +46,7 @@ from service.secret import installation_secret
 from service.settings import Settings
 from service.web.responses import missing_page
 from service.work.background import BackgroundThread
-from service.work.collection import Collection, new_objects_alone
+from service.work.collection import LOOK_SECONDS, Collection, new_objects_alone
 from service.work.drawing_ahead import DrawingAhead
 from service.work.heaps import share_heaps
 from service.work.reading_ahead import ReadingAhead
@@ -155,12 +155,16 @@ async def _lifespan(app: FastAPI) -> AsyncIterator[None]:
     share_heaps()
     to_thread.current_default_thread_limiter().total_tokens = THREADS
     with new_objects_alone() as collection:
-        watching = asyncio.create_task(_watch(app.state.resources.metrics, collection))
+        watching = [
+            asyncio.create_task(_watch(app.state.resources.metrics, collection)),
+            asyncio.create_task(_collect(collection)),
+        ]
         try:
             async with _working(app):
                 yield
         finally:
-            watching.cancel()
+            for task in watching:
+                task.cancel()
 
 
 @asynccontextmanager
@@ -209,6 +213,13 @@ async def _watch(metrics: Metrics, collection: Collection) -> None:
         metrics.note_occupancy()
         collection.look_at_all(metrics.idle_seconds)
         await asyncio.sleep(WATCH_SECONDS)
+
+
+async def _collect(collection: Collection) -> None:
+    """Look for garbage among what is new, a little at a time."""
+    while True:
+        collection.look_at_new()
+        await asyncio.sleep(LOOK_SECONDS)
 
 
 def problem_response(request: Request, problem: Problem) -> Response:

@@ -5,6 +5,9 @@ more (exercises, verdicts, figures). All threads wait while the collector looks 
 second and more if it looks at all. So it looks at few at a time, thrice at each, and puts aside what is left
 after that: it stands in a cache, nearly always, and goes by its reference count when the cache forgets it.
 All are looked at again only if much more is held than the last time, and while nobody asks for anything.
+
+The collector itself counts net new objects: what a full cache forgets counts against what it takes, and many
+may be new before it looks. So new ones are looked at by the clock, too.
 """
 
 from __future__ import annotations
@@ -22,6 +25,10 @@ ROUNDS = 5
 """Collections of the youngest after which those that outlived one are looked at again: 10 000 at most."""
 OLD_ROUNDS = 4
 """Collections of those after which what outlived two is looked at, and put aside: 50 000 at most, 30 ms."""
+LOOK_SECONDS = 0.05
+"""Time between two looks at what is new [s]: what is made in it is looked at in some milliseconds."""
+LOOKS = 4
+"""Looks after which what is left is put aside: what a request held meanwhile is gone, nearly always."""
 GROWN = 1.25
 """Times the memory held when all objects were looked at, beyond which all are looked at again."""
 IDLE_SECONDS = 5.0
@@ -47,10 +54,19 @@ class Collection:
 
     def _looked(self, took: float) -> None:
         self.times, self._held, self._took = 0, sys.getallocatedblocks(), took
+        self._looks = 0
 
     def __call__(self, phase: str, info: dict[str, Any]) -> None:
         """Take note of a collection, as `gc.callbacks` asks for."""
         if phase == "stop" and info["generation"] == _OLDEST:
+            self.times += 1
+            gc.freeze()
+
+    def look_at_new(self) -> None:
+        """Look at what is new, and put aside, every fourth time, what is left."""
+        gc.collect(1)
+        self._looks += 1
+        if self._looks % LOOKS == 0:
             self.times += 1
             gc.freeze()
 

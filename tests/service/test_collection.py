@@ -6,13 +6,22 @@ import gc
 import sys
 import time
 import weakref
+from collections import deque
 from collections.abc import Iterator
 from types import SimpleNamespace
 
 import pytest
 
 from service.metrics import Metrics
-from service.work.collection import IDLE_SECONDS, OLD_ROUNDS, ROUNDS, YOUNG, Collection, new_objects_alone
+from service.work.collection import (
+    IDLE_SECONDS,
+    LOOKS,
+    OLD_ROUNDS,
+    ROUNDS,
+    YOUNG,
+    Collection,
+    new_objects_alone,
+)
 
 LONG = 1e6
 """Time since anybody asked that is longer than any look takes a hundred times [s]."""
@@ -76,6 +85,24 @@ def test_no_collection_looks_at_many_objects(collection: Collection, looks: list
     assert len(kept) == 300_000
     assert {generation for generation, _ in looks} == {0, 1, 2}
     assert max(seen for _, seen in looks) <= 1.1 * YOUNG * (ROUNDS + 1) * (OLD_ROUNDS + 1)
+
+
+def test_what_a_full_cache_takes_is_looked_at_a_little_at_a_time(
+    collection: Collection, looks: list[tuple[int, int]]
+) -> None:
+    """Each new object comes with the end of an old one, so that the collector itself sees nothing new."""
+    kept: deque[list[object]] = deque(([object()] for _ in range(50_000)), maxlen=50_000)
+    gc.collect()
+    looks.clear()
+    before = gc.get_freeze_count()
+    made = 1_000
+    for number in range(50_000):
+        kept.append([object()])
+        if number % made == 0:
+            collection.look_at_new()
+    assert len(looks) >= 50
+    assert max(seen for _, seen in looks) <= 1.5 * LOOKS * made
+    assert gc.get_freeze_count() >= before - 2 * LOOKS * made
 
 
 def test_garbage_that_outlives_two_collections_goes(collection: Collection) -> None:
