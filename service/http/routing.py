@@ -6,7 +6,7 @@ import asyncio
 from collections.abc import AsyncGenerator, Awaitable, Callable, Coroutine, Sequence
 from enum import Enum
 from functools import partial
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
 from fastapi import APIRouter, Response
 from fastapi.routing import APIRoute
@@ -47,6 +47,10 @@ _JSON = JSON.encode()
 _NPY = NPY.encode()
 _ANYTHING = b"*/*"
 _UTF8 = ("", "utf-8", "utf8", "us-ascii", "ascii")
+
+
+ONE_ROBOT = JsonLimits(objects=2_000, lists=4_000, values=20_000, colons=4_000)
+"""Several times what rows, parameters and limits of one robot hold, each list as long as it may be."""
 
 
 class ApiRequest(Request):
@@ -239,7 +243,13 @@ class BytesResponse(Response):
 
 
 class ApiRoute(APIRoute):
-    """A route of the API: strict JSON in, JSON out."""
+    """A route of the API: strict JSON in, JSON out.
+
+    Attributes:
+        json_limits: how much a body may hold, whatever it means.
+    """
+
+    json_limits: ClassVar[JsonLimits] = JsonLimits()
 
     def get_route_handler(self) -> Callable[[Request], Coroutine[Any, Any, Response]]:
         """Return the handler that FastAPI made, given a request whose body has been read strictly."""
@@ -248,11 +258,18 @@ class ApiRoute(APIRoute):
 
         async def handler(request: Request) -> Response:
             strict = ApiRequest(request.scope, request.receive, request._send)
+            strict.json_limits = self.json_limits
             if has_body:
                 await strict.json()
             return await inner(strict)
 
         return handler
+
+
+class OneRobotRoute(ApiRoute):
+    """A route of a call about one robot: no more is read than can be said of one."""
+
+    json_limits = ONE_ROBOT
 
 
 class DirectRoute(ApiRoute):

@@ -8,12 +8,12 @@ from typing import Annotated
 from fastapi import Body
 
 from service.http.openapi import problems
-from service.http.routing import ApiRequest, api_router
+from service.http.routing import ApiRequest, OneRobotRoute, api_router
 from service.schemas import examples
 from service.schemas.conversion import ConvertAnswer, ConvertRequest
 from service.wire.conversion import converted
 
-router = api_router("kinematics")
+router = api_router("kinematics", route_class=OneRobotRoute)
 
 
 @router.post(

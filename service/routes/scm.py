@@ -28,7 +28,7 @@ from kinematics.scm import (
 )
 from kinematics.se3 import inverse_transform
 from service.http.openapi import problems
-from service.http.routing import ApiRequest, BytesResponse, api_router
+from service.http.routing import ApiRequest, BytesResponse, OneRobotRoute, api_router
 from service.schemas import scm as wire
 from service.schemas import scm_examples as examples
 from service.schemas.forward_kinematics import AxisAngleModel, Orientation
@@ -43,7 +43,7 @@ from service.wire.prepared_chains import PreparedChain, prepared_chain, written_
 from service.work.threads import in_thread
 from service.work.workers import Lane
 
-router = api_router("scm")
+router = api_router("scm", route_class=OneRobotRoute)
 
 _REFUSALS = problems(400, 413, 415, 422, 503)
 

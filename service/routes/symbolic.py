@@ -8,7 +8,7 @@ from fastapi import Response
 from pydantic import TypeAdapter
 
 from service.http.openapi import problems, request_body
-from service.http.routing import JSON, ApiRequest, BytesResponse, DirectRoute, api_router
+from service.http.routing import JSON, ONE_ROBOT, ApiRequest, BytesResponse, DirectRoute, api_router
 from service.http.validation import validated
 from service.schemas.symbolic_request import SYMBOLIC, SymbolicAnswer, SymbolicRequest
 from service.wire.symbolic_forms import written_answer
@@ -37,6 +37,7 @@ async def symbolic(request: ApiRequest) -> Response:
     too long, or more memory than it may, is refused.
     """
     request.accepts(JSON)
+    request.json_limits = ONE_ROBOT
     body = await request.json()
     question = b"symbolic" + await request.body()
     known = request.resources.symbolic_answers.get(question)

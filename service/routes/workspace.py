@@ -11,7 +11,7 @@ from kinematics.inverse import ArmReach
 from kinematics.inverse.limits import JointLimits
 from kinematics.workspace import Radius, Workspace, check_reach, joint_spans, workspace
 from service.http.openapi import problems
-from service.http.routing import ApiRequest, api_router
+from service.http.routing import ApiRequest, OneRobotRoute, api_router
 from service.schemas import examples
 from service.schemas import workspace_request as wire
 from service.schemas.joint_limits import domain_limits
@@ -20,7 +20,7 @@ from service.wire.pose_matrices import base_and_tool, placed_matrix
 from service.wire.prepared_robots import PreparedRobot, listed_robot
 from service.work.workers import Lane
 
-router = api_router("kinematics")
+router = api_router("kinematics", route_class=OneRobotRoute)
 
 _DMRA: dict[str, Any] = {"robot": "dmra"}
 _EXAMPLES: dict[str, Any] = {
