@@ -30,6 +30,9 @@ from kinematics.se3 import cross_arrays, inverse_transform
 PARALLEL = 1e-7
 """Sine of the angle between axes that count as parallel; Newton steps bring back what was neglected."""
 
+LEVEL = 1e-3
+"""Sine of the angle of axis 6 to the parallel ones up to which q_6 is tried at the planar arm's reach."""
+
 SAME_HEIGHT = 1e-9
 """Coefficients below this, lengths in units of the arm's size, leave an equation without its angle."""
 
@@ -90,9 +93,26 @@ class ParallelArm:
                 height = seen_level[0] * math.cos(q1) + seen_level[1] * math.sin(q1) + seen_level[2]
                 fifths = linear_roots(level[0], level[1], height - level[2])
             for q5 in fifths or ():
-                q6 = angle_about(z[5], v, _rotated(z[4], -q5, h))
-                found.append(([q1], [q5, q6]))
+                before = _rotated(z[4], -q5, h)
+                sixths = [angle_about(z[5], v, before)]
+                if float(np.linalg.norm(cross_arrays(before, z[5]))) <= LEVEL:
+                    sixths += self._at_the_reach(R, t, q1, q5)
+                found += [([q1], [q5, q6]) for q6 in sixths]
         return found
+
+    def _at_the_reach(self, R: Array, t: Array, q1: float, q5: float) -> list[float]:
+        """q_6 with the planar arm stretched or folded, or as near to it as may be.
+
+        Where axis 6 is parallel to the three, q_6 is free as long as the planar arm reaches.
+        """
+        squares = [self._goal(*self._left_over(R, t, [q1], [q5, q6])) for q6 in (0.0, math.pi, math.pi / 2)]
+        ahead, behind, aside = (float(goal @ goal) for goal in squares)
+        middle, c = 0.5 * (ahead + behind), 0.5 * (ahead - behind)
+        s = aside - middle
+        farthest = math.atan2(s, c)
+        upper, fore = (float(np.linalg.norm(link)) for link in self._links())
+        limits = (linear_roots(c, s, (upper + sign * fore) ** 2 - middle) for sign in (1.0, -1.0))
+        return [farthest, farthest + math.pi, *(q6 for roots in limits for q6 in roots or ())]
 
     def _outside(self, R: Array, t: Array) -> list[tuple[list[float], list[float]]] | None:
         """q_4, q_5, q_6 where joints 1, 2, 3 are parallel: u = E_6 v obeys rows(q_5) u = k, and |u| = 1."""
@@ -133,14 +153,26 @@ class ParallelArm:
             R, t = Q @ R, Q @ (t - self.p[i]) + self.p[i]
         return R, t
 
+    def _goal(self, Q: Array, s: Array) -> Array:
+        """Where a planar motion x ↦ Q x + s leads the third parallel axis, seen from the first."""
+        goal = Q @ self.p[self.first + 2] + s - self.p[self.first]
+        return self._across(goal)
+
+    def _links(self) -> tuple[Array, Array]:
+        """The ways between the parallel axes at q = 0, across them."""
+        p1, p2, p3 = self.p[self.first : self.first + 3]
+        return self._across(p2 - p1), self._across(p3 - p2)
+
+    def _across(self, way: Array) -> Array:
+        h = self.z[self.first]
+        return np.asarray(way - (way @ h) * h)
+
     def _planar(self, Q: Array, s: Array) -> list[list[float]]:
         """Both ways for three parallel joints to make a planar motion x ↦ Q x + s."""
         i = self.first
         h = self.z[i]
-        p1, p2, p3 = self.p[i : i + 3]
-        goal = Q @ p3 + s - p1
-        goal = goal - (goal @ h) * h
-        upper, fore = ((d - (d @ h) * h) for d in (p2 - p1, p3 - p2))
+        goal = self._goal(Q, s)
+        upper, fore = self._links()
         aside = cross_arrays(h, fore)
         middle = linear_roots(
             2.0 * float(upper @ fore),

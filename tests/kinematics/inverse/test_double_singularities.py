@@ -68,6 +68,17 @@ def test_a_computed_pose_near_two_singularities_has_eight_solutions(q):
     assert not rounded.complete
 
 
+@pytest.mark.parametrize("decimals", [17, 9, 6])
+@pytest.mark.parametrize("name", ["ur5", "ur10"])
+@pytest.mark.parametrize("last", [0.0, RIGHT, 0.7])
+def test_a_stretched_arm_whose_sixth_axis_is_parallel_to_three(name, last, decimals):
+    """q_6 is free only as far as the elbow gives way: from the end of its reach, not from anywhere."""
+    q = [0.0, -math.pi, 0.0, 0.0, 0.0, last]
+    solver, goal, answer = asked(name, q, decimals)
+    assert holds(solver, goal, answer, q)
+    assert not answer.complete
+
+
 @pytest.mark.parametrize("seed", range(5))
 def test_a_piece_of_a_family_that_no_exact_solution_is_on(seed):
     """A UR5's elbow folded and wrist in line, known to 1e-4: between two folds the pose is off by more."""
