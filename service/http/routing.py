@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import warnings
 from collections.abc import AsyncGenerator, Awaitable, Callable, Coroutine, Sequence
 from enum import Enum
 from functools import partial
@@ -10,6 +11,7 @@ from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
 from fastapi import APIRouter, Response
 from fastapi.routing import APIRoute
+from pydantic.warnings import UnsupportedFieldAttributeWarning
 from starlette.requests import ClientDisconnect, Request
 from starlette.types import Receive, Scope, Send
 
@@ -27,6 +29,9 @@ from service.settings import Settings
 
 if TYPE_CHECKING:
     from service.resources import Resources
+
+# FastAPI, which gives a body this name, silences the same while it declares a route; models are built later.
+warnings.filterwarnings("ignore", "The 'alias' attribute with value 'body'", UnsupportedFieldAttributeWarning)
 
 API_PREFIX = "/api/v1"
 JSON = "application/json"

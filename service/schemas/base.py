@@ -17,7 +17,13 @@ class Wire(BaseModel):
     `Annotated[TheEnum, Field(strict=False)]`; for a sequence, use `list`.
     """
 
-    model_config = ConfigDict(extra="forbid", strict=True, frozen=True, allow_inf_nan=False)
+    model_config = ConfigDict(
+        extra="forbid",
+        strict=True,
+        frozen=True,
+        allow_inf_nan=False,
+        defer_build=True,  # a service is ready sooner, and never builds most of its models
+    )
 
 
 LONGEST_LIST = 256
