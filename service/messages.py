@@ -8,13 +8,17 @@ from collections.abc import Callable, Mapping
 from datetime import UTC, datetime
 from functools import cache, lru_cache
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from fluent.runtime import FluentBundle, FluentResource
-from fluent.runtime.types import FluentType, fluent_date
 from fluent.syntax import FluentParser, ast
 
 from service.plain_sentences import plainly_written
+
+if (
+    TYPE_CHECKING
+):  # what it evaluates messages with knows all languages and calendars, and takes long to import
+    from fluent.runtime import FluentBundle
+    from fluent.runtime.types import FluentType
 
 LOCALES = Path(__file__).parent / "locales"
 DEFAULT_LANGUAGE = "en"
@@ -56,6 +60,8 @@ _REFERENCE = re.compile(r"\{\s*([a-zA-Z][\w-]*)\s*[}.]")
 
 def _time(moment: str) -> FluentType:
     """Print an ISO 8601 time in UTC as the language writes dates and hours."""
+    from fluent.runtime.types import fluent_date
+
     moment_utc = datetime.fromisoformat(moment).astimezone(UTC).replace(tzinfo=None)
     told: FluentType = fluent_date(moment_utc, dateStyle="long", timeStyle="short")
     return told
@@ -67,6 +73,8 @@ FUNCTIONS: dict[str, Callable[[Any], FluentType]] = {"TIME": _time}
 
 @lru_cache(maxsize=32)
 def _bundle(language: str) -> FluentBundle:
+    from fluent.runtime import FluentBundle
+
     return FluentBundle([language, DEFAULT_LANGUAGE], use_isolating=False, functions=FUNCTIONS)
 
 
@@ -74,7 +82,7 @@ def _bundle(language: str) -> FluentBundle:
 def _read(language: str, identifier: str) -> ast.Message | None:
     """The message of a language as Fluent reads it; None if it has none."""
     source = _sources(language).get(identifier)
-    entry = None if source is None else FluentResource(source).body[0]
+    entry = None if source is None else FluentParser().parse(source).body[0]
     return entry if isinstance(entry, ast.Message) else None
 
 

@@ -6,7 +6,7 @@ import re
 from enum import StrEnum
 from ipaddress import ip_network
 from pathlib import Path
-from typing import Annotated, Literal, Self
+from typing import TYPE_CHECKING, Annotated, Literal, Self
 
 from pydantic import (
     Field,
@@ -19,8 +19,10 @@ from pydantic import (
 )
 from pydantic_settings import BaseSettings, NoDecode, SettingsConfigDict
 
-from kinematics.cells import Limits
 from service.logs import LogFormat
+
+if TYPE_CHECKING:
+    from kinematics.cells import Limits
 
 KIB = 1024
 MIB = 1024 * KIB
@@ -299,6 +301,8 @@ class Settings(BaseSettings):
     @property
     def cell_limits(self) -> Limits:
         """The bounds on DH tables, as their reader takes them."""
+        from kinematics.cells import Limits  # what looks after several servers reads no tables
+
         return Limits(
             rows=self.row_limit,
             table_parameters=self.parameter_limit,

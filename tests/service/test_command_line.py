@@ -148,7 +148,14 @@ def test_what_looks_after_several_servers_does_not_load_what_they_need() -> None
     """A server with two workers would import everything twice, one after the other, before it answers."""
     code = "import sys, service.cli.serve; print(*{name.partition('.')[0] for name in sys.modules})"
     run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
-    assert not {"fastapi", "sqlalchemy"} & set(run.stdout.split())
+    assert not {"fastapi", "sqlalchemy", "babel", "lark"} & set(run.stdout.split())
+
+
+def test_a_service_does_not_load_the_calendars_of_all_languages_before_a_sentence_needs_them() -> None:
+    """That takes 30 ms of each start."""
+    code = "import sys; from service.app import create_app; create_app(); print('babel' in sys.modules)"
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    assert run.stdout.split() == ["False"]
 
 
 def test_a_service_on_sqlite_does_not_load_what_postgresql_needs(tmp_path: Path) -> None:
