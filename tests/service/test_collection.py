@@ -75,6 +75,14 @@ def test_what_outlives_the_collections_is_put_aside(collection: Collection) -> N
     assert gc.get_freeze_count() - before >= len(kept)
 
 
+def test_a_start_looks_at_no_object(looks: list[tuple[int, int]]) -> None:
+    """There are two hundred thousand, and hardly any is garbage."""
+    with new_objects_alone():
+        pass
+    assert looks
+    assert max(seen for _, seen in looks) < YOUNG
+
+
 def test_no_collection_looks_at_many_objects(collection: Collection, looks: list[tuple[int, int]]) -> None:
     """However many are held: what a process started with, caches that fill, and what is under way."""
     kept: list[Knot] = []
