@@ -10,13 +10,14 @@ import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from enum import StrEnum
+from typing import TypeAlias
 
-import numpy as np
-
-from exercises.figures.camera import Array
 from exercises.figures.geometry import FigureJointAxis, Scene, Vector
 from exercises.figures.specification import View
+from kinematics.se3 import dot, norm, subtract
 from kinematics.table import JointType
+
+Basis: TypeAlias = tuple[Vector, Vector, Vector]
 
 
 class LineDirection(StrEnum):
@@ -47,21 +48,21 @@ def describe(scene: Scene, view: View, unit: str) -> Iterator[Sentence]:
         unit: name of the unit of lengths.
     """
     basis = _directions(view)
-    origin = np.array(scene.ground.at if scene.ground else scene.axes[0].point)
+    origin = scene.ground.at if scene.ground else scene.axes[0].point
 
     def place(point: Vector) -> str:
-        return _triple(basis @ (np.array(point) - origin))
+        return _triple(_seen(basis, subtract(point, origin)))
 
     yield Sentence(code="coordinates", params={"unit": unit, "joints": len(scene.axes)})
     for axis in scene.axes:
         yield _joint(axis, basis, place(axis.point))
     for dimension in scene.dimensions:
-        along = basis @ (np.array(dimension.end) - np.array(dimension.start))
+        along = _seen(basis, subtract(dimension.end, dimension.start))
         yield Sentence(
             code="dimension",
             params={
                 "name": dimension.name,
-                "length": _number(float(np.linalg.norm(along))),
+                "length": _number(norm(along)),
                 "unit": unit,
                 "course": _course(along),
                 "start": place(dimension.start),
@@ -72,8 +73,8 @@ def describe(scene: Scene, view: View, unit: str) -> Iterator[Sentence]:
         yield Sentence(code="point", params={"name": point.name, "place": place(point.at)})
 
 
-def _joint(axis: FigureJointAxis, basis: Array, place: str) -> Sentence:
-    direction = basis @ np.array(axis.direction)
+def _joint(axis: FigureJointAxis, basis: Basis, place: str) -> Sentence:
+    direction = _seen(basis, axis.direction)
     turning = "revolute" if axis.type is JointType.REVOLUTE else "prismatic"
     return Sentence(
         code=f"joint-{turning}-signed" if axis.signed else f"joint-{turning}",
@@ -86,28 +87,30 @@ def _joint(axis: FigureJointAxis, basis: Array, place: str) -> Sentence:
     )
 
 
-def _directions(view: View) -> Array:
-    """(3, 3) rows: to the right, away from the reader, up; the horizontal ones along the x and y axes."""
-    quarter = math.pi / 2
-    azimuth = round(view.azimuth / quarter) * quarter
-    right = np.array([-math.sin(azimuth), math.cos(azimuth), 0.0])
-    away = np.array([-math.cos(azimuth), -math.sin(azimuth), 0.0])
-    return np.round(np.array([right, away, [0.0, 0.0, 1.0]]), 12)
+def _directions(view: View) -> Basis:
+    """Unit vectors to the right, away from the reader and up; the horizontal ones along the x and y axes."""
+    quarter = round(view.azimuth / (math.pi / 2))
+    cosine, sine = ((1.0, 0.0), (0.0, 1.0), (-1.0, 0.0), (0.0, -1.0))[quarter % 4]
+    return (-sine, cosine, 0.0), (-cosine, -sine, 0.0), (0.0, 0.0, 1.0)
 
 
-def _course(vector: Array) -> str:
-    length = float(np.linalg.norm(vector))
-    unit = np.abs(vector) / (length or 1.0)
+def _seen(basis: Basis, vector: Vector) -> Vector:
+    right, away, up = basis
+    return dot(right, vector), dot(away, vector), dot(up, vector)
+
+
+def _course(vector: Vector) -> str:
+    length = norm(vector) or 1.0
     for course, component in zip(
-        (LineDirection.SIDEWAYS, LineDirection.DEPTHWAYS, LineDirection.VERTICAL), unit, strict=True
+        (LineDirection.SIDEWAYS, LineDirection.DEPTHWAYS, LineDirection.VERTICAL), vector, strict=True
     ):
-        if component > 1 - 1e-9:
+        if abs(component) / length > 1 - 1e-9:
             return course.value
     return LineDirection.OBLIQUE.value
 
 
-def _triple(vector: Array) -> str:
-    return f"({'; '.join(_number(float(value)) for value in vector)})"
+def _triple(vector: Vector) -> str:
+    return f"({'; '.join(map(_number, vector))})"
 
 
 def _number(value: float) -> str:

@@ -263,8 +263,11 @@ def _unit(vector: Array | Vector) -> Vector:
 
 def scene_vector(array: Array) -> Vector:
     """Return a point or a direction for a scene, without what arithmetic leaves in the last digits."""
-    x, y, z = [_rounded(value, 1e12) + 0.0 for value in array.tolist()]
-    return x, y, z
+    x, y, z = array.tolist()
+    try:
+        return round(x * 1e12) / 1e12 + 0.0, round(y * 1e12) / 1e12 + 0.0, round(z * 1e12) / 1e12 + 0.0
+    except (OverflowError, ValueError):  # of what is not finite
+        return _rounded(x, 1e12) + 0.0, _rounded(y, 1e12) + 0.0, _rounded(z, 1e12) + 0.0
 
 
 def _rounded(value: float, ones: float) -> float:
