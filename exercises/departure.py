@@ -35,20 +35,24 @@ from kinematics.equivalence.search import Effort
 from kinematics.errors import KinematicsError
 from kinematics.se3 import (
     IDENTITY,
+    ORIGIN,
     Floats,
     Motion,
     Transform,
+    Vector,
     compose,
     cross,
-    cross_arrays,
     move,
+    plus,
+    rejection,
     rotate,
+    subtract,
 )
 from kinematics.table import Convention, DHTable, JointType, NumericTable, bind
 
 TURNS = np.radians(np.arange(0.0, 360.0, 1.0))
 """Angles [rad] that are tried for a joint: a degree more or less is not seen."""
-_COSINES, _SINES = np.cos(TURNS)[:, None], np.sin(TURNS)[:, None]
+_WEIGHTS = np.stack((np.ones_like(TURNS), np.cos(TURNS), np.sin(TURNS)), axis=1)
 SLIDES = np.array(sorted(np.linspace(-1.0, 1.0, 201), key=abs))
 """Displacements that are tried, in robot sizes: a hundredth of the robot is not seen either. Least first."""
 
@@ -196,35 +200,47 @@ def _moved(axis: Axis, motion: Motion) -> Axis:
 
 def _best(axis: Axis, following: Axis, target: FigureJointAxis, size: float) -> float:
     """Return by how much a joint moves so that the axis behind it comes nearest to the figure's."""
-    direction, point = np.array(axis.direction), np.array(axis.point)
-    behind, beside = np.array(following.direction), np.array(following.point)
     if axis.prismatic:
         tried = SLIDES * size
-        turned = np.broadcast_to(behind, (len(tried), 3))
-        moved = beside + tried[:, None] * direction
+        weights = np.stack((np.ones_like(tried), tried), axis=1)
+        turned: Sequence[Vector] = (following.direction, ORIGIN)
+        moved: Sequence[Vector] = (following.point, axis.direction)
     else:
-        tried = TURNS
-        turned = _turned(behind, direction)
-        moved = point + _turned(beside - point, direction)
-    return float(tried[int(np.argmin(_off(turned, moved, target, size)))])
+        tried, weights = TURNS, _WEIGHTS
+        turned = _turned(following.direction, axis.direction)
+        along, *circle = _turned(subtract(following.point, axis.point), axis.direction)
+        moved = (plus(axis.point, along), *circle)
+    return float(tried[int(np.argmin(_off(weights, turned, moved, target, size)))])
 
 
-def _turned(vector: Floats, axis: Floats) -> Floats:
-    """Return a vector turned about an axis by each of the angles that are tried."""
-    along = axis * (axis @ vector)
-    across = np.array(cross(axis.tolist(), vector.tolist()))
-    return np.asarray(along + _COSINES * (vector - along) + _SINES * across, dtype=np.float64)
+def _turned(vector: Vector, axis: Vector) -> tuple[Vector, Vector, Vector]:
+    """Return what a vector turned about an axis is made of: a part that stays, and of its cosine and sine."""
+    across = rejection(vector, axis)
+    return subtract(vector, across), across, cross(axis, vector)
 
 
-def _off(directions: Floats, points: Floats, axis: FigureJointAxis, size: float) -> Floats:
-    """Return how far lines are from an axis: the sine of the angle, and the distance in robot sizes."""
-    target = np.array(axis.direction)
-    apart = points - np.array(axis.point)
-    across = apart - (apart @ target)[:, None] * target
-    angle = np.linalg.norm(cross_arrays(directions, target), axis=1)
-    distance = np.linalg.norm(across, axis=1) / size
-    off = angle if axis.type is JointType.PRISMATIC else angle + distance
+def _off(
+    weights: Floats, turned: Sequence[Vector], moved: Sequence[Vector], axis: FigureJointAxis, size: float
+) -> Floats:
+    """Return how far lines are from an axis: the sine of the angle, and the distance in robot sizes.
+
+    Args:
+        weights: (tried, m) of the vectors that make up each line.
+        turned: m vectors that make up the directions.
+        moved: m that make up points.
+        axis: the figure's.
+        size: the robot's.
+    """
+    target, (first, *others) = axis.direction, moved
+    apart = (subtract(first, axis.point), *others)
+    off = _lengths(weights @ np.array([cross(vector, target) for vector in turned]))
+    if axis.type is not JointType.PRISMATIC:
+        off += _lengths(weights @ np.array([rejection(vector, target) for vector in apart])) / size
     return np.asarray(np.round(off, 9), dtype=np.float64)
+
+
+def _lengths(vectors: Floats) -> Floats:
+    return np.asarray(np.sqrt(np.einsum("kc,kc->k", vectors, vectors)), dtype=np.float64)
 
 
 def _senses(chain: Chain, joints: Floats, axes: Sequence[FigureJointAxis]) -> tuple[int, ...]:
