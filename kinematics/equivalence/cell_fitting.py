@@ -108,9 +108,8 @@ def _start(
     chain = chain_of_table(table)
     path = forced_path(plan, chain, plan.starts[0], signs)
     candidate = candidate_from((reference.chain, chain), plan, path, ZeroRule.FREE, tool_turns=True)
-    fewer = replace(
-        reference, joints=reference.joints[:, :FEWER_SAMPLES], poses=reference.poses[:FEWER_SAMPLES]
-    )
+    some = reference.joints[:, :FEWER_SAMPLES], reference.poses[:FEWER_SAMPLES]
+    fewer = replace(reference, samples=some)
     return fewer, candidate, _linearised(fewer, table, candidate, tolerance)
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
-from functools import lru_cache
+from functools import cached_property, lru_cache
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -43,7 +43,7 @@ def sample_joints(n: int) -> NDArray[np.float64]:
     return np.asarray(2.0 * ((0.5 + steps * np.arange(1, SAMPLES + 1)) % 1.0) - 1.0, dtype=np.float64)
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@dataclass(frozen=True, eq=False)
 class Reference:
     """A reference table, prepared.
 
@@ -52,8 +52,8 @@ class Reference:
         chain: its joint axes.
         size: the length that relative lengths refer to; never zero.
         scaleless: all lengths of the table are zero; `size` is 1, or that of the submission beside it.
-        joints: (n, samples) sampled configurations.
-        poses: (samples, 4, 4) the reference's end frame there.
+        samples: (n, samples) configurations, and (samples, 4, 4) the reference's end frame there; None: the
+            usual ones, computed when they are asked for. Most references of a wrong answer are never.
         ends: what `tool_choices` has found, with the plan whose identity it stands under.
     """
 
@@ -61,8 +61,7 @@ class Reference:
     chain: Chain
     size: float
     scaleless: bool
-    joints: NDArray[np.float64]
-    poses: NDArray[np.float64]
+    samples: tuple[NDArray[np.float64], NDArray[np.float64]] | None = None
     _plans: dict[tuple[BaseRule, ZeroRule, Nearness], tuple[Plan, ...]] = field(default_factory=dict)
     _nearnesses: dict[Tolerance, tuple[Nearness, ...]] = field(default_factory=dict)
     _levels: dict[tuple[BaseRule, ZeroRule, Tolerance], tuple[int, ...]] = field(default_factory=dict)
@@ -70,20 +69,37 @@ class Reference:
         default_factory=dict
     )
 
+    @property
+    def joints(self) -> NDArray[np.float64]:
+        """(n, samples) sampled configurations."""
+        return self._sampled[0]
+
+    @property
+    def poses(self) -> NDArray[np.float64]:
+        """(samples, 4, 4) the reference's end frame there."""
+        return self._sampled[1]
+
+    @cached_property
+    def _sampled(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        if self.samples is not None:
+            return self.samples
+        joints = sample_joints(len(self.chain.axes))
+        for i, axis in enumerate(self.chain.axes):
+            joints[i] *= self.size if axis.prismatic else np.pi
+        return joints, self.chain.poses(joints.T)
+
     def beside(self, submission: Chain) -> Reference:
         """Return the reference at the size of a submission, if it has none of its own."""
         if not self.scaleless:
             return self
         size = submission.extent if submission.extent > NO_LENGTH else 1.0
-        return _at_size(self.table, self.chain, size, scaleless=True)
+        return Reference(table=self.table, chain=self.chain, size=size, scaleless=True)
 
     def sampled_at(self, joints: NDArray[np.float64]) -> Reference:
         """Return the reference with more configurations, (n, k), among the samples."""
-        return replace(
-            self,
-            joints=np.concatenate([self.joints, joints], axis=1),
-            poses=np.concatenate([self.poses, self.chain.poses(joints.T)]),
-        )
+        more = np.concatenate([self.joints, joints], axis=1)
+        poses = np.concatenate([self.poses, self.chain.poses(joints.T)])
+        return replace(self, samples=(more, poses))
 
     def plans(self, base: BaseRule, zero: ZeroRule, near: Nearness) -> tuple[Plan, ...]:
         """Return the chains of groups, as `plans_for` makes them."""
@@ -142,19 +158,10 @@ def prepared(table: NumericTable) -> Reference:
     """Return the reference of a table; remembered, for the same one is asked for again and again."""
     chain = chain_of_table(table)
     size = size_of(chain)
-    return _at_size(table, chain, size or 1.0, scaleless=size == 0.0)
+    return Reference(table=table, chain=chain, size=size or 1.0, scaleless=size == 0.0)
 
 
 def prepared_for(key: NumericTable, answer: NumericTable) -> Reference:
     """Return the reference of a key, at the size of an answer if it has none of its own."""
     reference = prepared(key)
     return reference.beside(chain_of_table(answer)) if reference.scaleless else reference
-
-
-def _at_size(table: NumericTable, chain: Chain, size: float, *, scaleless: bool) -> Reference:
-    joints = sample_joints(len(chain.axes))
-    for i, axis in enumerate(chain.axes):
-        joints[i] *= size if axis.prismatic else np.pi
-    return Reference(
-        table=table, chain=chain, size=size, scaleless=scaleless, joints=joints, poses=chain.poses(joints.T)
-    )

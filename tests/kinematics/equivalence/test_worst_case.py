@@ -51,9 +51,8 @@ def test_random_configurations_are_no_worse() -> None:
     worst = worst_case(reference, chain, candidate).residual
     sampled = residual(reference, chain, candidate)
     joints = np.random.default_rng(0).uniform(-math.pi, math.pi, (6, 20000))
-    beyond = residual(
-        replace(reference, joints=joints, poses=reference.chain.poses(joints.T)), chain, candidate
-    )
+    elsewhere = replace(reference, samples=(joints, reference.chain.poses(joints.T)))
+    beyond = residual(elsewhere, chain, candidate)
     assert sampled.length < beyond.length <= worst.length
     assert sampled.angle < beyond.angle <= worst.angle
 
