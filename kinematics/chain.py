@@ -224,6 +224,8 @@ def frames_at(table: NumericTable, joints: Sequence[float], base: Transform | No
     rows = list(table.rows)
     for i, q in zip(table.joint_rows, joints, strict=True):
         row = rows[i]
+        if not q:
+            continue
         if row.joint is JointType.REVOLUTE:
             rows[i] = replace(row, theta=row.theta + row.sign * q)
         else:

@@ -27,6 +27,11 @@ MOTIONS = {
     Convention.MODIFIED: ("alpha", "a", "theta", "d"),
 }
 """The order of the motions, base side first. The cells theta and d move along z, a and alpha along x."""
+_ALONG_Z = {
+    convention: tuple(cell == "theta" for cell in order if cell in ("theta", "alpha"))
+    for convention, order in MOTIONS.items()
+}
+"""Whether a row first moves along z and then along x, or the other way round."""
 
 
 def link_transform(row: NumericRow, convention: Convention, q: float = 0.0) -> Transform:
@@ -250,22 +255,21 @@ def frame_after(here: Motion, row: NumericRow, convention: Convention) -> Motion
     mixes two columns, a shift moves the origin along one.
     """
     xx, yx, zx, xy, yy, zy, xz, yz, zz, px, py, pz = here
-    for cell in MOTIONS[convention]:
-        value = getattr(row, cell)
-        if not value:
+    for along_z in _ALONG_Z[convention]:
+        if along_z:  # a turn and a shift along one axis may change places
+            if value := row.theta:
+                c, s = cos_sin(value)
+                xx, yx = c * xx + s * yx, c * yx - s * xx
+                xy, yy = c * xy + s * yy, c * yy - s * xy
+                xz, yz = c * xz + s * yz, c * yz - s * xz
+            if value := row.d:
+                px, py, pz = px + value * zx, py + value * zy, pz + value * zz
             continue
-        if cell == "d":
-            px, py, pz = px + value * zx, py + value * zy, pz + value * zz
-        elif cell == "a":
-            px, py, pz = px + value * xx, py + value * xy, pz + value * xz
-        elif cell == "theta":
-            c, s = cos_sin(value)
-            xx, yx = c * xx + s * yx, c * yx - s * xx
-            xy, yy = c * xy + s * yy, c * yy - s * xy
-            xz, yz = c * xz + s * yz, c * yz - s * xz
-        else:
+        if value := row.alpha:
             c, s = cos_sin(value)
             yx, zx = c * yx + s * zx, c * zx - s * yx
             yy, zy = c * yy + s * zy, c * zy - s * yy
             yz, zz = c * yz + s * zz, c * zz - s * yz
+        if value := row.a:
+            px, py, pz = px + value * xx, py + value * xy, pz + value * xz
     return (xx, yx, zx, xy, yy, zy, xz, yz, zz, px, py, pz)

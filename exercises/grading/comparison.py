@@ -263,12 +263,14 @@ def _within_bounds(table: NumericTable) -> NumericTable:
     Raises:
         ParameterError: an entry is too large: its powers would be infinite.
     """
-    faults = [
+    for row in table.rows:
+        if max(abs(row.alpha), abs(row.a), abs(row.d), abs(row.theta)) > LARGEST_ENTRY:
+            break
+    else:
+        return table
+    raise ParameterError(
         Fault(code="result_not_finite", where=("rows", i, cell))
         for i, row in enumerate(table.rows)
         for cell in CELLS
         if abs(getattr(row, cell)) > LARGEST_ENTRY
-    ]
-    if faults:
-        raise ParameterError(faults)
-    return table
+    )

@@ -7,7 +7,7 @@ A decimal is right within half a unit of its last place. A name, a fraction, a m
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import lru_cache
@@ -99,7 +99,24 @@ def half_steps(
     A zero is as exact as the most exact entry of its kind in the table; where there is none, it is exact. The
     offset of a joint's own variable is left out: no answer depends on it, unless the figure fixes it.
     """
-    found: dict[Place, float] = {}
+    steps, zeros = _half_steps_by_value(table, unit)
+    found = {place: min(step, 0.5 * last_places.get(place, math.inf)) for place, step in steps.items()}
+    for angular in (True, False):
+        finest = [step for (_, cell), step in found.items() if (cell in ANGLES) is angular]
+        if finest:
+            found |= {place: min(finest) for place in zeros if (place[1] in ANGLES) is angular}
+    return found
+
+
+@lru_cache(maxsize=32)
+def _half_steps_by_value(
+    table: SymbolicTable, unit: AngleUnit
+) -> tuple[Mapping[Place, float], Sequence[Place]]:
+    """Half a unit in the last place that the value of a decimal shows, and where zeros stand.
+
+    Remembered, for it is asked for in every way in which an answer may be meant.
+    """
+    steps: dict[Place, float] = {}
     zeros: list[Place] = []
     for i, row in enumerate(table.rows):
         for cell in CELLS:
@@ -109,12 +126,8 @@ def half_steps(
             if step is None:
                 zeros.append((i, cell))
             elif step:
-                found[i, cell] = min(step, 0.5 * last_places.get((i, cell), math.inf))
-    for angular in (True, False):
-        finest = [step for (_, cell), step in found.items() if (cell in ANGLES) is angular]
-        if finest:
-            found |= {place: min(finest) for place in zeros if (place[1] in ANGLES) is angular}
-    return found
+                steps[i, cell] = step
+    return MappingProxyType(steps), tuple(zeros)
 
 
 def meant_in_radians(angle: float) -> float:

@@ -36,6 +36,8 @@ VARIABLE_CELLS = {JointType.REVOLUTE: "theta", JointType.PRISMATIC: "d"}
 ROW_CELLS = ("alpha", "a", "d", "joint")
 
 
+Draws: TypeAlias = tuple[NumericTable, NumericTable]
+"""A table at two draws."""
 Off: TypeAlias = tuple[bool, bool, bool]
 """Whether angles are off, and lengths, that no choice of frames changes; and others, joints being zero."""
 ANYTHING: Off = (True, True, True)
@@ -300,15 +302,16 @@ class Work:
 
         False says nothing where it is not seen what they are at another draw.
         """
+        here = list(accumulate(changes, lambda table, change: change.of(table), initial=self.table))
         tables = []
         for draw in range(first, len(self.references)):
-            here, elsewhere = self, self.at(draw)
-            for change in changes:
-                alike = _alike(change, here, elsewhere) if draw != self.draw else change
+            table, keys = self.comparison.meant[draw], (self.reference.table, self.references[draw].table)
+            for change, mine in zip(changes, here, strict=False):
+                alike = change if draw == self.draw else _alike(change, (mine, table), keys)
                 if alike is None:
                     return False
-                here, elsewhere = here.edited(change), elsewhere.edited(alike)
-            tables.append(elsewhere.table)
+                table = alike.of(table)
+            tables.append(table)
         return self._are_right(self.references[first:], tables, effort)
 
     def _are_right(
@@ -324,16 +327,16 @@ class Work:
         return False
 
 
-def _alike(change: Change, here: Work, there: Work) -> Change | None:
+def _alike(change: Change, own: Draws, keys: Draws) -> Change | None:
     """A change of some cells as it is at another draw: what is an entry of the answer or the key stays that.
 
-    An angle that is neither is itself; of such a length, None.
+    An angle that is neither is itself; of such a length, None. `own` is the table that it is made in.
     """
     if change.table is not None:
         return None
     cells: list[CellChange] = []
     for row, cell, value in change.cells:
-        for one, other in _pairs_of_entries(here, there, row, cell) if value else ():
+        for one, other in _pairs_of_entries(own, keys, row, cell) if value else ():
             if one and abs(abs(value) - abs(one)) <= SAME * abs(one):
                 cells.append((row, cell, other * value / one))
                 break
@@ -344,12 +347,11 @@ def _alike(change: Change, here: Work, there: Work) -> Change | None:
     return change._replace(cells=tuple(cells))
 
 
-def _pairs_of_entries(here: Work, there: Work, row: int, cell: str) -> Iterator[tuple[float, float]]:
+def _pairs_of_entries(own: Draws, keys: Draws, row: int, cell: str) -> Iterator[tuple[float, float]]:
     """An entry of the answer at two draws, then those of the key and all of the answer that it may become."""
-    yield getattr(here.table.rows[row], cell), getattr(there.table.rows[row], cell)
+    yield getattr(own[0].rows[row], cell), getattr(own[1].rows[row], cell)
     kinds = LENGTHS if cell in LENGTHS else ANGLES
-    tables = (here.reference.table, there.reference.table), (here.table, there.table)
-    for one, other in tables:
+    for one, other in (keys, own):
         for mine, its in zip(one.rows, other.rows, strict=True):
             for kind in kinds:
                 yield getattr(mine, kind), getattr(its, kind)
