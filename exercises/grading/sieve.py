@@ -10,13 +10,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
-from functools import lru_cache
+from dataclasses import dataclass, replace
+from functools import cached_property, lru_cache
+from typing import NamedTuple
 
 from exercises.grading.typed import Place
 from exercises.grading.work import Change, Work
 from kinematics.equivalence.invariants import Invariants
-from kinematics.equivalence.measures import Measure
+from kinematics.equivalence.measures import Measure, Shape
 from kinematics.table import Convention, JointType, NumericRow, NumericTable
 
 # A share of the slack: what is off by hardly more than it is left to be measured.
@@ -26,30 +27,39 @@ PARALLEL = 1e-9
 TURN = 2.0 * math.pi
 
 
-@dataclass(eq=False, slots=True)
-class LegibleFact:
-    """A fact that stands in entries.
+class FactPlace(NamedTuple):
+    """Where a fact stands.
 
     Attributes:
-        column: where: α for an angle, `a` for a distance, d for an offset.
+        number: which of the facts.
+        column: α for an angle, `a` for a distance, d for an offset.
         rows: the rows in which it stands, counted from 0; of an offset those of the joints of the run.
         links: the rows whose α are zero or π, or else the fact is not seen in the entries.
+        places: the cells on which it depends.
+    """
+
+    number: int
+    column: str
+    rows: tuple[int, ...]
+    links: tuple[int, ...]
+    places: frozenset[Place]
+
+
+@dataclass(eq=False, slots=True)
+class LegibleFact:
+    """A fact that stands in entries; see `FactPlace`.
+
+    Attributes:
         target: its size in the key.
         slack: how far it may be off.
-        places: the cells on which it depends.
     """
 
     column: str
     rows: tuple[int, ...]
     links: tuple[int, ...]
+    places: frozenset[Place]
     target: float
     slack: float
-    places: frozenset[Place] = field(init=False)
-
-    def __post_init__(self) -> None:
-        self.places = frozenset(
-            {(row, self.column) for row in self.rows} | {(row, "alpha") for row in self.links}
-        )
 
     def is_wrong(self, rows: Sequence[NumericRow], changed: Mapping[Place, float]) -> bool:
         """Return whether it is seen not to be the key's, in rows of which some cells are changed."""
@@ -79,10 +89,15 @@ class LegibleFacts:
 
     def __init__(self, facts: Sequence[LegibleFact]) -> None:
         self.facts = facts
-        self._at: dict[Place, list[LegibleFact]] = {}
-        for fact in facts:
+
+    @cached_property
+    def _at(self) -> Mapping[Place, Sequence[LegibleFact]]:
+        """The facts by the cells on which they depend."""
+        found: dict[Place, list[LegibleFact]] = {}
+        for fact in self.facts:
             for place in fact.places:
-                self._at.setdefault(place, []).append(fact)
+                found.setdefault(place, []).append(fact)
+        return found
 
     def wrong(self, rows: Sequence[NumericRow]) -> list[LegibleFact]:
         """Return the facts that are seen not to be the key's."""
@@ -197,6 +212,29 @@ def legible_facts(
         convention: the table's.
         joints: the types of joints, row by row.
     """
+    targets, slacks = _bounds(invariants)
+    return LegibleFacts(
+        [
+            LegibleFact(column, rows, links, places, targets[number], slacks[number])
+            for number, column, rows, links, places in _places(
+                invariants.shapes[:n_facts], convention, joints
+            )
+        ]
+    )
+
+
+@lru_cache(maxsize=64)
+def _bounds(invariants: Invariants) -> tuple[list[float], list[float]]:
+    """The sizes of invariants in the key, and how far they may be off."""
+    sizes, slacks = invariants.sizes(invariants.values), CLEARLY * invariants.slacks
+    return sizes[:, 0].tolist(), slacks[:, 0].tolist()
+
+
+@lru_cache(maxsize=1024)
+def _places(
+    shapes: tuple[Shape, ...], convention: Convention, joints: tuple[JointType, ...]
+) -> list[FactPlace]:
+    """Where facts stand; the same for all students of an exercise, whatever their values."""
     rows = [row for row, joint in enumerate(joints) if joint is not JointType.FIXED]
     standard = convention is Convention.STANDARD
 
@@ -206,19 +244,22 @@ def legible_facts(
             return None
         return rows[i - 1] if standard else rows[j - 1]
 
-    found = []
-    targets = invariants.sizes(invariants.values)[:n_facts, 0].tolist()
-    slacks = (CLEARLY * invariants.slacks)[:n_facts, 0].tolist()
-    for (measure, axes), target, slack in zip(invariants.shapes[:n_facts], targets, slacks, strict=True):
+    found: list[FactPlace] = []
+
+    def keep(number: int, column: str, rows: tuple[int, ...], links: tuple[int, ...] = ()) -> None:
+        places = frozenset({(row, column) for row in rows} | {(row, "alpha") for row in links})
+        found.append(FactPlace(number, column, rows, links, places))
+
+    for number, (measure, axes) in enumerate(shapes):
         if measure is Measure.OFFSET:
             before, first, last, after = axes
             links = [link(k, k + 1) for k in range(first, last)]
             inside = tuple(row for row in links if row is not None)
             if len(inside) == len(links) and None not in (link(before, first), link(last, after)):
-                found.append(LegibleFact("d", tuple(rows[first - 1 : last]), inside, target, slack))
+                keep(number, "d", tuple(rows[first - 1 : last]), inside)
         elif measure is not Measure.TURN and (row := link(*axes[:2])) is not None:
             if measure is Measure.ANGLE:
-                found.append(LegibleFact("alpha", (row,), (), target, slack))
+                keep(number, "alpha", (row,))
             elif len(axes) == 3 or set(axes[2:]) == set(axes[:2]):
-                found.append(LegibleFact("a", (row,), (row,) if len(axes) == 3 else (), target, slack))
-    return LegibleFacts(found)
+                keep(number, "a", (row,), (row,) if len(axes) == 3 else ())
+    return found
