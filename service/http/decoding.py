@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import chain, islice
 from typing import Any
 
@@ -22,6 +22,14 @@ DEEPEST = 1024
 """How deeply orjson nests lists and objects."""
 LONGEST_SEARCHED = 64 * 1024
 """In a longer body [byte] the place of such a fault is not looked for: so much takes up to 20 ms."""
+PIECE = 128 * 1024
+"""Bytes of a long list of numbers that are read at a time, in a millisecond: the parser lets no other thread
+run until it is done."""
+_SHALLOW = 16
+"""How deeply the bodies nest that calls understand."""
+_NO_BRACKETS = bytes(set(range(256)) - set(b"[]{}"))
+_FEW = 64
+"""Items of a list that is searched for objects: for those of a longer one it is quicker to write it."""
 _DEPTH_MESSAGE = "depth limit"
 _INFINITE_MESSAGE = "infinity"
 _UTF8_MESSAGE = "UTF-8"
@@ -37,6 +45,7 @@ class JsonLimits:
         values: most values that stand behind a comma.
         fields: most fields of one object.
         colons: most colons, one of which stands in each field of any object.
+        quotes: most quotation marks, two of which stand around each key and each text.
         long: names of the fields at the top that may hold long lists of numbers.
     """
 
@@ -45,6 +54,7 @@ class JsonLimits:
     values: int = 200_000
     fields: int = 512
     colons: int = 64_000
+    quotes: int = 600_000
     long: frozenset[str] = frozenset()
 
 
@@ -59,21 +69,95 @@ def decode_json(body: bytes, limits: JsonLimits = JsonLimits()) -> Any:
             names a key twice in one object.
     """
     _refuse_many(body, limits)
+    value = _read_in_pieces(body, limits)
+    if value is not None:
+        return value
     try:
         value = orjson.loads(body)
     except orjson.JSONDecodeError as error:
         if body.startswith(_BYTE_ORDER_MARK):
             return decode_json(body[len(_BYTE_ORDER_MARK) :], limits)
         raise BodyError(_syntax_faults(body, error)) from None
-    try:
-        quotes = _quotes_written(value, limits)
-    except (RecursionError, orjson.JSONEncodeError):  # what can be read may be too deep to be walked again
-        raise BodyError(_too_deep()) from None
-    if _delimiters(body) != quotes:
-        raise BodyError(_duplicate_faults(body))
+    if not _is_plain(body, value):
+        try:
+            quotes = _quotes_written(value, limits)
+        except (
+            RecursionError,
+            orjson.JSONEncodeError,
+        ):  # what is read may be too deep to be walked again
+            raise BodyError(_too_deep()) from None
+        if _delimiters(body) != quotes:
+            raise BodyError(_duplicate_faults(body))
     if body.count(b":") > limits.fields:  # each field has one: where there are few, no object is wide
         _refuse_wide(value, limits)
     return value
+
+
+def _read_in_pieces(body: bytes, limits: JsonLimits) -> Any:
+    """The value of a body with a long list of numbers; None where it has none, or where anything is wrong."""
+    for name in limits.long if len(body) > PIECE else ():
+        key = b'"%b"' % name.encode()
+        if body.count(key) == 1 and (where := _list_of_numbers(body, body.find(key) + len(key))):
+            start, stop = where
+            try:
+                value = decode_json(body[:start] + b"0" + body[stop:], replace(limits, long=frozenset()))
+                if type(value) is dict and name in value:
+                    value[name] = _numbers(body, start, stop)
+                    return value
+            except (BodyError, orjson.JSONDecodeError):
+                return None  # what is wrong is found, with its place, where all is read at once
+    return None
+
+
+def _list_of_numbers(body: bytes, behind: int) -> tuple[int, int] | None:
+    """Where the list behind a key begins and ends, if it holds no text and no object."""
+    start = body.find(b"[", behind)
+    if start < 0 or body[behind:start].strip() != b":":
+        return None
+    ends = [body.find(sign, start) for sign in (b'"', b"{", b"}")]
+    stop = body.rfind(b"]", start, min((end for end in ends if end >= 0), default=len(body))) + 1
+    return (start, stop) if stop else None
+
+
+def _numbers(body: bytes, start: int, stop: int) -> list[Any]:
+    """A list of numbers, or of lists of them, read between two places: each piece is a list by itself.
+
+    Raises:
+        orjson.JSONDecodeError: it is no such list, or holds a list that is longer than a piece.
+    """
+    found: list[Any] = []
+    sign = b"]," if body.find(b"[", start + 1, stop) >= 0 else b","
+    begun, last = start + 1, stop - 1
+    while begun <= last:
+        cut = body.find(sign, begun + PIECE, last)
+        end = last if cut < 0 else cut + len(sign) - 1
+        piece = orjson.loads(b"[%b]" % body[begun:end])
+        if not piece and (found or end < last):
+            raise orjson.JSONDecodeError("a comma too many", "", begun)
+        found += piece
+        begun = end + 1
+    return found
+
+
+def _is_plain(body: bytes, value: Any) -> bool:
+    """Whether a body is shallow, and as many fields were found as it has colons: so no key stood twice."""
+    missing = body.count(b":")
+    level = [value]
+    while missing and level:
+        objects = [node for node in level if type(node) is dict]
+        missing -= sum(map(len, objects))
+        inner = chain.from_iterable(
+            node.values() if type(node) is dict else node
+            for node in level
+            if type(node) is dict or (type(node) is list and len(node) <= _FEW)
+        )
+        level = [item for item in inner if type(item) is dict or type(item) is list]
+    if missing:
+        return False
+    brackets = body.translate(None, _NO_BRACKETS)
+    for _ in range(_SHALLOW):
+        brackets = brackets.replace(b"[]", b"").replace(b"{}", b"")
+    return not brackets
 
 
 def _quotes_written(value: Any, limits: JsonLimits) -> int:
@@ -117,6 +201,7 @@ def _refuse_many(body: bytes, limits: JsonLimits) -> None:
         (b"[", limits.lists),
         (b",", limits.values),
         (b":", limits.colons),
+        (b'"', limits.quotes),
     )
     for sign, limit in counted:
         if len(body) > limit and body.count(sign) > limit:

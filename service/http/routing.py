@@ -26,6 +26,7 @@ from service.http.problems import (
     RequestPart,
 )
 from service.settings import Settings
+from service.work.collection import with_large_lists
 
 if TYPE_CHECKING:
     from service.resources import Resources
@@ -46,6 +47,8 @@ SLOWEST_UPLOAD = 16 * 1024
 """Bytes a second that a caller must send on average, after the time that every body has."""
 VALUES_A_CONFIGURATION = 16
 """Joint values for which a batch has room; arms of more joints come in smaller batches."""
+QUOTES_BESIDE_A_BATCH = 64_000
+"""Quotation marks of a robot and its parameters: the longest table has a tenth as many."""
 
 _Result = TypeVar("_Result")
 _JSON = JSON.encode()
@@ -82,11 +85,14 @@ class ApiRequest(Request):
         self.json_limits = JsonLimits(
             lists=JsonLimits.lists + count,
             values=JsonLimits.values + VALUES_A_CONFIGURATION * count,
+            quotes=QUOTES_BESIDE_A_BATCH,
             long=frozenset({"joints"}),
         )
 
     async def in_thread(self, work: Callable[[], _Result]) -> _Result:
         """Do work in a thread: one request at a time, and clients in turn."""
+        if len(await self.body()) >= LARGE_BODY:
+            work = partial(with_large_lists, work)
         return await self.resources.reading.run(work)
 
     async def in_turn(self, work: Callable[[], _Result], *, heavy: bool = False) -> _Result:

@@ -4,6 +4,7 @@ A process starts with two hundred thousand objects (modules, routes, schemas), a
 more (exercises, verdicts, figures). All threads wait while the collector looks at objects: for a tenth of a
 second and more if it looks at all. So it looks at few at a time, thrice at each, and puts aside what is left
 after that: it stands in a cache, nearly always, and goes by its reference count when the cache forgets it.
+What a large body makes is put aside at once: it would look at each of its million numbers, time and again.
 All are looked at again only if much more is held than the last time, and while nobody asks for anything.
 
 The collector itself counts net new objects: what a full cache forgets counts against what it takes, and many
@@ -14,10 +15,11 @@ from __future__ import annotations
 
 import gc
 import sys
+import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
-from typing import Any
+from typing import Any, TypeVar
 
 YOUNG = 2_000
 """Net new objects between two collections: a millisecond of work."""
@@ -41,6 +43,7 @@ DOUBLED = 2.0
 USUAL_LOOK = 0.2
 """How long a look at all objects takes, as far as is known before one has been taken [s]."""
 _OLDEST = 2
+_Result = TypeVar("_Result")
 
 
 class Collection:
@@ -52,6 +55,8 @@ class Collection:
 
     def __init__(self, took: float = 0.0) -> None:
         """Begin after a look at all objects that took so long [s]."""
+        self._lock = threading.Lock()
+        self._large = 0
         self._looked(took)
 
     def _looked(self, took: float) -> None:
@@ -61,16 +66,35 @@ class Collection:
     def __call__(self, phase: str, info: dict[str, Any]) -> None:
         """Take note of a collection, as `gc.callbacks` asks for."""
         if phase == "stop" and info["generation"] == _OLDEST:
-            self.times += 1
-            gc.freeze()
+            self._put_aside()
+
+    def _put_aside(self) -> None:
+        self.times += 1
+        gc.freeze()
+
+    def large(self, work: Callable[[], _Result]) -> _Result:
+        """Do work that makes large lists, and look at none of them; what is new before is looked at first."""
+        gc.collect(1)
+        with self._lock:
+            self._large += 1
+            gc.disable()
+        try:
+            return work()
+        finally:
+            with self._lock:
+                self._large -= 1
+                self._put_aside()
+                if not self._large:
+                    gc.enable()
 
     def look_at_new(self) -> None:
-        """Look at what is new, and put aside, every fourth time, what is left."""
+        """Look at what is new, and every fourth time put aside what is left; not beside a large body."""
+        if self._large:
+            return
         gc.collect(1)
         self._looks += 1
         if self._looks % LOOKS == 0:
-            self.times += 1
-            gc.freeze()
+            self._put_aside()
 
     def look_at_all(self, idle_seconds: float) -> bool:
         """Look at all objects if much has been put aside, and nobody waits; return whether it was so.
@@ -106,6 +130,12 @@ def new_objects_alone() -> Iterator[Collection]:
         gc.callbacks.remove(found)
         gc.set_threshold(*thresholds)
         gc.unfreeze()
+
+
+def with_large_lists(work: Callable[[], _Result]) -> _Result:
+    """Do work that makes large lists; while an application runs, the collector does not look at them."""
+    found = next((one for one in gc.callbacks if isinstance(one, Collection)), None)
+    return work() if found is None else found.large(work)
 
 
 def _put_all_aside() -> float:

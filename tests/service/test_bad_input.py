@@ -358,6 +358,18 @@ def test_a_body_too_large_is_refused_with_and_without_its_length() -> None:
         )
 
 
+@pytest.mark.parametrize("item", [["x"], "", {"a": 1}])
+def test_a_batch_of_texts_is_refused_before_it_is_read(
+    client: httpx.Client, item: object, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """To read a million of them kept a thread, and the event loop by turns, for a quarter of a second."""
+    check_problem(client.post(FK, json={"robot": "puma560", "joints": [item] * 10}), 422, "number_expected")
+    with monkeypatch.context() as context:
+        context.setattr("service.http.decoding.orjson.loads", None)
+        answer = client.post(FK, json={"robot": "puma560", "joints": [item] * 36_000})
+    check_problem(answer, 413, "json_too_many_values")
+
+
 def saved(array: np.ndarray, **options: Any) -> bytes:
     stream = io.BytesIO()
     np.save(stream, array, **options)

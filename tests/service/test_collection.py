@@ -21,6 +21,7 @@ from service.work.collection import (
     YOUNG,
     Collection,
     new_objects_alone,
+    with_large_lists,
 )
 
 LONG = 1e6
@@ -143,6 +144,51 @@ def test_garbage_that_was_put_aside_goes_when_all_is_looked_at(
     assert watched() is None
     assert collection.times == 0
     assert not collection.look_at_all(LONG)
+
+
+def test_what_a_large_body_makes_is_not_looked_at(
+    collection: Collection, looks: list[tuple[int, int]]
+) -> None:
+    """A list of a million numbers was gone over for 20 ms, time and again while the request lasted."""
+    made = with_large_lists(lambda: [[number] for number in range(300_000)])
+    assert [generation for generation, _ in looks] == [1]
+    later = [[number] for number in range(YOUNG * ROUNDS)]
+    assert gc.is_tracked(made)
+    assert not any(one is made for age in range(3) for one in gc.get_objects(age))
+    assert max(seen for _, seen in looks) < 2 * YOUNG * ROUNDS
+    assert collection.times > 0
+    assert len(later) == YOUNG * ROUNDS
+
+
+def test_garbage_is_not_put_aside_with_what_a_large_body_makes(collection: Collection) -> None:
+    watched = weakref.ref(Knot())
+    with_large_lists(list)
+    assert watched() is None
+
+
+def test_the_collector_rests_until_the_last_of_several_large_bodies_is_read(collection: Collection) -> None:
+    def outer() -> None:
+        with pytest.raises(ZeroDivisionError):
+            with_large_lists(lambda: 1 / 0)
+        assert not gc.isenabled()
+
+    with_large_lists(outer)
+    assert gc.isenabled()
+
+
+def test_what_a_large_body_makes_is_not_looked_at_by_the_clock_either(
+    collection: Collection, looks: list[tuple[int, int]]
+) -> None:
+    with_large_lists(lambda: collection.look_at_new())
+    assert len(looks) == 1  # before it
+    collection.look_at_new()
+    assert len(looks) == 2
+
+
+def test_outside_of_an_application_nothing_is_put_aside() -> None:
+    before = gc.get_freeze_count()
+    assert with_large_lists(lambda: [[], []]) == [[], []]
+    assert gc.get_freeze_count() == before
 
 
 def test_what_is_gone_with_its_request_does_not_make_all_be_looked_at(collection: Collection) -> None:

@@ -4,11 +4,12 @@ import json
 import sys
 import tracemalloc
 
+import orjson
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from service.http.decoding import JsonLimits, decode_json
+from service.http.decoding import PIECE, JsonLimits, decode_json
 from service.http.problems import BodyError, BodySizeError
 
 VALUES = st.recursive(
@@ -144,3 +145,107 @@ def test_a_body_of_more_fields_than_a_class_hands_in_is_refused_before_it_is_rea
     assert refused.value.faults[0].params == {"limit": limits.colons}
     with pytest.raises(BodySizeError):
         decode_json(json.dumps({f"k{i}": i for i in range(100_000)}).encode())
+
+
+def read_lengths(monkeypatch: pytest.MonkeyPatch) -> list[int]:
+    """How many bytes the parser was given at a time."""
+    found: list[int] = []
+    read = orjson.loads
+
+    def noted(document: bytes) -> object:
+        found.append(len(document))
+        return read(document)
+
+    monkeypatch.setattr("service.http.decoding.orjson.loads", noted)
+    return found
+
+
+BATCH = JsonLimits(lists=240_000, values=3_400_000, long=frozenset({"joints"}))
+
+
+@pytest.mark.parametrize("joints", [[[0.25, -1, 3e9]] * 50_000, [0.5] * 200_000, [[]] * 100_000])
+@pytest.mark.parametrize("last", [{}, {"parameters": {"L1": 1.5, "no]te": "a: [1, 2], {}"}}])
+def test_a_long_list_of_numbers_is_read_a_piece_at_a_time(
+    joints: list[object], last: dict[str, object], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """While a body of 13 MB was read at once, nobody else was served for a quarter of a second."""
+    lengths = read_lengths(monkeypatch)
+    value = {"robot": "puma560", "joints": joints, **last}
+    body = json.dumps(value, separators=(",", ":")).encode()
+    assert decode_json(body, BATCH) == value
+    assert len(body) > 2 * PIECE
+    assert max(lengths) < 1.1 * PIECE
+
+
+WRITTEN = (
+    b'{"robot": "a", "joints": [%b]}',
+    b'\xef\xbb\xbf{"joints" : [%b] , "robot": [1]}',
+    b'{"x": {"joints": [%b]}, "joints": 1}',
+    b'{"x": {"joints": [%b]}}',
+    b'{"joints": [%b], "joints": [1]}',
+    b'{"joints": [%b], "jo\\u0069nts": [1]}',
+    b'{"joints": [%b], "a": 1, "a": 2}',
+    b'["joints", [%b]]',
+    b'{"a": "joints", "b": [%b]}',
+    b'{"joints": [%b]',
+    b'{"joints": [%b]]}',
+    b'{"joints": [%b] 1}',
+    b'{"joints": 1 [%b]}',
+)
+INSIDE = (
+    *(
+        b"",
+        b"1,2,3,4,5,6",
+        b"[1,2],[3,4],[5,6]",
+        b"[[1],[2]],[[3],[4]]",
+        b"[1,[2],3],4,[5,6]",
+        b"1,2,3,",
+        b",1,2,3",
+    ),
+    *(
+        b"[1],[2],[3],",
+        b"[1],,[2],[3]",
+        b"[1],[2]],[[3]",
+        b"1,NaN,2,3",
+        b"1,[1e999],2",
+        b'"a],[b",[1,2]',
+        b'{"a":[1]},2',
+    ),
+    *(b"[1] , [2] ,\n[3]", b"1 , 2", b"01,2,3,4", b"1,2,\xff,3"),
+)
+
+
+@pytest.mark.parametrize("around", WRITTEN)
+@pytest.mark.parametrize("inside", INSIDE)
+@pytest.mark.parametrize("piece", [1, 4])
+def test_a_body_means_the_same_in_pieces(
+    around: bytes, inside: bytes, piece: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    body = around % inside
+    whole = outcome(body)
+    monkeypatch.setattr("service.http.decoding.PIECE", piece)
+    assert outcome(body) == whole
+
+
+def outcome(body: bytes) -> object:
+    """What a body means, or what is wrong with it."""
+    try:
+        return decode_json(body, BATCH)
+    except BodyError as error:
+        return [(fault.code, fault.where, fault.params) for fault in error.faults]
+
+
+@given(VALUES, st.sampled_from([b'{"a": %b, "a": 1}', b'[{"b": {"a": 1, "a": %b}}]']))
+def test_a_repeated_key_is_refused_beside_anything(value: object, around: bytes) -> None:
+    with pytest.raises(BodyError) as refused:
+        decode_json(around % json.dumps(value).encode())
+    assert refused.value.faults[0].code == "json_duplicate_key"
+
+
+def test_a_body_whose_fields_are_all_found_is_not_written_to_find_a_repeated_one(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """That took longer than to read it."""
+    body = json.dumps({"chain": {"joints": [[0, 0, 1, 0, 0, "q1"]] * 10_000}}).encode()
+    monkeypatch.setattr("service.http.decoding.orjson.dumps", None)
+    assert len(decode_json(body)["chain"]["joints"]) == 10_000
