@@ -10,9 +10,11 @@ from collections.abc import Iterable
 
 from pydantic import ValidationError
 
+from service.http.api_keys import KeyFile
 from service.settings import Settings
 
 _PREFIX = "FRAMEWISE_"
+_FAULTY = "These settings cannot be understood:"
 
 
 def settings_of_environment() -> Settings:
@@ -31,8 +33,26 @@ def settings_of_environment() -> Settings:
             for fault in error.errors()
         ]
     if faults:
-        sys.exit("\n".join(("These settings cannot be understood:", *faults)))
+        sys.exit("\n".join((_FAULTY, *faults)))
     return settings
+
+
+def require_key_files(settings: Settings) -> None:
+    """End the program if a key file is not there, with the name of its setting: without, all would be let in.
+
+    Raises:
+        UnavailableError: the file of API keys cannot be understood.
+    """
+    made_by = {"api_keys": "framewise keys add", "receipt_keys": "framewise receipts rotate"}
+    missing = [
+        f"  {_PREFIX}{name.upper()}: there is no file {path}; {command} makes it"
+        for name, command in made_by.items()
+        if (path := getattr(settings, name)) is not None and not path.is_file()
+    ]
+    if missing:
+        sys.exit("\n".join((_FAULTY, *missing)))
+    if settings.api_keys is not None:
+        KeyFile(settings.api_keys).all()
 
 
 def _nearest(name: str, known: Iterable[str]) -> str:

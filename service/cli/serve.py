@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import uvicorn
 
-from service.cli.environment import count, settings_of_environment
+from service.cli.environment import count, require_key_files, settings_of_environment
 from service.http.connections import server_options
 from service.logs import log_configuration
 from service.metrics import share_metrics
@@ -33,6 +33,7 @@ def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
 
 def _serve(options: argparse.Namespace) -> int:
     settings = settings_of_environment()
+    require_key_files(settings)
     chosen: dict[str, object] = {
         "host": settings.host if options.host is None else options.host,
         "port": settings.port if options.port is None else options.port,

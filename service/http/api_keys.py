@@ -69,7 +69,8 @@ class ApiKey:
 class KeyFile:
     """The keys of an installation, read again when the file changes.
 
-    Every method raises UnavailableError for a file that cannot be understood: then nobody gets in.
+    Every method raises UnavailableError for a file that cannot be understood, and for one that is gone after
+    it had keys: then nobody gets in.
 
     Args:
         path: JSON file that `framewise keys` writes.
@@ -111,9 +112,9 @@ class KeyFile:
     def _read(self) -> Mapping[str, ApiKey]:
         try:
             stamp = self._path.stat().st_mtime_ns
-        except FileNotFoundError:
-            return {}
         except OSError as error:
+            if isinstance(error, FileNotFoundError) and not self._keys:
+                return {}
             raise key_file_unreadable(self._path, error) from error
         if stamp != self._stamp:
             try:

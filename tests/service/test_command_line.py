@@ -102,6 +102,32 @@ def test_a_file_that_holds_no_keys_is_refused(
     assert broken.read_text() == text
 
 
+@pytest.mark.parametrize(
+    ("name", "command"), [("API_KEYS", "framewise keys add"), ("RECEIPT_KEYS", "framewise receipts rotate")]
+)
+def test_a_key_file_that_is_not_there_is_said_before_anything_is_served(
+    name: str, command: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A wrong path to the keys of programs let everybody in without one."""
+    path = tmp_path / "none.json"
+    monkeypatch.setenv(f"FRAMEWISE_{name}", str(path))
+    monkeypatch.setattr("service.cli.serve.uvicorn.run", None)
+    with pytest.raises(SystemExit) as ended:
+        main(["serve", "--port", "0"])
+    assert f"FRAMEWISE_{name}: there is no file {path}; {command} makes it" in str(ended.value)
+
+
+def test_api_keys_that_cannot_be_understood_are_not_served_with(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    path = tmp_path / "broken.json"
+    path.write_text("{")
+    monkeypatch.setenv("FRAMEWISE_API_KEYS", str(path))
+    monkeypatch.setattr("service.cli.serve.uvicorn.run", None)
+    assert main(["serve", "--port", "0"]) == 2
+    assert "key_file_unreadable" in capsys.readouterr().err
+
+
 def test_a_key_that_is_not_there_is_said(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -182,6 +182,19 @@ def test_a_page_of_another_origin_can_read_what_is_left() -> None:
         )
 
 
+def test_a_key_file_that_is_gone_lets_nobody_in(keyed: tuple[str, KeyFile], key_file: Path) -> None:
+    """Everybody was let in, as if there had never been a key."""
+    url, keys = keyed
+    _, text = keys.add(tuple(KeyScope))
+    headers = {"X-API-Key": text}
+    for gone, status in ((False, 200), (True, 503)):
+        if gone:
+            key_file.unlink()
+        answer = httpx.post(f"{url}/api/v1/forward-kinematics", json=FORWARD, headers=headers, timeout=120)
+        assert answer.status_code == status
+    assert answer.json()["code"] == "key_file_unreadable"
+
+
 def test_a_key_file_that_cannot_be_read_lets_nobody_in(tmp_path: Path) -> None:
     """Such as a folder: it was answered with 500."""
     with running(Settings(api_keys=tmp_path)) as url:
