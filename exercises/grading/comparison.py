@@ -25,6 +25,7 @@ from exercises.grading.typed import ANGLES, Place, Typed, meant
 from kinematics.cells import AngleUnit, ParameterKind, ReadTable, in_length_unit
 from kinematics.errors import Fault, ParameterError
 from kinematics.expressions import ZERO, Expression, Number, parameters_in
+from kinematics.remembering import USUAL_ROWS, remembered
 from kinematics.table import CELLS, DHTable, NumericTable, SymbolicTable, bind
 
 # Two unequal sums of names agree at a random draw with probability zero; three leave room for signs.
@@ -251,7 +252,7 @@ def _is_exact(key: SymbolicTable) -> bool:
     return meant(key, AngleUnit.RAD, ()).table is key
 
 
-@lru_cache(maxsize=1024)
+@remembered(lambda key, draw: len(key.rows), longest=USUAL_ROWS, most=1024, few=64)
 def _bound(key: SymbolicTable, draw: tuple[tuple[str, float], ...]) -> NumericTable:
     """The key at a draw; remembered, for one key is compared with many answers."""
     return _within_bounds(bind(key, dict(draw)))

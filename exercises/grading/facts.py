@@ -21,6 +21,7 @@ from kinematics.equivalence.batches import axis_batch
 from kinematics.equivalence.groups import outside
 from kinematics.equivalence.invariants import Invariants
 from kinematics.equivalence.measures import Measure, Shape
+from kinematics.remembering import USUAL_ROWS, remembered
 from kinematics.se3 import Vector, cross, norm, unit
 
 Floats = NDArray[np.float64]
@@ -228,7 +229,7 @@ def least_cost(shapes: tuple[Shape, ...], axes: int, costs: Floats, fixed: tuple
     return np.asarray(best.min(axis=0) + rest, dtype=np.float64)
 
 
-@lru_cache(maxsize=256)
+@remembered(lambda shapes, axes, fixed: axes, longest=USUAL_ROWS, most=256, few=32)
 def _links(
     shapes: tuple[Shape, ...], axes: int, fixed: tuple[int, ...]
 ) -> tuple[Floats, Floats, list[int], list[int]]:

@@ -24,6 +24,7 @@ from exercises.grading.judgement import judged
 from exercises.grading.verdict import Basis, Feedback, HelpLevel, Verdict
 from kinematics.cells import ReadTable
 from kinematics.equivalence import Decision, Policy, prove
+from kinematics.remembering import USUAL_ROWS, remembered
 from kinematics.table import JointType
 
 REMEMBERED = 512
@@ -97,7 +98,16 @@ def _values_that_matter(
     return tuple(sorted(parameters.items(), key=lambda item: item[0]))
 
 
-@lru_cache(maxsize=REMEMBERED)
+def _most_rows(*tables: ReadTable) -> int:
+    return max(len(read.table.rows) for read in tables)
+
+
+@remembered(
+    lambda reference, submission, policy, parameters, help_level, weights: _most_rows(reference, submission),
+    longest=USUAL_ROWS,
+    most=REMEMBERED,
+    few=64,
+)
 def _grade(
     reference: ReadTable,
     submission: ReadTable,
@@ -173,7 +183,12 @@ def _row_without_its_variable(
     return ()
 
 
-@lru_cache(maxsize=REMEMBERED)
+@remembered(
+    lambda reference, submission, policy, parameters: _most_rows(reference, submission),
+    longest=USUAL_ROWS,
+    most=REMEMBERED,
+    few=64,
+)
 def _decided(
     reference: ReadTable,
     submission: ReadTable,

@@ -18,6 +18,7 @@ from kinematics.equivalence import Decision, DirectionRule, Kind, Policy, ZeroRu
 from kinematics.equivalence.decision import convention_fits
 from kinematics.equivalence.invariants import axes_of
 from kinematics.equivalence.reference import Reference
+from kinematics.remembering import USUAL_ROWS, remembered
 from kinematics.se3 import ORIGIN, Z_AXIS
 
 HIGHEST_PARTIAL = 0.95
@@ -120,7 +121,9 @@ class _Standard(NamedTuple):
     nothing: float
 
 
-@lru_cache(maxsize=256)
+@remembered(
+    lambda reference, policy, weights: len(reference.table.rows), longest=USUAL_ROWS, most=256, few=32
+)
 def _standard(reference: Reference, policy: Policy, weights: Weights) -> _Standard:
     """The facts of a key; those that a table of zeros has for nothing weigh no more than the others together.
 

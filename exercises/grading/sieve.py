@@ -18,6 +18,7 @@ from exercises.grading.typed import Place
 from exercises.grading.work import Change, Work
 from kinematics.equivalence.invariants import Invariants
 from kinematics.equivalence.measures import Measure, Shape
+from kinematics.remembering import USUAL_ROWS, remembered
 from kinematics.table import Convention, JointType, NumericRow, NumericTable
 
 # A share of the slack: what is off by hardly more than it is left to be measured.
@@ -200,7 +201,7 @@ class Sieve:
         return replace(self._work, reach=(start, end), angular=angular, lacking=lacking)
 
 
-@lru_cache(maxsize=256)
+@remembered(lambda invariants, n_facts, convention, joints: len(joints), longest=USUAL_ROWS, most=256, few=32)
 def legible_facts(
     invariants: Invariants, n_facts: int, convention: Convention, joints: tuple[JointType, ...]
 ) -> LegibleFacts:

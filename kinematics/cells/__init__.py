@@ -18,7 +18,6 @@ variables        which names are joint variables
 exact, substitution  exact values of sines and angles, also in the place of parameters
 units, scaling   units of a table, and a cell in another one
 limits           how large cells and tables may be
-remembering      how many of them are remembered
 refusals         why one is refused
 suggestions      what somebody may have meant
 binding          from a read table to numbers

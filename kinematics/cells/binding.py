@@ -8,12 +8,12 @@ from dataclasses import replace
 from fractions import Fraction
 
 from kinematics.cells.refusals import fault
-from kinematics.cells.remembering import USUAL_TABLE, remembered
 from kinematics.cells.scaling import scaled_cell
 from kinematics.cells.scanner import canonical_name
 from kinematics.cells.tables import ReadTable
 from kinematics.cells.units import AngleUnit, LengthUnit, ParameterKind
 from kinematics.errors import Fault, ParameterError
+from kinematics.remembering import USUAL_TABLE, remembered
 from kinematics.table import DHRow, DHTable, NumericTable, SymbolicRow, bind
 
 

@@ -22,7 +22,6 @@ from lark import Lark, Token, Transformer, UnexpectedToken, v_args
 
 from kinematics.cells.limits import Limits
 from kinematics.cells.refusals import CellRefusal
-from kinematics.cells.remembering import remembered
 from kinematics.cells.scanner import scan
 from kinematics.cells.syntax import (
     Addition,
@@ -40,6 +39,7 @@ from kinematics.cells.syntax import (
     names_in,
 )
 from kinematics.expressions import Function
+from kinematics.remembering import remembered
 
 _GRAMMAR = r"""
 ?start: sum

@@ -15,13 +15,13 @@ from kinematics.cells.joints import VARIABLE_CELLS, RowJoint
 from kinematics.cells.limits import Limits
 from kinematics.cells.meaning import Position
 from kinematics.cells.refusals import CellRefusal
-from kinematics.cells.remembering import remembered
 from kinematics.cells.syntax import Node
 from kinematics.cells.tables import RawRow
 from kinematics.cells.units import AngleUnit, ParameterKind
 from kinematics.cells.variables import Use, refuse_misspelled, refuse_numberless, uses
 from kinematics.errors import Fault, ParamValue
 from kinematics.expressions import ZERO, Expression
+from kinematics.remembering import remembered
 from kinematics.table import CELLS, DHRow, JointType, SymbolicRow
 
 POSITIONS = {"alpha": Position.ANGLE, "a": Position.LENGTH, "d": Position.LENGTH, "theta": Position.ANGLE}

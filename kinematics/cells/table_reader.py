@@ -10,11 +10,11 @@ from kinematics.cells.joints import row_joints, variable_names
 from kinematics.cells.last_places import last_places
 from kinematics.cells.limits import DEFAULT, Limits
 from kinematics.cells.refusals import CellRefusal, fault
-from kinematics.cells.remembering import USUAL_TABLE, remembered
 from kinematics.cells.rows import RowMeaning, row_meaning, row_syntax
 from kinematics.cells.tables import RawTable, ReadTable
 from kinematics.cells.units import ParameterKind
 from kinematics.errors import CellError, Fault, TableError
+from kinematics.remembering import USUAL_TABLE, remembered
 from kinematics.table import CELLS, DHTable
 
 

@@ -6,8 +6,6 @@ no choice of frames changes, the angles and distances of all its axes, wherever 
 
 from __future__ import annotations
 
-from functools import lru_cache
-
 import numpy as np
 
 from kinematics.chain import Axis
@@ -16,13 +14,14 @@ from kinematics.equivalence.invariants import FLOOR, SLACK, STEEPEST, Invariants
 from kinematics.equivalence.measures import PARALLEL, Measure, Shape, measured
 from kinematics.equivalence.policy import BaseRule, Policy, ToolRule, ZeroRule
 from kinematics.equivalence.reference import Reference
+from kinematics.remembering import USUAL_ROWS, remembered
 from kinematics.se3 import cross, norm
 
 # Three parallel axes between two others: what lies before them shows behind them.
 FARTHEST = 4
 
 
-@lru_cache(maxsize=4096)
+@remembered(lambda reference, policy: len(reference.table.rows), longest=USUAL_ROWS, most=1024, few=32)
 def home_invariants_of(reference: Reference, policy: Policy) -> Invariants:
     """Return the angles and distances between axes that are no neighbours, all variables zero.
 

@@ -11,7 +11,6 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,6 +21,7 @@ from kinematics.equivalence.groups import outside
 from kinematics.equivalence.measures import PARALLEL, Measure, Shape, gauge_of, measured
 from kinematics.equivalence.policy import BaseRule, Policy, ToolRule
 from kinematics.equivalence.reference import Reference
+from kinematics.remembering import USUAL_ROWS, remembered
 from kinematics.se3 import ORIGIN, Z_AXIS, Vector, cross, norm, position, unit, z_axis
 
 # In units of the tolerance of the end frame: the rounded entries of six joints may all add up in one
@@ -122,7 +122,7 @@ def axes_of(chain: Chain, policy: Policy) -> list[Axis]:
     return [base, *chain.axes, Axis(False, direction, position(chain.end))]
 
 
-@lru_cache(maxsize=1024)
+@remembered(lambda reference, policy: len(reference.table.rows), longest=USUAL_ROWS, most=1024, few=32)
 def invariants_of(reference: Reference, policy: Policy) -> Invariants:
     """Return the invariants of a reference, and of the frames that a policy fixes."""
     axes = axes_of(reference.chain, policy)

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from enum import StrEnum
-from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.equivalence.batches import AxisBatch
+from kinematics.remembering import USUAL_INVARIANTS, remembered
 
 Floats = NDArray[np.float64]
 Places = NDArray[np.intp]
@@ -89,7 +89,7 @@ class Gauge:
     others: dict[tuple[Measure, int], tuple[list[int], Places]]
 
 
-@lru_cache(maxsize=1024)
+@remembered(lambda shapes: len(shapes), longest=USUAL_INVARIANTS, most=1024, few=32)
 def gauge_of(shapes: tuple[Shape, ...]) -> Gauge:
     """Return the invariants as arrays; remembered, for they are those of a key."""
     numbers: dict[tuple[int, int], int] = {}

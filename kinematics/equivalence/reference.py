@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
-from functools import cached_property, lru_cache
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -14,6 +14,7 @@ from kinematics.chain import NO_LENGTH, Chain, chain_of_table, size_of
 from kinematics.equivalence.groups import Nearness
 from kinematics.equivalence.plan import Plan, plans_for
 from kinematics.equivalence.policy import BaseRule, Tolerance, ToolRule, ZeroRule
+from kinematics.remembering import USUAL_ROWS, remembered
 from kinematics.table import NumericTable
 
 if TYPE_CHECKING:
@@ -153,7 +154,7 @@ class Reference:
         return [plan.shape for plan in self.plans(base, zero, near)]
 
 
-@lru_cache(maxsize=1024)
+@remembered(lambda table: len(table.rows), longest=USUAL_ROWS, most=1024, few=32)
 def prepared(table: NumericTable) -> Reference:
     """Return the reference of a table; remembered, for the same one is asked for again and again."""
     chain = chain_of_table(table)

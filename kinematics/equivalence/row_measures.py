@@ -9,7 +9,6 @@ joint, sliders or frames take part, and axes that are parallel only nearly.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -18,6 +17,7 @@ from numpy.typing import NDArray
 from kinematics.equivalence.batches import Floats, Variation, axes_of_tables, cells_of_tables
 from kinematics.equivalence.measures import PARALLEL, Measure, Shape, measured
 from kinematics.equivalence.policy import Policy
+from kinematics.remembering import USUAL_INVARIANTS, remembered
 from kinematics.table import NumericTable
 
 Places = NDArray[np.intp]
@@ -81,7 +81,7 @@ class _Seen(NamedTuple):
     steep: Places
 
 
-@lru_cache(maxsize=1024)
+@remembered(lambda shapes, joints: len(shapes), longest=USUAL_INVARIANTS, most=1024, few=32)
 def _seen(shapes: tuple[Shape, ...], joints: int) -> _Seen | None:
     """What is read where; None if not all is seen in the rows."""
     angles: list[tuple[int, int]] = []

@@ -1,4 +1,4 @@
-"""What is remembered of cells is bounded by its length, however long the cells are that callers send."""
+"""What is remembered is bounded, however long the cells and tables are that callers send."""
 
 from __future__ import annotations
 
@@ -6,8 +6,12 @@ import gc
 import tracemalloc
 
 from kinematics.cells import AngleUnit, RawRow, RawTable, bind_parameters, read_table
-from kinematics.cells.remembering import remembered
-from kinematics.table import Convention
+from kinematics.equivalence import BaseRule, Policy, ZeroRule
+from kinematics.equivalence.home_invariants import home_invariants_of
+from kinematics.equivalence.invariants import invariants_of
+from kinematics.equivalence.reference import prepared
+from kinematics.remembering import remembered
+from kinematics.table import Convention, DHRow, DHTable, JointType
 
 MOST = 5 * 1024 * 1024
 """What all that is remembered may hold [byte] while twenty tables as long as may be are read."""
@@ -30,6 +34,31 @@ def test_long_tables_are_not_hoarded() -> None:
     finally:
         tracemalloc.stop()
     assert held < MOST
+
+
+def test_references_of_many_rows_are_not_hoarded() -> None:
+    """A caller who sent nothing else made a process hold half a gigabyte of them."""
+    invariants_held_of(0)
+    tracemalloc.start()
+    try:
+        for number in range(1, 61):
+            invariants_held_of(number)
+        gc.collect()
+        held, _ = tracemalloc.get_traced_memory()
+    finally:
+        tracemalloc.stop()
+    assert held < 1.5 * MOST
+
+
+def invariants_held_of(number: int) -> None:
+    """Prepare a table of 64 rows that is no other one, and what is known of it."""
+    rows = [
+        DHRow(joint=JointType.REVOLUTE, alpha=0.5, a=1.0 + number, d=0.25 * i, theta=0.0) for i in range(64)
+    ]
+    reference = prepared(DHTable(convention=Convention.STANDARD, rows=tuple(rows)))
+    policy = Policy(base=BaseRule.FRAME, zero=ZeroRule.FIGURE)
+    assert invariants_of(reference, policy).shapes
+    assert home_invariants_of(reference, policy).shapes
 
 
 def read_and_bound(number: int, values: dict[str, float]) -> None:
@@ -57,3 +86,7 @@ def test_many_short_answers_are_remembered_and_few_long_ones() -> None:
     assert answer("longest one") == "longest one"
     assert asked[-1] == "longest one"
     assert len(asked) == 9
+    answer.cache_clear()
+    answer("a")
+    answer("longest one")
+    assert asked[9:] == ["a", "longest one"]
