@@ -143,9 +143,10 @@ def _is_plain(body: bytes, value: Any) -> bool:
     """Whether a body is shallow, and as many fields were found as it has colons: so no key stood twice."""
     missing = body.count(b":")
     level = [value]
-    while missing and level:
-        objects = [node for node in level if type(node) is dict]
-        missing -= sum(map(len, objects))
+    while level:
+        missing -= sum(len(node) for node in level if type(node) is dict)
+        if not missing:
+            break
         inner = chain.from_iterable(
             node.values() if type(node) is dict else node
             for node in level
