@@ -224,14 +224,14 @@ def legible_facts(
     )
 
 
-@lru_cache(maxsize=64)
+@lru_cache(maxsize=8)
 def _bounds(invariants: Invariants) -> tuple[list[float], list[float]]:
     """The sizes of invariants in the key, and how far they may be off."""
     sizes, slacks = invariants.sizes(invariants.values), CLEARLY * invariants.slacks
     return sizes[:, 0].tolist(), slacks[:, 0].tolist()
 
 
-@lru_cache(maxsize=1024)
+@remembered(lambda shapes, convention, joints: len(joints), longest=USUAL_ROWS, most=1024, few=32)
 def _places(
     shapes: tuple[Shape, ...], convention: Convention, joints: tuple[JointType, ...]
 ) -> list[FactPlace]:
