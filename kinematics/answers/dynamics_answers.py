@@ -23,6 +23,7 @@ from functools import cached_property, lru_cache
 
 import numpy as np
 
+from kinematics.answers.left_open import EXACT, Rounded, left_open
 from kinematics.cells.substitution import substitute
 from kinematics.dynamics import Derivation, RigidBody, SymbolicBody, rate_name
 from kinematics.errors import FormSizeError
@@ -51,10 +52,6 @@ PRODUCTS = 100_000
 HALF = Number(Fraction(1, 2))
 TOLERANCE = 0.005
 """Of an entry that is not proved, as a share of its size: two decimals and a half."""
-TOGETHER = 1.01
-"""Times what decimals do one by one is at most what they do together, in products of them."""
-EXACT = 1e-9
-"""The same where nothing was rounded, so that no small term is left out: what the arithmetic leaves."""
 
 
 class DynamicsMistake(StrEnum):
@@ -104,16 +101,15 @@ class EquationsAnswer:
         coriolis: n×n, some C; or else
         velocity: n, C q̇.
         gravity: n, g.
-        rounded: of entries with names and decimals, what each is with one of its decimals moved by half a
-            unit of its last place: no such entry is off by more. Where nothing is said of an entry, the
-            tolerance holds alone.
+        rounded: of entries with names and decimals. Where nothing is said of an entry, the tolerance holds
+            alone.
     """
 
     mass: Matrix | None = None
     coriolis: Matrix | None = None
     velocity: tuple[Expression, ...] | None = None
     gravity: tuple[Expression, ...] | None = None
-    rounded: Mapping[Expression, tuple[Expression, ...]] = field(default_factory=dict)
+    rounded: Rounded = field(default_factory=dict)
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -292,22 +288,11 @@ class _EntryJudge:
         )
         difference = np.abs(values_at(given, points, joints) - values_at(ours, points, joints))
         tolerance = self._tolerance if holds_decimals(given) else EXACT
-        left_open = self._left_open(terms, points, joints)
-        return bool((difference <= np.minimum(tolerance * size, EXACT * size + left_open)).all())
-
-    def _left_open(self, terms: Sequence[Pair], points: Mapping[str, Floats], joints: Floats) -> Floats:
-        """By how much rounding may move a sum of terms; infinite where it is not known of one."""
-        left_open = np.zeros(POINTS)
-        for entry, factor in terms:
-            if not holds_decimals(entry):
-                continue
-            if entry not in self._rounded:
-                return np.full(POINTS, np.inf)
-            here = values_at(entry, points, joints)
-            for moved in self._rounded[entry]:
-                off = values_at(moved, points, joints) - here
-                left_open = left_open + np.abs(off * values_at(factor, points, joints))
-        return TOGETHER * left_open
+        moved = [
+            np.abs(values_at(factor, points, joints)) * left_open(entry, self._rounded, points, joints)
+            for entry, factor in terms
+        ]
+        return bool((difference <= np.minimum(tolerance * size, EXACT * size + sum(moved))).all())
 
     def _drawn(self) -> Floats:
         return np.array([self._random.uniform(-3.0, 3.0) for _ in range(POINTS)])

@@ -21,7 +21,7 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.answers.form_samples import FormRobot, form_samples, usual_samples
+from kinematics.answers.form_samples import FormRobot, FormSamples, form_samples, usual_samples
 from kinematics.answers.jacobian_answers import (
     MIDDLE,
     JacobianMistake,
@@ -31,6 +31,7 @@ from kinematics.answers.jacobian_answers import (
     judge_forces,
     judge_jacobian,
 )
+from kinematics.answers.left_open import EXACT, Rounded, left_open
 from kinematics.errors import Fault, FormSizeError, JointValueError
 from kinematics.expressions import ZERO, Expression, add, multiply
 from kinematics.jacobian import JacobianFrame
@@ -74,6 +75,7 @@ def judge_jacobian_form(
     frame: JacobianFrame,
     tolerance: float,
     angles: EulerSequence | None = None,
+    rounded: Rounded | None = None,
 ) -> FormVerdict:
     """Judge a Jacobian in closed form, entry by entry.
 
@@ -83,6 +85,8 @@ def judge_jacobian_form(
         frame: in whose axes the geometric one is asked.
         tolerance: of an entry's value; where it is a length, as a share of the robot's size.
         angles: of the analytic Jacobian, in frame 0; None for the geometric one.
+        rounded: of entries with names and decimals, which are off by no more than the decimals leave open.
+            Where nothing is said of an entry with decimals, the tolerance holds alone.
 
     Raises:
         JointValueError: the angles have rates in no configuration.
@@ -98,6 +102,7 @@ def judge_jacobian_form(
     samples = form_samples(robot, [flat[k] for k in compared], [key.entries[k] for k in compared])
     actual, expected = samples.of([flat[k] for k in compared]), samples.of([key.entries[k] for k in compared])
     limit = entry_limits(robot.chain, tolerance).reshape(6 * n, 1)[list(compared)]
+    limit = np.minimum(limit, _as_typed([flat[k] for k in compared], rounded, samples, limit / tolerance))
     if angles is not None:
         actual, expected = _in_the_same_triple(robot, actual, expected, limit)
     right[list(compared)] = np.all(np.abs(actual - expected) <= limit, axis=1)
@@ -116,6 +121,7 @@ def judge_force_form(
     wrench: Sequence[Expression],
     frame: JacobianFrame,
     tolerance: float,
+    rounded: Rounded | None = None,
 ) -> tuple[tuple[bool, ...], ProofStatus, JacobianMistake | None]:
     """Judge joint forces in closed form; return which are right, what is proved, what wrong ones look like.
 
@@ -125,6 +131,7 @@ def judge_force_form(
         wrench: force and moment on the tool, (f, m).
         frame: in whose axes the wrench is given.
         tolerance: as a share of what force and moment can do at the robot's size.
+        rounded: of entries with names and decimals, as for the Jacobian.
     """
     ours = force_form(robot.table, wrench, frame)
     other, refuted = _key_of(ours).unlike(given)
@@ -137,7 +144,8 @@ def judge_force_form(
     actual, expected = samples.of([given[k] for k in other]), samples.of([ours[k] for k in other])
     for k, one, two in zip(other, actual, expected, strict=True):
         slides = robot.table.joint_types[k] is JointType.PRISMATIC
-        limit = tolerance * (force if slides else force * robot.size + moment)
+        size = force if slides else force * robot.size + moment
+        limit = np.minimum(tolerance * size, _as_typed([given[k]], rounded, samples, size)[0])
         right[k] = bool(np.all(np.abs(one - two) <= limit))
     if all(right):
         proof = ProofStatus.REFUTED if refuted else _proved([(given[k], ours[k]) for k in other])
@@ -149,6 +157,15 @@ def judge_force_form(
         typed = np.nan_to_num(here.of(given)[:, 0], nan=np.inf).tolist()
         found.add(judge_forces(robot.chain, here.joints[:, 0].tolist(), numbers, typed, frame, tolerance)[1])
     return tuple(right), ProofStatus.REFUTED, found.pop() if len(found) == 1 else None
+
+
+def _as_typed(
+    entries: Sequence[Expression], rounded: Rounded | None, samples: FormSamples, size: Floats
+) -> Floats:
+    """Return by how much entries may be off for their decimals, (entries, k); size (…, 1) or (k,)."""
+    known = rounded or {}
+    moved = [left_open(entry, known, samples.parameters, samples.joints) for entry in entries]
+    return EXACT * size + np.array(moved)
 
 
 @lru_cache(maxsize=64)

@@ -206,3 +206,23 @@ def test_functions_that_cannot_be_judged_are_refused_at_their_place(
     assert answer.status_code == 422, answer.text
     told = answer.json()
     assert [(error["code"], error.get("pointer", "")) for error in told["errors"]] == [(code, pointer)]
+
+
+@pytest.mark.parametrize(
+    ("factor", "right"), [("1.001", False), ("0.99", False), ("3*0.3333", True), ("1.0", True)]
+)
+def test_an_entry_with_names_is_as_exact_as_its_decimals(
+    client: httpx.Client, factor: str, right: bool
+) -> None:
+    """A tolerance for rounded numbers is no licence to write another function of the names."""
+    scaled = [[f"-L1*s1 - {factor}*L2*s12", "-L2*s12"], *TWO_LINKS_FORM[1:]]
+    assert check_form(client, jacobian=scaled).json()["correct"] is right
+    load = {"wrench": [0, "fy", 0, 0, 0, 0], "joint_forces": ["(L1*c1 + L2*c12)*fy", f"{factor}*L2*c12*fy"]}
+    assert check_form(client, **load).json()["correct"] is right
+
+
+def test_lengths_as_numbers_keep_the_usual_tolerance(client: httpx.Client) -> None:
+    numbers = [["-0.502*s1 - 0.5*s12", "-0.5*s12"], *TWO_LINKS_FORM[1:]]
+    assert check_form(client, jacobian=numbers).json()["correct"]
+    load = {"wrench": [0, "fy", 0, 0, 0, 0], "joint_forces": ["(0.5*c1 + 0.502*c12)*fy", "0.5*c12*fy"]}
+    assert check_form(client, **load).json()["correct"]

@@ -8,11 +8,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
+from itertools import chain as in_turn
 
 from exercises.definition import Exercise
 from exercises.instance import Instance
+from exercises.parts.cells.exactness import roundings
 from exercises.parts.cells.matrix_cells import read_row, write_matrix
 from exercises.parts.context import Context
 from exercises.parts.definition_keys import (
@@ -45,6 +47,7 @@ from kinematics.answers.jacobian_forms import (
     judge_force_form,
     judge_jacobian_form,
 )
+from kinematics.answers.left_open import Rounded
 from kinematics.answers.screw_answers import ScrewOrder
 from kinematics.cells import Cell, ParameterKind, ReadTable
 from kinematics.errors import Fault, JointValueError
@@ -56,10 +59,17 @@ from kinematics.symbolic import Matrix
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class JacobianForm:
-    """A Jacobian and joint forces as functions, linear rows first."""
+    """A Jacobian and joint forces as functions, linear rows first.
+
+    Attributes:
+        jacobian: (6, n).
+        forces: n, one for each joint.
+        rounded: of entries with names and decimals.
+    """
 
     jacobian: tuple[tuple[Expression, ...], ...] | None
     forces: tuple[Expression, ...] | None
+    rounded: Rounded = field(default_factory=dict)
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -146,19 +156,30 @@ class JacobianFormType(JacobianType[JacobianFormPart, JacobianForm]):
         if len(reading.faults) > before:
             return None
         jacobian = tuple(row for row in read if row is not None)
+        typed = in_turn.from_iterable((*(raw.jacobian or ()), raw.forces or ()))
+        meant = in_turn.from_iterable((*jacobian, forces or ()))
+
+        def read_again(texts: Sequence[str]) -> tuple[Expression, ...] | None:
+            return read_row(texts, replace(reading, faults=[]), self.kind, names=COMPONENTS)
+
+        rounded = roundings(zip(typed, meant, strict=True), COMPONENTS, read_again)
         if raw.order is ScrewOrder.ANGULAR_FIRST:
             jacobian = (*jacobian[3:], *jacobian[:3])
-        return JacobianForm(jacobian=jacobian or None, forces=forces)
+        return JacobianForm(jacobian=jacobian or None, forces=forces, rounded=rounded)
 
     def marking(self, part: JacobianFormPart, answer: JacobianForm, context: Context) -> Mark:
         """Return how an answer is marked as functions of the joint variables."""
         robot = _robot(context, answer)
 
         def judge_matrix(jacobian: Matrix) -> JacobianVerdict:
-            return judge_jacobian_form(robot, jacobian, part.frame, part.tolerance, part.angles)
+            return judge_jacobian_form(
+                robot, jacobian, part.frame, part.tolerance, part.angles, answer.rounded
+            )
 
         def judge_statics(forces: Sequence[Expression]) -> tuple[Sequence[bool], JacobianMistake | None]:
-            right, _, mistake = judge_force_form(robot, forces, part.wrench, part.frame, part.tolerance)
+            right, _, mistake = judge_force_form(
+                robot, forces, part.wrench, part.frame, part.tolerance, answer.rounded
+            )
             return right, mistake
 
         def mark(question: JacobianAsk) -> JacobianMark:

@@ -9,11 +9,11 @@ from typing import Annotated, Any
 
 from fastapi import Body
 
-from exercises.parts.cells.exactness import roundings
 from kinematics.answers.dynamics_answers import DynamicsQuestion, EquationsAnswer, judge_dynamics
+from kinematics.answers.left_open import Rounded
 from kinematics.cells import ReadTable
 from kinematics.dynamics import rate_name
-from kinematics.errors import CellError, Fault, JointValueError
+from kinematics.errors import Fault, JointValueError
 from kinematics.expressions import Expression
 from service.http.languages import language_of
 from service.http.openapi import problems
@@ -27,7 +27,7 @@ from service.schemas.checks.dynamics_answers import (
 )
 from service.schemas.spoken import feedback_sentence
 from service.settings import Settings
-from service.wire.checks.answer_functions import read_row
+from service.wire.checks.answer_functions import read_row, roundings_of
 from service.wire.dynamics import parameter_numbers, weighed
 from service.work.limiters import WorkKind
 
@@ -115,17 +115,11 @@ def _rates(question: DynamicsQuestion) -> list[str]:
 
 def _rounded(
     body: CheckDynamicsRequest, answer: EquationsAnswer, read: ReadTable, question: DynamicsQuestion
-) -> dict[Expression, tuple[Expression, ...]]:
+) -> Rounded:
     """Return what entries with names are with each of their decimals moved by half a unit of its last."""
     typed = [*(body.M or ()), *(body.C or ()), *(row for row in (body.h, body.g) if row is not None)]
     meant = [*(answer.mass or ()), *(answer.coriolis or ())]
     meant += [row for row in (answer.velocity, answer.gravity) if row is not None]
-    cells = zip(chain.from_iterable(typed), chain.from_iterable(meant), strict=True)
-
-    def read_again(texts: list[str]) -> tuple[Expression, ...] | None:
-        try:
-            return read_row(texts, len(texts), read, _known(question), ())
-        except CellError:  # longer by its digits, a cell may be too long
-            return None
-
-    return roundings(cells, _rates(question), read_again)
+    return roundings_of(
+        chain.from_iterable(typed), chain.from_iterable(meant), read, _known(question), _rates(question)
+    )

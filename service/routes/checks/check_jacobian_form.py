@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import partial
+from itertools import chain
 from typing import Annotated, Any
 
 from fastapi import Body
@@ -23,7 +24,7 @@ from service.http.routing import ApiRequest, api_router
 from service.schemas import examples
 from service.schemas.checks.jacobian_answers import jacobian_mistake
 from service.schemas.checks.jacobian_form_answers import CheckJacobianFormAnswer, CheckJacobianFormRequest
-from service.wire.checks.answer_functions import form_values, read_row
+from service.wire.checks.answer_functions import form_values, read_row, roundings_of
 from service.wire.prepared_robots import PreparedRobot
 from service.work.limiters import WorkKind
 
@@ -93,16 +94,20 @@ def _checked(body: CheckJacobianFormRequest, robot: PreparedRobot, language: str
     entries, forces, correct = None, None, True
     if body.jacobian is not None:
         rows = [read_row(row, n, robot.read, named, ("jacobian", i)) for i, row in enumerate(body.jacobian)]
+        rounded = roundings_of(
+            chain.from_iterable(body.jacobian), chain.from_iterable(rows), robot.read, named, COMPONENTS
+        )
         if body.order is ScrewOrder.ANGULAR_FIRST:
             rows = [*rows[3:], *rows[:3]]
-        found = judge_jacobian_form(form, rows, body.frame, body.tolerance, angles)
+        found = judge_jacobian_form(form, rows, body.frame, body.tolerance, angles, rounded)
         entries, correct = found.entries.tolist(), found.right
         proofs.add(found.proof)
         mistakes += [("jacobian", mistake, joint) for mistake, joint in found.mistakes]
     if body.joint_forces is not None and body.wrench is not None:
         given = read_row(body.joint_forces, n, robot.read, named, ("joint_forces",))
         wrench = read_row(body.wrench, 6, robot.read, named, ("wrench",), variables=False)
-        right, proof, mistake = judge_force_form(form, given, wrench, body.frame, body.tolerance)
+        rounded = roundings_of(body.joint_forces, given, robot.read, named, COMPONENTS)
+        right, proof, mistake = judge_force_form(form, given, wrench, body.frame, body.tolerance, rounded)
         forces, correct = list(right), correct and all(right)
         proofs.add(proof)
         mistakes += [("forces", mistake, None)] if mistake is not None else []

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from typing import Any
 
+from exercises.parts.cells.exactness import roundings
 from exercises.parts.cells.matrix_cells import read_functions
+from kinematics.answers.left_open import Rounded
 from kinematics.cells import AngleUnit, ParameterKind, ReadTable
 from kinematics.cells.meaning import CellMeaning
 from kinematics.errors import CellError, Fault, JointValueError
@@ -44,6 +46,32 @@ def read_row(
     types = robot.table.joint_types if variables else ()
     read = read_functions(cells, types, robot.angle_unit, where)
     return known_functions(read, known, [(*where, k) for k in range(len(cells))])
+
+
+def roundings_of(
+    typed: Iterable[Any],
+    meant: Iterable[Expression],
+    robot: ReadTable,
+    known: Collection[str],
+    rates: Collection[str],
+) -> Rounded:
+    """Return what entries with names are with each of their decimals moved by half a unit of its last place.
+
+    Args:
+        typed: the cells.
+        meant: what they mean.
+        robot: whose joint variables and angle unit they use.
+        known: names that have a value.
+        rates: names that are no dimensions of the robot.
+    """
+
+    def read_again(texts: list[str]) -> tuple[Expression, ...] | None:
+        try:
+            return read_row(texts, len(texts), robot, known, ())
+        except CellError:  # longer by its digits, a cell may be too long
+            return None
+
+    return roundings(zip(typed, meant, strict=True), rates, read_again)
 
 
 def known_functions(

@@ -69,3 +69,12 @@ def test_joint_forces_of_zero_earn_nothing() -> None:
         cells = JacobianCells(order=ScrewOrder.LINEAR_FIRST, jacobian=((0,) * n,) * 6, forces=(0,) * n)
         found = part(judged(exercise_id, **{kind: cells}), kind)
         assert (found.score, codes(found)) == (0.0, ["jacobian_wrong", "forces_wrong"])
+
+
+@pytest.mark.parametrize(("length", "right"), [("(L2 + 0.004)", False), ("1.001*L2", False), ("L2", True)])
+def test_names_in_a_jacobian_are_exact(length: str, right: bool) -> None:
+    zeros = (("0", "0"),) * 3
+    rows = (("-L1*s1 - L2*s12", f"-{length}*s12"), ("L1*c1 + L2*c12", "L2*c12"), *zeros, ("1", "1"))
+    cells = JacobianCells(order=ScrewOrder.LINEAR_FIRST, jacobian=rows)
+    found = part(judged("twolink-jacobian-form", jacobian_form=cells), "jacobian_form")
+    assert ("jacobian_wrong" not in codes(found)) is right

@@ -1,0 +1,43 @@
+"""By how much decimals may move an entry: what was rounded is known no better than it was typed."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TypeAlias
+
+import numpy as np
+
+from kinematics.expressions import Expression
+from kinematics.expressions.arrays import values_at
+from kinematics.expressions.values import holds_decimals
+from kinematics.se3 import Floats
+
+Rounded: TypeAlias = Mapping[Expression, tuple[Expression, ...]]
+"""Of entries with names and decimals, what each is with one of its decimals moved by half a unit of its last
+place: no such entry is off by more."""
+TOGETHER = 1.01
+"""Times what decimals do one by one is at most what they do together, in products of them."""
+EXACT = 1e-9
+"""A share of an entry's size: what the arithmetic leaves where nothing was rounded."""
+
+
+def left_open(
+    entry: Expression, rounded: Rounded, parameters: Mapping[str, Floats], joints: Floats
+) -> Floats:
+    """Return by how much rounding may move an entry, (k,); infinite where it is not known.
+
+    Args:
+        entry: what was typed.
+        rounded: what it is with its decimals moved.
+        parameters: values of the names, (k,) each.
+        joints: (n, k) configurations.
+    """
+    off = np.zeros(joints.shape[1])
+    if not holds_decimals(entry):
+        return off
+    if entry not in rounded:
+        return np.full(joints.shape[1], np.inf)
+    here = values_at(entry, parameters, joints)
+    for moved in rounded[entry]:
+        off = off + np.abs(values_at(moved, parameters, joints) - here)
+    return TOGETHER * off
