@@ -98,7 +98,7 @@ class EquationsAnswer:
 
     Attributes:
         mass: n×n, M.
-        coriolis: n×n, some C; or else
+        coriolis: n×n, some C.
         velocity: n, C q̇.
         gravity: n, g.
         rounded: of entries with names and decimals. Where nothing is said of an entry, the tolerance holds
@@ -118,7 +118,7 @@ class DynamicsVerdict:
 
     Attributes:
         mass: n×n which entries of M are right.
-        velocity: which rows of C q̇ are right.
+        velocity: which rows of C q̇ are right, of C and of C q̇ itself where both were given.
         skew: whether Ṁ − 2C is skew-symmetric, M being the robot's; None without C.
         gravity: which entries of g are right.
         proof: PROVED: all of it is equal as functions; UNDECIDED: some was compared at samples only; REFUTED:
@@ -162,12 +162,17 @@ def judge_dynamics(
         mass = judge.mass(answer.mass)
         if not all(map(all, mass)):
             mistakes += _mistakes_of_mass(judge, question, answer.mass)
-    given = answer.velocity if answer.coriolis is None else _applied(answer.coriolis)
-    if given is not None:
-        terms = None if answer.coriolis is None else list(map(_terms, answer.coriolis))
-        velocity = judge.vector(given, _column(found.velocity), terms)
-        if not all(velocity):
-            mistakes += _mistakes_of_velocity(judge, question, given)
+    products: list[tuple[Sequence[Expression], list[Sequence[Pair]] | None]] = []
+    if answer.coriolis is not None:
+        products.append((_applied(answer.coriolis), list(map(_terms, answer.coriolis))))
+    if answer.velocity is not None:
+        products.append((answer.velocity, None))
+    for given, terms in products:
+        rows = judge.vector(given, _column(found.velocity), terms)
+        velocity = rows if velocity is None else tuple(map(all, zip(velocity, rows, strict=True)))
+        if not all(rows):
+            slips = _mistakes_of_velocity(judge, question, given)
+            mistakes += [slip for slip in slips if slip not in mistakes]
     if answer.coriolis is not None:
         skew = judge.skew(answer.coriolis)
     if answer.gravity is not None:

@@ -215,6 +215,14 @@ def test_equations_are_checked_by_what_they_mean(client: httpx.Client) -> None:
     assert "signe opposé" in found["mistakes"][0]["message"]
 
 
+def test_velocity_terms_beside_a_matrix_are_judged_too(client: httpx.Client) -> None:
+    right = {"C": [[f"-2*{H}*dq2", f"-{H}*dq2"], [f"{H}*dq1", 0]]}
+    h = [f"-{H}*(2*dq1*dq2 + dq2^2)", f"{H}*dq1^2"]
+    for given, rows in ((h, [True, True]), ([h[0], f"-{h[1]}"], [True, False]), ([0, 0], [False, False])):
+        found = client.post(CHECK, json={**ASKED, **right, "h": given}, timeout=120).json()
+        assert (found["h"], found["correct"]) == (rows, all(rows))
+
+
 @pytest.mark.parametrize(
     ("change", "code", "pointer"),
     [

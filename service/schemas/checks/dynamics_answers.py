@@ -25,7 +25,7 @@ class CheckDynamicsRequest(WeighedRobot):
 
     M: EquationRows | None = Field(None, description="n×n expressions: the mass matrix")
     C: EquationRows | None = Field(None, description="n×n expressions: any C with the right C q̇")
-    h: EquationRow | None = Field(None, description="C q̇, where C itself is not given")
+    h: EquationRow | None = Field(None, description="C q̇; beside C, both are judged")
     g: EquationRow | None = Field(None, description="gravity terms")
     tolerance: Annotated[Real, Field(gt=0, le=0.1)] = Field(
         TOLERANCE, description="of an entry that is not proved, as a share of its size"
