@@ -66,7 +66,10 @@ def compare(context: Context, answer: SymbolicMatrix, expected: Expected) -> Com
             samples, actual = samples.but_last, actual[:-1]
         else:
             samples, actual = samples.first, actual[: samples.counts[0]]
-    cells = agreeing(actual, expected(samples), context.size, context.policy.tolerance)
+    wanted = expected(samples)
+    cells = agreeing(actual, wanted, context.size, context.policy.tolerance)
+    if answer.rounded:
+        cells &= (np.abs(actual - wanted) <= answer.as_typed(samples, context.size)).all(axis=0)
     if len(samples.points) == 1 and context.own_scales and cells.all():
         values, joints = samples.points[0]
         other = other_lengths(context, (answer,), values)

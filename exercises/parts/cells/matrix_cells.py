@@ -8,15 +8,18 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Collection, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache
+from itertools import chain as in_turn
 from typing import TypeAlias, cast
 
 import numpy as np
 from numpy.typing import NDArray
 
+from exercises.parts.cells.exactness import roundings
 from exercises.parts.protocol import Reading
 from exercises.parts.samples import Samples
+from kinematics.answers.left_open import EXACT, Rounded, left_open
 from kinematics.cells import AngleUnit, Cell, Limits
 from kinematics.cells.entries import cell_meaning
 from kinematics.cells.meaning import CellMeaning, Position
@@ -34,6 +37,7 @@ from kinematics.expressions import (
     parameters_in,
 )
 from kinematics.expressions.arrays import matrices_at
+from kinematics.expressions.values import holds_decimals
 from kinematics.printing import Format, MatrixPrinter, Notation, Purpose
 from kinematics.symbolic import Matrix
 from kinematics.table import JointType
@@ -43,6 +47,9 @@ Where: TypeAlias = tuple[str | int, ...]
 
 CELL_LIMITS = Limits(cell_characters=2000, cell_symbols=48)
 """A cell of ⁰T_6, multiplied out, is longer than a cell of a table."""
+
+ALMOST = 1e-6
+"""A share of a robot's size: what the comparison of an exact product with a chain leaves."""
 
 _SHORT = re.compile(r"([cCsS])([0-9]+)")
 _GREEK = re.compile(r"(?<![A-Za-z_])([cCsS])(?:θ|ϑ|\\theta|theta)_?\{?([0-9]+)\}?")
@@ -57,10 +64,22 @@ class SymbolicMatrix:
     Attributes:
         entries: row by row; angles in [rad], lengths in the unit of the answer.
         idle: by row and column the names in a cell that make no difference.
+        rounded: of entries with names and decimals.
     """
 
     entries: tuple[tuple[Expression, ...], ...]
     idle: Mapping[tuple[int, int], frozenset[str]] = field(default_factory=dict, compare=False)
+    rounded: Rounded = field(default_factory=dict, compare=False)
+
+    def as_typed(self, samples: Samples, size: float) -> NDArray[np.float64]:
+        """Return by how much entries may be off for their decimals, (k, 4, 4); infinite if not known."""
+        limit = np.full((samples.joints.shape[1], 4, 4), np.inf)
+        parameters = samples.parameters(self.names())
+        for r, row in enumerate(self.entries):
+            for c, entry in enumerate(row):
+                if entry in self.rounded:
+                    limit[:, r, c] = EXACT * size + left_open(entry, self.rounded, parameters, samples.joints)
+        return limit
 
     def names(self) -> frozenset[str]:
         """Return the parameters in it."""
@@ -69,6 +88,13 @@ class SymbolicMatrix:
     @cached_property
     def _names(self) -> frozenset[str]:
         return frozenset().union(*(parameters_in(entry) for row in self.entries for entry in row))
+
+    def typed_share(self, samples: Samples, size: float) -> float:
+        """Return by which share of a size lengths may be off for all that is typed in decimals."""
+        if any(holds_decimals(entry) for row in self.entries for entry in row if entry not in self.rounded):
+            return 1.0
+        typed = self.as_typed(samples, size)
+        return max(ALMOST, float(typed.max(where=np.isfinite(typed), initial=0.0)) / size)
 
     def at(self, parameters: Mapping[str, float], joints: Sequence[float]) -> NDArray[np.float64]:
         """Return its values; an entry that has none there (a division by zero) is NaN."""
@@ -144,7 +170,16 @@ def read_known_matrix(
     Its faults are kept in the reading, at `where` inside the part.
     """
     read = reading.keep(part, lambda: read_matrix(cells, reading.joint_types, reading.angle_unit, where))
-    return None if read is None else _in_known_names(read, reading, part, *where)
+    known = None if read is None else _in_known_names(read, reading, part, *where)
+    if known is None:
+        return None
+
+    def read_again(texts: Sequence[str]) -> tuple[Expression, ...] | None:
+        return read_row(texts, replace(reading, faults=[]), part)
+
+    pairs = zip(in_turn.from_iterable(cells), in_turn.from_iterable(known.entries), strict=True)
+    rounded = roundings(pairs, (), read_again)
+    return replace(known, rounded=rounded) if rounded else known
 
 
 def read_functions(

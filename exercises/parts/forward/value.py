@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from exercises.parts.cells.comparison import agreeing, inverse, is_doubled, is_rigid
+from exercises.parts.cells.exactness import EITHER_WAY
 from exercises.parts.cells.matrix_cells import SymbolicMatrix
 from exercises.parts.cells.mixed_lengths import other_lengths
 from exercises.parts.context import Context
@@ -69,7 +70,11 @@ def is_robot(context: Context, matrices: Sequence[SymbolicMatrix]) -> bool:
     for other in context.draws(names):
         key = _key_at(context, other)
         if key is not None:
-            return _is_robot_at(context, partial(poses_at, other), key)
+            usual = context.policy.tolerance
+            samples = Samples(((other, context.configurations(context.joint_types)),))
+            typed = sum(matrix.typed_share(samples, context.size) for matrix in matrices)
+            tolerance = replace(usual, length=min(usual.length, EITHER_WAY * typed))
+            return _is_robot_at(context, partial(poses_at, other), key, tolerance)
     return True
 
 
@@ -107,10 +112,11 @@ def _is_robot_at(
     if chain is None:
         return False
     samples = context.configurations(joint_types)
-    if not agreeing(poses_of(samples), chain.poses(samples), context.size, usual).all():
+    tolerance = tolerance or usual
+    if not agreeing(poses_of(samples), chain.poses(samples), context.size, tolerance).all():
         return False
     in_units = _scaled(chain, 1.0 / context.unit_ratio)
-    policy = replace(context.policy, tolerance=tolerance or usual)
+    policy = replace(context.policy, tolerance=tolerance)
     return certify([prepared(key)], [in_units], policy) is not None
 
 

@@ -42,6 +42,7 @@ from exercises.parts.protocol import (
 )
 from exercises.parts.report import PartReport
 from exercises.reading import Reader
+from kinematics.answers.left_open import EXACT, left_open
 from kinematics.cells import Cell
 from kinematics.expressions import parameters_in
 from kinematics.expressions.arrays import values_at
@@ -214,7 +215,9 @@ def _is_right(found: PlantedMatrix, mended: SymbolicMatrix, context: Context) ->
         values = {name: moved[name] if name in names else value for name, value in nominal.items()}
         given, right = (values_at(of[r][c], values, joints) for of in (mended.entries, found.right))
         limit = tolerance.length * context.size if c == 3 and r < 3 else tolerance.angle
-        if not bool((np.abs(given - right) <= limit).all()):
+        at = {name: np.full(joints.shape[1], value) for name, value in values.items()}
+        typed = EXACT * context.size + left_open(mended.entries[r][c], mended.rounded, at, joints)
+        if not bool((np.abs(given - right) <= np.minimum(limit, typed)).all()):
             return False
     return True
 

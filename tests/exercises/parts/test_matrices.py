@@ -326,3 +326,24 @@ def test_a_name_that_makes_no_difference_is_unknown_in_conditions(condition: str
     with pytest.raises(AnswerError) as refused:
         judged("twolink-singularities", singularities=SingularityCells(conditions=((condition,),)))
     assert [fault.code for fault in refused.value.faults] == ["name_unknown"]
+
+
+@pytest.mark.parametrize(
+    ("x", "right"),
+    [
+        ("1.002*a2*c1 + a3*c12", False),
+        ("(a2 + 0.002)*c1 + a3*c12", False),
+        ("(a2 + 1/500)*c1 + a3*c12", False),
+        ("3*0.3333*a2*c1 + a3*c12", True),
+        ("1.0*a2*c1 + a3*c12", True),
+    ],
+)
+def test_names_in_a_transform_are_as_exact_as_the_decimals_beside_them(x: str, right: bool) -> None:
+    given = edited(SCARA_TRANSFORM, 0, 3, x)
+    assert part(judged("scara", table=SCARA, transform=given), "transform").correct is right
+    assert part(judged("scara", transform=given), "transform").correct is right
+
+
+def test_names_in_a_link_matrix_are_exact() -> None:
+    given = matrices(edited(SCARA_MATRICES[0], 0, 3, "1.003*a2*c1"))
+    assert not part(judged("scara", table=SCARA, link_matrices=given), "link_matrices").correct

@@ -45,6 +45,21 @@ def test_a_matrix_of_empty_cells_is_none_given() -> None:
     assert {entry.code for entry in report.feedback} == {"matrix_mistake_missing"}
 
 
+@pytest.mark.parametrize(("factor", "right"), [("1.01", False), ("1.001", False), ("1.0", True)])
+def test_a_name_with_a_factor_beside_it_is_another_length(factor: str, right: bool) -> None:
+    found = student("puma560-matrix-mistake", 3)
+    mended = PART.right(found.part, found.context).mended_matrix
+    assert mended is not None
+    names = found.instance.exercise.reference.parameters
+    scaled = tuple(
+        (*row[:3], f"{factor}*({row[3]})" if any(name in str(row[3]) for name in names) else row[3])
+        for row in mended
+    )
+    assert any(str(row[3]).startswith(factor) for row in scaled)
+    report = found.judged(FoundMatrixMistakeCells(mended_matrix=scaled))
+    assert ("matrix_not_mended" not in {entry.code for entry in report.feedback}) is right
+
+
 def test_an_entry_that_is_right_is_no_place_even_beside_the_mended_matrix() -> None:
     found = student(EXERCISES[0], 3)
     planted: PlantedMatrix = found.instance.drawn[PART.kind]
