@@ -32,6 +32,8 @@ from kinematics.se3 import Floats, Transform
 
 STEPS = (0.7, 2.1, -1.3)
 """How far along a family an answer's condition is tried [rad or shares of the arm's size]: on no symmetry."""
+STILL = 1e-9
+"""Share of a family's direction below which a joint does not move along it."""
 PARALLEL = 1e-6
 """Sine of the angle [rad] below which neighbouring axes count as parallel, to tell elbows from shoulders."""
 
@@ -215,9 +217,20 @@ def _combination_holds(
     combination: Sequence[float],
 ) -> bool:
     """Return whether a combination describes some family, or that of some row."""
+    families = [found for found in question.found.solutions if found.family is not None]
+    if any(_moves_alone(found, combination) for found in families):
+        return True
     members = [row for row, verdict in zip(answer.rows, rows, strict=True) if verdict.right]
-    members += [found.joints for found in question.found.solutions if found.family is not None]
+    members += [found.joints for found in families]
     return any(combination) and any(_describes(question, row, combination) for row in members)
+
+
+def _moves_alone(found: IKSolution, combination: Sequence[float]) -> bool:
+    """Return whether one joint moves alone along a family, and a combination names one that stands still."""
+    direction = None if found.family is None else found.family.direction
+    moving = [] if direction is None else [i for i, rate in enumerate(direction) if abs(rate) > STILL]
+    named = [i for i, value in enumerate(combination) if value]
+    return len(moving) == len(named) == 1 and moving != named
 
 
 def _stays(question: JointQuestion, combination: Sequence[float]) -> bool:
@@ -272,6 +285,8 @@ def _covered(
     if not own or family is None or family.direction is None:
         return bool(own)
     direction = family.direction
+    if sum(abs(rate) > STILL for rate in direction) == 1:
+        return True
     return any(
         holds and _fixed(c, direction) and any(_describes(question, row, c) for row in own)
         for c, holds in zip(answer.combinations, valid, strict=True)

@@ -114,6 +114,47 @@ def test_the_solutions_of_a_pose_are_all_right_in_any_frames(client: httpx.Clien
     assert "poignet" in short["feedback"][1]["message"]
 
 
+def test_a_singular_pose_as_printed_has_its_family(client: httpx.Client) -> None:
+    """With four decimals the wrist is 0.01° off its line: what nobody can tell from the printed pose."""
+    joints = [30, -40, 70, 20, 0, -80]
+    pose = post(client, "forward-kinematics", {"robot": "puma560", "joints": joints})["transform"]
+    printed = [[round(value, 4) for value in row] for row in pose]
+    solved = post(client, "inverse-kinematics", {"robot": "puma560", "target": printed, "tolerance": 3e-4})
+    rows = [solution["joints"] for solution in solved["solutions"]]
+    question = {"robot": "puma560", "target": printed}
+    answer = {"claim": "infinite", "solutions": rows, "combinations": [[0, 0, 0, 1, 0, 1]]}
+    for combinations, right in ([[0, 0, 0, 1, 0, 1]], True), ([[0, 0, 0, 1, 0, -1]], False):
+        body = {**question, **answer, "combinations": combinations}
+        found = post(client, "check-inverse-kinematics", body)
+        assert (found["expected"], found["correct"]) == ("infinite", right)
+    finite = post(client, "check-inverse-kinematics", {**question, **answer, "claim": "finite"})
+    assert not finite["correct"]
+
+
+@pytest.mark.parametrize(
+    ("combinations", "right"),
+    [([], True), ([[0, 1]], True), ([[0, -3]], True), ([[1, 0]], False), ([[1, 1]], False)],
+)
+def test_a_joint_that_moves_alone_leaves_the_others_where_they_are(
+    client: httpx.Client, combinations: list[list[int]], right: bool
+) -> None:
+    """Two equal links, folded: the tip is on the axis of joint 1 however that joint turns."""
+    rows = [{"theta": f"q{i}", "d": 0, "a": 1, "alpha": 0} for i in (1, 2)]
+    found = post(
+        client,
+        "check-inverse-kinematics",
+        {
+            "table": {"convention": "standard", "angle_unit": "deg", "rows": rows},
+            "target": [0, 0, 0, 0, 0, 0],
+            "position_only": True,
+            "claim": "infinite",
+            "solutions": [[10, 180]],
+            "combinations": combinations,
+        },
+    )
+    assert found["correct"] is right, found
+
+
 def test_joint_values_of_ones_own_table_are_carried_over_by_its_certificate(client: httpx.Client) -> None:
     """The same arm in the other convention, with a variable reversed, a zero moved and a raised frame 0."""
     key = {

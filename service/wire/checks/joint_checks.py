@@ -19,6 +19,7 @@ from kinematics.equivalence import Certificate
 from kinematics.equivalence.decision import certify
 from kinematics.equivalence.reference import prepared
 from kinematics.inverse import ArmReach, InverseKinematics
+from kinematics.inverse.goals import LARGEST_TOLERANCE, LEAST_TOLERANCE, OF_ROUNDING
 from kinematics.se3 import check_transform, inverse_transform
 from service.http.languages import language_of
 from service.http.problems import located
@@ -73,6 +74,8 @@ def _asked(request: CheckInverseKinematicsRequest, robot: PreparedRobot, limits:
     target = check_transform(
         pose_matrix(request.target, robot.angle, "target"), where=("target",), tolerance=ROUNDED
     )
+    off = float(np.abs(target[:3, :3].T @ target[:3, :3] - np.eye(3)).max())
+    exactness = min(max(OF_ROUNDING * off, LEAST_TOLERANCE), LARGEST_TOLERANCE)
     left, _, right = np.linalg.svd(target[:3, :3])
     target[:3, :3] = left @ right
     own = None if request.own is None else _certificate(request, robot, limits)
@@ -91,7 +94,10 @@ def _asked(request: CheckInverseKinematicsRequest, robot: PreparedRobot, limits:
     reach = ArmReach.POSITION if request.position_only else ArmReach.POSE
     with traced(request):
         ranges = domain_limits(request.limits, robot.joint_units)
-    return _Asked(TargetQuestion(table=robot.table, target=target, reach=reach, limits=ranges), answer, own)
+    question = TargetQuestion(
+        table=robot.table, target=target, reach=reach, limits=ranges, tolerance=exactness
+    )
+    return _Asked(question, answer, own)
 
 
 def _judged(
