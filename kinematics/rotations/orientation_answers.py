@@ -326,8 +326,10 @@ def _family_slips(
     )
     if _is_family(expected, sequence, replace(given, combination=other), tolerance):
         yield RotationMistake.COMBINATION
-    elif _is_family(expected, sequence, replace(given, value=-given.value), tolerance):
+    elif _is_family(transposed(expected), sequence, given, tolerance):
         yield RotationMistake.TRANSPOSED
+    elif _is_family(expected, sequence, replace(given, middle=-given.middle, value=-given.value), tolerance):
+        yield RotationMistake.HANDEDNESS
     elif any(_is_family(expected, sequence, changed, tolerance) for changed in units):
         yield RotationMistake.DEGREES
 

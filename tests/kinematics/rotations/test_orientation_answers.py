@@ -113,11 +113,30 @@ def test_a_locked_rotation_needs_its_family(turning, fixed, value) -> None:
     (other,) = set(Combination) - {fixed}
     exchanged = judge_family(rotation, sequence, replace(family, combination=other))
     assert (exchanged.right, exchanged.share, slip(exchanged)) == (False, 0.5, RotationMistake.COMBINATION)
-    assert slip(judge_family(rotation, sequence, replace(family, value=-value))) is RotationMistake.TRANSPOSED
+    assert judge_family(rotation, sequence, replace(family, value=-value)).mistakes == ()
     degrees = replace(family, middle=90.0, value=math.degrees(value))
     assert slip(judge_family(rotation, sequence, degrees)) is RotationMistake.DEGREES
     off = judge_family(rotation, sequence, replace(family, value=value + 0.1))
     assert (off.right, off.share, off.mistakes) == (False, 0.0, ())
+
+
+@pytest.mark.parametrize(
+    ("middle", "combination", "told"),
+    [
+        (0.0, Combination.SUM, RotationMistake.TRANSPOSED),
+        (math.pi, Combination.DIFFERENCE, RotationMistake.HANDEDNESS),
+    ],
+)
+def test_a_family_of_the_other_sign_is_the_inverse_only_where_it_is(
+    middle: float, combination: Combination, told: RotationMistake
+) -> None:
+    """With a middle angle of half a turn every member is a half turn, which is its own inverse."""
+    family = GimbalFamily(middle=middle, combination=combination, value=0.7)
+    rotation = ZYZ.matrix((1.0, middle, family.last(1.0)))
+    other = replace(family, value=-0.7)
+    given = ZYZ.matrix((1.0, middle, other.last(1.0)))
+    assert np.allclose(given, np.transpose(rotation)) is (told is RotationMistake.TRANSPOSED)
+    assert slip(judge_family(rotation, ZYZ, other)) is told
 
 
 def test_a_family_is_not_claimed_where_there_are_two_triples() -> None:
