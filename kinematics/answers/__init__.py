@@ -12,4 +12,5 @@ unit_multiples       is a function a product of given ones, up to what never van
 dynamics_answers     equations of motion
 valued_robot         a robot in symbols, with values of its names
 form_samples         points at which closed forms are compared
+left_open            by how much decimals may move an entry
 """
