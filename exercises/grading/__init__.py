@@ -16,6 +16,7 @@ What is wrong?
   explanation    what is told, and what is earned
   misconceptions  the catalogue: what students do, and how to undo it
   cell_edits, row_edits, table_edits  the ways to undo it
+  changes        an edit: where, how much, and the table that it leads to
   work           what an edit is tried on
   fitting, joint_places  values and places that fit
   sieve          edits that are seen to fail, without measuring

@@ -6,10 +6,11 @@ import math
 from collections.abc import Iterator
 from dataclasses import replace
 
+from exercises.grading.changes import Change, Extent, with_row
 from exercises.grading.fitting import fitted_table
 from exercises.grading.judgement import share_of
 from exercises.grading.typed import meant_in_radians
-from exercises.grading.work import Change, Extent, Work, with_row
+from exercises.grading.work import Work
 from kinematics.cells import AngleUnit
 from kinematics.equivalence import DirectionRule, ZeroRule
 from kinematics.expressions import Number, Parameter, Product

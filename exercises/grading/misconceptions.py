@@ -22,6 +22,7 @@ from exercises.grading.cell_edits import (
     sign_of_variable,
     theta_value,
 )
+from exercises.grading.changes import Change, TableSlip
 from exercises.grading.row_edits import (
     cells_swapped,
     fixed_row_left_out,
@@ -45,7 +46,7 @@ from exercises.grading.table_edits import (
     parameters_swapped,
 )
 from exercises.grading.typed import ANGLES
-from exercises.grading.work import Change, TableSlip, Work
+from exercises.grading.work import Work
 
 ALL, NONE = frozenset({"alpha", "a", "d"}), frozenset[str]()
 TWISTS, ALONG_X, LENGTHS = frozenset({"alpha"}), frozenset({"alpha", "a"}), frozenset({"a", "d"})

@@ -8,9 +8,10 @@ from functools import lru_cache
 from itertools import combinations
 
 from exercises.grading.cell_edits import RIGHT_ANGLES
+from exercises.grading.changes import ROW_CELLS, Change, Extent, with_row, with_rows
 from exercises.grading.fitting import fitted_table
 from exercises.grading.typed import Place
-from exercises.grading.work import ROW_CELLS, VARIABLE_CELLS, Change, Extent, Work, with_row, with_rows
+from exercises.grading.work import VARIABLE_CELLS, Work
 from kinematics.equivalence import ToolRule
 from kinematics.equivalence.batches import CellChange
 from kinematics.table import CELLS, DHRow, JointType, NumericTable

@@ -14,8 +14,9 @@ from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 from typing import NamedTuple
 
+from exercises.grading.changes import Change
 from exercises.grading.typed import Place
-from exercises.grading.work import Change, Work
+from exercises.grading.work import Work
 from kinematics.equivalence.invariants import Invariants
 from kinematics.equivalence.measures import Measure, Shape
 from kinematics.remembering import USUAL_ROWS, remembered

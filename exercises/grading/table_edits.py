@@ -8,8 +8,9 @@ from contextlib import suppress
 from itertools import combinations
 from operator import neg
 
+from exercises.grading.changes import Change, Extent
 from exercises.grading.typed import ANGLES, Place, meant_in_radians
-from exercises.grading.work import LENGTHS, Change, Extent, Work
+from exercises.grading.work import LENGTHS, Work
 from kinematics.cells import AngleUnit
 from kinematics.equivalence.batches import CellChange
 from kinematics.errors import ParameterError

@@ -9,6 +9,7 @@ from typing import NamedTuple, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from exercises.grading.changes import Change, Extent
 from exercises.grading.digits import measured_as_typed
 from exercises.grading.facts import fixed_ends, fixed_signs, least_cost
 from exercises.grading.fitting import OFF, Unsolved, fitting_values, measured
@@ -16,7 +17,7 @@ from exercises.grading.joint_places import joint_places
 from exercises.grading.misconceptions import changes_of
 from exercises.grading.sieve import Sieve
 from exercises.grading.typed import ANGLES
-from exercises.grading.work import EVERYWHERE, FAR, VARIABLE_CELLS, Change, Extent, Off, Work
+from exercises.grading.work import EVERYWHERE, FAR, VARIABLE_CELLS, Off, Work
 from kinematics.equivalence import DirectionRule, ZeroRule
 from kinematics.equivalence.batches import Variation
 from kinematics.table import NumericTable
