@@ -36,7 +36,19 @@ class Knot:
 
 
 @pytest.fixture
-def collection() -> Iterator[Collection]:
+def alone(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    """Have applications that other tests left running look at nothing meanwhile."""
+    others = [one for one in gc.callbacks if isinstance(one, Collection)]
+    for other in others:
+        gc.callbacks.remove(other)
+        monkeypatch.setattr(other, "look_at_new", lambda: None)
+        monkeypatch.setattr(other, "look_at_all", lambda _: False)
+    yield
+    gc.callbacks.extend(others)
+
+
+@pytest.fixture
+def collection(alone: None) -> Iterator[Collection]:
     enabled = gc.isenabled()
     with new_objects_alone() as found:
         yield found
@@ -185,7 +197,7 @@ def test_what_a_large_body_makes_is_not_looked_at_by_the_clock_either(
     assert len(looks) == 2
 
 
-def test_outside_of_an_application_nothing_is_put_aside() -> None:
+def test_outside_of_an_application_nothing_is_put_aside(alone: None) -> None:
     before = gc.get_freeze_count()
     assert with_large_lists(lambda: [[], []]) == [[], []]
     assert gc.get_freeze_count() == before
