@@ -28,6 +28,7 @@ ARGUMENTS = [
     "--disable-background-networking",
     "--disable-component-update",
     "--disable-sync",
+    "--process-per-site",
     "--force-prefers-reduced-motion",
 ]
 PATIENCE = 20_000
@@ -60,6 +61,39 @@ def browser() -> Iterator[Browser]:
         started = playwright.chromium.launch(executable_path=CHROMIUM, args=ARGUMENTS)
         yield started
         started.close()
+
+
+class Visits:
+    """One browser profile for the tests of a file: what a page loads is fetched and compiled once.
+
+    A page that stays open keeps the process in which the others are drawn. Every test finds the profile
+    without cookies, permissions and stored data, as if nobody had been there before.
+    """
+
+    def __init__(self, browser: Browser, origin: str) -> None:
+        self.context = browser.new_context(reduced_motion="reduce")
+        self.context.set_default_timeout(PATIENCE)
+        self._origin = origin
+        self._kept = self.context.new_page()
+        self._kept.goto(f"{origin}/version")
+        self._protocol = self.context.new_cdp_session(self._kept)
+
+    def forget(self) -> None:
+        """Close all pages and leave nothing of them but what the browser caches."""
+        for page in self.context.pages:
+            if page is not self._kept:
+                page.close()
+        self.context.clear_cookies()
+        self.context.clear_permissions()
+        stored = "local_storage,indexeddb,cache_storage,service_workers,file_systems,shared_storage"
+        self._protocol.send("Storage.clearDataForOrigin", {"origin": self._origin, "storageTypes": stored})
+
+
+@pytest.fixture(scope="module")
+def visits(browser: Browser, web: str) -> Iterator[Visits]:
+    made = Visits(browser, web)
+    yield made
+    made.context.close()
 
 
 class Watch:
@@ -103,13 +137,15 @@ def watch() -> Watch:
 
 
 @pytest.fixture
-def open_page(browser: Browser, web: str, watch: Watch) -> Iterator[OpenPage]:
+def open_page(browser: Browser, web: str, watch: Watch, visits: Visits) -> Iterator[OpenPage]:
     """Opens pages: `open_page("/exercises/puma560", lang="ro", width=320, **context_options)`.
 
     Waits until the page is ready; fails the test at its end if a console error, a violation of the content
-    security policy or a failed load was seen.
+    security policy or a failed load was seen. Every page has a profile of its own; the first of a test, if
+    nothing else is asked of it, one that has the file's scripts and styles already.
     """
     contexts: list[BrowserContext] = []
+    visited = False
 
     def open_(
         path: str,
@@ -122,14 +158,20 @@ def open_page(browser: Browser, web: str, watch: Watch) -> Iterator[OpenPage]:
         before: Callable[[Page], Any] | None = None,
         **options: Any,
     ) -> Page:
-        context = browser.new_context(
-            viewport={"width": width, "height": height},
-            reduced_motion=options.pop("reduced_motion", "reduce"),
-            **options,
-        )
-        context.set_default_timeout(PATIENCE)
-        contexts.append(context)
-        page = context.new_page()
+        nonlocal visited
+        if options or origin or before or visited:
+            context = browser.new_context(
+                viewport={"width": width, "height": height},
+                reduced_motion=options.pop("reduced_motion", "reduce"),
+                **options,
+            )
+            context.set_default_timeout(PATIENCE)
+            contexts.append(context)
+            page = context.new_page()
+        else:
+            visited = True
+            page = visits.context.new_page()
+            page.set_viewport_size({"width": width, "height": height})
         watch.follow(page)
         if before is not None:
             before(page)
@@ -142,6 +184,8 @@ def open_page(browser: Browser, web: str, watch: Watch) -> Iterator[OpenPage]:
     yield open_
     for context in contexts:
         context.close()
+    if visited:
+        visits.forget()
     assert watch.unexpected() == []
 
 
