@@ -8,6 +8,7 @@ one by one, as every target of an arm without a decomposition is.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cache
 from typing import NamedTuple
 
 import numpy as np
@@ -46,6 +47,9 @@ TOGETHER = 500
 
 FEW = 3
 """So few targets are solved one by one: of those that need care, nothing is then computed twice."""
+
+_FREED_ONCE = 8 * 1024 * 1024
+"""Several times what a batch needs at a time [byte]."""
 
 AT_ONCE = 1000
 """The same of targets that are away from singularities, with fewer arrays."""
@@ -87,6 +91,7 @@ def solve_many(solver: Solver, targets: ArrayLike) -> InverseKinematicsBatch:
     Raises:
         PoseError: not (m, 4, 4), or a target is not a rigid motion, at ("target", i, …).
     """
+    _let_memory_be_used_again()
     poses, tolerances = _checked(targets)
     n = solver.arm.n_joints
     parts: list[_Part] = []
@@ -129,6 +134,16 @@ def solve_many(solver: Solver, targets: ArrayLike) -> InverseKinematicsBatch:
         status=tuple(status),
         complete=complete,
     )
+
+
+@cache
+def _let_memory_be_used_again() -> None:
+    """Free a large array once: the C library then keeps smaller ones instead of giving them back.
+
+    It may otherwise give each batch's memory back and ask for it again, which costs half as much as the
+    solutions.
+    """
+    np.empty(_FREED_ONCE, dtype=np.uint8)
 
 
 class _Part(NamedTuple):
