@@ -10,8 +10,7 @@ import re
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache
-from itertools import chain as in_turn
-from typing import TypeAlias, cast
+from typing import NamedTuple, TypeAlias, cast
 
 import numpy as np
 from numpy.typing import NDArray
@@ -64,21 +63,23 @@ class SymbolicMatrix:
     Attributes:
         entries: row by row; angles in [rad], lengths in the unit of the answer.
         idle: by row and column the names in a cell that make no difference.
+        decimal: rows and columns of the cells that hold numbers which may have been rounded.
         rounded: of entries with names and decimals.
     """
 
     entries: tuple[tuple[Expression, ...], ...]
     idle: Mapping[tuple[int, int], frozenset[str]] = field(default_factory=dict, compare=False)
+    decimal: frozenset[tuple[int, int]] = field(default=frozenset(), compare=False)
     rounded: Rounded = field(default_factory=dict, compare=False)
 
     def as_typed(self, samples: Samples, size: float) -> NDArray[np.float64]:
         """Return by how much entries may be off for their decimals, (k, 4, 4); infinite if not known."""
         limit = np.full((samples.joints.shape[1], 4, 4), np.inf)
         parameters = samples.parameters(self.names())
-        for r, row in enumerate(self.entries):
-            for c, entry in enumerate(row):
-                if entry in self.rounded:
-                    limit[:, r, c] = EXACT * size + left_open(entry, self.rounded, parameters, samples.joints)
+        for r, c in self.decimal:
+            entry = self.entries[r][c]
+            if entry in self.rounded:
+                limit[:, r, c] = EXACT * size + left_open(entry, self.rounded, parameters, samples.joints)
         return limit
 
     def names(self) -> frozenset[str]:
@@ -91,7 +92,9 @@ class SymbolicMatrix:
 
     def typed_share(self, samples: Samples, size: float) -> float:
         """Return by which share of a size lengths may be off for all that is typed in decimals."""
-        if any(holds_decimals(entry) for row in self.entries for entry in row if entry not in self.rounded):
+        if not self.decimal:
+            return ALMOST
+        if any(self.entries[r][c] not in self.rounded for r, c in self.decimal):
             return 1.0
         typed = self.as_typed(samples, size)
         return max(ALMOST, float(typed.max(where=np.isfinite(typed), initial=0.0)) / size)
@@ -126,13 +129,17 @@ def read_matrix(
     """
     if len(cells) != 4 or any(len(row) != 4 for row in cells):
         raise CellError(Fault(code="matrix_not_4x4", where=where))
-    entries = read_entries(cells, joint_types, angle_unit, where, limits)
-    faults = [entry for row in entries for entry in row if isinstance(entry, Fault)]
+    found = _read_cells(cells, joint_types, angle_unit, where, limits)
+    faults = [entry for row in found for entry in row if isinstance(entry, Fault)]
     if faults:
         raise CellError(faults)
-    meanings = cast(Sequence[Sequence[CellMeaning]], entries)
-    idle = {(r, k): entry.idle for r, row in enumerate(meanings) for k, entry in enumerate(row) if entry.idle}
-    return SymbolicMatrix(tuple(tuple(entry.expression for entry in row) for row in meanings), idle)
+    entries = cast(Sequence[Sequence[_Entry]], found)
+    placed = [((r, k), entry) for r, row in enumerate(entries) for k, entry in enumerate(row)]
+    return SymbolicMatrix(
+        tuple(tuple(entry.meaning.expression for entry in row) for row in entries),
+        {place: entry.idle for place, entry in placed if entry.idle},
+        frozenset(place for place, entry in placed if entry.decimal),
+    )
 
 
 def read_entries(
@@ -146,12 +153,19 @@ def read_entries(
 
     Args as in `read_matrix`.
     """
+    found = _read_cells(cells, joint_types, angle_unit, where, limits)
+    return [[entry if isinstance(entry, Fault) else entry.meaning for entry in row] for row in found]
+
+
+def _read_cells(
+    cells: CellMatrix, joint_types: Sequence[JointType], angle_unit: AngleUnit, where: Where, limits: Limits
+) -> list[list[_Entry | Fault]]:
     length, ratio = (
         _manner(position, angle_unit, limits, tuple(joint_types))
         for position in (Position.LENGTH, Position.RATIO)
     )
 
-    def entry(cell: Cell, r: int, k: int) -> CellMeaning | Fault:
+    def entry(cell: Cell, r: int, k: int) -> _Entry | Fault:
         try:
             return _read(as_cell(cell), length if k == 3 and r < 3 else ratio)
         except CellRefusal as refusal:
@@ -171,13 +185,13 @@ def read_known_matrix(
     """
     read = reading.keep(part, lambda: read_matrix(cells, reading.joint_types, reading.angle_unit, where))
     known = None if read is None else _in_known_names(read, reading, part, *where)
-    if known is None:
-        return None
+    if known is None or not known.decimal:
+        return known
 
     def read_again(texts: Sequence[str]) -> tuple[Expression, ...] | None:
         return read_row(texts, replace(reading, faults=[]), part)
 
-    pairs = zip(in_turn.from_iterable(cells), in_turn.from_iterable(known.entries), strict=True)
+    pairs = [(cells[r][c], known.entries[r][c]) for r, c in sorted(known.decimal)]
     rounded = roundings(pairs, (), read_again)
     return replace(known, rounded=rounded) if rounded else known
 
@@ -197,7 +211,7 @@ def read_functions(
 
     def entry(cell: Cell, k: int) -> CellMeaning | Fault:
         try:
-            return _read(as_cell(cell), manner)
+            return _read(as_cell(cell), manner).meaning
         except CellRefusal as refusal:
             return refusal.at(*where, k)
         except _NameError as error:
@@ -262,7 +276,7 @@ def _in_known_names(
         ]
         rows.append(tuple(entry for entry in own if entry is not None))
     is_whole = all(len(own) == len(row) for own, row in zip(rows, matrix.entries, strict=True))
-    return SymbolicMatrix(tuple(rows)) if is_whole else None
+    return replace(matrix, entries=tuple(rows)) if is_whole else None
 
 
 def write_matrix(matrix: Matrix, n_joints: int, parameters: Sequence[str]) -> CellMatrix:
@@ -290,8 +304,22 @@ def _manner(
     return _Manner(position, unit, limits, joint_types)
 
 
+class _Entry(NamedTuple):
+    """What a cell means, its names that make no difference, and whether it holds rounded numbers."""
+
+    meaning: CellMeaning
+    idle: frozenset[str]
+    decimal: bool
+
+
 @lru_cache(maxsize=8192, typed=True)
-def _read(cell: Cell | NoCell, manner: _Manner) -> CellMeaning:
+def _read(cell: Cell | NoCell, manner: _Manner) -> _Entry:
+    """What is read in one cell."""
+    meaning = _meaning(cell, manner)
+    return _Entry(meaning, meaning.idle, holds_decimals(meaning.expression))
+
+
+def _meaning(cell: Cell | NoCell, manner: _Manner) -> CellMeaning:
     """The meaning of one cell; the columns of a refusal are those of the cell as typed."""
     position, unit, limits = manner.position, manner.unit, manner.limits
     variable = _variables(manner.joint_types)
