@@ -14,9 +14,8 @@ from fluent.syntax import FluentParser, ast
 
 from service.plain_sentences import plainly_written
 
-if (
-    TYPE_CHECKING
-):  # what it evaluates messages with knows all languages and calendars, and takes long to import
+# What evaluates messages knows all languages and calendars, and takes long to import.
+if TYPE_CHECKING:
     from fluent.runtime import FluentBundle
     from fluent.runtime.types import FluentType
 

@@ -81,10 +81,8 @@ def decode_json(body: bytes, limits: JsonLimits = JsonLimits()) -> Any:
     if not _is_plain(body, value):
         try:
             quotes = _quotes_written(value, limits)
-        except (
-            RecursionError,
-            orjson.JSONEncodeError,
-        ):  # what is read may be too deep to be walked again
+        # What is read may be too deep to be walked again.
+        except (RecursionError, orjson.JSONEncodeError):
             raise BodyError(_too_deep()) from None
         if _delimiters(body) != quotes:
             raise BodyError(_duplicate_faults(body))

@@ -57,8 +57,9 @@ _ANYTHING = b"*/*"
 _UTF8 = ("", "utf-8", "utf8", "us-ascii", "ascii")
 
 
-ONE_ROBOT = JsonLimits(objects=2_000, lists=4_000, values=20_000, colons=4_000)
-"""Several times what rows, parameters and limits of one robot hold, each list as long as it may be."""
+ONE_ROBOT = JsonLimits(objects=2_000, lists=4_000, values=20_000, colons=8_000)
+"""Several times what rows, parameters and limits of one robot hold, each list as long as it may be; colons of
+addresses in a URDF file count, too."""
 
 
 class ApiRequest(Request):
