@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from typing import TypeAlias
+from collections.abc import Mapping, Sequence
+from typing import Any, TypeAlias
 
 import numpy as np
 
@@ -22,7 +22,7 @@ EXACT = 1e-9
 
 
 def left_open(
-    entry: Expression, rounded: Rounded, parameters: Mapping[str, Floats], joints: Floats
+    entry: Expression, rounded: Rounded, parameters: Mapping[str, Any], joints: Floats
 ) -> Floats:
     """Return by how much rounding may move an entry, (k,); infinite where it is not known.
 
@@ -32,12 +32,19 @@ def left_open(
         parameters: values of the names, (k,) each.
         joints: (n, k) configurations.
     """
-    off = np.zeros(joints.shape[1])
     if not holds_decimals(entry):
-        return off
+        return np.zeros(joints.shape[1])
     if entry not in rounded:
         return np.full(joints.shape[1], np.inf)
+    return moved_by(entry, rounded[entry], parameters, joints)
+
+
+def moved_by(
+    entry: Expression, near: Sequence[Expression], parameters: Mapping[str, Any], joints: Floats
+) -> Floats:
+    """Return by how much an entry differs at most from what it is with its decimals moved, (k,)."""
     here = values_at(entry, parameters, joints)
-    for moved in rounded[entry]:
+    off = np.zeros(joints.shape[1])
+    for moved in near:
         off = off + np.abs(values_at(moved, parameters, joints) - here)
     return TOGETHER * off

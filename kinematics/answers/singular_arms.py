@@ -84,11 +84,16 @@ class SingularArm(ValuedRobot):
         return values
 
     def _singular_values(self, joints: Floats) -> Floats:
-        slides = np.array([axis.prismatic for axis in self.chain.axes], dtype=bool)
-        J = self.chain.jacobian(joints) * np.where(slides, self.size, 1.0)
+        J = self.chain.jacobian(joints) * self.units
         J[:, :3] /= self.size
         kept = J if self.rows is MotionRows.TWIST else J[:, :3]
         return np.asarray(np.linalg.svd(kept, compute_uv=False))
+
+    @cached_property
+    def units(self) -> Floats:
+        """(n,) a radian, or the arm's size for a slide."""
+        slides = np.array([axis.prismatic for axis in self.chain.axes], dtype=bool)
+        return np.where(slides, self.size, 1.0)
 
     @cached_property
     def moving(self) -> NDArray[np.bool_]:

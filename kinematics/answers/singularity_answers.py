@@ -13,6 +13,7 @@ Source: J. J. Craig, Introduction to Robotics, sec. 5.8; Y. Nakamura, Advanced R
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
@@ -22,6 +23,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.answers.jacobian_answers import jacobian_at
+from kinematics.answers.left_open import TOGETHER, Rounded, moved_by
 from kinematics.answers.singular_arms import LOST, SingularArm, typical
 from kinematics.answers.unit_multiples import factors_of
 from kinematics.errors import ParameterError
@@ -46,7 +48,8 @@ from kinematics.symbolic.quotients import reduced
 from kinematics.table import JointType
 
 ROUNDED = 5e-4
-"""Share of its usual value below which a condition with numbers rounded to four digits counts as zero."""
+"""Share of its usual value below which a condition with numbers rounded to four digits counts as zero; with
+fewer digits, what their rounding leaves open."""
 
 
 class ConditionStatus(StrEnum):
@@ -125,7 +128,9 @@ class SingularityVerdict:
         return max(0.0, found - wrong / len(self.families))
 
 
-def judge_singularities(arm: SingularArm, conditions: Sequence[Expression]) -> SingularityVerdict:
+def judge_singularities(
+    arm: SingularArm, conditions: Sequence[Expression], rounded: Rounded | None = None
+) -> SingularityVerdict:
     """Judge conditions as a set.
 
     What is right for the arm's lengths and not proved is judged with other lengths as well, if the conditions
@@ -134,15 +139,18 @@ def judge_singularities(arm: SingularArm, conditions: Sequence[Expression]) -> S
     Args:
         arm: which arm, and which motion.
         conditions: functions of the joint variables, each of which is said to vanish; products may be split.
+        rounded: what those with decimals are with one of these moved by what its rounding leaves open.
 
     Raises:
         FormSizeError: the determinant of the arm is too large to be formed.
     """
-    found = _judged(arm, conditions)
-    if not found.right or found.proof is ProofStatus.PROVED or any(map(holds_decimals, conditions)):
+    near = rounded or {}
+    found = _judged(arm, conditions, near)
+    exact = not any(near.get(condition) or holds_decimals(condition) for condition in conditions)
+    if not exact or not found.right or found.proof is ProofStatus.PROVED:
         return found
     try:
-        other = _judged(arm.other(), conditions)
+        other = _judged(arm.other(), conditions, {})
     except ParameterError:  # the table has no value there
         return found
     if other.right or len(other.families) != len(found.families):
@@ -155,7 +163,7 @@ def judge_singularities(arm: SingularArm, conditions: Sequence[Expression]) -> S
 
 
 @np.errstate(all="ignore")
-def _judged(arm: SingularArm, conditions: Sequence[Expression]) -> SingularityVerdict:
+def _judged(arm: SingularArm, conditions: Sequence[Expression], rounded: Rounded) -> SingularityVerdict:
     """Judge conditions at the arm's own lengths."""
     covered = [np.zeros(points.shape[1], dtype=bool) for points in arm.witnesses]
     proved: set[int] = set()
@@ -163,13 +171,15 @@ def _judged(arm: SingularArm, conditions: Sequence[Expression]) -> SingularityVe
     exact = True
     for condition in conditions:
         statuses, before = [], [each.copy() for each in covered]
-        for factor, here in _factors(arm, condition):
+        factors = _factors(arm, condition)
+        near = _near([factor for factor, _ in factors], rounded.get(condition, ()))
+        for factor, here in factors:
             if here is None:
-                vanishing = _where(arm, factor, covered)
+                vanishing = _where(arm, factor, covered, near)
                 found = frozenset(j for j, all_of_it in enumerate(vanishing) if all_of_it)
                 here = found if found and arm.products.is_product(factor, found) else None
             if here is None:
-                statuses.append(_verified(arm, factor))
+                statuses.append(_verified(arm, factor, near.get(factor, ())))
                 exact = False
                 continue
             proved |= here
@@ -217,7 +227,7 @@ def _divisors(arm: SingularArm, bottom: Sequence[Expression]) -> tuple[int, ...]
     powers = arm.products.powers(product)
     if powers is None:
         touched = [np.zeros(points.shape[1], dtype=bool) for points in arm.witnesses]
-        _where(arm, product, touched)
+        _where(arm, product, touched, {})
         return None if any(points.any() for points in touched) else none
     return powers
 
@@ -263,13 +273,27 @@ def lost_motions_at(arm: SingularArm, joints: Sequence[float]) -> list[tuple[flo
 def _scaled(arm: SingularArm, joints: Sequence[float]) -> tuple[Floats, NDArray[np.bool_]]:
     """Return J in the arm's size for a length, and which of its rows are not always zero."""
     count = 6 if arm.rows is MotionRows.TWIST else 3
-    slides = np.array([axis.prismatic for axis in arm.chain.axes], dtype=bool)
-    J = jacobian_at(arm.chain, joints, JacobianFrame.BASE) * np.where(slides, arm.size, 1.0)
+    J = jacobian_at(arm.chain, joints, JacobianFrame.BASE) * arm.units
     J[:3] /= arm.size
     return J[:count], arm.moving[:count]
 
 
-def _where(arm: SingularArm, factor: Expression, covered: Sequence[NDArray[np.bool_]]) -> list[bool]:
+def _near(factors: Sequence[Expression], rounded: Sequence[Expression]) -> Rounded:
+    """Return what the factors of a condition are with its decimals moved; each moves one of them."""
+    found: dict[Expression, tuple[Expression, ...]] = {}
+    before = Counter(factors)
+    for moved in rounded:
+        whole = reduced(moved)[0]
+        after = Counter([whole] if len(factors) == 1 else factors_of(whole))
+        left, new = [*(before - after)], [*(after - before)]
+        if len(left) == len(new) == 1:
+            found[left[0]] = (*found.get(left[0], ()), new[0])
+    return found
+
+
+def _where(
+    arm: SingularArm, factor: Expression, covered: Sequence[NDArray[np.bool_]], near: Rounded
+) -> list[bool]:
     """Note where in the families a function vanishes; return in which it does everywhere."""
     scale = typical(arm.values_of(factor, arm.lines[0]))
     limit = ROUNDED if holds_decimals(factor) else LOST
@@ -277,13 +301,15 @@ def _where(arm: SingularArm, factor: Expression, covered: Sequence[NDArray[np.bo
     for seen, points in zip(covered, arm.witnesses, strict=True):
         values = np.abs(arm.values_of(factor, points))
         zero = values <= limit * scale
+        if factor in near:
+            zero |= values <= moved_by(factor, near[factor], arm.values, points)
         seen |= zero
         found.append(bool(zero.all()))
     return found
 
 
-def _verified(arm: SingularArm, factor: Expression) -> JudgedCondition:
-    """Return what the zeros of a function show."""
+def _verified(arm: SingularArm, factor: Expression, near: Sequence[Expression]) -> JudgedCondition:
+    """Return what the zeros of a function show, and of what it is with its decimals moved."""
     sample = arm.values_of(factor, arm.grid)
     finite = sample[np.isfinite(sample)]
     if len(finite) and np.abs(finite).max() <= 1e-12:
@@ -292,10 +318,37 @@ def _verified(arm: SingularArm, factor: Expression) -> JudgedCondition:
     if not zeros.shape[1]:
         return JudgedCondition(status=ConditionStatus.NOWHERE)
     lost = arm.lost(zeros)
-    if (lost <= (ROUNDED if holds_decimals(factor) else LOST)).all():
+    limit = ROUNDED if holds_decimals(factor) else LOST
+    if (lost <= limit).all() or (lost <= _lost_by_rounding(arm, factor, near, zeros)).all():
         return JudgedCondition(status=ConditionStatus.SINGULAR)
     worst = zeros[:, int(np.argmax(lost))]
     return JudgedCondition(status=ConditionStatus.INVENTED, example=tuple(worst.tolist()))
+
+
+def _lost_by_rounding(
+    arm: SingularArm, factor: Expression, near: Sequence[Expression], zeros: Floats
+) -> Floats:
+    """Return by how much the smallest singular value may differ at zeros whose decimals were rounded, (k,).
+
+    Near a singular configuration it grows with the distance, so that moving a zero by what rounding leaves
+    open, away from there, adds what rounding may have left.
+    """
+    here = arm.lost(zeros)
+    step = 1e-6 * arm.units[:, None]
+    rates = np.array(
+        [
+            (arm.values_of(factor, zeros + one) - arm.values_of(factor, zeros - one)) / 2e-6
+            for one in np.eye(len(step))[:, :, None] * step
+        ]
+    )
+    along = rates / (rates**2).sum(axis=0) * arm.units[:, None]
+    off = np.zeros(zeros.shape[1])
+    for moved in near:
+        way = along * arm.values_of(moved, zeros)
+        if not np.isfinite(way).all():
+            continue
+        off += np.maximum(arm.lost(zeros + way), arm.lost(zeros - way)) - here
+    return TOGETHER * off
 
 
 def is_sine_for_cosine(arm: SingularArm, condition: Expression) -> bool:

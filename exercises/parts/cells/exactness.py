@@ -83,7 +83,7 @@ def roundings(
         read: returns what cells mean; None where one means nothing.
     """
     moved = {
-        entry: _moved_decimals(str(cell))
+        entry: moved_decimals(str(cell))
         for cell, entry in cells
         if holds_decimals(entry) and not parameters_in(entry) <= set(rates)
     }
@@ -93,21 +93,32 @@ def roundings(
     return {entry: tuple(found) for entry, found in meant if found is not None}
 
 
-def _moved_decimals(cell: str) -> list[str]:
-    found = ((match, left_open(float(match[0]), len(match[1]))) for match in _DECIMAL.finditer(cell))
+def moved_decimals(cell: str, *, measured: bool = False) -> list[str]:
+    """Return a cell with each of its decimals in turn moved by what its rounding leaves open.
+
+    Args:
+        cell: what was typed.
+        measured: its decimals are values of what is asked for, which may be rounded to a fraction of four.
+    """
+    step = _half_unit if measured else left_open
+    found = ((match, step(float(match[0]), len(match[1]))) for match in _DECIMAL.finditer(cell))
     return [
-        f"{cell[: match.start()]}{float(match[0]) + step:.12f}{cell[match.end() :]}"
-        for match, step in found
-        if step
+        f"{cell[: match.start()]}{float(match[0]) + off:.12f}{cell[match.end() :]}"
+        for match, off in found
+        if off
     ]
 
 
 def left_open(value: float, decimals: int) -> float:
     """Return by how much a decimal may be off: a fraction of four by nothing, others by their rounding."""
-    half = 0.5 * 10.0**-decimals
+    half = _half_unit(value, decimals)
     if (4.0 * value).is_integer():
         return 0.0
     return min((off for known in KNOWN if (off := abs(value - known)) <= half), default=half)
+
+
+def _half_unit(_: float, decimals: int) -> float:
+    return 0.5 * 10.0**-decimals
 
 
 def numbers_in(cell: str) -> Iterator[tuple[float, float]]:

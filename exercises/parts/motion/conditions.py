@@ -14,6 +14,7 @@ from fractions import Fraction
 from itertools import islice
 from math import gcd
 
+from exercises.parts.cells.exactness import MOST_DECIMALS, has_letters, moved_decimals
 from exercises.parts.cells.matrix_cells import Where, read_functions
 from kinematics.cells import AngleUnit, Cell
 from kinematics.cells.meaning import CellMeaning, Position
@@ -52,6 +53,17 @@ _OR = re.compile(r"(?<=\s)(?:o|ou|u|sau|або|чи)(?=\s)|\bor\b|∨|\n")
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
+class Condition(CellMeaning):
+    """A function that vanishes just where a condition holds.
+
+    Attributes:
+        rounded: what it is with one of its decimals moved by what its rounding leaves open.
+    """
+
+    rounded: tuple[Expression, ...] = ()
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
 class _Equation:
     """Two sides as typed."""
 
@@ -61,7 +73,7 @@ class _Equation:
 
 def read_conditions(
     cell: Cell, joint_types: Sequence[JointType], angle_unit: AngleUnit, where: Where
-) -> list[CellMeaning | Fault]:
+) -> list[Condition | Fault]:
     """Return for each condition in a cell a function that vanishes just where it holds, or what is wrong.
 
     Args:
@@ -81,7 +93,23 @@ def read_conditions(
         return [Fault(code="conditions_too_many", where=where, params={"limit": MOST_CONDITIONS})]
     if not equations or any("=" in equation.right for equation in equations):
         return [_no_condition(cell, where)]
-    return [_function(equation, joint_types, angle_unit, where) for equation in equations]
+    return [_condition(equation, joint_types, angle_unit, where) for equation in equations]
+
+
+def _condition(
+    equation: _Equation, joint_types: Sequence[JointType], angle_unit: AngleUnit, where: Where
+) -> Condition | Fault:
+    found = _function(equation, joint_types, angle_unit, where)
+    if isinstance(found, Fault):
+        return found
+    near = [replace(equation, left=text) for text in moved_decimals(equation.left)]
+    plain = not has_letters(equation.right)
+    near += [replace(equation, right=text) for text in moved_decimals(equation.right, measured=plain)]
+    if len(near) > MOST_DECIMALS:
+        near = []
+    read = [_function(other, joint_types, angle_unit, where) for other in near]
+    rounded = tuple(other.expression for other in read if not isinstance(other, Fault))
+    return Condition(expression=found.expression, kinds=found.kinds, rounded=rounded)
 
 
 def _without_integers(text: str) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from fractions import Fraction
 from random import Random
 from typing import Annotated, ClassVar
@@ -33,6 +33,7 @@ from exercises.parts.protocol import (
 )
 from exercises.parts.report import Credit, Fact, PartReport, fact, judged, told_from
 from exercises.reading import Reader
+from kinematics.answers.left_open import Rounded
 from kinematics.answers.singular_arms import SingularArm, arm_of
 from kinematics.answers.singularity_answers import (
     ConditionStatus,
@@ -71,10 +72,14 @@ class SingularityCells:
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class SingularityAnswer:
-    """The same, read: for each row the functions that vanish where its conditions hold."""
+    """The same, read: for each row the functions that vanish where its conditions hold.
+
+    What those with decimals are with one of these moved is `rounded`.
+    """
 
     conditions: tuple[tuple[Expression, ...], ...] | None
     lost: tuple[float, ...] | None
+    rounded: Rounded = field(default_factory=dict)
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -178,14 +183,20 @@ class SingularitiesType(PartType[SingularitiesPart, SingularityCells, Singularit
         before = len(reading.faults)
         exercise = reading.instance.exercise
         types = exercise.reference.table.joint_types
+        again = replace(reading, faults=[])
         rows: list[tuple[Expression, ...]] = []
+        rounded: dict[Expression, tuple[Expression, ...]] = {}
         for i, (cell,) in enumerate(raw.conditions or ()):
             where = (self.kind, "conditions", i, 0)
             found = read_conditions(cell, types, exercise.angle_unit, where)
             read = [entry for entry in found if not isinstance(entry, Fault)]
             reading.faults.extend(entry for entry in found if isinstance(entry, Fault))
             own = [reading.own_names(entry.expression, where, idle=entry.idle) for entry in read]
-            rows.append(tuple(entry for entry in own if entry is not None))
+            rows.append(tuple(function for function in own if function is not None))
+            for entry, function in zip(read, own, strict=True):
+                near = [again.own_names(other, where) for other in entry.rounded]
+                if function is not None and near:
+                    rounded[function] = tuple(other for other in near if other is not None)
         lost = None
         part = next(part for part in exercise.parts if isinstance(part, SingularitiesPart))
         if raw.lost is not None and reading.is_row_of(
@@ -197,7 +208,7 @@ class SingularitiesType(PartType[SingularitiesPart, SingularityCells, Singularit
         if len(reading.faults) > before:
             return None
         conditions = tuple(rows) if raw.conditions is not None else None
-        return SingularityAnswer(conditions=conditions, lost=lost)
+        return SingularityAnswer(conditions=conditions, lost=lost, rounded=rounded)
 
     def grade(self, part: SingularitiesPart, answer: SingularityAnswer, context: Context) -> PartReport:
         """Judge the conditions as a set; the lost motion counts a quarter, if it is asked."""
@@ -282,7 +293,7 @@ def _conditions(
         feedback.append(Feedback(code="conditions_missing"))
         return 0.0
     flat = [(i, function) for i, row in enumerate(answer.conditions) for function in row]
-    found = judge_singularities(arm, [function for _, function in flat])
+    found = judge_singularities(arm, [function for _, function in flat], answer.rounded)
     for (i, function), entry in zip(flat, found.conditions, strict=True):
         if entry.status is ConditionStatus.SINGULAR:
             continue

@@ -82,9 +82,10 @@ def _checked(
     lost = None if body.lost is None else _lost(body, robot, arm)
     found, numbers = None, list[int]()
     if body.conditions is not None:
-        read = [_read(cell, robot, values.keys(), i) for i, cell in enumerate(body.conditions)]
+        rounded: dict[Expression, tuple[Expression, ...]] = {}
+        read = [_read(cell, robot, values.keys(), i, rounded) for i, cell in enumerate(body.conditions)]
         numbers = [i + 1 for i, row in enumerate(read) for _ in row]
-        found = judge_singularities(arm, [function for row in read for function in row])
+        found = judge_singularities(arm, [function for row in read for function in row], rounded)
     return CheckSingularitiesAnswer.model_validate(
         {
             **robot.units,
@@ -128,10 +129,18 @@ def _typed(joints: tuple[float, ...] | None, robot: PreparedRobot) -> list[float
     return [value / unit for value, unit in zip(joints, robot.joint_units, strict=True)]
 
 
-def _read(cell: Any, robot: PreparedRobot, known: Collection[str], i: int) -> tuple[Expression, ...]:
+def _read(
+    cell: Any,
+    robot: PreparedRobot,
+    known: Collection[str],
+    i: int,
+    rounded: dict[Expression, tuple[Expression, ...]],
+) -> tuple[Expression, ...]:
     where = ("conditions", i)
     read = read_conditions(cell, robot.read.table.joint_types, robot.read.angle_unit, where)
-    return known_functions(read, known, [where] * len(read))
+    functions = known_functions(read, known, [where] * len(read))
+    rounded.update((entry.expression, entry.rounded) for entry in read if not isinstance(entry, Fault))
+    return functions
 
 
 def _lost(body: CheckSingularitiesRequest, robot: PreparedRobot, arm: SingularArm) -> bool:

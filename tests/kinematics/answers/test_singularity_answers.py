@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import math
 import random
 
 import numpy as np
 import pytest
 
-from exercises.parts.motion.conditions import MOST_CONDITIONS, read_conditions
+from exercises.parts.motion.conditions import MOST_CONDITIONS, Condition, read_conditions
 from kinematics.answers.singular_arms import arm_of
 from kinematics.answers.singularity_answers import (
     ConditionStatus,
@@ -34,7 +35,12 @@ SHOULDER, ELBOW, WRIST = "a2*c2 + a3*c23 = d4*s23", "a3*s3 + d4*c3", "q5 = k*pi"
 
 
 def judged(name: str, rows: MotionRows, *texts: str):
-    return judge_singularities(arm(name, rows), [function for text in texts for function in read(name, text)])
+    types = robot(name).joint_types
+    found = [each for text in texts for each in read_conditions(text, types, AngleUnit.RAD, ())]
+    conditions = [each for each in found if isinstance(each, Condition)]
+    assert len(conditions) == len(found)
+    rounded = {each.expression: each.rounded for each in conditions}
+    return judge_singularities(arm(name, rows), [each.expression for each in conditions], rounded)
 
 
 @pytest.mark.parametrize(("name", "rows"), ARMS)
@@ -269,3 +275,37 @@ def test_powers_and_products_with_what_never_vanishes_are_proved() -> None:
 def test_what_never_vanishes_is_told_by_its_numbers(text: str, never: bool) -> None:
     (function,) = read("kr125", text)
     assert never_vanishes(function) is never
+
+
+@pytest.mark.parametrize("digits", [1, 2, 3])
+@pytest.mark.parametrize("unit", ["°", ""])
+def test_a_condition_is_as_exact_as_its_decimals(unit: str, digits: int) -> None:
+    """Of the elbow's two angles; nothing is told of one that contradicts what is told of another."""
+    values = arm(*PUMA).values
+    elbow = math.atan2(-values["d4"], values["a3"])
+    angles = [math.degrees(q) if unit == "°" else q for q in (elbow, elbow + math.pi)]
+    right = [f"{angle:.{digits}f}{unit}" for angle in angles]
+    assert judged(*PUMA, SHOULDER, WRIST, f"q3 = {', '.join(right)}").right
+    step = max(10.0**-digits, 0.12 if unit == "°" else 0.002)
+    off = [f"{angle + step:.{digits}f}{unit}" for angle in angles]
+    found = judged(*PUMA, SHOULDER, WRIST, f"q3 = {', '.join(off)}")
+    assert [entry.status for entry in found.conditions[2:]] == [ConditionStatus.INVENTED] * 2
+    assert sum(entry.found == 0.0 for entry in found.families) == 1
+
+
+@pytest.mark.parametrize(
+    ("text", "right"),
+    [
+        ("0.02*s3 + 0.43*c3", True),
+        ("0.020*s3 + 0.432*c3 = 0", True),
+        ("sin(q5)*(0.02*s3 + 0.43*c3)", True),
+        ("tan(q3) = -21.3", True),
+        ("tan(q3) = -21.2", False),
+        ("0.03*s3 + 0.43*c3", False),
+        ("0.020*s3 + 0.442*c3", False),
+        ("sin(q5)*(0.03*s3 + 0.43*c3)", False),
+    ],
+)
+def test_lengths_in_a_condition_are_as_exact_as_they_were_typed(text: str, right: bool) -> None:
+    """a3 = 0.0203 and d4 = 0.4318."""
+    assert judged(*PUMA, SHOULDER, WRIST, text).right is right
