@@ -46,10 +46,12 @@ def judge_joints(question: JointQuestion, answer: JointAnswer) -> JointVerdict:
         answer: in the variables of the question's arm.
     """
     expected = question.expected
-    if expected in (JointClaim.OUT_OF_REACH, JointClaim.JOINT_LIMITS):
+    if expected in _NONE:
         right = answer.claim is expected
-        none = answer.claim in (JointClaim.OUT_OF_REACH, JointClaim.JOINT_LIMITS)
-        return JointVerdict(right=right, share=1.0 if right else 0.5 * none, expected=expected)
+        told = expected is JointClaim.JOINT_LIMITS and not right
+        rows = _judged_rows(question, answer.rows) if told else ()
+        share = 1.0 if right else 0.5 * (answer.claim in _NONE)
+        return JointVerdict(right=right, share=share, expected=expected, rows=rows)
     rows = _judged_rows(question, answer.rows)
     good = [row for row in rows if row.right]
     says_none = answer.claim in _NONE
@@ -149,7 +151,8 @@ def _row(question: JointQuestion, row: Sequence[float], pose: Transform) -> RowV
 
 def _beyond_limits(question: JointQuestion, row: Sequence[float]) -> Iterator[int]:
     """Yield the joints, from 1, that no number of full turns brings within their limits."""
-    box, slack = question.solver.box, question.tolerance
+    box = question.solver.box
+    slack = question.tolerance if question.found.solutions else 0.0
     for i, (value, axis) in enumerate(zip(row, question.chain.axes, strict=True)):
         low, high = float(box.low[i]) - slack, float(box.high[i]) + slack
         if not axis.prismatic and math.isfinite(low):
@@ -189,13 +192,13 @@ def _members(found: IKSolution) -> tuple[tuple[float, ...], ...]:
     return (found.joints, *members)
 
 
-def _nearest(question: JointQuestion, row: Sequence[float]) -> int:
-    """Return which solution, or family, a row that reaches the target is."""
+def _nearest(question: JointQuestion, row: Sequence[float]) -> int | None:
+    """Return which solution, or family, a row that reaches the target is; None if all break the limits."""
     distances = [
         min(_off(question, found, member, row) for member in _members(found))
         for found in question.found.solutions
     ]
-    return int(np.argmin(distances))
+    return int(np.argmin(distances)) if distances else None
 
 
 def _off(question: JointQuestion, found: IKSolution, member: Sequence[float], row: Sequence[float]) -> float:

@@ -21,9 +21,7 @@ EXACT = 1e-9
 """A share of an entry's size: what the arithmetic leaves where nothing was rounded."""
 
 
-def left_open(
-    entry: Expression, rounded: Rounded, parameters: Mapping[str, Any], joints: Floats
-) -> Floats:
+def left_open(entry: Expression, rounded: Rounded, parameters: Mapping[str, Any], joints: Floats) -> Floats:
     """Return by how much rounding may move an entry, (k,); infinite where it is not known.
 
     Args:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -36,6 +37,9 @@ in all but one in ten thousand poses; measured on random rotations with 3 to 12 
 
 EXACT = 1e-14
 """A rotation whose RᵀR is no farther off than this was not rounded."""
+
+FOUR_DIGITS = 5e-4
+"""Half a unit of the last of four digits, as a share: a length with fewer was chosen rather than rounded."""
 
 _WHOLE = 1e-4
 """What is off a whole number of 1/PRINTED by no more, for lengths of 1, is one: rounding leaves 2e-6."""
@@ -110,6 +114,21 @@ def _least_tolerance(*position: float) -> float:
         if abs(scaled - round(scaled)) > _WHOLE * (1.0 + abs(length)):
             return COMPUTED_TOLERANCE
     return LEAST_TOLERANCE
+
+
+def rounding_of(position: Array) -> float:
+    """Return how far a position may be off, if it was printed with four digits or more; 0 with fewer or all.
+
+    Half a unit of the last decimal in each of three directions; of lengths over 10, as in mm, a share, since
+    the angle has the same tolerance.
+    """
+    longest = float(np.abs(position).max())
+    for decimals in range(10):
+        scaled = position * 10.0**decimals
+        if (np.abs(scaled - np.rint(scaled)) <= _WHOLE).all():
+            half = 0.5 * 10.0**-decimals
+            return math.sqrt(3.0) * half / max(1.0, 0.1 * longest) if half <= FOUR_DIGITS * longest else 0.0
+    return 0.0
 
 
 def _is_exact(target: NDArray[Any]) -> bool:

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import httpx
+import numpy as np
 import pytest
+
+from kinematics.inverse.goals import rounding_of
 
 ONE_LINK = {"convention": "standard", "rows": [{"theta": "q1", "d": 0, "a": 0.5, "alpha": 0}]}
 TARGET = [[0, 0, 1, 0.5], [0, -1, 0, 0.2], [1, 0, 0, 0.3], [0, 0, 0, 1]]
@@ -129,6 +133,41 @@ def test_a_singular_pose_as_printed_has_its_family(client: httpx.Client) -> None
         assert (found["expected"], found["correct"]) == ("infinite", right)
     finite = post(client, "check-inverse-kinematics", {**question, **answer, "claim": "finite"})
     assert not finite["correct"]
+
+
+@pytest.mark.parametrize("joints", [[0, 90, -90, 0, 0, 0], [90, 0, -90, 0, 0, 90], [0, -90, 90, 0, 0, 90]])
+def test_a_position_as_printed_has_its_family_where_the_rotation_is_exact(
+    client: httpx.Client, joints: list[int]
+) -> None:
+    """d3 = 0.15005 is printed as 0.15 or 0.1501, and the wrist is off its line."""
+    pose = post(client, "forward-kinematics", {"robot": "puma560", "joints": joints})["transform"]
+    printed = [[round(value, 4) for value in row] for row in pose]
+    question = {"robot": "puma560", "target": printed, "every": False, "solutions": [joints]}
+    found = post(client, "check-inverse-kinematics", {**question, "claim": "infinite"})
+    assert (found["expected"], found["correct"]) == ("infinite", True)
+
+
+@pytest.mark.parametrize("decimals", [4, 5, 6])
+def test_a_stretched_arm_is_reached_where_its_position_was_printed(
+    client: httpx.Client, decimals: int
+) -> None:
+    """Rounded outwards the position is out of reach; rounded inwards it has two elbows."""
+    rows = [{"theta": f"q{i}", "d": 0, "a": a, "alpha": 0} for i, a in enumerate((1, 0.7), 1)]
+    table = {"convention": "standard", "angle_unit": "deg", "rows": rows}
+    for turn in range(-170, 180, 35):
+        angle = math.radians(turn)
+        target = [round(1.7 * value, decimals) for value in (math.cos(angle), math.sin(angle))]
+        body = {"table": table, "target": [*target, 0, 0, 0, 0], "position_only": True, "claim": "finite"}
+        assert post(client, "check-inverse-kinematics", {**body, "solutions": [[turn, 0]]})["correct"], target
+        bent = post(client, "check-inverse-kinematics", {**body, "solutions": [[turn + 5, -10]]})
+        assert not bent["correct"]
+
+
+def test_positions_with_few_digits_are_exact() -> None:
+    positions = ((1.5, 0, 0), (0.455, 0.2, 0), (863, 0, 150), (0.1 + 0.2, 0.5**0.5, 0), (0, 0, 0))
+    assert [rounding_of(np.array(position)) for position in positions] == [0.0] * 5
+    assert rounding_of(np.array([1.4722, 0.85, 0])) == pytest.approx(math.sqrt(3) * 5e-5)
+    assert rounding_of(np.array([863.6, -150.1, 0])) < 2e-3
 
 
 @pytest.mark.parametrize(

@@ -19,7 +19,7 @@ from kinematics.equivalence import Certificate
 from kinematics.equivalence.decision import certify
 from kinematics.equivalence.reference import prepared
 from kinematics.inverse import ArmReach, InverseKinematics
-from kinematics.inverse.goals import LARGEST_TOLERANCE, LEAST_TOLERANCE, OF_ROUNDING
+from kinematics.inverse.goals import EXACT, LARGEST_TOLERANCE, LEAST_TOLERANCE, OF_ROUNDING, rounding_of
 from kinematics.se3 import check_transform, inverse_transform
 from service.http.languages import language_of
 from service.http.problems import located
@@ -75,7 +75,8 @@ def _asked(request: CheckInverseKinematicsRequest, robot: PreparedRobot, limits:
         pose_matrix(request.target, robot.angle, "target"), where=("target",), tolerance=ROUNDED
     )
     off = float(np.abs(target[:3, :3].T @ target[:3, :3] - np.eye(3)).max())
-    exactness = min(max(OF_ROUNDING * off, LEAST_TOLERANCE), LARGEST_TOLERANCE)
+    rounding = OF_ROUNDING * off if off > EXACT else rounding_of(target[:3, 3])
+    exactness = min(max(rounding, LEAST_TOLERANCE), LARGEST_TOLERANCE)
     left, _, right = np.linalg.svd(target[:3, :3])
     target[:3, :3] = left @ right
     own = None if request.own is None else _certificate(request, robot, limits)

@@ -221,3 +221,14 @@ def test_a_true_condition_stands_whatever_the_rows_are() -> None:
     )
     found = judge_joints(question, answer)
     assert (found.combinations, found.loose, found.share) == ((True, False), (False, False), 0.0)
+
+
+def test_rows_beyond_the_limits_are_told_where_all_solutions_are() -> None:
+    away = [(q + 1, q + 1.1) for q in Q]
+    question = joint_question(solver_of(PUMA, limits=away), product(PUMA, Q))
+    found = judge_joints(question, finite(Q, (0.0,) * 6))
+    assert (found.right, found.share, found.expected) == (False, 0.0, JointClaim.JOINT_LIMITS)
+    assert [row.mistake for row in found.rows] == [JointMistake.LIMITS, None]
+    assert not any(row.right for row in found.rows)
+    beside = joint_question(solver_of(PUMA, limits=[(q + 1e-3, q + 1.1) for q in Q]), product(PUMA, Q))
+    assert judge_joints(beside, finite(Q)).rows[0].mistake is JointMistake.LIMITS
