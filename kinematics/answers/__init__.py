@@ -12,5 +12,6 @@ unit_multiples       is a function a product of given ones, up to what never van
 dynamics_answers     equations of motion
 valued_robot         a robot in symbols, with values of its names
 form_samples         points at which closed forms are compared
+axis_pairs           how axes lie to each other, in any frames
 left_open            by how much decimals may move an entry
 """

@@ -13,15 +13,14 @@ Source: K. M. Lynch, F. C. Park, Modern Robotics (2017), 4.1; R. M. Murray, Z. L
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from enum import StrEnum
-from itertools import pairwise
-from typing import NamedTuple
 
 import numpy as np
 
+from kinematics.answers.axis_pairs import AxisPair, axis_pairs
 from kinematics.chain import Axis, Chain, chain_of_axes, size_of
 from kinematics.equivalence import Certificate, Policy
 from kinematics.equivalence.decision import WORK_OF_ACCEPTANCE, certify
@@ -31,15 +30,11 @@ from kinematics.se3 import (
     ORIGIN,
     Floats,
     Transform,
-    angle_between,
     cross,
-    dot,
     from_matrix,
     inverse_transform,
     norm,
-    rejection,
     scale,
-    subtract,
     unit,
 )
 from kinematics.table import JointType, NumericTable
@@ -51,8 +46,10 @@ NO_ROTATION = 1e-9
 """|ω| of a slider."""
 NO_PITCH = 1e-11
 """v·ω of a robot without a length: what the arithmetic leaves of zero."""
-NEARLY_PARALLEL = 1e-6
-"""A sine: two decimals of six leave no better common normal."""
+
+
+OTHER_UNITS = (1e-3, 1e-2, 1e2, 1e3)
+"""Of a length, in parts of the key's: mm for m, cm for m, and the reverse."""
 
 
 class ScrewFrame(StrEnum):
@@ -76,7 +73,9 @@ class ScrewMistake(StrEnum):
     that slides, or the reverse. HALVES: v and ω are exchanged. MOMENT_SIGN: v = ω × p for −ω × p.
     OTHER_FRAME: body screws for space screws, or the reverse. HOME_INVERTED: M leads the other way.
     SIGN_OR_HOME: it is one of these two, and nothing tells which: all axes are parallel, and M is not turned.
-    HOME: M is wrong and the screws are right. NOT_RIGID: M is no rigid motion.
+    HOME: M is wrong and the screws are right. NOT_RIGID: M is no rigid motion. LENGTH_UNIT: moments, and
+    perhaps M, are in another unit of length. EXCHANGED: the rows of a joint and the next one stand in each
+    other's stead. REVERSED: the rows lead from the tool to the base.
     """
 
     NOT_UNIT = "not_unit"
@@ -89,6 +88,9 @@ class ScrewMistake(StrEnum):
     SIGN_OR_HOME = "sign_or_home"
     HOME = "home"
     NOT_RIGID = "not_rigid"
+    LENGTH_UNIT = "length_unit"
+    EXCHANGED = "exchanged"
+    REVERSED = "reversed"
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -104,20 +106,6 @@ class ScrewAnswer:
     screws: Floats
     home: Floats
     frame: ScrewFrame = ScrewFrame.SPACE
-
-
-class AxisPair(NamedTuple):
-    """Two axes whose angle and distance no choice of frames changes.
-
-    Attributes:
-        first: a joint, from 1.
-        second: the next one; or the next that turns, where only sliders along one of the two stand between.
-        alike: they lie relative to each other as the robot's do.
-    """
-
-    first: int
-    second: int
-    alike: bool
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -159,7 +147,7 @@ def judge_screws(key: NumericTable, answer: ScrewAnswer, policy: Policy) -> Scre
         if found is not None:
             return ScrewVerdict(certificate=found)
         faults = tuple(_explained(key, answer, policy))
-    pairs = tuple(_pairs(key, _axes(answer.screws), policy.tolerance.length))
+    pairs = tuple(axis_pairs(key, _axes(answer.screws), policy.tolerance.length))
     return ScrewVerdict(certificate=None, mistakes=faults, pairs=pairs)
 
 
@@ -258,6 +246,23 @@ def _explained(
     free = Policy(tolerance=policy.tolerance, base=policy.base, zero=policy.zero, direction=policy.direction)
     if _certified(key, answer, _any_tool(free)) is not None:
         yield ScrewMistake.HOME, None
+        return
+    for factor in OTHER_UNITS:
+        scaled = answer.screws.copy()
+        scaled[turning, :3] *= factor
+        home = answer.home.copy()
+        home[:3, 3] *= factor
+        if any(right(replace(answer, screws=scaled, home=pose)) for pose in (home, answer.home)):
+            yield ScrewMistake.LENGTH_UNIT, None
+            return
+    n = len(answer.screws)
+    orders = [(ScrewMistake.EXCHANGED, i + 1, [*range(i), i + 1, i, *range(i + 2, n)]) for i in range(n - 1)]
+    for mistake, joint, order in (*orders, (ScrewMistake.REVERSED, None, [*reversed(range(n))])):
+        changed = replace(answer, screws=answer.screws[order])
+        pairs = axis_pairs(key, _axes(changed.screws), policy.tolerance.length)
+        if all(pair.alike for pair in pairs) and right(changed):
+            yield mistake, joint
+            return
 
 
 def _certified(key: NumericTable, answer: ScrewAnswer, policy: Policy) -> Certificate | None:
@@ -268,50 +273,5 @@ def _certified(key: NumericTable, answer: ScrewAnswer, policy: Policy) -> Certif
     return None
 
 
-def pairs_on_one_line(key: NumericTable, policy: Policy) -> tuple[AxisPair, ...]:
-    """Return which axes lie to each other as if all were one line: that is known for nothing."""
-    line = [Axis(kind is JointType.PRISMATIC, (0.0, 0.0, 1.0), ORIGIN) for kind in key.joint_types]
-    return tuple(_pairs(key, line, policy.tolerance.length))
-
-
 def _any_tool(policy: Policy) -> Policy:
     return replace(policy, tool=type(policy.tool).FREE)
-
-
-def _pairs(key: NumericTable, theirs: Sequence[Axis], share: float) -> Iterator[AxisPair]:
-    """Yield whether axes lie relative to each other as the robot's, by angle and distance."""
-    ours = prepared(key).chain.axes
-    allowed = 3 * share * (size_of(prepared(key).chain) or 1.0)
-    for i, k in (*pairwise(range(len(ours))), *_across_sliders(ours)):
-        a, b, c, d = ours[i], ours[k], theirs[i], theirs[k]
-        same = (a.prismatic, b.prismatic) == (c.prismatic, d.prismatic)
-        somewhere = ORIGIN not in (c.direction, d.direction)
-        alike = same and somewhere and abs(_angle(a, b) - _angle(c, d)) <= 3 * share
-        apart = a.prismatic or b.prismatic or abs(_distance(a, b) - _distance(c, d)) <= allowed
-        yield AxisPair(i + 1, k + 1, alike and apart)
-
-
-def _across_sliders(axes: Sequence[Axis]) -> Iterator[tuple[int, int]]:
-    """Yield turning axes whose distance no slider between them changes: each goes along one of the two."""
-    for i, k in pairwise(i for i, axis in enumerate(axes) if not axis.prismatic):
-        sliders = axes[i + 1 : k]
-        if sliders and all(
-            min(_angle(slider, axes[i]), _angle(slider, axes[k])) <= NEARLY_PARALLEL for slider in sliders
-        ):
-            yield i, k
-
-
-def _angle(first: Axis, second: Axis) -> float:
-    """Return the angle between two lines, 0 … π/2."""
-    angle = angle_between(first.direction, second.direction)
-    return min(angle, math.pi - angle)
-
-
-def _distance(first: Axis, second: Axis) -> float:
-    """Return the distance of two lines."""
-    between = subtract(second.point, first.point)
-    normal = cross(first.direction, second.direction)
-    length = norm(normal)
-    if length < NEARLY_PARALLEL:
-        return norm(rejection(between, first.direction))
-    return abs(dot(between, normal)) / length

@@ -22,6 +22,7 @@ from exercises.parts.context import Context
 from exercises.parts.joint_draws import key_numbers
 from exercises.parts.protocol import FieldShape, FormField, Length, PartTask, PartType, Reading, choice_field
 from exercises.parts.report import Credit, PartReport, fact, judged, share_earned, told_from
+from kinematics.answers.axis_pairs import pairs_on_one_line
 from kinematics.answers.screw_answers import (
     ScrewAnswer,
     ScrewFrame,
@@ -29,7 +30,6 @@ from kinematics.answers.screw_answers import (
     ScrewOrder,
     adjoint,
     judge_screws,
-    pairs_on_one_line,
 )
 from kinematics.cells import Cell
 from kinematics.cells.meaning import Position

@@ -297,6 +297,9 @@ feedback-screw_home_inverted = Situarea inițială este inversată.
 feedback-screw_sign_or_home = Fie v are peste tot semnul greșit (v = −ω × p, cu p un punct oarecare al axei), fie situarea inițială este inversată.
 feedback-screw_home = Torsorii sunt corecți; situarea inițială M nu este.
 feedback-screw_not_rigid = Situarea inițială nu este o mișcare rigidă: coloanele nu sunt versori perpendiculari sau ultimul rând nu este 0 0 0 1.
+feedback-screw_length_unit = Lungimile sunt în altă unitate decât a robotului: în unitatea lui rândurile ar fi corecte.
+feedback-screw_exchanged = Rândurile cuplei { $joint } și ale celei următoare sunt schimbate între ele.
+feedback-screw_reversed = Rândurile sunt în ordine inversă: primul este al cuplei de lângă bază.
 feedback-screws_relation_wrong = Axele cuplelor { $joint } și { $next } nu sunt așezate una față de alta ca în figură.
 error-screw_count = Robotul are { $expected } cuple, s-au dat { $given } torsori.
 

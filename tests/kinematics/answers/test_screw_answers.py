@@ -178,3 +178,22 @@ def test_a_pitch_is_told_however_far_the_frame_lies() -> None:
     pitched = moved.screws.copy()
     pitched[1, :3] += 0.1 * pitched[1, 3:]
     assert slips(replace(moved, screws=pitched)) == ((ScrewMistake.PITCH, 2),)
+
+
+@pytest.mark.parametrize("table", [PUMA, SCARA])
+@pytest.mark.parametrize("unit", [1000.0, 100.0, 0.001])
+def test_lengths_in_another_unit_are_told(table: DHTable, unit: float) -> None:
+    right = key(table)
+    screws, home = right.screws.copy(), right.home.copy()
+    screws[screws[:, 3:].any(axis=1), :3] *= unit
+    told = ((ScrewMistake.LENGTH_UNIT, None),)
+    assert slips(replace(right, screws=screws), table, FIXED) == told
+    home[:3, 3] *= unit
+    assert slips(replace(right, screws=screws, home=home), table, FIXED) == told
+
+
+def test_rows_in_another_order_are_told() -> None:
+    right = key()
+    for i, changed in ((1, [1, 0, 2, 3, 4, 5]), (4, [0, 1, 2, 4, 3, 5])):
+        assert slips(replace(right, screws=right.screws[changed])) == ((ScrewMistake.EXCHANGED, i),)
+    assert slips(replace(right, screws=right.screws[::-1])) == ((ScrewMistake.REVERSED, None),)
