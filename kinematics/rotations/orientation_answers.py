@@ -55,7 +55,8 @@ class RotationMistake(StrEnum):
     scalar at the other end. NOT_UNIT: a quaternion that is not of length 1. NO_AXIS: an axis of length zero.
     SOLUTION_MISSING: one triple of two. SOLUTION_TWICE: the same triple again. FAMILY_MISSING: single triples
     for a locked rotation. COMBINATION: its sum for the difference, or the reverse. NOT_LOCKED: a family for a
-    rotation that has two triples. QUADRANT: an angle is off by half a turn, as atan gives it for atan2.
+    rotation that has two triples. QUADRANT: an angle is off by half a turn, as atan gives it for atan2. ANGLE_SIGN: an angle, or
+    what is fixed of a family, has the wrong sign.
     """
 
     TRANSPOSED = "transposed"
@@ -72,6 +73,7 @@ class RotationMistake(StrEnum):
     COMBINATION = "combination"
     NOT_LOCKED = "not_locked"
     QUADRANT = "quadrant"
+    ANGLE_SIGN = "angle_sign"
     UNIT_COLUMNS = RotationProperty.UNIT_COLUMNS.value
     PERPENDICULAR_COLUMNS = RotationProperty.PERPENDICULAR_COLUMNS.value
     RIGHT_HANDED = RotationProperty.RIGHT_HANDED.value
@@ -308,6 +310,8 @@ def _triple_slips(
         yield RotationMistake.HANDEDNESS
     elif any(makes(sequence.matrix([unit(a) for a in triple])) for unit in (_in_degrees, math.radians)):
         yield RotationMistake.DEGREES
+    elif any(makes(sequence.matrix([*triple[:i], -triple[i], *triple[i + 1 :]])) for i in range(3)):
+        yield RotationMistake.ANGLE_SIGN
     elif any(makes(sequence.matrix(turned)) for turned in halves):
         yield RotationMistake.QUADRANT
 
@@ -320,6 +324,7 @@ def _family_slips(
         yield RotationMistake.NOT_LOCKED
         return
     (other,) = set(Combination) - {given.combination}
+    mirrored = (replace(given, middle=-given.middle), replace(given, value=-given.value))
     units = (
         replace(given, middle=unit(given.middle), value=unit(given.value))
         for unit in (_in_degrees, math.radians)
@@ -330,6 +335,8 @@ def _family_slips(
         yield RotationMistake.TRANSPOSED
     elif _is_family(expected, sequence, replace(given, middle=-given.middle, value=-given.value), tolerance):
         yield RotationMistake.HANDEDNESS
+    elif any(_is_family(expected, sequence, changed, tolerance) for changed in mirrored):
+        yield RotationMistake.ANGLE_SIGN
     elif any(_is_family(expected, sequence, changed, tolerance) for changed in units):
         yield RotationMistake.DEGREES
 

@@ -87,8 +87,10 @@ def checked_rotation(request: CheckRotationRequest, say: Callable[[str], str]) -
     unit, _ = _units(request.angle_unit)
     with located("expected"):
         expected = _rotation(request.expected, unit)
-        if failed_properties(expected, request.tolerance):
-            raise PoseError(Fault(code="expected_not_rotation", where=("matrix",)))
+        failed = failed_properties(expected, request.tolerance)
+        if failed:
+            params = {"property": failed[0].value}
+            raise PoseError(Fault(code="expected_not_rotation", where=("matrix",), params=params))
         built = _built(request.expected, unit)
     with located("answer"):
         found = _judged(expected, request, built, unit)

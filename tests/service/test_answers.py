@@ -21,6 +21,18 @@ def post(client: httpx.Client, path: str, body: Any, language: str = "en") -> An
     return answer.json()
 
 
+@pytest.mark.parametrize(
+    ("diagonal", "why"),
+    [((1, 1, 2), "a column is not of length 1"), ((1, 1, -1), "it is a reflection, with determinant −1")],
+)
+def test_an_expected_matrix_that_is_no_rotation_is_told_why(
+    client: httpx.Client, diagonal: tuple[int, int, int], why: str
+) -> None:
+    body = {"expected": {"matrix": np.diag(diagonal).tolist()}, "answer": {"angles": [0, 0, 0]}}
+    answer = client.post("/api/v1/check-rotation", json=body).json()
+    assert answer["detail"] == f"The expected matrix is not a rotation: {why}."
+
+
 def test_all_notations_of_an_orientation_are_accepted_as_answers(client: httpx.Client) -> None:
     given = {"angles": [30, 45, -60], "axes": "XYZ", "turning": "fixed"}
     found = post(client, "rotations", {"orientation": given, "angle_unit": "deg"})

@@ -77,7 +77,8 @@ feedback-rotation_solution_twice = Your triples differ by full turns only: they 
 feedback-rotation_family_missing = This is gimbal lock: there are infinitely many triples. Say which combination of the first and the last angle is fixed.
 feedback-rotation_combination = The other combination is fixed: take the difference for the sum, or the sum for the difference.
 feedback-rotation_not_locked = This is not gimbal lock: exactly two triples have this orientation.
-feedback-rotation_quadrant = An angle lies in the wrong quadrant, half a turn away: take atan2 instead of atan, and mind the sign of the middle angle.
+feedback-rotation_quadrant = An angle lies in the wrong quadrant, half a turn away: take atan2 instead of atan.
+feedback-rotation_angle_sign = An angle, or a combination of angles, has the wrong sign.
 feedback-rotation_unit_columns = This is not a rotation: a column is not of length 1.
 feedback-rotation_perpendicular_columns = This is not a rotation: two columns are not at right angles.
 feedback-rotation_right_handed = This is not a rotation but a reflection: its determinant is −1.
@@ -104,7 +105,12 @@ error-orientation_empty = Write the orientation in one of the notations that are
 error-frames_not_connected = The known poses do not lead from frame { $start } to frame { $end }.
 
 error-one_notation = Give the orientation in one notation: { $known }.
-error-expected_not_rotation = The expected matrix is not a rotation.
+error-expected_not_rotation =
+    The expected matrix is not a rotation: { $property ->
+        [unit_columns] a column is not of length 1.
+        [perpendicular_columns] two columns are not at right angles.
+       *[right_handed] it is a reflection, with determinant −1.
+    }
 
 field-solutions = Joint values
 field-combinations = If there are infinitely many: the combination that stays constant (coefficients)

@@ -77,7 +77,8 @@ feedback-rotation_solution_twice = Sus ternas se diferencian solo en vueltas com
 feedback-rotation_family_missing = Hay bloqueo del cardán: existen infinitas ternas. Diga qué combinación del primer y del último ángulo queda determinada.
 feedback-rotation_combination = La combinación determinada es la otra: la diferencia en lugar de la suma, o la suma en lugar de la diferencia.
 feedback-rotation_not_locked = No hay bloqueo del cardán: exactamente dos ternas tienen esta orientación.
-feedback-rotation_quadrant = Un ángulo está en el cuadrante equivocado, a media vuelta: use atan2 en lugar de atan y atienda al signo del ángulo intermedio.
+feedback-rotation_quadrant = Un ángulo está en el cuadrante equivocado, a media vuelta: use atan2 en lugar de atan.
+feedback-rotation_angle_sign = Un ángulo, o una combinación de ángulos, tiene el signo equivocado.
 feedback-rotation_unit_columns = Esto no es una rotación: una columna no tiene longitud 1.
 feedback-rotation_perpendicular_columns = Esto no es una rotación: dos columnas no son perpendiculares.
 feedback-rotation_right_handed = Esto no es una rotación sino una reflexión: su determinante es −1.
@@ -104,7 +105,12 @@ error-orientation_empty = Escriba la orientación en una de las notaciones que s
 error-frames_not_connected = Las poses conocidas no llevan del sistema { $start } al sistema { $end }.
 
 error-one_notation = Dé la orientación en una sola notación: { $known }.
-error-expected_not_rotation = La matriz esperada no es una rotación.
+error-expected_not_rotation =
+    La matriz esperada no es una rotación: { $property ->
+        [unit_columns] una columna no tiene longitud 1.
+        [perpendicular_columns] dos columnas no son perpendiculares.
+       *[right_handed] es una reflexión, con determinante −1.
+    }
 
 field-solutions = Valores articulares
 field-combinations = Si son infinitas: la combinación que permanece constante (coeficientes)

@@ -77,7 +77,8 @@ feedback-rotation_solution_twice = Vos triplets ne diffèrent que de tours compl
 feedback-rotation_family_missing = Il y a blocage de cardan : les triplets sont en nombre infini. Dites quelle combinaison du premier et du dernier angle est fixée.
 feedback-rotation_combination = C’est l’autre combinaison qui est fixée : la différence au lieu de la somme, ou la somme au lieu de la différence.
 feedback-rotation_not_locked = Il n’y a pas de blocage de cardan : deux triplets exactement ont cette orientation.
-feedback-rotation_quadrant = Un angle est dans le mauvais quadrant, à un demi-tour : prenez atan2 au lieu de atan, et veillez au signe de l’angle du milieu.
+feedback-rotation_quadrant = Un angle est dans le mauvais quadrant, à un demi-tour : prenez atan2 au lieu de atan.
+feedback-rotation_angle_sign = Un angle, ou une combinaison d’angles, a le mauvais signe.
 feedback-rotation_unit_columns = Ce n’est pas une rotation : une colonne n’est pas de longueur 1.
 feedback-rotation_perpendicular_columns = Ce n’est pas une rotation : deux colonnes ne sont pas perpendiculaires.
 feedback-rotation_right_handed = Ce n’est pas une rotation mais une réflexion : son déterminant est −1.
@@ -104,7 +105,12 @@ error-orientation_empty = Écrivez l’orientation dans l’une des notations de
 error-frames_not_connected = Les poses connues ne mènent pas du repère { $start } au repère { $end }.
 
 error-one_notation = Donnez l’orientation dans une seule notation : { $known }.
-error-expected_not_rotation = La matrice attendue n’est pas une rotation.
+error-expected_not_rotation =
+    La matrice attendue n’est pas une rotation : { $property ->
+        [unit_columns] une colonne n’est pas de longueur 1.
+        [perpendicular_columns] deux colonnes ne sont pas perpendiculaires.
+       *[right_handed] c’est une réflexion, de déterminant −1.
+    }
 
 field-solutions = Valeurs articulaires
 field-combinations = S’il y en a une infinité : la combinaison qui reste constante (coefficients)

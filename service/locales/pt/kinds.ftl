@@ -77,7 +77,8 @@ feedback-rotation_solution_twice = Os seus ternos diferem só por voltas complet
 feedback-rotation_family_missing = Há bloqueio de cardan: existem infinitos ternos. Diga que combinação do primeiro e do último ângulo fica determinada.
 feedback-rotation_combination = É a outra combinação que fica determinada: a diferença em vez da soma, ou a soma em vez da diferença.
 feedback-rotation_not_locked = Não há bloqueio de cardan: exatamente dois ternos têm esta orientação.
-feedback-rotation_quadrant = Um ângulo está no quadrante errado, a meia volta: use atan2 em vez de atan e atenda ao sinal do ângulo do meio.
+feedback-rotation_quadrant = Um ângulo está no quadrante errado, a meia volta: use atan2 em vez de atan.
+feedback-rotation_angle_sign = Um ângulo, ou uma combinação de ângulos, tem o sinal errado.
 feedback-rotation_unit_columns = Isto não é uma rotação: uma coluna não tem comprimento 1.
 feedback-rotation_perpendicular_columns = Isto não é uma rotação: duas colunas não são perpendiculares.
 feedback-rotation_right_handed = Isto não é uma rotação, mas uma reflexão: o seu determinante é −1.
@@ -104,7 +105,12 @@ error-orientation_empty = Escreva a orientação numa das notações pedidas.
 error-frames_not_connected = As poses conhecidas não levam do referencial { $start } ao referencial { $end }.
 
 error-one_notation = Dê a orientação numa só notação: { $known }.
-error-expected_not_rotation = A matriz esperada não é uma rotação.
+error-expected_not_rotation =
+    A matriz esperada não é uma rotação: { $property ->
+        [unit_columns] uma coluna não tem comprimento 1.
+        [perpendicular_columns] duas colunas não são perpendiculares.
+       *[right_handed] é uma reflexão, com determinante −1.
+    }
 
 field-solutions = Valores das juntas
 field-combinations = Se forem infinitas: a combinação que permanece constante (coeficientes)

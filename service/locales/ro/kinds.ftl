@@ -77,7 +77,8 @@ feedback-rotation_solution_twice = Tripletele diferă doar prin rotații complet
 feedback-rotation_family_missing = Este blocaj cardanic: există o infinitate de triplete. Spuneți ce combinație a primului și ultimului unghi este determinată.
 feedback-rotation_combination = Cealaltă combinație este cea determinată: diferența în locul sumei sau suma în locul diferenței.
 feedback-rotation_not_locked = Nu este blocaj cardanic: exact două triplete au această orientare.
-feedback-rotation_quadrant = Un unghi se află în cadranul greșit, la o jumătate de rotație: folosiți atan2 în loc de atan și aveți grijă la semnul unghiului din mijloc.
+feedback-rotation_quadrant = Un unghi se află în cadranul greșit, la o jumătate de rotație: folosiți atan2 în loc de atan.
+feedback-rotation_angle_sign = Un unghi sau o combinație de unghiuri are semnul greșit.
 feedback-rotation_unit_columns = Aceasta nu este o rotație: o coloană nu are lungimea 1.
 feedback-rotation_perpendicular_columns = Aceasta nu este o rotație: două coloane nu sunt perpendiculare.
 feedback-rotation_right_handed = Aceasta nu este o rotație, ci o reflexie: determinantul este −1.
@@ -104,7 +105,12 @@ error-orientation_empty = Scrieți orientarea într-una dintre notațiile cerute
 error-frames_not_connected = Situările cunoscute nu duc de la sistemul { $start } la sistemul { $end }.
 
 error-one_notation = Dați orientarea într-o singură notație: { $known }.
-error-expected_not_rotation = Matricea așteptată nu este o rotație.
+error-expected_not_rotation =
+    Matricea așteptată nu este o rotație: { $property ->
+        [unit_columns] o coloană nu are lungimea 1.
+        [perpendicular_columns] două coloane nu sunt perpendiculare.
+       *[right_handed] este o reflexie, cu determinantul −1.
+    }
 
 field-solutions = Valorile cuplelor
 field-combinations = Dacă sunt o infinitate: combinația care rămâne constantă (coeficienți)

@@ -77,7 +77,8 @@ feedback-rotation_solution_twice = Ваші трійки відрізняють�
 feedback-rotation_family_missing = Це складання рамок: трійок безліч. Укажіть, яку комбінацію першого й останнього кутів визначено.
 feedback-rotation_combination = Визначено іншу комбінацію: різницю замість суми або суму замість різниці.
 feedback-rotation_not_locked = Це не складання рамок: цю орієнтацію мають рівно дві трійки.
-feedback-rotation_quadrant = Кут лежить не в тій чверті, на пів оберту: беріть atan2 замість atan і зважайте на знак середнього кута.
+feedback-rotation_quadrant = Кут лежить не в тій чверті, на пів оберту: беріть atan2 замість atan.
+feedback-rotation_angle_sign = Кут або комбінація кутів має хибний знак.
 feedback-rotation_unit_columns = Це не поворот: довжина стовпця не дорівнює 1.
 feedback-rotation_perpendicular_columns = Це не поворот: два стовпці не перпендикулярні.
 feedback-rotation_right_handed = Це не поворот, а відбиття: його визначник −1.
@@ -104,7 +105,12 @@ error-orientation_empty = Запишіть орієнтацію в одному 
 error-frames_not_connected = Відомі пози не ведуть від системи { $start } до системи { $end }.
 
 error-one_notation = Задайте орієнтацію одним записом: { $known }.
-error-expected_not_rotation = Очікувана матриця не є поворотом.
+error-expected_not_rotation =
+    Очікувана матриця не є поворотом: { $property ->
+        [unit_columns] довжина стовпця не дорівнює 1.
+        [perpendicular_columns] два стовпці не перпендикулярні.
+       *[right_handed] це відбиття з визначником −1.
+    }
 
 field-solutions = Значення у зчленуваннях
 field-combinations = Якщо їх безліч: комбінація, що лишається сталою (коефіцієнти)

@@ -75,6 +75,9 @@ def test_slips_with_an_axis_are_told() -> None:
 def test_slips_with_triples_are_told() -> None:
     a, b, c = ANGLES
     assert slip(judge_triples(EXPECTED, ZYZ, [(a + math.pi, b, c)])) is RotationMistake.QUADRANT
+    for signs in ((-1, 1, 1), (1, -1, 1), (1, 1, -1)):
+        triple = [sign * angle for sign, angle in zip(signs, ANGLES, strict=True)]
+        assert slip(judge_triples(EXPECTED, ZYZ, [triple])) is RotationMistake.ANGLE_SIGN
     assert slip(judge_triples(EXPECTED, ZYZ, [(c, b, a)])) is RotationMistake.ORDER_REVERSED
     assert slip(judge_triples(EXPECTED, ZYZ, [(-a, -b, -c)])) is RotationMistake.HANDEDNESS
     assert slip(judge_triples(EXPECTED, ZYZ, [(-c, -b, -a)])) is RotationMistake.TRANSPOSED
@@ -113,7 +116,8 @@ def test_a_locked_rotation_needs_its_family(turning, fixed, value) -> None:
     (other,) = set(Combination) - {fixed}
     exchanged = judge_family(rotation, sequence, replace(family, combination=other))
     assert (exchanged.right, exchanged.share, slip(exchanged)) == (False, 0.5, RotationMistake.COMBINATION)
-    assert judge_family(rotation, sequence, replace(family, value=-value)).mistakes == ()
+    negative = judge_family(rotation, sequence, replace(family, value=-value))
+    assert slip(negative) is RotationMistake.ANGLE_SIGN
     degrees = replace(family, middle=90.0, value=math.degrees(value))
     assert slip(judge_family(rotation, sequence, degrees)) is RotationMistake.DEGREES
     off = judge_family(rotation, sequence, replace(family, value=value + 0.1))
