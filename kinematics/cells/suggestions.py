@@ -15,7 +15,7 @@ _DIGITS = re.compile(r"[0-9]+")
 def nearest_name(name: str, known: Collection[str]) -> str | None:
     """Return the known name that a name most likely stands for, or None where there is none, or several.
 
-    Names are the same but for case (A2 for a2, rl4 for RL4), for letters that look like digits (L0 for LO),
+    Names are the same but for case or underscores (A2 for a2, F_x for fx), for letters that look like digits (L0 for LO),
     or for one letter left out, put in, changed or exchanged with its neighbour; their numbers agree.
 
     Args:
@@ -34,7 +34,7 @@ def nearest_name(name: str, known: Collection[str]) -> str | None:
 
 
 def _ignoring_case(a: str, b: str) -> bool:
-    return a.lower() == b.lower()
+    return a.replace("_", "").lower() == b.replace("_", "").lower()
 
 
 def _looking_alike(a: str, b: str) -> bool:

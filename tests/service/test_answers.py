@@ -263,7 +263,7 @@ def test_singularities_are_judged_as_a_set(client: httpx.Client) -> None:
     [
         ({}, "conditions_empty", ""),
         ({"conditions": ["q1 < 2"]}, "condition_not_equation", "/conditions/0"),
-        ({"conditions": [0, "x*sin(q1)"]}, "parameter_missing", "/conditions/1"),
+        ({"conditions": [0, "x*sin(q1)"]}, "name_without_value", "/conditions/1"),
         ({"lost": [1, 0, 0]}, "joint_row_length", "/lost"),
         ({"lost": [1, 0, 0, 0, 0, 0], "joints": [1] * 6}, "not_singular", "/joints"),
         ({"robot": "iiwa14", "conditions": ["sin(q4)"]}, "form_too_large", ""),

@@ -230,7 +230,7 @@ def test_velocity_terms_beside_a_matrix_are_judged_too(client: httpx.Client) -> 
         ({"M": [[1, 0]]}, "motion_row_count", "/M"),
         ({"M": [[1, 0], [1]]}, "joint_row_length", "/M/1"),
         ({"g": [1]}, "joint_row_length", "/g"),
-        ({"h": ["dq3", 0]}, "parameter_missing", "/h/0"),
+        ({"h": ["dq3", 0]}, "name_without_value", "/h/0"),
         ({"h": ["sin(", 0]}, "cell_incomplete", "/h/0"),
         ({"g": [0, 0], "parameters": {}}, "parameter_missing", "/parameters/L1"),
         ({"g": [0, 0], "links": None}, "links_missing", "/links"),

@@ -183,6 +183,8 @@ def test_jacobians_as_functions_are_proved(client: httpx.Client) -> None:
     assert check_form(client, jacobian=rates, angles={"axes": "XYZ", "turning": "fixed"}).json()["correct"]
     load = {"wrench": [0, "fy", 0, 0, 0, 0], "joint_forces": ["(L1*c1 + L2*c12)*fy", "L2*c12*fy"]}
     assert check_form(client, **load).json()["correct"]
+    other = {**load, "joint_forces": ["(L1*c1 + L2*c12)*F_y", "L2*c12*F_y"]}
+    assert "Did you mean fy?" in check_form(client, **other).json()["detail"]
 
 
 @pytest.mark.parametrize(
@@ -190,7 +192,7 @@ def test_jacobians_as_functions_are_proved(client: httpx.Client) -> None:
     [
         ({}, "jacobian_empty", ""),
         ({"jacobian": [["1/0", 0], *TWO_LINKS_FORM[1:]]}, "division_by_zero", "/jacobian/0/0"),
-        ({"jacobian": [["x", 0], *TWO_LINKS_FORM[1:]]}, "parameter_missing", "/jacobian/0/0"),
+        ({"jacobian": [["x", 0], *TWO_LINKS_FORM[1:]]}, "name_without_value", "/jacobian/0/0"),
         ({"jacobian": [["q3", 0], *TWO_LINKS_FORM[1:]]}, "joint_variable_unknown", "/jacobian/0/0"),
         ({"jacobian": [[0], *TWO_LINKS_FORM[1:]]}, "joint_row_length", "/jacobian/0"),
         ({"jacobian": TWO_LINKS_FORM, "angles": {"axes": "ZYZ"}}, "angles_locked", "/angles"),

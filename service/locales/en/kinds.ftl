@@ -105,6 +105,10 @@ error-orientation_empty = Write the orientation in one of the notations that are
 error-frames_not_connected = The known poses do not lead from frame { $start } to frame { $end }.
 
 error-one_notation = Give the orientation in one notation: { $known }.
+error-name_without_value = The name { $name } has no value here.{ $found ->
+    [0] {""}
+   *[one] {" "}Did you mean { $close }?
+} Known are { $known }.
 error-expected_not_rotation =
     The expected matrix is not a rotation: { $property ->
         [unit_columns] a column is not of length 1.

@@ -105,6 +105,10 @@ error-orientation_empty = Escriba la orientación en una de las notaciones que s
 error-frames_not_connected = Las poses conocidas no llevan del sistema { $start } al sistema { $end }.
 
 error-one_notation = Dé la orientación en una sola notación: { $known }.
+error-name_without_value = El nombre { $name } no tiene valor aquí.{ $found ->
+    [0] {""}
+   *[one] {" "}¿Quería decir { $close }?
+} Se conocen { $known }.
 error-expected_not_rotation =
     La matriz esperada no es una rotación: { $property ->
         [unit_columns] una columna no tiene longitud 1.

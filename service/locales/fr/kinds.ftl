@@ -105,6 +105,10 @@ error-orientation_empty = Écrivez l’orientation dans l’une des notations de
 error-frames_not_connected = Les poses connues ne mènent pas du repère { $start } au repère { $end }.
 
 error-one_notation = Donnez l’orientation dans une seule notation : { $known }.
+error-name_without_value = Le nom { $name } n’a pas de valeur ici.{ $found ->
+    [0] {""}
+   *[one] {" "}Vouliez-vous dire { $close } ?
+} On connaît { $known }.
 error-expected_not_rotation =
     La matrice attendue n’est pas une rotation : { $property ->
         [unit_columns] une colonne n’est pas de longueur 1.

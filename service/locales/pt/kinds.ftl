@@ -105,6 +105,10 @@ error-orientation_empty = Escreva a orientação numa das notações pedidas.
 error-frames_not_connected = As poses conhecidas não levam do referencial { $start } ao referencial { $end }.
 
 error-one_notation = Dê a orientação numa só notação: { $known }.
+error-name_without_value = O nome { $name } não tem valor aqui.{ $found ->
+    [0] {""}
+   *[one] {" "}Queria dizer { $close }?
+} Conhecem-se { $known }.
 error-expected_not_rotation =
     A matriz esperada não é uma rotação: { $property ->
         [unit_columns] uma coluna não tem comprimento 1.

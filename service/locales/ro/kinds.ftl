@@ -105,6 +105,10 @@ error-orientation_empty = Scrieți orientarea într-una dintre notațiile cerute
 error-frames_not_connected = Situările cunoscute nu duc de la sistemul { $start } la sistemul { $end }.
 
 error-one_notation = Dați orientarea într-o singură notație: { $known }.
+error-name_without_value = Numele { $name } nu are valoare aici.{ $found ->
+    [0] {""}
+   *[one] {" "}Ați vrut să scrieți { $close }?
+} Se cunosc { $known }.
 error-expected_not_rotation =
     Matricea așteptată nu este o rotație: { $property ->
         [unit_columns] o coloană nu are lungimea 1.

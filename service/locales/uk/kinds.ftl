@@ -105,6 +105,10 @@ error-orientation_empty = Запишіть орієнтацію в одному 
 error-frames_not_connected = Відомі пози не ведуть від системи { $start } до системи { $end }.
 
 error-one_notation = Задайте орієнтацію одним записом: { $known }.
+error-name_without_value = Для { $name } тут не задано значення.{ $found ->
+    [0] {""}
+   *[one] {" "}Можливо, ви мали на увазі { $close }?
+} Відомі { $known }.
 error-expected_not_rotation =
     Очікувана матриця не є поворотом: { $property ->
         [unit_columns] довжина стовпця не дорівнює 1.

@@ -9,9 +9,9 @@ from typing import Any
 from exercises.parts.cells.exactness import roundings
 from exercises.parts.cells.matrix_cells import read_functions
 from kinematics.answers.left_open import Rounded
-from kinematics.cells import AngleUnit, ParameterKind, ReadTable
+from kinematics.cells import AngleUnit, ParameterKind, ReadTable, nearest_name
 from kinematics.cells.meaning import CellMeaning
-from kinematics.errors import CellError, Fault, JointValueError
+from kinematics.errors import CellError, Fault, JointValueError, ParamValue
 from kinematics.expressions import Expression
 from service.schemas.robot_question import RobotQuestion
 from service.wire.prepared_robots import PreparedRobot, listed_robot
@@ -91,13 +91,24 @@ def known_functions(
     functions = tuple(entry for entry in read if not isinstance(entry, Fault))
     if not faults:
         faults = [
-            Fault(code="parameter_missing", where=where, params={"name": name})
+            _without_value(name, known, where)
             for where, entry in zip(places, functions, strict=True)
             for name in sorted(entry.kinds.keys() - set(known))
         ]
     if faults:
         raise CellError(faults)
     return tuple(entry.expression for entry in functions)
+
+
+def _without_value(name: str, known: Collection[str], where: Where) -> Fault:
+    close = nearest_name(name, known)
+    params: dict[str, ParamValue] = {
+        "name": name,
+        "found": int(close is not None),
+        "close": close or "",
+        "known": tuple(known) or "–",
+    }
+    return Fault(code="name_without_value", where=where, params=params)
 
 
 def check_count(row: Sequence[Any], expected: int, where: Where) -> None:
