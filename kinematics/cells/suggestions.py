@@ -15,8 +15,9 @@ _DIGITS = re.compile(r"[0-9]+")
 def nearest_name(name: str, known: Collection[str]) -> str | None:
     """Return the known name that a name most likely stands for, or None where there is none, or several.
 
-    Names are the same but for case or underscores (A2 for a2, F_x for fx), for letters that look like digits (L0 for LO),
-    or for one letter left out, put in, changed or exchanged with its neighbour; their numbers agree.
+    Names are the same but for case or underscores (A2 for a2, F_x for fx), for letters that look like digits
+    (L0 for LO), or for one letter left out, put in, changed or exchanged with its neighbour; their numbers
+    agree.
 
     Args:
         name: what was typed, in any spelling that a cell may have.

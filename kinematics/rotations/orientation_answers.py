@@ -55,8 +55,8 @@ class RotationMistake(StrEnum):
     scalar at the other end. NOT_UNIT: a quaternion that is not of length 1. NO_AXIS: an axis of length zero.
     SOLUTION_MISSING: one triple of two. SOLUTION_TWICE: the same triple again. FAMILY_MISSING: single triples
     for a locked rotation. COMBINATION: its sum for the difference, or the reverse. NOT_LOCKED: a family for a
-    rotation that has two triples. QUADRANT: an angle is off by half a turn, as atan gives it for atan2. ANGLE_SIGN: an angle, or
-    what is fixed of a family, has the wrong sign.
+    rotation that has two triples. QUADRANT: an angle is off by half a turn, as atan gives it for atan2.
+    ANGLE_SIGN: an angle, or what is fixed of a family, has the wrong sign.
     """
 
     TRANSPOSED = "transposed"
