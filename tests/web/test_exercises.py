@@ -43,3 +43,16 @@ def test_from_an_empty_form_to_full_marks(open_page: OpenPage, exercise: str) ->
     expect(page.locator("#verdict")).to_contain_text("100 of 100 points")
     expect(page.locator("#verdict robot-scene")).to_be_visible()
     expect(page.locator("#history .badge.good")).to_have_text("100 of 100 points")
+
+
+def test_the_list_leads_to_its_subjects(open_page: OpenPage) -> None:
+    page = open_page("/")
+    subjects = page.get_by_role("navigation", name="Subjects").get_by_role("link")
+    names = subjects.all_inner_texts()
+    assert (names[0].split()[:2], len(names)) == (["DH", "table"], page.locator("#exercises section").count())
+    counts = [int(name.split()[-1]) for name in names]
+    assert counts == [section.locator("li").count() for section in page.locator("#exercises section").all()]
+    subjects.filter(has_text="Singularities").click()
+    expect(page.get_by_role("heading", name="Singularities", exact=True)).to_be_in_viewport()
+    page.reload()
+    expect(page.get_by_role("heading", name="Singularities", exact=True)).to_be_in_viewport()

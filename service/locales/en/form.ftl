@@ -17,6 +17,7 @@ form-home-title = Exercises
 form-home-heading = Describe the robot. Any valid choice of frames counts.
 form-home-lead = Denavit–Hartenberg tables with a robot that moves while you type, and a checker that proves whether your table describes the same mechanism.
 form-home-exercises = Exercises
+form-home-subjects = Subjects
 form-home-more = More
 form-home-playground = Any table: poses, Jacobians, closed forms, conversions.
 form-home-api = Programming interface

@@ -17,6 +17,7 @@ form-home-title = Ejercicios
 form-home-heading = Describa el robot. Vale cualquier elección correcta de sistemas de referencia.
 form-home-lead = Tablas de Denavit–Hartenberg con un robot que se mueve mientras se escribe y un corrector que demuestra si la tabla describe el mismo mecanismo.
 form-home-exercises = Ejercicios
+form-home-subjects = Temas
 form-home-more = Más
 form-home-playground = Cualquier tabla: poses, jacobianas, formas simbólicas, conversiones.
 form-home-api = Interfaz de programación

@@ -17,6 +17,7 @@ form-home-title = Exercices
 form-home-heading = Décrivez le robot. Tout choix de repères valable compte.
 form-home-lead = Des tableaux de Denavit–Hartenberg, un robot qui bouge pendant la saisie et un correcteur qui prouve si votre tableau décrit le même mécanisme.
 form-home-exercises = Exercices
+form-home-subjects = Sujets
 form-home-more = Autres pages
 form-home-playground = Un tableau quelconque : poses, jacobiennes, formes littérales, conversions.
 form-home-api = Interface de programmation

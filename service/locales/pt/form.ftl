@@ -17,6 +17,7 @@ form-home-title = Exercícios
 form-home-heading = Descreva o robô. Vale qualquer escolha correta de referenciais.
 form-home-lead = Tabelas de Denavit–Hartenberg com um robô que se move enquanto se escreve e um verificador que prova se a tabela descreve o mesmo mecanismo.
 form-home-exercises = Exercícios
+form-home-subjects = Temas
 form-home-more = Mais
 form-home-playground = Qualquer tabela: poses, jacobianas, formas simbólicas, conversões.
 form-home-api = Interface de programação

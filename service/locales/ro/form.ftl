@@ -17,6 +17,7 @@ form-home-title = Exerciții
 form-home-heading = Descrieți robotul. Orice alegere corectă a sistemelor de coordonate este acceptată.
 form-home-lead = Tabele Denavit–Hartenberg cu un robot care se mișcă în timp ce scrieți și un verificator care demonstrează dacă tabelul descrie același mecanism.
 form-home-exercises = Exerciții
+form-home-subjects = Subiecte
 form-home-more = Mai mult
 form-home-playground = Orice tabel: situări, jacobieni, forme simbolice, conversii.
 form-home-api = Interfață de programare

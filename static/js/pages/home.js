@@ -10,6 +10,12 @@ import { problemNotice } from "../problem.js";
 /** Parts of one exercise about a robot's table; any other part is a subject of its own. */
 const ABOUT_THE_TABLE = ["table", "schematic", "link_matrices", "transform", "pose", "workspace"];
 
+/** Subjects in the order of a course; any other comes last. */
+const AS_TAUGHT = [
+  ...["table", "frames", "orientation", "rotation_check", "frame_chain", "inverse_kinematics"],
+  ...["jacobian", "jacobian_form", "singularities", "screws", "equations_of_motion"],
+];
+
 async function run() {
   const list = /** @type {HTMLElement} */ (document.getElementById("exercises"));
   try {
@@ -19,8 +25,10 @@ async function run() {
         one.joints - other.joints || one.title.localeCompare(other.title, language),
     );
     const subjects = Map.groupBy(exercises, subjectOf);
-    const first = [...subjects.keys()].sort((one, other) => Number(other === "table") - Number(one === "table"));
-    fill(list, await Promise.all(first.map((subject) => group(subject, subjects.get(subject) ?? []))));
+    const order = [...subjects.keys()].sort((one, other) => place(one) - place(other));
+    const groups = order.map((subject) => group(subject, subjects.get(subject) ?? []));
+    fill(list, contents(order, subjects), await Promise.all(groups));
+    document.getElementById(location.hash.slice(1))?.scrollIntoView();
   } catch (error) {
     fill(/** @type {HTMLElement} */ (document.getElementById("exercises-problem")), problemNotice(error));
   } finally {
@@ -33,12 +41,35 @@ function subjectOf({ parts }) {
   return parts.find((kind) => !ABOUT_THE_TABLE.includes(kind)) ?? "table";
 }
 
+/** @param {string} subject */
+function place(subject) {
+  const found = AS_TAUGHT.indexOf(subject);
+  return found < 0 ? AS_TAUGHT.length : found;
+}
+
+/** Links to the subjects, with the number of exercises. @param {string[]} order @param {Map<string, any[]>} subjects */
+function contents(order, subjects) {
+  const entries = order.map((subject) =>
+    el(
+      "li",
+      {},
+      el("a", { href: `#${subject}` }, titleOf(subject), el("span", { text: ` ${subjects.get(subject)?.length}` })),
+    ),
+  );
+  return el("nav", { class: "subjects", "aria-label": t("form-home-subjects") }, el("ul", {}, entries));
+}
+
+/** @param {string} subject */
+function titleOf(subject) {
+  return t(`form-part-${subject.replaceAll("_", "-")}`);
+}
+
 /** @param {string} subject @param {any[]} exercises */
 async function group(subject, exercises) {
-  const title = t(`form-part-${subject.replaceAll("_", "-")}`);
+  const title = titleOf(subject);
   return el(
     "section",
-    { "aria-label": title },
+    { id: subject, class: "subject", "aria-label": title },
     el("h3", { class: "section-title", text: title }),
     el("ul", { class: "exercise-list" }, await Promise.all(exercises.map(entry))),
   );
