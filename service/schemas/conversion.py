@@ -58,8 +58,6 @@ class ScrewProduct(Wire):
 SOURCES = ("poe", "robot", "scm", "table", "urdf")
 OPTIONS_OF_ROWS = ("base", "tool", "parameters")
 """Options of the sources that are written in rows of cells."""
-WITHOUT_NAMES = (Target.POE, Target.SCM)
-"""Targets that keep neither names nor limits."""
 
 
 class ConvertRequest(Wire):
@@ -72,7 +70,6 @@ class ConvertRequest(Wire):
         together("angle_unit", without=["urdf", "poe"]),
         together("verify", without=["scm"]),
         together("name", to={"not": {"const": Target.URDF}}),
-        *(together(name, to={"enum": list(WITHOUT_NAMES)}) for name in ("joint_names", "limits")),
     )
 
     to: Annotated[Target, Field(strict=False)] = Field(
@@ -138,8 +135,6 @@ class ConvertRequest(Wire):
             "angle_unit": self.urdf is None and self.poe is None,
             "verify": self.scm is None,
             "name": self.to is not Target.URDF,
-            "joint_names": self.to in WITHOUT_NAMES,
-            "limits": self.to in WITHOUT_NAMES,
         }
         found = tuple(name for name, is_idle in idle.items() if is_idle and getattr(self, name) is not None)
         if found:
@@ -157,7 +152,16 @@ MatrixOfCells: TypeAlias = Annotated[
 ]
 
 
-class TableAnswer(Units):
+class JointsAnswer(Units):
+    """Names and limits of the joints, beside a description that has no place for them."""
+
+    joint_names: list[str] | None = Field(None, description="the names of joint 1 … n, if the source has any")
+    limits: list[Range | None] | None = Field(
+        None, description="[least, greatest] of each joint, if any are known; null where there is none"
+    )
+
+
+class TableAnswer(JointsAnswer):
     """base · (this table) · tool is the described robot, for every q."""
 
     table: AnsweredTable
@@ -165,10 +169,6 @@ class TableAnswer(Units):
     tool: MatrixOfCells = Field(description="what stands behind the table")
     base_row: AnsweredRow | None = Field(None, description="the base as a fixed row, where it is one")
     tool_row: AnsweredRow | None = Field(None, description="the tool as a fixed row, where it is one")
-    joint_names: list[str] | None = Field(None, description="the names of joint 1 … n, if the source has any")
-    limits: list[Range | None] | None = Field(
-        None, description="[least, greatest] of each joint, if any are known; null where there is none"
-    )
 
 
 class ScrewModel(GivenScrew):
@@ -177,7 +177,7 @@ class ScrewModel(GivenScrew):
     joint: JointType
 
 
-class ProductAnswer(Units):
+class ProductAnswer(JointsAnswer):
     """T(q) = exp([S_1] q_1) ⋯ exp([S_n] q_n) · home, q in radians and in the length unit."""
 
     screws: list[ScrewModel] = Field(description="S_1 … S_n at q = 0, in the axes of the world")
@@ -196,7 +196,7 @@ class UrdfAnswer(Units):
     )
 
 
-class ScmAnswer(Units):
+class ScmAnswer(JointsAnswer):
     """base · (the chain's pose) is the described robot, for every q."""
 
     scm: ScmChainModel = Field(

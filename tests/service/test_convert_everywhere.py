@@ -105,6 +105,27 @@ def test_names_and_limits_come_back_with_a_table(client: httpx.Client) -> None:
     assert known["limits"] == [list(pair) for pair in catalogue.robot("scara").limits or ()]
 
 
+@pytest.mark.parametrize("last", FORMS)
+@pytest.mark.parametrize("first", FORMS)
+def test_names_and_limits_pass_through_every_form(client: httpx.Client, first: str, last: str) -> None:
+    """Whatever a robot is written as in between, its joints keep their names and limits."""
+    rows = [
+        {"alpha": 90, "a": 0, "d": 0.3, "theta": "q1"},
+        {"alpha": -90, "a": 0, "d": "q2 + 0.2", "theta": 0},
+        {"alpha": 0, "a": 0.1, "d": 0, "theta": "q3"},
+    ]
+    table = {"convention": "standard", "angle_unit": "deg", "rows": rows}
+    joints = {"joint_names": ["waist", "boom", "hand"], "limits": [[-150, 60], [0, 0.5], None]}
+    one = answered(client, CONVERT, {"table": table, **joints, "to": first})
+    sent = {**source(first, one), **{name: one[name] for name in joints if first != "urdf"}}
+    if first in ("poe", "urdf"):
+        sent["angle_unit"] = "deg"
+    two = answered(client, CONVERT, {**sent, "to": last})
+    if last == "urdf":
+        two = answered(client, CONVERT, {"urdf": two["urdf"], "to": "standard", "angle_unit": "deg"})
+    assert {name: two[name] for name in joints} == joints
+
+
 def test_degrees_of_a_description_are_exact(client: httpx.Client) -> None:
     rows = [
         {"alpha": 12.5, "a": 0.1, "d": 0.2, "theta": "q1 + 33"},

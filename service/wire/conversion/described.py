@@ -5,13 +5,17 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from kinematics.cells import AngleUnit, ReadTable
+from kinematics.inverse.limits import read_limits
 from kinematics.se3 import Transform, check_transform
+from kinematics.table import JointType
+from kinematics.urdf import check_joint_names
+from service.schemas.joint_limits import domain_limits
 from service.wire.prepared_robots import joint_units
 from service.wire.written_tables import Spellings, WireCell
 
@@ -69,3 +73,31 @@ class RobotDescription:
             for pose, name in ((base, "base"), (tool, "tool"))
         )
         return replace(self, base=before @ self.base, tool=self.tool @ behind)
+
+    def with_joints(self, names: Sequence[str] | None, limits: Ranges | None) -> RobotDescription:
+        """Return the robot with these names and limits of its joints, or its own where they are left out.
+
+        Raises:
+            DescriptionError: names that do not fit, at ("joint_names",).
+            JointValueError: limits of the wrong number, or reversed.
+        """
+        types = self.read.table.joint_types
+        if names is not None:
+            check_joint_names(names, len(types))
+        if limits is not None:
+            turns = [kind is JointType.REVOLUTE for kind in types]
+            read_limits(domain_limits(limits, self.joint_units), turns)
+        return replace(
+            self,
+            joint_names=self.joint_names if names is None else tuple(names),
+            limits=self.limits if limits is None else limits,
+        )
+
+    @property
+    def joints(self) -> dict[str, list[Any] | None]:
+        """The names and limits of the joints as every answer that is not a URDF gives them."""
+        limits = self.limits
+        return {
+            "joint_names": None if self.joint_names is None else list(self.joint_names),
+            "limits": None if limits is None else [None if pair is None else list(pair) for pair in limits],
+        }

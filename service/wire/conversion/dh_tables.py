@@ -25,18 +25,15 @@ from kinematics.expressions import (
     number,
     parameters_in,
 )
-from kinematics.inverse.limits import read_limits
 from kinematics.printing.notation import Names
 from kinematics.printing.text import TextWriter
 from kinematics.se3 import Transform
-from kinematics.table import Convention, DHTable, JointType
-from kinematics.urdf import check_joint_names
+from kinematics.table import Convention, DHTable
 from service.http.problems import located
 from service.schemas.conversion import ConvertRequest, TableAnswer
-from service.schemas.joint_limits import domain_limits
 from service.schemas.tables import AnsweredRow, AnsweredTable
 from service.settings import Settings
-from service.wire.conversion.described import Ranges, RobotDescription
+from service.wire.conversion.described import RobotDescription
 from service.wire.prepared_robots import listed_robot, robot_of
 from service.wire.written_tables import CELL_KINDS, VARIABLE_CELL, Spellings, TableWriter, WireCell
 
@@ -96,26 +93,8 @@ def table_answer(robot: RobotDescription, request: ConvertRequest) -> TableAnswe
         tool=matrix_of_cells(converted.tool, robot, behind=robot.tool),
         base_row=_row(converted.base, writer, robot.base),
         tool_row=_row(converted.tool, writer, robot.tool),
-        joint_names=_joint_names(robot, request.joint_names),
-        limits=_limits(robot, request.limits),
+        **robot.joints,
     )
-
-
-def _joint_names(robot: RobotDescription, given: Sequence[str] | None) -> list[str] | None:
-    names = robot.joint_names if given is None else given
-    if names is not None:
-        check_joint_names(names, robot.read.table.n_joints)
-    return None if names is None else list(names)
-
-
-def _limits(robot: RobotDescription, given: Ranges | None) -> list[list[float | None] | None] | None:
-    """The limits that were sent along, else those of the source; they fit the joints."""
-    limits = robot.limits if given is None else given
-    if limits is None:
-        return None
-    types = robot.read.table.joint_types
-    read_limits(domain_limits(limits, robot.joint_units), [kind is JointType.REVOLUTE for kind in types])
-    return [None if pair is None else list(pair) for pair in limits]
 
 
 def matrix_of_cells(

@@ -61,7 +61,7 @@ def urdf_answer(robot: RobotDescription, request: ConvertRequest) -> UrdfAnswer:
         DescriptionError: a length that no reader of URDF takes.
     """
     prepared = robot_of(robot.read, robot.parameters or {})
-    limits = domain_limits(robot.limits if request.limits is None else request.limits, prepared.joint_units)
+    limits = domain_limits(robot.limits, prepared.joint_units)
     with traced(request):
         written = urdf_from_table(
             prepared.table,
@@ -69,7 +69,7 @@ def urdf_answer(robot: RobotDescription, request: ConvertRequest) -> UrdfAnswer:
             base=robot.base,
             tool=robot.tool,
             limits=limits,
-            joint_names=request.joint_names or robot.joint_names,
+            joint_names=robot.joint_names,
             metres_per_unit=float(robot.read.length_unit.metres_per_unit),
         )
     return UrdfAnswer(
