@@ -12,6 +12,7 @@ from kinematics.cells import DEFAULT, AngleUnit, LengthUnit, ParameterKind
 from kinematics.cells.exact import snapped
 from kinematics.expressions import Expression, pi_fraction, rational_value
 from kinematics.printing.notation import Names
+from kinematics.printing.numbers import decimal_text
 from kinematics.printing.text import TextWriter
 from kinematics.table import JointType, NumericRow, NumericTable, SymbolicRow, SymbolicTable
 
@@ -137,13 +138,16 @@ def _readable(value: float) -> float:
 
 
 def _number(value: Fraction) -> WireCell:
-    """The value as a JSON number where that is exact, as text where it is not."""
+    """The value as a JSON number where that is exact, else as text; rounded where no cell can hold it."""
     if value.denominator == 1 and abs(value.numerator) < 2**53:
         return value.numerator
     number = float(value)
     if math.isfinite(number) and Fraction(repr(number)) == value:
         return number
-    return str(value)
+    text = decimal_text(value)
+    if text is None:
+        return str(value) if max(abs(value.numerator), value.denominator) <= DEFAULT.largest else number
+    return text if sum(character.isdigit() for character in text) <= DEFAULT.digits else number
 
 
 def with_variable(variable: str, offset: WireCell) -> str:

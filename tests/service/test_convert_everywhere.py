@@ -142,6 +142,25 @@ def test_degrees_of_a_description_are_exact(client: httpx.Client) -> None:
 
 
 @pytest.mark.parametrize(
+    ("turn", "offset"),
+    [
+        (-13.899509698159651, "76.100490301840349"),  # 90 more has seventeen digits
+        (1e-300, 90.0),  # 90 more has three hundred
+        ("1/7", "631/7"),
+        ("123456789012345/987654321012347", 90.12499999887187),  # 90 more has a numerator beyond 1e15
+    ],
+)
+def test_sums_of_offsets_are_cells_that_are_read_back(
+    client: httpx.Client, turn: float | str, offset: float | str
+) -> None:
+    """Two turns about one axis add up; no sum may become a number that a cell refuses."""
+    chain = {"joints": [{"a": "q1 + 90"}, {"z": "q2", "a": turn}, {"c": "q3"}], "angle_unit": "deg"}
+    found = answered(client, CONVERT, {"scm": chain, "verify": "off", "to": "modified"})
+    assert offset in {cell for row in found["table"]["rows"] for cell in row.values()}
+    answered(client, CONVERT, {**source("modified", found), "to": "poe"})
+
+
+@pytest.mark.parametrize(
     ("body", "code", "pointer"),
     [
         (
