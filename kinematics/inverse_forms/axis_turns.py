@@ -2,7 +2,7 @@
 
 Rot(a, θ_4) Rot(b, θ_5) Rot(c, θ_6) = N with b across a and c. Where c is a or its opposite (a wrist of most
 arms, Euler's z-y-z) N c has the component c·a cos θ_5 along a; where all are at right angles (roll, pitch and
-yaw) it has ±sin θ_5 there. What is across a tells θ_4 up to half a turn, the row aᵀ N tells θ_6.
+yaw) it has ±sin θ_5 there. What is across a tells θ_4 up to half a turn; with it b tells θ_6.
 
 Source: R. P. Paul, Robot manipulators (1981) §3.4.
 """
@@ -71,7 +71,7 @@ def _three_turns(
     writings: Sequence[Writing],
 ) -> None:
     a, b, c = axes
-    seen, back = product_with(N, c), product_with(transposed, a)
+    seen = product_with(N, c)
     same = dot(a, c)
     # N c = (along a) + Rot(a, θ_4) of a multiple of x, which is across a; y = a × x.
     x = cross(b, c) if same else c
@@ -80,16 +80,16 @@ def _three_turns(
     m_z = write.let("m_z", along(a, seen))
     sign = write.sign()
     theta = writings[0](atan2(times(sign, m_y), times(sign, m_x)), determined(m_x, m_y), branch=sign)
-    out = add((times(circular(Function.COS, theta), m_x), times(circular(Function.SIN, theta), m_y)))
+    cosine, sine = circular(Function.COS, theta), circular(Function.SIN, theta)
+    out = add((times(cosine, m_x), times(sine, m_y)))
     if same:
         writings[1](atan2(out, signed(same, m_z)))
-        # Nᵀ a = cos θ_5 a - sin θ_5 Rot(c, -θ_6) (b × a)
-        x6 = cross(a, b)
-        y6 = cross(x6, c)
     else:
         writings[1](atan2(signed(dot(a, cross(b, c)), m_z), out))
-        # Nᵀ a = ± sin θ_5 c + cos θ_5 Rot(c, -θ_6) a
-        x6 = a
-        y6 = cross(x6, c)
-    n_x, n_y = along(x6, back), along(y6, back)
-    writings[2](atan2(times(sign, n_y), times(sign, n_x)))
+    # Nᵀ Rot(a, θ_4) b = Rot(c, -θ_6) b, also where θ_4 may be chosen
+    rows = product_with(transposed, b), product_with(transposed, cross(a, b))
+    n_x, n_y = (
+        add((times(cosine, along(axis, rows[0])), times(sine, along(axis, rows[1]))))
+        for axis in (b, cross(b, c))
+    )
+    writings[2](atan2(n_y, n_x))

@@ -9,8 +9,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from kinematics.errors import ParameterError
-from kinematics.expressions import evaluate
-from kinematics.inverse_forms.steps import ConditionKind, InverseCondition, InverseForm
+from kinematics.expressions import Expression, evaluate
+from kinematics.inverse_forms.rounding import rounding_of, without_root
+from kinematics.inverse_forms.steps import ConditionKind, InverseCondition, InverseForm, InverseStep
 from kinematics.se3 import check_transform
 
 FULFILLED = 1e-9
@@ -43,7 +44,7 @@ def joint_values(
         try:
             for step in form.steps:
                 _require(step.conditions, values, joints, far)
-                value = evaluate(step.value, values, joints)
+                value = evaluate(_rounded(step, values, joints), values, joints)
                 if step.joint:
                     joints[step.joint - 1] = value
                 else:
@@ -52,6 +53,17 @@ def joint_values(
         except (ParameterError, _Unfulfilled):
             continue
         yield signs, tuple(joints)
+
+
+def _rounded(step: InverseStep, values: Mapping[str, float], joints: Sequence[float]) -> Expression:
+    """The step's value, without roots of what is negative by rounding alone."""
+    value = step.value
+    for condition in step.conditions:
+        if condition.kind is ConditionKind.REACHABLE:
+            radicand = evaluate(condition.value, values, joints)
+            if -evaluate(rounding_of(condition.value), values, joints) <= radicand < 0.0:
+                value = without_root(value, condition.value)
+    return value
 
 
 class _Unfulfilled(Exception):  # noqa: N818

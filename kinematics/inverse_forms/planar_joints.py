@@ -13,7 +13,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TypeAlias
 
-from kinematics.expressions import ONE, ZERO, Expression, Function, add, negate
+from kinematics.expressions import ONE, ZERO, Expression, Function, Sum, add, negate
 from kinematics.inverse_forms.signed_axes import (
     Axis,
     SignedJoint,
@@ -230,11 +230,11 @@ def _circular_root(
     sign = write.sign()
     if b == ZERO:
         c = write.let("K", over(d, a))
-        radicand = add((ONE, negate(square(c))))
+        radicand: Expression = Sum((ONE, negate(square(c))))
         angle = atan2(times(sign, root(radicand)), c)
     elif a == ZERO:
         s = write.let("K", over(d, b))
-        radicand = add((ONE, negate(square(s))))
+        radicand = Sum((ONE, negate(square(s))))
         angle = atan2(s, times(sign, root(radicand)))
     else:
         d = write.let("K", d)
@@ -254,7 +254,7 @@ def _from(point: Point, other: Point) -> Point:
 
 def _turned(c: Expression, s: Expression, point: Point) -> Point:
     x, y = point
-    return add((times(c, x), negate(times(s, y)))), add((times(s, x), times(c, y)))
+    return add((times(x, c), negate(times(y, s)))), add((times(x, s), times(y, c)))
 
 
 def _component(way: tuple[int, int], point: Point) -> Expression:

@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from kinematics.expressions import Expression, Function, walk
+from kinematics.expressions import ZERO, Call, Expression, Function, walk
+from kinematics.inverse_forms.rounding import rounding_of
 from kinematics.printing.formats import EquationFormat
 from kinematics.printing.latex import LatexWriter, parameter
 from kinematics.printing.ledger import Ledger
@@ -114,12 +115,37 @@ def _program(
     )
 
 
+class _RoundedRoots(SympyNodes):
+    """Converts roots so that what is negative by rounding alone counts as 0.
+
+    Attributes:
+        radicands: those found, each by the symbol that stands for it.
+    """
+
+    def __init__(self, atoms: Callable[[Expression], sympy.Expr | None]) -> None:
+        super().__init__(atoms=atoms)
+        self.radicands: dict[str, sympy.Expr] = {}
+
+    def _converted(self, node: Expression) -> sympy.Expr:
+        import sympy
+
+        if not isinstance(node, Call) or node.function is not Function.SQRT:
+            return super()._converted(node)
+        rounding = rounding_of(node.arguments[0])
+        if rounding == ZERO:
+            return super()._converted(node)
+        radicand = sympy.Symbol(f"t:{len(self.radicands) + 1}")
+        self.radicands[radicand.name] = self.convert(node.arguments[0])
+        least = sympy.Min(0, radicand + self.convert(rounding), evaluate=False)
+        return sympy.sqrt(sympy.Max(radicand, least, evaluate=False))
+
+
 class _ProgramSteps:
-    """Equations as the steps of a program, each sine and cosine before what first holds it."""
+    """Equations as the steps of a program; sines, cosines and radicands before what first holds them."""
 
     def __init__(self) -> None:
         self._atoms = SourceAtoms(stepwise=True)
-        self._nodes = SympyNodes(atoms=self._atoms.symbol, evaluate=True)
+        self._nodes = _RoundedRoots(self._atoms.symbol)
         self._steps: list[ProgramStep] = []
         self._known: set[str] = set()
 
@@ -130,7 +156,7 @@ class _ProgramSteps:
         self._steps.append(ProgramStep(symbol, word, converted))
 
     def converted(self, value: Expression) -> sympy.Expr:
-        """Return a value in SymPy's nodes; sines and cosines in it that are new become steps."""
+        """Return a value in SymPy's nodes; new sines, cosines and radicands in it become steps."""
         import sympy
 
         found = self._nodes.convert(value)
@@ -144,6 +170,10 @@ class _ProgramSteps:
                         symbol, short.word if short else "", function(self._nodes.convert(node.arguments[0]))
                     )
                 )
+        for symbol, radicand in self._nodes.radicands.items():
+            if symbol not in self._known:
+                self._known.add(symbol)
+                self._steps.append(ProgramStep(symbol, "", radicand))
         return found
 
     def atoms(self) -> dict[str, Expression]:

@@ -33,7 +33,7 @@ class Python(Language, PythonCodePrinter):
     """Python with the module math."""
 
     settings: ClassVar[dict[str, Any]] = {"fully_qualified_modules": False}
-    words = " ".join([*keyword.kwlist, *keyword.softkwlist, "pi len ValueError"])
+    words = " ".join([*keyword.kwlist, *keyword.softkwlist, "pi len max min ValueError"])
     template = EquationTemplate(
         '{imports}def {function}({arguments}):\n    """{meaning}"""', "    {} = {}", "    return [{entries}]"
     )
@@ -74,6 +74,12 @@ class Numpy(Python, NumPyPrinter):
 
     def _module_format(self, fqn: str, register: bool = True) -> str:
         return fqn.replace("numpy.", "np.")
+
+    def _print_Max(self, expr: sympy.Max) -> str:
+        return f"np.maximum({', '.join(map(self._print, expr.args))})"
+
+    def _print_Min(self, expr: sympy.Min) -> str:
+        return f"np.minimum({', '.join(map(self._print, expr.args))})"
 
     def _lines(self) -> list[str]:
         return [
@@ -264,6 +270,12 @@ class Julia(Language, JuliaCodePrinter):
             f"    return {self.result}",
             "end",
         ]
+
+    def _print_Max(self, expr: sympy.Max) -> str:
+        return f"max({', '.join(map(self._print, expr.args))})"
+
+    def _print_Min(self, expr: sympy.Min) -> str:
+        return f"min({', '.join(map(self._print, expr.args))})"
 
 
 class Rust(Language, RustCodePrinter):

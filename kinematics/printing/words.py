@@ -19,7 +19,7 @@ catch register char8_t concept consteval constinit co_await co_return co_yield r
 MATLAB = """
 break case catch classdef continue else elseif end for function global if otherwise parfor persistent return
 spmd switch try while endfunction endif endfor endwhile end_try_catch unwind_protect do until
-pi i j I J e eps Inf NaN NA inf nan ans numel assert zeros
+pi i j I J e eps Inf NaN NA inf nan ans numel assert zeros max min
 arguments properties methods events enumeration import isargout nargin nargout varargin varargout
 """
 JAVASCRIPT = """
@@ -31,7 +31,7 @@ undefined NaN Infinity Math Object Array Number RangeError Symbol
 JULIA = """
 baremodule begin break catch const continue do else elseif end export false finally for function global if
 import in isa let local macro module quote return struct true try using while where outer abstract mutable
-primitive type pi im length throw zeros cbrt DimensionMismatch
+primitive type pi im length throw zeros cbrt max min DimensionMismatch
 """
 FORTRAN = """
 call do double else end function if implicit in integer intent kind none out parameter real result return

@@ -167,7 +167,8 @@ class Typesetter(LineWriter):
         denominator += [self._within(factor, weakest) for factor in below]
         head = [self._digits(weight.digits)] if weight.digits else []
         head += [self._within(factor, Binding.PRODUCT) for factor in constants]
-        tail = [self._within(factor, Binding.PRODUCT) for factor in above]
+        least = Binding.SUM if below and not head and len(above) == 1 else Binding.PRODUCT
+        tail = [self._within(factor, least) for factor in above]
         if below:
             head, tail = head + tail, []
         if denominator:

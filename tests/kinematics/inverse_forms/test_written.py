@@ -149,7 +149,7 @@ def test_an_equation_reads_like_a_book():
     printer = EquationPrinter(Names(notation=Notation.SHORT))
     both = (EquationFormat.TEXT, EquationFormat.LATEX)
     written = {one["name"]: one for one in (printer.equation(each, both) for each in equations)}
-    assert written["q2"]["text"] == "atan2(sigma1*sqrt(-K^2 + 1), K)"
+    assert written["q2"]["text"] == "atan2(sigma1*sqrt(1 - K^2), K)"
     assert written["q1"]["latex"] == (
         r"q_{1}=\operatorname{atan2}(p_{y}, p_{x})-\operatorname{atan2}(k_{y}, k_{x})"
     )
