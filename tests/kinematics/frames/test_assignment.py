@@ -171,11 +171,12 @@ SSRMS = axes(
 
 @both
 def test_ssrms_needs_only_the_lengths_that_it_has(convention):
-    """Seed 004: axes 3, 4, 5 parallel, all other neighbours meet or cross at right angles."""
+    """Seed 004, fig. 8: x_1, x_2, x_5 and x_6 where axes intersect, x_3 and x_4 where they are parallel."""
     result = assign_frames(SSRMS, convention)
     lengths = sorted(round(abs(v), 9) for row in entries(result.table) for v in row[1:3] if v)
     assert lengths == sorted([7.11, 7.11, 0.7026, 0.7026, 0.5692 * 2 + 0.475])
-    assert [frame.rule for frame in result.frames[3:5]] == [Rule.PARALLEL, Rule.PARALLEL]
+    rules = [frame.rule for frame in result.frames[1:7]]
+    assert rules == [*[Rule.INTERSECTING] * 2, *[Rule.PARALLEL] * 2, *[Rule.INTERSECTING] * 2]
 
 
 @both
