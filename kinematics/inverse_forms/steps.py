@@ -200,8 +200,9 @@ def times(*factors: Expression) -> Expression:
 
 
 def over(value: Expression, divisor: Expression) -> Expression:
-    """Return the quotient."""
-    return multiply((value, power(divisor, -1)))
+    """Return the quotient, a minus sign of the divisor before it."""
+    quotient = multiply((value, power(positive(divisor), -1)))
+    return quotient if positive(divisor) == divisor else negate(quotient)
 
 
 def halved(value: Expression) -> Expression:

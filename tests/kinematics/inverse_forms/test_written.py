@@ -155,6 +155,17 @@ def test_an_equation_reads_like_a_book():
     )
 
 
+def test_a_minus_sign_of_a_divisor_stands_before_the_fraction():
+    equations, *_ = asked("rx90")
+    printer = EquationPrinter(Names(notation=Notation.SHORT))
+    written = next(printer.equation(each, EquationFormat) for each in equations if each.name == "K")
+    assert written["text"] == "-(rho^2 + p_z^2 - D3^2 - RL4^2)/(2*D3*RL4)"
+    assert (
+        written["latex"]
+        == r"K=-\frac{\rho^{2}+p_{z}^{2}-D_{3}^{2}-\mathrm{RL}_{4}^{2}}{2D_{3}\mathrm{RL}_{4}}"
+    )
+
+
 @pytest.mark.parametrize("chosen", [chosen for chosen in EquationFormat if chosen.is_source])
 def test_every_language_that_is_offered_writes_equations(chosen):
     square = NamedValue(name="square", joint=0, value=power(Parameter("x"), 2))
