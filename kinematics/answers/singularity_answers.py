@@ -170,7 +170,7 @@ def _judged(arm: SingularArm, conditions: Sequence[Expression], rounded: Rounded
     judged: list[JudgedCondition] = []
     exact = True
     for condition in conditions:
-        statuses, before = [], [each.copy() for each in covered]
+        statuses, before, proved_before = [], [each.copy() for each in covered], set(proved)
         factors = _factors(arm, condition)
         near = _near([factor for factor, _ in factors], rounded.get(condition, ()))
         for factor, here in factors:
@@ -189,7 +189,7 @@ def _judged(arm: SingularArm, conditions: Sequence[Expression], rounded: Rounded
             statuses.append(JudgedCondition(status=status))
         judged.append(_together(statuses))
         if judged[-1].status is ConditionStatus.EVERYWHERE:
-            covered = before  # it says of no configuration that it is singular
+            covered, proved = before, proved_before  # it says of no configuration that it is singular
     told = tuple(
         JudgedFamily(found=1.0 if j in proved else float(found.mean()), example=_example(points, found))
         for j, (found, points) in enumerate(zip(covered, arm.witnesses, strict=True))

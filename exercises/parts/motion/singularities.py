@@ -312,7 +312,8 @@ def _conditions(
         feedback.append(Feedback(code="singularities_missing", params=params))
         if missing[0].found > 0.0:
             feedback.append(Feedback(code="singularity_half"))
-        if missing[0].example is not None:
+        vacuous = any(entry.status is ConditionStatus.EVERYWHERE for entry in found.conditions)
+        if missing[0].example is not None and not vacuous:
             at = _configuration(missing[0].example, units)
             feedback.append(Feedback(code="singularity_missing_at", params={"at": at}))
     return 1.0 if found.right else min(found.share, 0.8)

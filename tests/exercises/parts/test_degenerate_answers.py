@@ -78,3 +78,10 @@ def test_names_in_a_jacobian_are_exact(length: str, right: bool) -> None:
     cells = JacobianCells(order=ScrewOrder.LINEAR_FIRST, jacobian=rows)
     found = part(judged("twolink-jacobian-form", jacobian_form=cells), "jacobian_form")
     assert ("jacobian_wrong" not in codes(found)) is right
+
+
+def test_no_place_is_told_where_a_condition_that_always_holds_does_not() -> None:
+    cells = SingularityCells(conditions=(("sin(q2) = cos(90 - q2)",),), lost=(1, 0, 0))
+    found = part(judged("twolink-singularities", singularities=cells), "singularities")
+    assert "singularity_everywhere" in codes(found)
+    assert "singularity_missing_at" not in codes(found)

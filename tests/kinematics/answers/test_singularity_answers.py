@@ -309,3 +309,10 @@ def test_a_condition_is_as_exact_as_its_decimals(unit: str, digits: int) -> None
 def test_lengths_in_a_condition_are_as_exact_as_they_were_typed(text: str, right: bool) -> None:
     """a3 = 0.0203 and d4 = 0.4318."""
     assert judged(*PUMA, SHOULDER, WRIST, text).right is right
+
+
+def test_a_condition_that_always_holds_finds_no_family_by_one_of_its_factors() -> None:
+    found = judged("twolink", MotionRows.TRANSLATION, "sin(q2)*(sin(q1)^2 + cos(q1)^2 - 1)")
+    assert [entry.status for entry in found.conditions] == [ConditionStatus.EVERYWHERE]
+    assert [family.found for family in found.families] == [0.0, 0.0]
+    assert found.share == 0.0
