@@ -17,6 +17,7 @@ import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
+from itertools import product
 
 import numpy as np
 from numpy.typing import NDArray
@@ -141,19 +142,17 @@ def judge_jacobian(
     entries = close(expected)
     if entries.all():
         return JacobianVerdict(entries=entries)
-    (other,) = set(JacobianFrame) - {frame}
-    whole = (
-        *([(JacobianMistake.GEOMETRIC, jacobian_at(chain, joints, JacobianFrame.BASE))] if angles else []),
-        *([] if angles else [(JacobianMistake.OTHER_FRAME, jacobian_at(chain, joints, other))]),
-        (JacobianMistake.ROWS_EXCHANGED, np.vstack([expected[3:], expected[:3]])),
-        (JacobianMistake.SPATIAL, _spatial(chain, joints)),
-        (JacobianMistake.PER_DEGREE, expected * [1.0 if axis.prismatic else DEGREE for axis in chain.axes]),
-    )
-    for mistake, matrix in whole:
+    meant = [expected]
+    if angles is not None:
+        meant.append(expected.copy())
+        meant[1][MIDDLE] *= -1.0
+    for mistake, matrix in _whole(chain, joints, meant, frame, angles is not None):
         if close(matrix).all():
             return JacobianVerdict(entries=entries, mistakes=((mistake, None),))
-    if any((np.abs(given / unit - expected) <= limit).all() for unit in _other_units(chain)):
-        return JacobianVerdict(entries=entries, mistakes=((JacobianMistake.OTHER_UNIT, None),))
+    for unit, ours in product(_other_units(chain), meant):
+        shown = (np.abs(ours) > limit)[~entries].any()  # any number is in another unit than a zero
+        if shown and (np.abs(given / unit - ours) <= limit).all():
+            return JacobianVerdict(entries=entries, mistakes=((JacobianMistake.OTHER_UNIT, None),))
     if angles is not None:
         return JacobianVerdict(entries=entries)
     wrong = [int(i) for i in np.flatnonzero(~entries.all(axis=0))]
@@ -221,6 +220,25 @@ def entry_limits(chain: Chain, tolerance: float) -> Floats:
         if not axis.prismatic:
             limit[:3, i] *= size
     return limit
+
+
+def _whole(
+    chain: Chain, joints: Sequence[float], meant: Sequence[Floats], frame: JacobianFrame, analytic: bool
+) -> Iterator[tuple[JacobianMistake, Floats]]:
+    """Yield what is written where one slip runs through a whole Jacobian, of either triple of angles."""
+    (other,) = set(JacobianFrame) - {frame}
+    if analytic:
+        yield JacobianMistake.GEOMETRIC, jacobian_at(chain, joints, JacobianFrame.BASE)
+    else:
+        yield JacobianMistake.OTHER_FRAME, jacobian_at(chain, joints, other)
+    for ours in meant:
+        yield JacobianMistake.ROWS_EXCHANGED, np.vstack([ours[3:], ours[:3]])
+    yield JacobianMistake.SPATIAL, _spatial(chain, joints)
+    for ours in meant:
+        yield (
+            JacobianMistake.PER_DEGREE,
+            ours * [1.0 if axis.prismatic else DEGREE for axis in chain.axes],
+        )
 
 
 def _other_units(chain: Chain) -> Iterator[Floats]:

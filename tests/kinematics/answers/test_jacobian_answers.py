@@ -8,9 +8,10 @@ import numpy as np
 import pytest
 
 from kinematics.answers.jacobian_answers import JacobianMistake, judge_forces, judge_jacobian
+from kinematics.cells import RawRow, RawTable, read_table
 from kinematics.chain import chain_of_table
 from kinematics.jacobian import JacobianFrame
-from kinematics.table import JointType
+from kinematics.table import Convention, JointType, bind
 from tests.kinematics.answers.joint_values import product, robot
 
 ROBOTS = ("twolink", "scara", "puma560", "stanford", "rx90", "scorbot", "kr125")
@@ -121,6 +122,15 @@ def test_slips_are_told(name) -> None:
     away[:3, turning] += np.cross(right[3:, turning].T, [0.1, -0.2, 0.15]).T
     assert told(away) == ((JacobianMistake.OTHER_POINT, None),)
     assert told(right + 1) == ()
+
+
+def test_numbers_in_the_place_of_zeros_are_in_no_other_unit() -> None:
+    row = RawRow(theta="q1", d=0.5, a=0, alpha=0)
+    table = read_table(RawTable(convention=Convention.STANDARD, rows=(row,))).table
+    away = np.array([[0.3], [0.2], [0], [0], [0], [1]])
+    assert (
+        judge_jacobian(chain_of_table(bind(table, {})), [0.4], away, JacobianFrame.BASE, 0.005).mistakes == ()
+    )
 
 
 def test_a_singular_configuration_is_judged_like_any_other() -> None:

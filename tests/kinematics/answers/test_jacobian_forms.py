@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import random
+from fractions import Fraction
 
 import numpy as np
 import pytest
@@ -111,6 +112,24 @@ def test_slips_are_named() -> None:
     assert told(sign) == ((JacobianMistake.POINT_SWAPPED, 1),)
     slider = [[*row[:2], base[r - 3][2] if r > 2 else ZERO, *row[3:]] for r, row in enumerate(base)]
     assert told(slider) == ((JacobianMistake.PRISMATIC, 3),)
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_slips_of_an_analytic_jacobian_are_named_for_either_triple(sign: int) -> None:
+    arm, zyz = robot("stanford"), EulerSequence(axes="ZYZ")
+    rates = [list(row) for row in jacobian_form(arm.table, BASE, zyz)]
+    if sign < 0:
+        rates[4] = [negate(entry) for entry in rates[4]]
+
+    def told(rows):
+        return judge_jacobian_form(arm, rows, BASE, 1e-3, zyz).mistakes
+
+    assert told((*rates[3:], *rates[:3])) == ((JacobianMistake.ROWS_EXCHANGED, None),)
+    degree = number(Fraction(355, 113 * 180))
+    per_degree = [[e if i == 2 else multiply((degree, e)) for i, e in enumerate(row)] for row in rates]
+    assert told(per_degree) == ((JacobianMistake.PER_DEGREE, None),)
+    millimetres = [[multiply((number(1000), e)) for e in row] for row in rates[:3]]
+    assert told((*millimetres, *rates[3:])) == ((JacobianMistake.OTHER_UNIT, None),)
 
 
 def test_forces_are_functions_of_the_load_too() -> None:
