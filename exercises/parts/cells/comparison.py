@@ -9,8 +9,9 @@ from typing import TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
-from exercises.parts.cells.matrix_cells import CellMatrix, SymbolicMatrix
+from exercises.parts.cells.matrix_cells import CellMatrix
 from exercises.parts.cells.mixed_lengths import other_lengths
+from exercises.parts.cells.symbolic_matrix import SymbolicMatrix
 from exercises.parts.context import Context
 from exercises.parts.report import Fact, fact
 from exercises.parts.samples import Samples

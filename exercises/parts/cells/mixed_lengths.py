@@ -11,7 +11,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 
 from exercises.parts.cells.exactness import EITHER_WAY, EXACT, left_open
-from exercises.parts.cells.matrix_cells import SymbolicMatrix
+from exercises.parts.cells.symbolic_matrix import SymbolicMatrix
 from exercises.parts.context import Context
 from kinematics.cells import ParameterKind
 from kinematics.errors import ParameterError

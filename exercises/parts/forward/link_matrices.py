@@ -24,7 +24,8 @@ from exercises.parts.cells.comparison import (
     transposed_cells,
     transposed_rotation,
 )
-from exercises.parts.cells.matrix_cells import CellMatrix, SymbolicMatrix, read_known_matrix, write_matrix
+from exercises.parts.cells.matrix_cells import CellMatrix, read_known_matrix, write_matrix
+from exercises.parts.cells.symbolic_matrix import SymbolicMatrix
 from exercises.parts.context import Context
 from exercises.parts.forward.value import is_robot
 from exercises.parts.protocol import TABLE, Length, PartTask, PartType, Reading

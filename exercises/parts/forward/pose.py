@@ -30,8 +30,9 @@ from exercises.parts.cells.comparison import (
     transposed_cells,
     transposed_rotation,
 )
-from exercises.parts.cells.matrix_cells import CellMatrix, SymbolicMatrix, read_numbers
+from exercises.parts.cells.matrix_cells import CellMatrix, read_numbers
 from exercises.parts.cells.number_cells import on_paper
+from exercises.parts.cells.symbolic_matrix import SymbolicMatrix
 from exercises.parts.context import Context
 from exercises.parts.definition_keys import TOLERANCE, DefinitionKey, Start, joint_keys, usual_joints
 from exercises.parts.forward.transform import transform_is_robot

@@ -17,8 +17,8 @@ from numpy.typing import NDArray
 
 from exercises.parts.cells.comparison import agreeing, inverse, is_doubled, is_rigid
 from exercises.parts.cells.exactness import EITHER_WAY
-from exercises.parts.cells.matrix_cells import SymbolicMatrix
 from exercises.parts.cells.mixed_lengths import other_lengths
+from exercises.parts.cells.symbolic_matrix import SymbolicMatrix
 from exercises.parts.context import Context
 from exercises.parts.samples import Samples
 from kinematics.chain import Axis, Chain, chain_of_axes

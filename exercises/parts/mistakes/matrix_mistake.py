@@ -17,7 +17,8 @@ import numpy as np
 from exercises.definition import Exercise
 from exercises.draws import Picker
 from exercises.instance import Instance
-from exercises.parts.cells.matrix_cells import CellMatrix, SymbolicMatrix, read_known_matrix, write_matrix
+from exercises.parts.cells.matrix_cells import CellMatrix, read_known_matrix, write_matrix
+from exercises.parts.cells.symbolic_matrix import SymbolicMatrix
 from exercises.parts.context import Context
 from exercises.parts.definition_keys import DefinitionKey, choice
 from exercises.parts.given_table import given_table
