@@ -17,7 +17,7 @@ prepared_answers  figures and closed forms made before
 platforms        platforms and keys
 administration, audit, privacy  who may do what, who did, and what people may ask for
 storage          the database, opened and used in transactions
-records          its relations
+records, column_types  its relations
 statements       what SQLite and PostgreSQL write alike
 schema_history, migrations  its schema, step by step
 backup           a copy, and back

@@ -16,7 +16,8 @@ from typing import IO, Any
 
 import sqlalchemy as sa
 
-from courses.records import UtcTime, metadata, prepared_answer
+from courses.column_types import UtcTime
+from courses.records import metadata, prepared_answer
 from courses.refusals import StorageError
 from courses.storage import Store, revision_in
 from kinematics.errors import Fault

@@ -9,7 +9,8 @@ from functools import lru_cache
 from exercises.consistency import values_in_radians
 from exercises.definition import Exercise
 from exercises.figures.description import Sentence, describe
-from exercises.figures.drawing import DimensionLayout, dimension_layout, draw_figure
+from exercises.figures.dimension_layout import DimensionLayout, dimension_layout
+from exercises.figures.drawing import draw_figure
 from exercises.figures.geometry import Scene, Vector, build_scene, scene_vector
 from exercises.figures.points import frames_in_figure, rotation_rpy
 from exercises.figures.skeleton import usual_dimensions

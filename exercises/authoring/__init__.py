@@ -1,6 +1,7 @@
 """Making exercises: from a robot, a table, drawn axes, an SCM chain or URDF to a draft and its folder.
 
 sources       what an exercise is started from, in one form: a DH table with values
+named_tables  names for its lengths
 axes_drawing  joint axes placed by coordinates, lengths and each other, and the table in these lengths
 scaffold      the draft of a new exercise, and its folder
 draft         an exercise as plain data; the reader of folders reads it

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from exercises.authoring.draft import ExerciseDraft, check_id, files_of_draft
-from exercises.authoring.sources import ExerciseSource
+from exercises.authoring.named_tables import ExerciseSource
 from exercises.errors import DefinitionError
 from kinematics.cells import AngleUnit, RawRow, RawTable, read_table
 from kinematics.errors import Fault

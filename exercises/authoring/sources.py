@@ -3,59 +3,25 @@
 from __future__ import annotations
 
 import json
-import math
 import tomllib
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
-from fractions import Fraction
+from dataclasses import replace
 from pathlib import Path
 from typing import Any, NoReturn
 
 from exercises.authoring.axes_drawing import in_named_lengths, read_drawing
+from exercises.authoring.named_tables import ExerciseSource, from_numeric_table, with_names
 from exercises.errors import DefinitionError
 from exercises.reading import Reader
 from exercises.sample_reading import read_raw_table
-from exercises.written_table import written_table
 from kinematics import catalogue
-from kinematics.cells import AngleUnit, Cell, LengthUnit, ParameterKind, RawTable, ReadTable, read_table
+from kinematics.cells import AngleUnit, Cell, LengthUnit, ReadTable, read_table
 from kinematics.errors import Fault, KinematicsError
-from kinematics.expressions import (
-    Expression,
-    Number,
-    Parameter,
-    multiply,
-    parameters_in,
-    pi_times,
-    rational_value,
-)
-from kinematics.frames.axes import JointAxis
 from kinematics.keys import ValueKind
 from kinematics.scm import modified_dh_from_scm
 from kinematics.scm.chain_reading import ENTRIES, RawChain, read_chain
-from kinematics.table import Convention, DHRow, DHTable, JointType, NumericTable, SymbolicRow
+from kinematics.table import Convention
 from kinematics.urdf import table_from_urdf
-
-TINY = 1e-9
-STEPS_OF_PI = 12
-"""Lengths below `TINY` [m] are rounding of zero; angles are looked for among multiples of π/12, as
-everywhere."""
-
-
-@dataclass(frozen=True, kw_only=True, slots=True)
-class ExerciseSource:
-    """What an exercise is about.
-
-    Attributes:
-        table: the key as it is typed; its lengths have names.
-        values: the value of each name [the table's length unit].
-        robot: id of the catalogue robot, if it is one; then table and values follow from it.
-        axes: the joint axes in space, where they were drawn.
-    """
-
-    table: RawTable
-    values: Mapping[str, float]
-    robot: str | None = None
-    axes: tuple[JointAxis, ...] = ()
 
 
 def read_source(document: Mapping[str, Any], where: str = "source") -> ExerciseSource:
@@ -121,7 +87,7 @@ def from_table(reader: Reader) -> ExerciseSource:
             reader.fault("parameter_missing", "parameters", name, name=name)
     if reader.faults or read is None:
         raise DefinitionError(reader.faults)
-    return _named(read, {name: parameters[name] for name in read.parameters})
+    return with_names(read, {name: parameters[name] for name in read.parameters})
 
 
 def from_robot(robot_id: str) -> ExerciseSource:
@@ -202,7 +168,7 @@ def from_scm(reader: Reader) -> ExerciseSource:
         length_unit=chain.length_unit,
         parameters=chain.parameters,
     )
-    return _named(read, {name: parameters[name] for name in chain.parameters})
+    return with_names(read, {name: parameters[name] for name in chain.parameters})
 
 
 def from_urdf_file(path: Path) -> ExerciseSource:
@@ -228,83 +194,6 @@ def from_urdf(text: str, where: str) -> ExerciseSource:
     except KinematicsError as error:
         raise DefinitionError(fault.within(where) for fault in error.faults) from error
     return from_numeric_table(robot.table, LengthUnit.M)
-
-
-def from_numeric_table(
-    table: NumericTable,
-    unit: LengthUnit,
-    named: Mapping[tuple[int, str], Expression] | None = None,
-    lengths: Mapping[str, float] | None = None,
-) -> ExerciseSource:
-    """Return a table of numbers, in [rad] and a length unit; angles that are nearly nice become so.
-
-    Args:
-        table: the numbers.
-        unit: of its lengths.
-        named: what is written in names instead, by row and cell.
-        lengths: values of these names.
-    """
-    written = named or {}
-    rows = tuple(
-        DHRow(
-            joint=row.joint,
-            theta=nice_angle(row.theta),
-            d=written.get((i, "d")) or nice_length(row.d),
-            a=written.get((i, "a")) or nice_length(row.a),
-            alpha=nice_angle(row.alpha),
-            sign=row.sign,
-        )
-        for i, row in enumerate(table.rows)
-    )
-    symbolic = DHTable(convention=table.convention, rows=rows)
-    used = {name for entry in written.values() for name in parameters_in(entry)}
-    values = {name: value for name, value in (lengths or {}).items() if name in used}
-    kinds = dict.fromkeys(values, ParameterKind.LENGTH)
-    read = ReadTable(table=symbolic, angle_unit=AngleUnit.DEG, length_unit=unit, parameters=kinds)
-    return _named(read, values)
-
-
-def nice_angle(angle: float) -> Expression:
-    """Return a multiple of π/12 if the angle is one but for rounding, else degrees to four decimals [rad]."""
-    steps = angle / math.pi * STEPS_OF_PI
-    if abs(steps - round(steps)) < 1e-6:
-        return pi_times(Fraction(round(steps), STEPS_OF_PI))
-    return pi_times(Fraction(repr(round(math.degrees(angle), 4))) / 180)
-
-
-def nice_length(length: float) -> Expression:
-    """Return the length to six decimals."""
-    return Number(Fraction(repr(round(length, 6))) if abs(length) > TINY else Fraction(0))
-
-
-def _named(read: ReadTable, parameters: Mapping[str, float]) -> ExerciseSource:
-    """The table with a name for every length that is a plain number."""
-    values = dict(parameters)
-    standard = read.table.convention is Convention.STANDARD
-    rows: list[SymbolicRow] = []
-    for i, row in enumerate(read.table.rows, 1):
-        a = _name(row.a, f"a{i if standard else i - 1}", values)
-        d = row.d if row.joint is JointType.PRISMATIC else _name(row.d, f"d{i}", values)
-        rows.append(DHRow(joint=row.joint, theta=row.theta, d=d, a=a, alpha=row.alpha, sign=row.sign))
-    table = DHTable(convention=read.table.convention, rows=tuple(rows))
-    angles = any(kind is ParameterKind.ANGLE for kind in read.parameters.values())
-    named = ReadTable(
-        table=table,
-        angle_unit=read.angle_unit if angles else AngleUnit.DEG,
-        length_unit=read.length_unit,
-        parameters={**read.parameters, **dict.fromkeys(values, ParameterKind.LENGTH)},
-    )
-    return ExerciseSource(table=written_table(named), values=values)
-
-
-def _name(cell: Expression, name: str, values: dict[str, float]) -> Expression:
-    value = rational_value(cell)
-    if not value:
-        return cell
-    while name in values:
-        name = f"L{len(values)}" if not name.startswith("L") else f"{name}0"
-    values[name] = abs(float(value))
-    return Parameter(name) if value > 0 else multiply((Number(Fraction(-1)), Parameter(name)))
 
 
 def _six(reader: Reader) -> dict[str, Cell]:

@@ -16,4 +16,5 @@ labels          where numbers and names may stand
 placement       where labels and dimensions stand without covering each other
 svg             the file
 drawing         scene -> SVG
+dimension_layout  where its dimensions stand, and where else they may
 """

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 from itertools import pairwise
 from typing import Any
 
@@ -12,7 +11,7 @@ import numpy as np
 from exercises.figures import dimensioning
 from exercises.figures.bodies import Body, body_of, corners, outline
 from exercises.figures.camera import Array, Camera, camera_for, fitted
-from exercises.figures.dimensioning import DimensionLine, DimensionWay, dimension_ways, halo
+from exercises.figures.dimensioning import DimensionLine, halo
 from exercises.figures.geometry import Scene, scene_points
 from exercises.figures.labels import DISC, NAME_SIZE, Written, name_places, number_places
 from exercises.figures.placement import PaperMap, Placer, Places
@@ -60,71 +59,12 @@ def draw_figure(
         note: a few words below the figure.
         frames: frame 0 … N, drawn over the robot.
     """
-    drawing = _drawn(scene, view, width, note, frames)
+    drawing = drawn(scene, view, width, note, frames)
     return SvgDrawing(box=drawing.box(), elements="".join(drawing.canvas.parts))
 
 
-@dataclass(frozen=True, kw_only=True, slots=True)
-class DimensionPlace:
-    """Where a dimension stands in a drawing, and where else it may stand.
-
-    Attributes:
-        ends: its two points on paper.
-        line: the ends of its line.
-        label: the middle of its name.
-        ways: in which directions the line may be moved off its points.
-    """
-
-    ends: tuple[tuple[float, float], tuple[float, float]]
-    line: tuple[tuple[float, float], tuple[float, float]]
-    label: tuple[float, float]
-    ways: tuple[DimensionWay, ...]
-
-
-@dataclass(frozen=True, kw_only=True, slots=True)
-class DimensionLayout:
-    """The places of a drawing's dimensions.
-
-    Attributes:
-        box: left, top, width and height of the paper.
-        distances: how far a line may be moved [unit of the paper].
-        usual: the distance that a definition calls 1.
-        places: one for each dimension, in order.
-    """
-
-    box: tuple[float, float, float, float]
-    distances: tuple[float, ...]
-    usual: float
-    places: tuple[DimensionPlace, ...]
-
-
-def dimension_layout(scene: Scene, view: View, width: float = 480.0, *, note: str = "") -> DimensionLayout:
-    """Return where dimensions stand in a drawing, and where else they may; arguments as in `draw_figure`."""
-    drawing = _drawn(scene, view, width, note)
-    places = []
-    for dimension, found in zip(scene.dimensions, drawing.dimensions, strict=True):
-        (start, end), ways = dimension_ways(dimension, drawing.camera)
-        places.append(
-            DimensionPlace(
-                ends=(_pair(start), _pair(end)),
-                line=(_pair(found.start), _pair(found.end)),
-                label=_pair(found.label),
-                ways=tuple(ways),
-            )
-        )
-    return DimensionLayout(
-        box=drawing.box(),
-        distances=dimensioning.OFFSETS,
-        usual=dimensioning.USUAL_OFFSET,
-        places=tuple(places),
-    )
-
-
-def _pair(point: Array) -> tuple[float, float]:
-    return round(float(point[0]), 2), round(float(point[1]), 2)
-
-
-def _drawn(scene: Scene, view: View, width: float, note: str, frames: Sequence[DrawnFrame] = ()) -> _Drawing:
+def drawn(scene: Scene, view: View, width: float, note: str, frames: Sequence[DrawnFrame] = ()) -> Drawing:
+    """Return a finished drawing; arguments as in `draw_figure`."""
     unscaled = camera_for(view)
     bodies = [body_of(axis, scene.size, unscaled) for axis in scene.axes]
     extent = _extent(scene, bodies)
@@ -135,15 +75,21 @@ def _drawn(scene: Scene, view: View, width: float, note: str, frames: Sequence[D
         height=HEIGHT - 2 * MARGIN,
         most=MOST_SCALE,
     )
-    drawing = _Drawing(scene, bodies, camera, extent, width, arrows(frames, scene.size, camera))
+    drawing = Drawing(scene, bodies, camera, extent, width, arrows(frames, scene.size, camera))
     drawing.draw()
     if note:
         drawing.draw_note(note)
     return drawing
 
 
-class _Drawing:
-    """One figure in the making."""
+class Drawing:
+    """One figure in the making.
+
+    Attributes:
+        canvas: what is drawn so far.
+        camera: how space is seen.
+        dimensions: the lines of the dimensions, where they were placed.
+    """
 
     def __init__(
         self,
@@ -287,6 +233,7 @@ class _Drawing:
                 self.canvas.path(run, role, stroke=colour, stroke_width=width, stroke_linecap=cap)
 
     def draw_body(self, body: Body) -> None:
+        """A cylinder or a block, white in front of what is behind it."""
         for role, data in outline(body, self.camera):
             edge: Style = {"stroke": "currentColor", "stroke_width": 1.6}
             self.canvas.path(data, "body", fill="#fff", **edge)
@@ -297,6 +244,7 @@ class _Drawing:
             self.canvas.circle(tip, 1.6, "tip", fill="currentColor")
 
     def draw_labels(self, labels: Sequence[Written]) -> None:
+        """Numbers of joints, names, and the points that are named."""
         for label in labels:
             self.seen.append(np.array([label.at - 12.0, label.at + 12.0]))
             if label.text.isdecimal():
@@ -321,6 +269,7 @@ class _Drawing:
         self.canvas.text(at, note, "note", NOTE_SIZE, fill="currentColor", fill_opacity=0.75)
 
     def draw_sense(self, sense: tuple[Array, ...]) -> None:
+        """The arrow of a variable, if it has one."""
         if sense:
             run, head, _ = sense
             self.canvas.path(line(run), "sense", stroke="currentColor", stroke_width=1.6)

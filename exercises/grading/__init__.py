@@ -14,7 +14,7 @@ Is it right?
   exact_text     exact values as text
 What is wrong?
   explanation    what is told, and what is earned
-  misconceptions  the catalogue: what students do, and how to undo it
+  misconceptions  the catalogue: what students do, and how to undo it; `wanted_changes` what of it is tried
   cell_edits, row_edits, table_edits  the ways to undo it
   changes        an edit: where, how much, and the table that it leads to
   work           what an edit is tried on

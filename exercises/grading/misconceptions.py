@@ -1,7 +1,8 @@
 """The catalogue of what students do wrong in a DH table, and how to undo it.
 
 Each misconception is a code, what happened, and a pure function that undoes it wherever it may have happened.
-The order is that of likelihood; if several edits explain a wrong answer, the earlier one is reported first.
+The order is that of likelihood; if several edits explain a wrong answer, the earlier one is reported first:
+so it is one list, however long.
 """
 
 from __future__ import annotations
@@ -89,15 +90,7 @@ class Misconception:
 
 
 LENGTH_STORIES = ("a_value", "a_missing", "a_not_zero", "a_sign", "cell_length_unit", "cell_parameter")
-OFFSET_STORIES = (
-    "d_value",
-    "d_missing",
-    "d_not_zero",
-    "d_sign",
-    "d_offset",
-    "cell_length_unit",
-    "cell_parameter",
-)
+OFFSET_STORIES = ("d_value", "d_missing", "d_not_zero", "d_sign", "d_offset", *LENGTH_STORIES[-2:])
 
 CATALOGUE: tuple[Misconception, ...] = (
     Misconception(
@@ -312,36 +305,6 @@ RANKS = {
 
 HINTS = {code: entry.hint for entry in CATALOGUE if entry.hint is not None for code in entry.codes}
 """By the code of an edit what is told of it before the edit itself is."""
-
-
-def changes_of(work: Work) -> Iterator[Change]:
-    """Every change of the catalogue with which a table may have the key's joints, and which is wanted."""
-    excess, only, lacking = work.excess, work.only, work.lacking
-    for misconception in CATALOGUE:
-        if (
-            (misconception.counts or not excess)
-            and (only is None or misconception.may_be(only))
-            and lacking <= misconception.sizes
-        ):
-            yield from misconception.changes(work)
-
-
-def changes_beforehand(work: Work) -> Iterator[Change]:
-    """The changes of a table whose joints are not the key's that leave them one too many or one too few.
-
-    A change that mends the joints may come after.
-    """
-    if work.has_the_joints():
-        return
-    only = work.only
-    for misconception in CATALOGUE:
-        if misconception.beforehand and (only is None or misconception.may_be(only)):
-            yield from (
-                change
-                for change in misconception.changes(work)
-                if (only is None or change.slip == only)
-                and work.is_a_joint_off(work.table if change.table is None else change.table)
-            )
 
 
 def repair_codes() -> frozenset[str]:

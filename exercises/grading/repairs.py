@@ -11,11 +11,12 @@ from exercises.grading.cell_edits import any_cell
 from exercises.grading.changes import Change, Extent, after
 from exercises.grading.digits import PER_CENT
 from exercises.grading.fitting import MOST_SIGNS
-from exercises.grading.misconceptions import RANKS, changes_beforehand, changes_of
+from exercises.grading.misconceptions import RANKS
 from exercises.grading.own_table import is_own_table
 from exercises.grading.row_edits import any_row_left_out, joint_left_out, row_left_out
 from exercises.grading.sieve import Sieve
 from exercises.grading.trials import Catalogue, Trial, finishing_reaches, tried, tried_unchanged
+from exercises.grading.wanted_changes import changes_beforehand, changes_of
 from exercises.grading.work import ANYTHING, EVERYWHERE, LENGTHS, Work
 from kinematics.equivalence.meter import WorkExhaustedError
 from kinematics.equivalence.search import Effort

@@ -14,9 +14,9 @@ from exercises.grading.digits import measured_as_typed
 from exercises.grading.facts import fixed_ends, fixed_signs, least_cost
 from exercises.grading.fitting import OFF, Unsolved, fitting_values, measured
 from exercises.grading.joint_places import joint_places
-from exercises.grading.misconceptions import changes_of
 from exercises.grading.sieve import Sieve
 from exercises.grading.typed import ANGLES
+from exercises.grading.wanted_changes import changes_of
 from exercises.grading.work import EVERYWHERE, FAR, VARIABLE_CELLS, Off, Work
 from kinematics.equivalence import DirectionRule, ZeroRule
 from kinematics.equivalence.batches import Variation

@@ -31,7 +31,8 @@ valleys        folds that a target only just reaches
 lengths        how long a length may be
 limits         turns of a joint into its range
 ranges         families within joint limits
-solve          one target
+solver         one target, of an arm made ready
+solve          an arm made ready
 batch          many targets
 judging        what is asked of all their candidates, in one pass
 """
@@ -40,7 +41,8 @@ from kinematics.inverse.arm import ArmReach
 from kinematics.inverse.batch import InverseKinematicsBatch, solve_many
 from kinematics.inverse.limits import JointLimits
 from kinematics.inverse.results import IKSolution, IKStatus, InverseKinematics, NearestPose, UnreachableReason
-from kinematics.inverse.solve import Solver, inverse_kinematics, solver_of
+from kinematics.inverse.solve import inverse_kinematics, solver_of
+from kinematics.inverse.solver import Solver
 
 __all__ = [
     "ArmReach",

@@ -31,7 +31,7 @@ from kinematics.inverse.judging import judge
 from kinematics.inverse.lengths import LARGEST_LENGTH
 from kinematics.inverse.limits import within_limits
 from kinematics.inverse.results import IKStatus, InverseKinematics
-from kinematics.inverse.solve import Solver
+from kinematics.inverse.solver import Solver
 from kinematics.inverse.wrist import WristArm
 from kinematics.inverse.wrist_blocks import candidates_of_many, has_blocks
 from kinematics.inverse.wrist_scalars import ClearWrist

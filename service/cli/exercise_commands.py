@@ -8,9 +8,9 @@ from pathlib import Path
 
 from exercises.authoring.archive import draft_of_archive
 from exercises.authoring.draft import exercise_of_draft
+from exercises.authoring.named_tables import ExerciseSource
 from exercises.authoring.scaffold import scaffold
 from exercises.authoring.sources import (
-    ExerciseSource,
     from_axes_file,
     from_robot,
     from_table_file,

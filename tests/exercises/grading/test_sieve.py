@@ -11,8 +11,9 @@ import pytest
 from exercises.grading import Policy, ToolRule
 from exercises.grading.comparison import comparisons
 from exercises.grading.explanation import work_on
-from exercises.grading.misconceptions import CATALOGUE, changes_of
+from exercises.grading.misconceptions import CATALOGUE
 from exercises.grading.sieve import Sieve
+from exercises.grading.wanted_changes import changes_of
 from exercises.grading.work import Work
 from kinematics.equivalence.batches import axes_of_tables
 from kinematics.table import DHTable, NumericRow, NumericTable

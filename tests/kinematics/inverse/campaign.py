@@ -24,7 +24,8 @@ from kinematics.inverse.isolation import lost_value
 from kinematics.inverse.residuals import are_solutions, error_vectors
 from kinematics.inverse.results import InverseKinematics
 from kinematics.inverse.search import Bounds, descend, polish, search, unbounded
-from kinematics.inverse.solve import Solver, solver_of
+from kinematics.inverse.solve import solver_of
+from kinematics.inverse.solver import Solver
 from kinematics.inverse.walks import leads
 from kinematics.table import DHTable
 from tests.kinematics.inverse.arms import random_joints, random_table

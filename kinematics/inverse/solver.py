@@ -1,0 +1,263 @@
+"""One target: all solutions where there is a closed form, as many as a search finds elsewhere."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from kinematics.inverse.arm import Arm, ArmReach, Array
+from kinematics.inverse.closed_form import InverseClosedForm, candidates_beside
+from kinematics.inverse.components import Component, components_of
+from kinematics.inverse.families import Follower
+from kinematics.inverse.goals import Goal, read_goal
+from kinematics.inverse.isolation import told_apart
+from kinematics.inverse.limits import within_limits
+from kinematics.inverse.locked import LockedArms
+from kinematics.inverse.ranges import families_within
+from kinematics.inverse.refinement import solutions_of
+from kinematics.inverse.residuals import errors_of, pose_errors
+from kinematics.inverse.results import (
+    Family,
+    IKSolution,
+    IKStatus,
+    InverseKinematics,
+    Isolation,
+    Method,
+    NearestPose,
+    UnreachableReason,
+)
+from kinematics.inverse.search import MOST_ISOLATED, Bounds, Box, SearchResult, search
+from kinematics.inverse.search import TOLERANCE as SEARCHED
+from kinematics.inverse.wrist_scalars import ClearWrist
+from kinematics.se3 import Transform
+from kinematics.table import NumericTable
+
+MOST_SOLUTIONS = 64
+"""Of a search no more solutions than this are returned."""
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Solver:
+    """An arm made ready for inverse kinematics.
+
+    Attributes:
+        table: its table.
+        base: (4, 4) pose of frame 0 in the world, or None.
+        tool: (4, 4) pose of the tool in frame N, or None.
+        arm: its constants and joints.
+        closed_form: the method that yields all solutions, if there is one.
+        clear: the same in scalars, for targets that are well away from singularities, if there is one.
+        locked: closed forms with one joint locked, if there is one to spare.
+        box: joint limits.
+    """
+
+    table: NumericTable
+    base: Transform | None
+    tool: Transform | None
+    arm: Arm
+    closed_form: InverseClosedForm | None
+    clear: ClearWrist | None
+    locked: LockedArms | None
+    box: Box
+
+    def solve(self, target: ArrayLike, tolerance: float | None = None) -> InverseKinematics:
+        """Return the joint variables that reach a target.
+
+        Args:
+            target: (4, 4) pose of the tool in the world.
+            tolerance: distance [m] and angle [rad] within which it counts as reached, for poses that were
+                rounded: with five decimals 1e-5. Left out, what the target itself shows of rounding.
+
+        Raises:
+            PoseError: not a rigid motion, or too far away to be computed with, at ("target", …).
+        """
+        return self.solve_goal(read_goal(target, tolerance, where=("target",)))
+
+    def solve_goal(self, goal: Goal) -> InverseKinematics:
+        """Return what `solve` does, of a target that was read already."""
+        answer = self._directly(goal)
+        return self._searched(goal) if answer is None else answer
+
+    def solve_directly(self, target: ArrayLike, tolerance: float | None = None) -> InverseKinematics | None:
+        """What the closed form alone says, never long; None if it has no solution within the limits.
+
+        None, too, where solutions may be of families, which would have to be followed.
+
+        Arguments and refusals are those of `solve`.
+        """
+        goal = read_goal(target, tolerance, where=("target",))
+        answer = self._at_once(goal)
+        if answer is not None:
+            return answer
+        found = self._by_closed_form(goal)
+        if found is None:
+            return None
+        alone, delicate = told_apart(self.arm, goal.pose, found, goal.tolerance)
+        parts = [Component(found[i]) for i in alone]
+        return None if delicate else self._answer_of(parts, goal, Method.CLOSED_FORM)
+
+    def _directly(self, goal: Goal) -> InverseKinematics | None:
+        answer = self._at_once(goal)
+        if answer is not None:
+            return answer
+        found = self._by_closed_form(goal)
+        return None if found is None else self._answer(found, goal, Method.CLOSED_FORM)
+
+    def _at_once(self, goal: Goal) -> InverseKinematics | None:
+        """The result where nothing is near a singularity and a solution is within the limits."""
+        found = None if self.clear is None else self.clear.solutions(goal.pose, goal.tolerance)
+        if found is None:
+            return None
+        within = self._within_limits(found) if self.box.limited else found
+        if not within:
+            return None
+        return InverseKinematics(
+            status=IKStatus.SOLVED,
+            complete=True,
+            method=Method.CLOSED_FORM,
+            solutions=tuple(within),
+            outside_limits=len(found) - len(within),
+            tolerance=goal.tolerance,
+        )
+
+    def _within_limits(self, solutions: list[IKSolution]) -> list[IKSolution]:
+        """Those within the joint limits, the one with the smallest joint values first."""
+        joints = np.array([one.joints for one in solutions])
+        inside, fits = within_limits(joints, self.arm.revolute, self.box, self.arm.size)
+        moved = zip(solutions, inside.tolist(), fits.tolist(), strict=True)
+        within = [one._replace(joints=tuple(q)) for one, q, fit in moved if fit]
+        return sorted(within, key=lambda one: sum(map(abs, one.joints)))
+
+    def _by_closed_form(self, goal: Goal) -> Array | None:
+        """Solutions by the closed form, if it has an answer for this target."""
+        candidates = None if self.closed_form is None else self.closed_form.candidates(goal.pose)
+        return None if candidates is None else solutions_of(self.arm, candidates, goal.pose, goal.tolerance)
+
+    def _answer(
+        self, joints: Array, goal: Goal, method: Method, outside: int = 0
+    ) -> InverseKinematics | None:
+        """The result for solutions without limits, of which some lie within them; None if none does."""
+        parts = components_of(self.arm, goal.pose, joints, goal.tolerance)
+        return self._answer_of(parts, goal, method, outside)
+
+    def _answer_of(
+        self, parts: list[Component], goal: Goal, method: Method, outside: int = 0
+    ) -> InverseKinematics | None:
+        """The same for the components that they belong to."""
+        arm = self.arm
+        alone = [part.joints for part in parts if not part.dimension]
+        found: list[tuple[Array, Family | None]] = []
+        if alone:
+            inside, fits = within_limits(np.array(alone), arm.revolute, self.box, arm.size)
+            found += [(q, None) for q in inside[fits]]
+        follower = Follower(arm, goal.pose, goal.tolerance)
+        continua = [part for part in parts if part.dimension]
+        reached = len(found)
+        for part in continua:
+            within = families_within(arm, follower, part, self.box)
+            reached += bool(within)
+            found += within
+        if not found:
+            return None
+        most = max((part.dimension for part in continua), default=0)
+        return InverseKinematics(
+            status=IKStatus.SINGULAR if most > arm.spare else IKStatus.SOLVED,
+            complete=method is Method.CLOSED_FORM and not continua and len(alone) <= MOST_ISOLATED,
+            method=method,
+            solutions=self._told(found, goal.pose),
+            outside_limits=outside + len(parts) - reached,
+            tolerance=goal.tolerance,
+        )
+
+    def _told(self, found: list[tuple[Array, Family | None]], pose: Transform) -> tuple[IKSolution, ...]:
+        """Solutions with their errors, the one with the smallest joint values first.
+
+        Where there are too many, members of families that were not followed are left out.
+        """
+        mere = [family is not None and not family.parameters for _, family in found]
+        found = [found[i] for i in np.argsort(mere, kind="stable")[:MOST_SOLUTIONS].tolist()]
+        joints = np.array([q for q, _ in found])
+        position, angle = self._errors(self.arm.frames(joints)[-1], pose)
+        order = np.argsort(np.abs(joints).sum(axis=1), kind="stable")
+        values, distances, angles = joints.tolist(), position.tolist(), angle.tolist()
+        return tuple(
+            IKSolution(
+                joints=tuple(values[i]),
+                position_error=distances[i],
+                orientation_error=angles[i],
+                isolation=Isolation.ISOLATED if found[i][1] is None else Isolation.CONTINUUM,
+                family=found[i][1],
+            )
+            for i in order.tolist()
+        )
+
+    def _errors(self, poses: Array, pose: Transform) -> tuple[Array, Array]:
+        """Distances [m] and angles [rad] from the target, of what has to reach it."""
+        if self.arm.reach is ArmReach.POSE:
+            return pose_errors(poses, pose)
+        errors = errors_of(self.arm, poses, pose)
+        return self.arm.size * np.linalg.norm(errors[:, :3], axis=1), np.linalg.norm(errors[:, 3:], axis=1)
+
+    def _searched(self, goal: Goal) -> InverseKinematics:
+        """The result of a search: solutions within the limits, outside them, or the nearest pose."""
+        goal = goal._replace(tolerance=max(goal.tolerance, SEARCHED))
+        known = self._by_closed_form(goal)
+        method = Method.SEARCH if known is None else Method.CLOSED_FORM
+        outside = 0 if known is None else len(components_of(self.arm, goal.pose, known, goal.tolerance))
+        freely = None
+        if not outside and not (self.arm.spare and self.box.limited):
+            freely = self._search(goal, Bounds.IGNORED)
+            answer = self._answer(freely.solutions, goal, Method.SEARCH)
+            if answer is not None:
+                return answer
+            outside = len(components_of(self.arm, goal.pose, freely.solutions, goal.tolerance))
+            method = Method.SEARCH if outside else method
+            if not self.box.limited:
+                return self._unreachable(goal, freely.nearest, 0, method)
+        return self._search_within_limits(goal, outside, method)
+
+    def _search(self, goal: Goal, bounds: Bounds) -> SearchResult:
+        near = None
+        if self.locked is not None:
+            near = self.locked.starts(goal.pose)
+        elif self.closed_form is not None and self.closed_form.candidates(goal.pose) is None:
+            beside = candidates_beside(self.closed_form, self.arm, goal.pose)
+            near = solutions_of(self.arm, beside, goal.pose, goal.tolerance)
+        if near is not None and bounds is Bounds.KEPT:
+            near, _ = within_limits(near, self.arm.revolute, self.box, self.arm.size)
+        return search(self.arm, goal.pose, self.box, bounds, goal.tolerance, near)
+
+    def _search_within_limits(self, goal: Goal, outside: int, method: Method) -> InverseKinematics:
+        """The result where no solution is known within the limits: look there, or report the nearest pose."""
+        found = self._search(goal, Bounds.KEPT)
+        answer = self._answer(found.solutions, goal, Method.SEARCH, outside)
+        if answer is not None:
+            return answer
+        if not outside and self.arm.spare:
+            freely = self._search(goal, Bounds.IGNORED)
+            outside = len(components_of(self.arm, goal.pose, freely.solutions, goal.tolerance))
+        return self._unreachable(goal, found.nearest, outside, method)
+
+    def _unreachable(self, goal: Goal, nearest: Array, outside: int, method: Method) -> InverseKinematics:
+        """The result without solutions, but with the configuration that comes nearest."""
+        wrapped, _ = within_limits(nearest[None], self.arm.revolute, self.box, self.arm.size)
+        transform = self.arm.frames(wrapped)[-1, 0]
+        position, angle = self._errors(transform[None], goal.pose)
+        return InverseKinematics(
+            status=IKStatus.UNREACHABLE,
+            complete=method is Method.CLOSED_FORM,
+            method=method,
+            solutions=(),
+            nearest=NearestPose(
+                joints=tuple(wrapped[0].tolist()),
+                transform=transform,
+                position_error=float(position[0]),
+                orientation_error=float(angle[0]),
+                size=self.arm.size,
+            ),
+            reason=UnreachableReason.JOINT_LIMITS if outside else UnreachableReason.OUT_OF_REACH,
+            outside_limits=outside,
+            tolerance=goal.tolerance,
+        )
