@@ -178,3 +178,15 @@ class Language(Printer):
     @abstractmethod
     def _lines(self) -> list[str]:
         """The lines of the source."""
+
+
+class NamedExtremes(Printer):
+    """For languages in which SymPy's printer has no name for the larger or smaller of two numbers."""
+
+    extremes: ClassVar[tuple[str, str]] = ("max", "min")
+
+    def _print_Max(self, expr: sympy.Max) -> str:
+        return f"{self.extremes[0]}({', '.join(map(self._print, expr.args))})"
+
+    def _print_Min(self, expr: sympy.Min) -> str:
+        return f"{self.extremes[1]}({', '.join(map(self._print, expr.args))})"

@@ -26,7 +26,7 @@ from sympy.printing.str import StrPrinter
 
 from kinematics.expressions import Expression, JointVariable
 from kinematics.printing import words as reserved
-from kinematics.printing.language import IDENTIFIER, EquationTemplate, Language
+from kinematics.printing.language import IDENTIFIER, EquationTemplate, Language, NamedExtremes
 
 
 class Python(Language, PythonCodePrinter):
@@ -60,12 +60,13 @@ class Python(Language, PythonCodePrinter):
         return [f'    """{first}', "", *(f"    {line}" for line in rest), '    """']
 
 
-class Numpy(Python, NumPyPrinter):
+class Numpy(NamedExtremes, Python, NumPyPrinter):
     """Python with NumPy, for one configuration or a batch."""
 
     words = f"{Python.words} np float"
     variable = "q[..., {}]"
     pi = "np.pi"
+    extremes = ("np.maximum", "np.minimum")
     template = EquationTemplate(
         'import numpy as np\n\n\ndef {function}({arguments}):\n    """{meaning}"""',
         "    {} = {}",
@@ -74,12 +75,6 @@ class Numpy(Python, NumPyPrinter):
 
     def _module_format(self, fqn: str, register: bool = True) -> str:
         return fqn.replace("numpy.", "np.")
-
-    def _print_Max(self, expr: sympy.Max) -> str:
-        return f"np.maximum({', '.join(map(self._print, expr.args))})"
-
-    def _print_Min(self, expr: sympy.Min) -> str:
-        return f"np.minimum({', '.join(map(self._print, expr.args))})"
 
     def _lines(self) -> list[str]:
         return [
@@ -244,7 +239,7 @@ class Javascript(Language, JavascriptCodePrinter):
         ]
 
 
-class Julia(Language, JuliaCodePrinter):
+class Julia(NamedExtremes, Language, JuliaCodePrinter):
     """Julia."""
 
     # the printer calls atan2, which Julia 1.0 renamed
@@ -270,12 +265,6 @@ class Julia(Language, JuliaCodePrinter):
             f"    return {self.result}",
             "end",
         ]
-
-    def _print_Max(self, expr: sympy.Max) -> str:
-        return f"max({', '.join(map(self._print, expr.args))})"
-
-    def _print_Min(self, expr: sympy.Min) -> str:
-        return f"min({', '.join(map(self._print, expr.args))})"
 
 
 class Rust(Language, RustCodePrinter):
@@ -394,16 +383,7 @@ class Mathematica(Language, MCodePrinter):
 LANGUAGES: dict[str, type[Language]] = {
     language.__name__.lower(): language
     for language in (
-        Python,
-        Numpy,
-        Sympy,
-        C,
-        Cpp,
-        Matlab,
-        Javascript,
-        Julia,
-        Rust,
-        Fortran,
+        *(Python, Numpy, Sympy, C, Cpp, Matlab, Javascript, Julia, Rust, Fortran),
         Mathematica,
     )
 }

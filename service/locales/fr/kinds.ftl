@@ -107,10 +107,10 @@ error-frames_not_connected = Les poses connues ne mènent pas du repère { $star
 error-one_notation = Donnez l’orientation dans une seule notation : { $known }.
 error-name_without_value = Le nom { $name } n’a pas de valeur ici.{ $found ->
     [0] {""}
-   *[one] {" "}Vouliez-vous dire { $close } ?
+   *[one] {" "}Vouliez-vous dire { $close } ?
 } On connaît { $known }.
 error-expected_not_rotation =
-    La matrice attendue n’est pas une rotation : { $property ->
+    La matrice attendue n’est pas une rotation : { $property ->
         [unit_columns] une colonne n’est pas de longueur 1.
         [perpendicular_columns] deux colonnes ne sont pas perpendiculaires.
        *[right_handed] c’est une réflexion, de déterminant −1.
@@ -306,9 +306,9 @@ feedback-screw_home_inverted = La pose initiale est inversée.
 feedback-screw_sign_or_home = Soit v a partout le mauvais signe (v = −ω × p, p étant un point quelconque de l’axe), soit la pose initiale est inversée.
 feedback-screw_home = Les torseurs sont justes ; la pose initiale M ne l’est pas.
 feedback-screw_not_rigid = La pose initiale n’est pas un déplacement rigide : ses colonnes ne sont pas unitaires et perpendiculaires, ou sa dernière ligne n’est pas 0 0 0 1.
-feedback-screw_length_unit = Les longueurs sont dans une autre unité que celle du robot : dans la sienne, les lignes seraient justes.
+feedback-screw_length_unit = Les longueurs sont dans une autre unité que celle du robot : dans la sienne, les lignes seraient justes.
 feedback-screw_exchanged = Les lignes de l’articulation { $joint } et de la suivante sont échangées.
-feedback-screw_reversed = Les lignes sont dans l’ordre inverse : la première est celle de l’articulation la plus proche de la base.
+feedback-screw_reversed = Les lignes sont dans l’ordre inverse : la première est celle de l’articulation la plus proche de la base.
 feedback-screws_relation_wrong = Les axes des articulations { $joint } et { $next } ne sont pas disposés entre eux comme sur la figure.
 error-screw_count = Le robot a { $expected } articulations, et { $given } torseurs ont été donnés.
 
