@@ -63,7 +63,10 @@ def cross_arrays(u: Floats, v: Floats) -> Floats:
 
     On small arrays several times faster than numpy.cross.
     """
-    return np.stack(cross((u[..., 0], u[..., 1], u[..., 2]), (v[..., 0], v[..., 1], v[..., 2])), axis=-1)
+    x, y, z = cross((u[..., 0], u[..., 1], u[..., 2]), (v[..., 0], v[..., 1], v[..., 2]))
+    w = np.empty((*x.shape, 3))
+    w[..., 0], w[..., 1], w[..., 2] = x, y, z
+    return w
 
 
 def plus(u: Vector, v: Vector) -> Vector:

@@ -41,6 +41,7 @@ def corrected_across(arm: Arm, targets: Array, x: Array, across: Array) -> tuple
     with the singular values damped by ε.
     """
     e, J = errors_and_jacobians(arm, x, targets)
+    square = (e * e).sum(axis=1)
     going = np.ones(len(x), dtype=bool)
     for _ in range(ROUNDS):
         U, values, Vt = np.linalg.svd(J @ across, full_matrices=False)
@@ -50,8 +51,8 @@ def corrected_across(arm: Arm, targets: Array, x: Array, across: Array) -> tuple
         step = (across @ (Vt.transpose(0, 2, 1) @ (inverse * seen)[:, :, None]))[:, :, 0]
         tried = x + step
         new_e, new_J = errors_and_jacobians(arm, tried, targets)
-        square = (e * e).sum(axis=1)
-        worse = np.flatnonzero(going & ((new_e * new_e).sum(axis=1) >= square) & (square > LEVEL**2))
+        new_square = (new_e * new_e).sum(axis=1)
+        worse = np.flatnonzero(going & (new_square >= square) & (square > LEVEL**2))
         if len(worse):
             damped = values[worse] / (values[worse] ** 2 + np.sqrt(square[worse])[:, None])
             back = (Vt[worse].transpose(0, 2, 1) @ (damped * seen[worse])[:, :, None])[:, :, 0]
@@ -60,10 +61,11 @@ def corrected_across(arm: Arm, targets: Array, x: Array, across: Array) -> tuple
             new_e[worse], new_J[worse] = errors_and_jacobians(
                 arm, tried[worse], targets[worse] if targets.ndim > 2 else targets
             )
-        going = going & ((new_e * new_e).sum(axis=1) < square)
+            new_square = (new_e * new_e).sum(axis=1)
+        going = going & (new_square < square)
         x, e = np.where(going[:, None], tried, x), np.where(going[:, None], new_e, e)
-        J = np.where(going[:, None, None], new_J, J)
-        going = going & ((step * step).sum(axis=1) >= 1e-24) & ((e * e).sum(axis=1) >= EXACT**2)
+        J, square = np.where(going[:, None, None], new_J, J), np.where(going, new_square, square)
+        going = going & ((step * step).sum(axis=1) >= 1e-24) & (square >= EXACT**2)
         if not going.any():
             break
     return x, e, J
