@@ -36,6 +36,8 @@ STILL = 1e-9
 """Share of a family's direction below which a joint does not move along it."""
 PARALLEL = 1e-6
 """Sine of the angle [rad] below which neighbouring axes count as parallel, to tell elbows from shoulders."""
+NEAR = math.radians(1.0)
+"""How far off a row may be in any joint to be one that was rounded too early [rad or shares of the size]."""
 
 
 def judge_joints(question: JointQuestion, answer: JointAnswer) -> JointVerdict:
@@ -49,10 +51,10 @@ def judge_joints(question: JointQuestion, answer: JointAnswer) -> JointVerdict:
     if expected in _NONE:
         right = answer.claim is expected
         told = expected is JointClaim.JOINT_LIMITS and not right
-        rows = _judged_rows(question, answer.rows) if told else ()
+        rows = _judged_rows(question, answer) if told else ()
         share = 1.0 if right else 0.5 * (answer.claim in _NONE)
         return JointVerdict(right=right, share=share, expected=expected, rows=rows)
-    rows = _judged_rows(question, answer.rows)
+    rows = _judged_rows(question, answer)
     good = [row for row in rows if row.right]
     says_none = answer.claim in _NONE
     valid = tuple(_combination_holds(question, answer, rows, c) for c in answer.combinations)
@@ -108,12 +110,13 @@ _CHANGES = (
 _NONE = (JointClaim.OUT_OF_REACH, JointClaim.JOINT_LIMITS)
 
 
-def _judged_rows(question: JointQuestion, rows: Sequence[Sequence[float]]) -> tuple[RowVerdict, ...]:
+def _judged_rows(question: JointQuestion, answer: JointAnswer) -> tuple[RowVerdict, ...]:
     """Judge the rows: each has to reach the target, whatever the solver found."""
+    rows = answer.rows
     if not rows:
         return ()
     poses = question.chain.poses(np.array(rows, dtype=np.float64))
-    judged = [_row(question, row, pose) for row, pose in zip(rows, poses, strict=True)]
+    judged = [_row(question, answer, row, pose) for row, pose in zip(rows, poses, strict=True)]
     right = [(i, row) for i, (row, verdict) in enumerate(zip(rows, judged, strict=True)) if verdict.right]
     return tuple(
         verdict if verdict.right else _half_branch(question, row, verdict, right)
@@ -140,13 +143,16 @@ def _half_branch(
     return verdict
 
 
-def _row(question: JointQuestion, row: Sequence[float], pose: Transform) -> RowVerdict:
+def _row(question: JointQuestion, answer: JointAnswer, row: Sequence[float], pose: Transform) -> RowVerdict:
     if all(question.errors(pose)):
         joint = next(_beyond_limits(question, row), None)
         if joint is not None:
             return RowVerdict(right=False, joint=joint, mistake=JointMistake.LIMITS)
-        return RowVerdict(right=True, solution=_nearest(question, row))
-    return _slip(question, row)
+        return RowVerdict(right=True, solution=_nearest(question, row)[0])
+    nearest, off = _nearest(question, row)
+    if off <= NEAR:
+        return RowVerdict(right=False, solution=nearest, mistake=JointMistake.ROUNDED)
+    return _slip(question, answer, row)
 
 
 def _beyond_limits(question: JointQuestion, row: Sequence[float]) -> Iterator[int]:
@@ -163,23 +169,28 @@ def _beyond_limits(question: JointQuestion, row: Sequence[float]) -> Iterator[in
             yield i + 1
 
 
-def _slip(question: JointQuestion, row: Sequence[float]) -> RowVerdict:
-    """Return what makes a wrong row right, joint by joint, if anything does: which solution it then is."""
+def _slip(question: JointQuestion, answer: JointAnswer, row: Sequence[float]) -> RowVerdict:
+    """Return what makes a wrong row right, joint by joint, if anything does: which solution it then is.
+
+    A slip is one in the answerer's own variables.
+    """
     turning = [i for i, axis in enumerate(question.chain.axes) if not axis.prismatic]
+    own = answer.own(row)
     tried = [
-        (mistake, i, [*row[:i], sign * row[i] + shift, *row[i + 1 :]])
+        (mistake, i, answer.of_own([*own[:i], sign * own[i] + shift, *own[i + 1 :]]))
         for mistake, sign, shift in _CHANGES
-        for i in (range(len(row)) if mistake is JointMistake.SIGN else turning)
+        for i in (range(len(own)) if mistake is JointMistake.SIGN else turning)
     ]
     for unit in (math.degrees, math.radians):
-        turned = [unit(value) if i in turning else value for i, value in enumerate(row)]
+        turned = [unit(value) if i in turning else value for i, value in enumerate(own)]
         if all(math.isfinite(value) for value in turned):
-            tried.append((JointMistake.DEGREES, -1, turned))
+            tried.append((JointMistake.DEGREES, -1, answer.of_own(turned)))
     poses = question.chain.poses(np.array([changed for _, _, changed in tried], dtype=np.float64))
     for (mistake, i, changed), pose in zip(tried, poses, strict=True):
         if np.isfinite(pose).all() and all(question.errors(pose)):
             joint = i + 1 if i >= 0 else None
-            return RowVerdict(right=False, solution=_nearest(question, changed), joint=joint, mistake=mistake)
+            solution = _nearest(question, changed)[0]
+            return RowVerdict(right=False, solution=solution, joint=joint, mistake=mistake)
     position, orientation = question.errors(question.pose(row))
     half = None
     if question.reach is not ArmReach.POSITION and (position or orientation):
@@ -192,13 +203,16 @@ def _members(found: IKSolution) -> tuple[tuple[float, ...], ...]:
     return (found.joints, *members)
 
 
-def _nearest(question: JointQuestion, row: Sequence[float]) -> int | None:
-    """Return which solution, or family, a row that reaches the target is; None if all break the limits."""
+def _nearest(question: JointQuestion, row: Sequence[float]) -> tuple[int | None, float]:
+    """Return which solution, or family, a row is nearest to, and how far off it is; None if there is none."""
     distances = [
         min(_off(question, found, member, row) for member in _members(found))
         for found in question.found.solutions
     ]
-    return int(np.argmin(distances)) if distances else None
+    if not distances:
+        return None, math.inf
+    least = int(np.argmin(distances))
+    return least, distances[least]
 
 
 def _off(question: JointQuestion, found: IKSolution, member: Sequence[float], row: Sequence[float]) -> float:
@@ -334,10 +348,9 @@ def in_other_frames(answer: JointAnswer, signs: Sequence[int], offsets: Sequence
         offsets: δ of its certificate [rad, or a length].
     """
     n = len(signs)
-    return JointAnswer(
-        claim=answer.claim,
-        rows=tuple(
-            tuple(s * (q - d) for s, q, d in zip(signs, row, offsets, strict=True)) for row in answer.rows
-        ),
+    moved = replace(answer, signs=tuple(signs), offsets=tuple(offsets))
+    return replace(
+        moved,
+        rows=tuple(moved.of_own(row) for row in answer.rows),
         combinations=tuple(tuple(row[i] * signs[i] for i in range(n)) for row in answer.combinations),
     )

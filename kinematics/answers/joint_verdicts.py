@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 
@@ -39,7 +40,7 @@ class JointMistake(StrEnum):
     DEGREES: degrees were taken for radians or the reverse. SWAPPED: one joint is π/2 − q, the arguments of
     atan2 exchanged. HALF_BRANCH: another row with one joint turned over, and the joints that go with it
     left as they were. POSITION_ONLY: the position is reached and the orientation is not. ORIENTATION_ONLY:
-    the reverse. LIMITS: the pose is reached beyond a joint's limit.
+    the reverse. LIMITS: the pose is reached beyond a joint's limit. ROUNDED: close to a solution.
     """
 
     QUADRANT = "quadrant"
@@ -50,6 +51,7 @@ class JointMistake(StrEnum):
     POSITION_ONLY = "position_only"
     ORIENTATION_ONLY = "orientation_only"
     LIMITS = "limits"
+    ROUNDED = "rounded"
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -60,11 +62,27 @@ class JointAnswer:
         claim: what it says of the pose.
         rows: configurations [rad, or the table's length].
         combinations: coefficients c of combinations c·q that are fixed along a family.
+        signs: σ of the answerer's own variables σ∘q + δ; empty if these are the arm's.
+        offsets: δ of them [rad, or the table's length].
     """
 
     claim: JointClaim
     rows: tuple[tuple[float, ...], ...] = ()
     combinations: tuple[tuple[float, ...], ...] = ()
+    signs: tuple[int, ...] = ()
+    offsets: tuple[float, ...] = ()
+
+    def own(self, row: Sequence[float]) -> tuple[float, ...]:
+        """Return a row in the answerer's own variables."""
+        if not self.signs:
+            return tuple(row)
+        return tuple(s * q + d for s, q, d in zip(self.signs, row, self.offsets, strict=True))
+
+    def of_own(self, row: Sequence[float]) -> tuple[float, ...]:
+        """Return a row of the answerer's own variables in those of the arm: q = σ∘(q_s − δ)."""
+        if not self.signs:
+            return tuple(row)
+        return tuple(s * (q - d) for s, q, d in zip(self.signs, row, self.offsets, strict=True))
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -180,6 +180,7 @@ feedback-joints_half_branch = Row { $row } is row { $other } with q{ $joint } al
 feedback-joints_position_only = Row { $row } reaches the position, but not the orientation.
 feedback-joints_orientation_only = Row { $row } reaches the orientation, but not the position.
 feedback-joints_limits = Row { $row } reaches the pose with joint { $joint } beyond its limit.
+feedback-joints_rounded = Row { $row } comes close to a solution, but not close enough: work with more decimals.
 feedback-joints_family_missing = The pose is singular: say which combination of joint variables stays the same along the solutions.
 feedback-joints_combination_wrong = Combination { $row } does not stay the same along the solutions.
 feedback-joints_combination_zero = Combination { $row } is 0 whatever the joints do, so it says nothing.

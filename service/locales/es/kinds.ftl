@@ -180,6 +180,7 @@ feedback-joints_half_branch = La fila { $row } es la fila { $other } en la que s
 feedback-joints_position_only = La fila { $row } alcanza la posición, pero no la orientación.
 feedback-joints_orientation_only = La fila { $row } alcanza la orientación, pero no la posición.
 feedback-joints_limits = La fila { $row } alcanza la pose con la articulación { $joint } fuera de su límite.
+feedback-joints_rounded = La fila { $row } se acerca a una solución, pero no lo suficiente: calcule con más decimales.
 feedback-joints_family_missing = La pose es singular: diga qué combinación de variables articulares permanece igual en las soluciones.
 feedback-joints_combination_wrong = La combinación { $row } no permanece igual en las soluciones.
 feedback-joints_combination_zero = La combinación { $row } vale 0 hagan lo que hagan las articulaciones, y no dice nada.

@@ -180,6 +180,7 @@ feedback-joints_half_branch = La ligne { $row } est la ligne { $other } où seul
 feedback-joints_position_only = La ligne { $row } atteint la position, mais pas l’orientation.
 feedback-joints_orientation_only = La ligne { $row } atteint l’orientation, mais pas la position.
 feedback-joints_limits = La ligne { $row } atteint la pose avec l’articulation { $joint } au-delà de sa limite.
+feedback-joints_rounded = La ligne { $row } est proche d’une solution, mais pas assez : calculez avec plus de décimales.
 feedback-joints_family_missing = La pose est singulière : dites quelle combinaison des variables articulaires reste constante le long des solutions.
 feedback-joints_combination_wrong = La combinaison { $row } ne reste pas constante le long des solutions.
 feedback-joints_combination_zero = La combinaison { $row } vaut 0 quoi que fassent les articulations : elle ne dit rien.

@@ -180,6 +180,7 @@ feedback-joints_half_branch = A linha { $row } é a linha { $other } em que só 
 feedback-joints_position_only = A linha { $row } alcança a posição, mas não a orientação.
 feedback-joints_orientation_only = A linha { $row } alcança a orientação, mas não a posição.
 feedback-joints_limits = A linha { $row } alcança a pose com a junta { $joint } além do limite.
+feedback-joints_rounded = A linha { $row } aproxima-se de uma solução, mas não o bastante: calcule com mais casas decimais.
 feedback-joints_family_missing = A pose é singular: diga que combinação das variáveis das juntas permanece igual nas soluções.
 feedback-joints_combination_wrong = A combinação { $row } não permanece igual nas soluções.
 feedback-joints_combination_zero = A combinação { $row } vale 0 façam as juntas o que fizerem, e não diz nada.

@@ -181,6 +181,7 @@ feedback-joints_half_branch = Rândul { $row } este rândul { $other } în care 
 feedback-joints_position_only = Rândul { $row } atinge poziția, dar nu și orientarea.
 feedback-joints_orientation_only = Rândul { $row } atinge orientarea, dar nu și poziția.
 feedback-joints_limits = Rândul { $row } atinge situarea cu cupla { $joint } dincolo de limita ei.
+feedback-joints_rounded = Rândul { $row } este aproape de o soluție, dar nu destul de aproape: calculați cu mai multe zecimale.
 feedback-joints_family_missing = Situarea este singulară: spuneți ce combinație a variabilelor rămâne neschimbată de-a lungul soluțiilor.
 feedback-joints_combination_wrong = Combinația { $row } nu rămâne neschimbată de-a lungul soluțiilor.
 feedback-joints_combination_zero = Combinația { $row } este 0 orice ar face cuplele și nu spune nimic.

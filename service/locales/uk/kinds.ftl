@@ -180,6 +180,7 @@ feedback-joints_half_branch = Рядок { $row } — це рядок { $other }
 feedback-joints_position_only = Рядок { $row } дає положення, але не орієнтацію.
 feedback-joints_orientation_only = Рядок { $row } дає орієнтацію, але не положення.
 feedback-joints_limits = Рядок { $row } дає позу, але зчленування { $joint } виходить за межу.
+feedback-joints_rounded = Рядок { $row } близький до розв’язку, але недостатньо: обчислюйте з більшою кількістю десяткових знаків.
 feedback-joints_family_missing = Поза сингулярна: укажіть, яка комбінація змінних не змінюється вздовж розв’язків.
 feedback-joints_combination_wrong = Комбінація { $row } змінюється вздовж розв’язків.
 feedback-joints_combination_zero = Комбінація { $row } дорівнює 0 за будь-яких положень зчленувань і нічого не говорить.

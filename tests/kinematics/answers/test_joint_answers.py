@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from kinematics.answers.joint_answers import judge_joints
+from kinematics.answers.joint_answers import in_other_frames, judge_joints
 from kinematics.answers.joint_questions import joint_question
 from kinematics.answers.joint_verdicts import Branch, JointAnswer, JointClaim, JointMistake
 from kinematics.inverse import ArmReach, solver_of
@@ -49,6 +49,36 @@ def test_degrees_and_half_of_a_pose_are_told() -> None:
     assert turned.rows[0].mistake is JointMistake.POSITION_ONLY
     found = judge_joints(asked(every=False), finite([q + 0.4 for q in Q]))
     assert found.rows[0].mistake is None
+
+
+def test_a_solution_in_whole_degrees_is_close_and_no_branch_is_missing() -> None:
+    question = asked()
+    rows = [
+        [math.radians(round(math.degrees(q))) for q in found.joints] for found in question.found.solutions
+    ]
+    found = judge_joints(question, finite(*rows))
+    assert {row.mistake for row in found.rows if not row.right} == {JointMistake.ROUNDED}
+    assert found.missing == ()
+
+
+@pytest.mark.parametrize("signs", [(1, -1, 1, 1, -1, 1), (-1,) * 6])
+def test_slips_are_those_of_the_answerers_own_variables(signs) -> None:
+    question = asked(every=False)
+    offsets = (0.5, -1.2, math.pi / 2, 0.3, -0.7, 1.1)
+    own = [s * q + d for s, q, d in zip(signs, Q, offsets, strict=True)]
+
+    def told(row):
+        (found,) = judge_joints(question, in_other_frames(finite(row), signs, offsets)).rows
+        return found.mistake, found.joint
+
+    for i in range(6):
+        before, after = own[:i], own[i + 1 :]
+        assert told([*before, -own[i], *after]) == (JointMistake.SIGN, i + 1)
+        assert told([*before, own[i] + math.pi, *after]) == (JointMistake.QUADRANT, i + 1)
+        assert told([*before, math.pi / 2 - own[i], *after]) == (JointMistake.SWAPPED, i + 1)
+        of_the_key = signs[i] * -Q[i] + offsets[i]
+        assert told([*before, of_the_key, *after])[0] is not JointMistake.SIGN
+    assert told([math.degrees(q) for q in own])[0] is JointMistake.DEGREES
 
 
 def test_missing_branches_are_named() -> None:
