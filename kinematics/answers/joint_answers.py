@@ -38,6 +38,8 @@ PARALLEL = 1e-6
 """Sine of the angle [rad] below which neighbouring axes count as parallel, to tell elbows from shoulders."""
 NEAR = math.radians(1.0)
 """How far off a row may be in any joint to be one that was rounded too early [rad or shares of the size]."""
+FAR = 1e6
+"""Size of a joint value beyond which no decimals are missing [rad or the table's length]."""
 
 
 def judge_joints(question: JointQuestion, answer: JointAnswer) -> JointVerdict:
@@ -149,7 +151,7 @@ def _row(question: JointQuestion, answer: JointAnswer, row: Sequence[float], pos
         if joint is not None:
             return RowVerdict(right=False, joint=joint, mistake=JointMistake.LIMITS)
         return RowVerdict(right=True, solution=_nearest(question, row)[0])
-    nearest, off = _nearest(question, row)
+    nearest, off = _nearest(question, row) if all(abs(value) <= FAR for value in row) else (0, math.inf)
     if off <= NEAR:
         return RowVerdict(right=False, solution=nearest, mistake=JointMistake.ROUNDED)
     return _slip(question, answer, row)

@@ -61,6 +61,14 @@ def test_a_solution_in_whole_degrees_is_close_and_no_branch_is_missing() -> None
     assert found.missing == ()
 
 
+@pytest.mark.parametrize("value", [1.7e308, -1e160, 1e20])
+def test_no_joint_value_is_too_large_to_be_judged_beside_a_family(value) -> None:
+    question = asked((*Q[:4], 0.0, Q[5]))
+    for row in ((*Q[:3], value, 0.0, -value), (value,) * 6, (value, -value) * 3):
+        found = judge_joints(question, finite(row))
+        assert found.rows[0].mistake is not JointMistake.ROUNDED
+
+
 @pytest.mark.parametrize("signs", [(1, -1, 1, 1, -1, 1), (-1,) * 6])
 def test_slips_are_those_of_the_answerers_own_variables(signs) -> None:
     question = asked(every=False)
