@@ -95,7 +95,7 @@ def _scaled_row(row: SymbolicRow, kinds: Mapping[str, ParameterKind], ratio: Fra
     )
 
 
-@remembered(lambda read, values: read.characters, longest=USUAL_TABLE, most=1024, few=16)
+@remembered(lambda read, values: read.length, longest=USUAL_TABLE, most=1024, few=16)
 def _bound(read: ReadTable, values: tuple[tuple[str, float], ...]) -> NumericTable:
     return bind(read.table, dict(values))
 

@@ -32,12 +32,12 @@ def read_table(raw: RawTable, limits: Limits = DEFAULT) -> ReadTable:
     return _read_by_default(raw) if limits is DEFAULT else _read(raw, limits)
 
 
-@remembered(lambda raw: raw.characters, longest=USUAL_TABLE, most=1024, few=16)
+@remembered(lambda raw: raw.length, longest=USUAL_TABLE, most=1024, few=16)
 def _read_by_default(raw: RawTable) -> ReadTable:
     return _read_anew(raw, DEFAULT)
 
 
-@remembered(lambda raw, limits: raw.characters, longest=USUAL_TABLE, most=1024, few=16)
+@remembered(lambda raw, limits: raw.length, longest=USUAL_TABLE, most=1024, few=16)
 def _read(raw: RawTable, limits: Limits) -> ReadTable:
     return _read_anew(raw, limits)
 
@@ -61,7 +61,7 @@ def _read_anew(raw: RawTable, limits: Limits) -> ReadTable:
     if len(kinds) > limits.table_parameters:
         raise TableError(fault("table_too_many_parameters", "rows", limit=limits.table_parameters))
     return ReadTable(
-        characters=raw.characters,
+        typed_length=raw.length,
         table=DHTable(convention=raw.convention, rows=tuple(row.row for row in rows)),
         angle_unit=raw.angle_unit,
         length_unit=raw.length_unit,

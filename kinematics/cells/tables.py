@@ -8,9 +8,11 @@ from numbers import Integral, Rational, Real
 from typing import TypeAlias
 
 from kinematics.cells.units import AngleUnit, LengthUnit, ParameterKind
-from kinematics.table import Convention, JointType, SymbolicTable
+from kinematics.table import CELLS, Convention, JointType, SymbolicTable
 
 Cell: TypeAlias = int | float | str
+SHORTEST = 8
+"""Characters that any cell counts for: of a number as much is remembered as of a text of this length."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -81,7 +83,7 @@ class RawTable:
     rows: tuple[RawRow, ...]
     angle_unit: AngleUnit = AngleUnit.RAD
     length_unit: LengthUnit = LengthUnit.M
-    _characters: int = field(init=False, repr=False)
+    _length: int = field(init=False, repr=False)
     _content: tuple[object, ...] = field(init=False, repr=False)
     _hash: int = field(init=False, repr=False)
 
@@ -91,13 +93,14 @@ class RawTable:
         content = (self.convention, self.angle_unit, self.length_unit, *cells)
         object.__setattr__(self, "_content", content)
         object.__setattr__(self, "_hash", hash(content))
-        typed = (cell for row in self.rows for cell in (row.alpha, row.a, row.d, row.theta))
-        object.__setattr__(self, "_characters", sum(len(cell) for cell in typed if isinstance(cell, str)))
+        given = (cell for row in self.rows for cell in (row.alpha, row.a, row.d, row.theta))
+        lengths = (len(cell) if isinstance(cell, str) else 0 for cell in given)
+        object.__setattr__(self, "_length", sum(max(SHORTEST, length) for length in lengths))
 
     @property
-    def characters(self) -> int:
-        """Length of its cells that are text."""
-        return self._characters
+    def length(self) -> int:
+        """Length of its cells, at least `SHORTEST` each: what is read of them grows with it."""
+        return self._length
 
     def __hash__(self) -> int:
         return self._hash
@@ -121,7 +124,7 @@ class ReadTable:
             typed them.
         last_places: units of the last place [rad or `length_unit`], by row and cell, of decimals whose value
             does not show it, such as 0.2100.
-        characters: length of the cells that it was read from and that are text; 0 if nobody typed them.
+        typed_length: of the cells that it was read from, as in `RawTable`; 0 if nobody typed them.
         places: the row and cell in which each parameter stands first, of a table that was typed.
     """
 
@@ -131,8 +134,13 @@ class ReadTable:
     parameters: Mapping[str, ParameterKind]
     variables: tuple[str, ...] = ()
     last_places: Mapping[tuple[int, str], float] = field(default_factory=dict, repr=False)
-    characters: int = field(default=0, repr=False)
+    typed_length: int = field(default=0, repr=False)
     places: Mapping[str, tuple[int, str]] = field(default_factory=dict, repr=False)
+
+    @property
+    def length(self) -> int:
+        """Length of its cells, typed or not, at least `SHORTEST` each."""
+        return max(self.typed_length, SHORTEST * len(CELLS) * len(self.table.rows))
 
     def _repr_html_(self) -> str:
         from kinematics.printing.table_markup import table_html  # a notebook asks, and nobody else

@@ -10,6 +10,7 @@ import math
 from collections import OrderedDict
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from threading import Lock
 from typing import Any
 
 import orjson
@@ -17,6 +18,7 @@ import orjson
 from kinematics import catalogue
 from kinematics.cells import AngleUnit, Limits, ReadTable, bind_parameters, read_table
 from kinematics.errors import Fault, KinematicsError
+from kinematics.remembering import USUAL_TABLE
 from kinematics.table import JointType, NumericTable
 from service.http.problems import RequestError, located
 from service.schemas.robot_question import RobotQuestion
@@ -52,6 +54,8 @@ class RobotCache:
     def __init__(self, settings: Settings) -> None:
         self._limits: Limits = settings.cell_limits
         self._size = settings.table_cache
+        self._length = 0
+        self._keeping = Lock()  # large tables are read in a thread
         self._kept: OrderedDict[bytes, PreparedRobot] = OrderedDict()
 
     def recall(self, request: Mapping[str, Any]) -> PreparedRobot | None:
@@ -73,10 +77,17 @@ class RobotCache:
         robot = _robot(question, self._limits)
         key = _key(request) if request is not None else b""
         if 0 < len(key) <= _LARGEST_KEY:
-            self._kept[key] = robot
-            if len(self._kept) > self._size:
-                self._kept.popitem(last=False)
+            self._keep(key, robot)
         return robot
+
+    def _keep(self, key: bytes, robot: PreparedRobot) -> None:
+        """Keep a robot, and of those used last as many as tables of usual length have room for."""
+        with self._keeping:
+            if key not in self._kept:
+                self._length += robot.read.length
+            self._kept[key] = robot
+            while len(self._kept) > self._size or self._length > self._size * USUAL_TABLE:
+                self._length -= self._kept.popitem(last=False)[1].read.length
 
 
 def _key(request: Mapping[str, Any]) -> bytes:

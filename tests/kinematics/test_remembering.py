@@ -6,6 +6,7 @@ import gc
 import tracemalloc
 
 from kinematics.cells import AngleUnit, RawRow, RawTable, bind_parameters, read_table
+from kinematics.cells.rows import row_meaning, row_syntax
 from kinematics.equivalence import BaseRule, Policy, ZeroRule
 from kinematics.equivalence.home_invariants import home_invariants_of
 from kinematics.equivalence.invariants import invariants_of
@@ -34,6 +35,31 @@ def test_long_tables_are_not_hoarded() -> None:
     finally:
         tracemalloc.stop()
     assert held < MOST
+
+
+def test_long_tables_of_numbers_are_not_hoarded() -> None:
+    """A number has no characters, but what is read of it takes as much room as a short text."""
+    read_of_numbers(0)
+    tracemalloc.start()
+    try:
+        for number in range(1, 101):
+            read_of_numbers(number)
+        row_syntax.cache_clear()  # some thousand rows, whatever the tables
+        row_meaning.cache_clear()
+        gc.collect()
+        held, _ = tracemalloc.get_traced_memory()
+    finally:
+        tracemalloc.stop()
+    assert held < 0.5 * MOST
+
+
+def read_of_numbers(number: int) -> None:
+    """Read a table of 64 rows that is no other one, with decimals in all its cells but a few."""
+    rows = [
+        RawRow(alpha=0.25, a=number + 0.125 * k, d=number + 0.0625 * k, theta=f"q{k + 1}") for k in range(64)
+    ]
+    table = RawTable(convention=Convention.STANDARD, angle_unit=AngleUnit.RAD, rows=tuple(rows))
+    bind_parameters(read_table(table), {})
 
 
 def test_references_of_many_rows_are_not_hoarded() -> None:
