@@ -21,7 +21,8 @@ search         damped least squares from many starts at once
 refinement     from candidates to solutions
 distinct       which solutions are the same
 isolation      which solutions stand alone, in one pass
-components     which solutions stand alone, and which belong to families
+components     which solutions stand alone, and which families there are
+membership     which solutions belong to a family
 corrections    from beside a family back to it
 families       families followed along their path
 walks          ways from one solution to another

@@ -3,45 +3,28 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from kinematics.inverse.arm import Arm, Array
 from kinematics.inverse.crossings import branches, is_beside, tangents
-from kinematics.inverse.distinct import SAME, differences
 from kinematics.inverse.families import (
     FamilyPath,
     Follower,
     blind_directions,
-    nearest_on,
     pivots_of,
 )
 from kinematics.inverse.gaps import nearest_places, way_through_gaps
 from kinematics.inverse.isolation import LONG, fold_length, lost_value, told_apart
-from kinematics.inverse.walks import leads
+from kinematics.inverse.membership import Component, Membership
 
 GAP = 4.0 / LONG
 """Tolerances by which the pose may be off in a gap between pieces of a family: an error that grows from zero
 to one tolerance over LONG / 2 or more is a wave of 2 / LONG tolerances at most; twice as much is allowed."""
 
-BESIDE = 1e-3
-"""A solution this near to a path [rad, or parts of the size], or within twenty tolerances of it, is on it."""
-
-CHORD = 0.05
-"""Distance from the chords of a path within which a solution may be on it: the chords are LONGEST_STEP
-long and turn by three times STRAIGHT at most."""
-
 MOST_MEMBERS = 64
 """Solutions that are looked at of an arm with two or more joints to spare: each of some ten families, four in
 general, has several."""
-
-STATIONS = 5
-"""Points of each path of a surface that ways are looked for to: a way that leads to one may miss another."""
-
-NEAREST = 6
-"""Members of a surface to which ways are looked for from a solution: the nearest of those found last."""
 
 BESIDE_A_CROSSING = 0.3
 """Step from a crossing [rad, or parts of the size] after which one of the families is alone."""
@@ -49,31 +32,10 @@ BESIDE_A_CROSSING = 0.3
 BESIDE_A_BRANCH = 0.25
 """What is nearer than this part of a step to a path, a step from where it crosses another, is on it."""
 
-ROUNDING = 1e-9
-"""Singular values below this are zero: at exact singularities rounding leaves some 1e-16, and of solutions
-as exact as a double root has them its square root times a part of the size."""
-
 MOST_FOLLOWED = 16
 MOST_FOLLOWED_WITH_SPARE = 8
 """Families that are followed for one target, of arms with joints to spare fewer: each takes longer. What is
 left over is returned as members of continua."""
-
-
-@dataclass(frozen=True, slots=True)
-class Component:
-    """One answer: a solution that stands alone, or a family.
-
-    Attributes:
-        joints: (n,) its most exact member.
-        paths: one path for each direction of a family that was followed; empty of an isolated solution.
-        dimension: 0 of an isolated solution.
-        pivots: of a surface the joints that tell its members apart.
-    """
-
-    joints: Array
-    paths: tuple[FamilyPath, ...] = ()
-    dimension: int = 0
-    pivots: tuple[int, ...] = ()
 
 
 def components_of(arm: Arm, target: Array, joints: Array, tolerance: float) -> list[Component]:
@@ -102,7 +64,7 @@ def belongs(arm: Arm, target: Array, component: Component, q: Array, tolerance: 
         q: (n,) a solution.
         tolerance: distance [m] and angle [rad] within which the target is reached.
     """
-    return _Sorter(arm, Follower(arm, target, tolerance), tolerance)._within(component, q)
+    return Membership(arm, Follower(arm, target, tolerance), tolerance).within(component, q)
 
 
 class _Sorter:
@@ -112,7 +74,7 @@ class _Sorter:
         self.arm, self.follower = arm, follower
         self.long = fold_length(tolerance)
         self.blind = lost_value(tolerance)
-        self.beside = max(BESIDE, 20.0 * tolerance)
+        self.members = Membership(arm, follower, tolerance)
         self.most = MOST_FOLLOWED_WITH_SPARE if arm.spare else MOST_FOLLOWED
         self.ways: list[FamilyPath] = []
 
@@ -129,27 +91,10 @@ class _Sorter:
             else:
                 new = [Component(q, dimension=self._dimension(q, blind))]
             followed += sum(bool(one.paths) for one in new)
-            left = self._outside(left, new)
+            left = self.members.outside(left, new)
             found += new
-            left += self._outside(self._behind_gaps(new), found)
+            left += self.members.outside(self._behind_gaps(new), found)
         return found
-
-    def _outside(self, joints: Sequence[Array], components: Sequence[Component]) -> list[Array]:
-        """Those solutions that belong to none of the components."""
-        left = np.array(joints)
-        for one in components:
-            inside = self._within_each(one, left) if len(left) else np.empty(0, dtype=bool)
-            new, left = left[inside], left[~inside]
-            while one.dimension > 1 and len(new) and len(left):
-                inside = self._led(left, self._nearest(new, left))
-                new, left = left[inside], left[~inside]
-        return list(left)
-
-    def _nearest(self, members: Array, joints: Array) -> Array:
-        """(k, m, n) the members of a family, in units, that are nearest to each of (m, n) solutions."""
-        apart = np.abs(differences(joints[:, None], members[None], self.arm)).sum(axis=2)
-        nearest = np.argsort(apart, axis=1, kind="stable")[:, :NEAREST].T
-        return np.asarray(members[nearest] / self.arm.units)
 
     def _behind_gaps(self, components: Sequence[Component]) -> list[Array]:
         """Members of families that lie on the ways of others, behind gaps in which the target is lost."""
@@ -252,7 +197,7 @@ class _Sorter:
         for direction in moving:
             for step in (BESIDE_A_CROSSING, -BESIDE_A_CROSSING):
                 there = self.follower.moves(x, direction, step)
-                if there is None or any(self._within(one, there * self.arm.units) for one in found):
+                if there is None or any(self.members.within(one, there * self.arm.units) for one in found):
                     continue
                 surface = self._surface_at(there, fewer=len(moving))
                 if surface is not None:
@@ -261,7 +206,7 @@ class _Sorter:
 
     def _holds(self, surface: Component, path: FamilyPath) -> bool:
         """Whether a path lies in a surface, as far as some of its points tell."""
-        return all(self._within(surface, q) for q in path.points[:: max(len(path.points) // 3, 1)])
+        return all(self.members.within(surface, q) for q in path.points[:: max(len(path.points) // 3, 1)])
 
     def _with_branches(self, curves: list[FamilyPath], surfaces: list[Component]) -> list[FamilyPath]:
         """Paths, and those that cross them, and those that cross these; surfaces that do are added."""
@@ -272,7 +217,7 @@ class _Sorter:
             for x, way in branches(self.follower, path, self.long, self.blind):
                 if any(is_beside(self.follower, one, x, BESIDE_A_BRANCH * self.long) for one in found):
                     continue
-                if any(self._within(one, x * self.arm.units) for one in surfaces):
+                if any(self.members.within(one, x * self.arm.units) for one in surfaces):
                     continue
                 surface = self._surface_at(x, fewer=self.arm.n_joints)
                 if surface is not None and self._is_wide(surface):
@@ -308,58 +253,3 @@ class _Sorter:
         held = np.eye(len(x))[pivots]
         others = [np.delete(held, k, axis=0) for k in range(len(pivots))]
         return tuple(self.follower.path(x, d, rows) for d, rows in zip(directions, others, strict=True))
-
-    def _within(self, component: Component, q: Array) -> bool:
-        """Whether a solution belongs to a component."""
-        return bool(self._within_each(component, q[None])[0])
-
-    def _within_each(self, component: Component, joints: Array) -> NDArray[np.bool_]:
-        """Which of some solutions, (m, n), belong to a component."""
-        apart = differences(joints, component.joints, self.arm)
-        farthest = np.abs(apart).max(axis=1)
-        inside = farthest <= SAME
-        for i in np.flatnonzero(~inside).tolist():
-            inside[i] = any(self._on(path, joints[i]) for path in component.paths)
-        x = component.joints / self.arm.units
-        near = np.flatnonzero(~inside & (farthest <= self.long))
-        if self.arm.spare and not component.dimension:
-            inside[near] = True
-            return np.asarray(inside)
-        inside[near] = self.follower.joined_each(np.broadcast_to(x, apart[near].shape), x + apart[near])
-        outside = np.flatnonzero(~inside)
-        if component.dimension > min(self.arm.spare, 1) and len(outside):
-            inside[outside] = self._led(joints[outside], self._places(component, joints[outside]))
-        return np.asarray(inside)
-
-    def _places(self, component: Component, joints: Array) -> Array:
-        """(k, m, n) members of a family, in units, to which ways from (m, n) solutions are looked for."""
-        x = joints / self.arm.units
-        places = [np.broadcast_to(component.joints / self.arm.units, x.shape)]
-        for path in component.paths:
-            places.append(x - [nearest_on(self.arm, path, q)[0] for q in joints])
-            if component.dimension > 1:
-                points = path.points[:: max(len(path.points) // STATIONS, 1)] / self.arm.units
-                places += [np.broadcast_to(point, x.shape) for point in points]
-        return np.array(places)
-
-    def _led(self, joints: Array, places: Array) -> NDArray[np.bool_]:
-        """Which of (m, n) solutions ways along blind directions lead from, to one of (k, m, n) places."""
-        if self.follower.is_spent:
-            return np.zeros(len(joints), dtype=bool)
-        x = np.tile(joints / self.arm.units, (len(places), 1))
-        arrived = leads(self.follower, x, places.reshape(x.shape), self.blind)
-        return np.asarray(arrived.reshape(places.shape[:2]).any(axis=0))
-
-    def _on(self, path: FamilyPath, q: Array) -> bool:
-        """Whether a solution is on a path: its nearest chord, corrected, leads to it."""
-        off, chord = nearest_on(self.arm, path, q)
-        distance, length = float(np.linalg.norm(off)), float(np.linalg.norm(chord))
-        if distance <= self.beside or length == 0.0:
-            return distance <= self.beside
-        if distance > CHORD:
-            return False
-        x = q / self.arm.units
-        corrected, e, _ = self.follower.corrected(x - off, (chord / length)[None])
-        if self.follower.reached(e) and float(np.linalg.norm(corrected - x)) <= self.beside:
-            return True
-        return self.follower.joined(x, x - off)

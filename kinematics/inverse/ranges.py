@@ -8,10 +8,10 @@ from dataclasses import replace
 import numpy as np
 
 from kinematics.inverse.arm import Arm, Array
-from kinematics.inverse.components import Component
 from kinematics.inverse.distinct import differences
 from kinematics.inverse.families import FamilyPath, Follower
 from kinematics.inverse.limits import within_limits
+from kinematics.inverse.membership import Component
 from kinematics.inverse.results import Family, FamilyParameter
 from kinematics.inverse.search import Box
 

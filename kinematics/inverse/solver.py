@@ -9,12 +9,13 @@ from numpy.typing import ArrayLike
 
 from kinematics.inverse.arm import Arm, ArmReach, Array
 from kinematics.inverse.closed_form import InverseClosedForm, candidates_beside
-from kinematics.inverse.components import Component, components_of
+from kinematics.inverse.components import components_of
 from kinematics.inverse.families import Follower
 from kinematics.inverse.goals import Goal, read_goal
 from kinematics.inverse.isolation import told_apart
 from kinematics.inverse.limits import within_limits
 from kinematics.inverse.locked import LockedArms
+from kinematics.inverse.membership import Component
 from kinematics.inverse.ranges import families_within
 from kinematics.inverse.refinement import solutions_of
 from kinematics.inverse.residuals import errors_of, pose_errors

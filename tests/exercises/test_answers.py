@@ -17,7 +17,7 @@ from exercises.grading.facts import Weights
 from exercises.instance import generate
 from exercises.parts.forward.schematic import AxisRelation, Schematic
 from exercises.parts.forward.workspace import RadiiCells
-from exercises.parts.inverse.joint_solutions import JointAnswerCells
+from exercises.parts.inverse.joint_cells import JointAnswerCells
 from exercises.parts.motion.singularities import SingularityCells
 from kinematics.answers.joint_verdicts import JointClaim
 from kinematics.table import JointType

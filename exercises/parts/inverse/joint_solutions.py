@@ -9,38 +9,28 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import replace
 from fractions import Fraction
-from functools import lru_cache
 from random import Random
-from typing import Annotated, ClassVar
+from typing import ClassVar
 
-import numpy as np
-
-from exercises.definition import Exercise, Part
-from exercises.draws import Draw, Picker
+from exercises.definition import Exercise
+from exercises.draws import Picker
 from exercises.grading import BaseRule, Feedback, Finding, HelpLevel, ToolRule, accept
 from exercises.instance import Instance
 from exercises.parts import definition_keys as defined
-from exercises.parts.cells.number_cells import DECIMALS, on_paper, read_numbers_of
+from exercises.parts.cells.number_cells import on_paper, read_numbers_of
 from exercises.parts.context import Context
 from exercises.parts.given_table import given_table
+from exercises.parts.inverse.joint_cells import MOST_ROWS, JointAnswerCells, kept_combination, written_answer
 from exercises.parts.inverse.joint_feedback import joint_feedback
-from exercises.parts.joint_draws import (
-    PoseCase,
-    SolutionsAsked,
-    drawn_joints,
-    in_radians,
-    joint_labels,
-    key_numbers,
-    read_joints,
-)
+from exercises.parts.inverse.pose_question import DrawnPose, InverseKinematicsPart, question_of, target_of
+from exercises.parts.joint_draws import PoseCase, SolutionsAsked, drawn_joints, joint_labels, read_joints
 from exercises.parts.protocol import (
     TABLE,
     FieldShape,
     FormField,
     GivenNumbers,
-    Length,
     PartTask,
     PartType,
     Reading,
@@ -50,69 +40,13 @@ from exercises.parts.protocol import (
 from exercises.parts.report import Credit, Fact, PartReport, fact, judged, told_from
 from exercises.reading import Reader
 from kinematics.answers.joint_answers import in_other_frames, judge_joints
-from kinematics.answers.joint_questions import USUAL_TOLERANCE, JointQuestion, joint_question
+from kinematics.answers.joint_questions import USUAL_TOLERANCE
 from kinematics.answers.joint_verdicts import Branch, JointAnswer, JointClaim, JointMistake
-from kinematics.cells import AngleUnit, Cell
+from kinematics.cells import AngleUnit
 from kinematics.cells.meaning import Position
 from kinematics.errors import Fault
-from kinematics.forward import forward_kinematics
-from kinematics.inverse import ArmReach, solver_of
-from kinematics.se3 import Transform
+from kinematics.inverse import ArmReach
 from kinematics.table import JointType
-
-MOST_ROWS = 20
-"""Configurations in an answer: an arm of six joints has sixteen at most."""
-OUT = 3.0
-"""How many times as far away a pose is put that cannot be reached: no arm of the catalogue folds so much."""
-QUESTIONS = 256
-"""Poses whose solutions are kept: students hand in again."""
-ConfigurationRow = Annotated[tuple[Cell, ...], Length(least=1, most=12)]
-
-
-@dataclass(frozen=True, kw_only=True, slots=True)
-class JointAnswerCells:
-    """Joint values that reach a pose.
-
-    Attributes:
-        claim: finite (the rows are the solutions), infinite (infinitely many, the rows are some),
-            out_of_reach or joint_limits (none, because …).
-        solutions: rows of joint values q1 … qn.
-        combinations: of infinitely many solutions, which combinations stay the same along them: rows of
-            coefficients of q1 … qn, such as 0 0 0 1 0 1 where only q4 + q6 counts.
-    """
-
-    claim: JointClaim
-    solutions: Annotated[tuple[ConfigurationRow, ...], Length(least=0, most=MOST_ROWS)] = ()
-    combinations: Annotated[tuple[ConfigurationRow, ...], Length(least=0, most=4)] = ()
-
-
-@dataclass(frozen=True, kw_only=True, slots=True)
-class InverseKinematicsPart(Part):
-    """A pose whose joint values are asked.
-
-    Attributes:
-        joints: the joint values where no seed is given [the exercise's units].
-        draws: per joint, from where a student's own value is drawn, or None.
-        cases: what the pose may be; drawn.
-        every: all solutions are asked, not one.
-        reach: what of the last frame has to reach the pose.
-        tolerance: of positions as a share of the robot's size, and of angles [rad].
-    """
-
-    joints: tuple[Fraction, ...]
-    draws: tuple[Draw | None, ...]
-    cases: tuple[PoseCase, ...]
-    every: bool
-    reach: ArmReach
-    tolerance: float
-
-
-@dataclass(frozen=True, kw_only=True, slots=True)
-class DrawnPose:
-    """What is drawn for one student: the joint values, and what becomes of their pose."""
-
-    joints: tuple[Fraction, ...]
-    case: PoseCase
 
 
 class InverseKinematicsType(PartType[InverseKinematicsPart, JointAnswerCells, JointAnswer]):
@@ -184,7 +118,7 @@ class InverseKinematicsType(PartType[InverseKinematicsPart, JointAnswerCells, Jo
         """Show the pose, and the key if no table is asked; ask for joint values."""
         exercise = instance.exercise
         labels = joint_labels(exercise)
-        pose = on_paper(_target(part, instance))
+        pose = on_paper(target_of(part, instance))
         position = part.reach is ArmReach.POSITION
         shown = [tuple(row) for row in pose.tolist()]
         numbers = GivenNumbers(
@@ -240,7 +174,7 @@ class InverseKinematicsType(PartType[InverseKinematicsPart, JointAnswerCells, Jo
         """Judge the rows by the robot, carried over from the student's own variables if there is a table."""
         if context.instance.exercise.part(TABLE) is not None and not context.own_correct:
             return judged(part, 0.0, Credit.NONE, feedback=(Feedback(code="joints_need_table"),))
-        found = judge_joints(_question(part, context.instance), _in_key(answer, context))
+        found = judge_joints(question_of(part, context.instance), _in_key(answer, context))
         facts = [fact(row.right, "solutions", i) for i, row in enumerate(found.rows)]
         facts += [fact(holds, "combinations", i) for i, holds in enumerate(found.combinations)]
         if found.missing or (found.share < 1.0 and answer.claim is not found.expected):
@@ -250,7 +184,7 @@ class InverseKinematicsType(PartType[InverseKinematicsPart, JointAnswerCells, Jo
 
     def right(self, part: InverseKinematicsPart, context: Context) -> JointAnswerCells:
         """Return every solution with the condition of each family, in the student's own variables."""
-        question = _question(part, context.instance)
+        question = question_of(part, context.instance)
         expected = question.expected
         if expected in (JointClaim.OUT_OF_REACH, JointClaim.JOINT_LIMITS):
             return JointAnswerCells(claim=expected)
@@ -260,7 +194,7 @@ class InverseKinematicsType(PartType[InverseKinematicsPart, JointAnswerCells, Jo
             tuple(combination)
             for found in question.found.solutions
             if found.family is not None and found.family.direction is not None
-            for combination in [_combination(found.family.direction)]
+            for combination in [kept_combination(found.family.direction)]
             if combination is not None
         }
         answer = JointAnswer(claim=expected, rows=tuple(rows), combinations=tuple(sorted(combinations)))
@@ -275,7 +209,7 @@ class InverseKinematicsType(PartType[InverseKinematicsPart, JointAnswerCells, Jo
                     tuple(s * c for s, c in zip(signs, row, strict=True)) for row in answer.combinations
                 ),
             )
-        return _written(answer, context.instance)
+        return written_answer(answer, context.instance)
 
     def wrong(
         self, part: InverseKinematicsPart, context: Context, rng: Random
@@ -294,30 +228,6 @@ class InverseKinematicsType(PartType[InverseKinematicsPart, JointAnswerCells, Jo
         if part.every and len(right.solutions) > 1 and right.claim is JointClaim.FINITE:
             yield "joints_missing", replace(right, solutions=right.solutions[1:])
         yield "claim_wrong", JointAnswerCells(claim=JointClaim.OUT_OF_REACH)
-
-
-def _target(part: InverseKinematicsPart, instance: Instance) -> Transform:
-    """Return the student's pose in the key's frames; lengths in the exercise's unit."""
-    drawn: DrawnPose = instance.drawn[part.kind]
-    joints = in_radians(instance.exercise, drawn.joints)
-    pose = forward_kinematics(key_numbers(instance), joints).transform.copy()
-    if drawn.case is PoseCase.OUT_OF_REACH:
-        numbers = key_numbers(instance)
-        far = sum(abs(row.a) + abs(row.d) for row in numbers.rows) + sum(
-            abs(value)
-            for value, kind in zip(joints, instance.exercise.reference.table.joint_types, strict=True)
-            if kind is JointType.PRISMATIC
-        )
-        length = float(np.linalg.norm(pose[:3, 3]))
-        direction = pose[:3, 3] / length if length > 1e-6 * far else np.array([1.0, 0.0, 0.0])
-        pose[:3, 3] = OUT * far * direction
-    return pose
-
-
-@lru_cache(maxsize=QUESTIONS)
-def _question(part: InverseKinematicsPart, instance: Instance) -> JointQuestion:
-    solver, target = solver_of(key_numbers(instance), reach=part.reach), _target(part, instance)
-    return joint_question(solver, target, every=part.every, tolerance=part.tolerance, reach=part.reach)
 
 
 def _certified(context: Context) -> tuple[tuple[int, ...], tuple[float, ...]] | None:
@@ -343,29 +253,6 @@ def _certified(context: Context) -> tuple[tuple[int, ...], tuple[float, ...]] | 
 def _in_key(answer: JointAnswer, context: Context) -> JointAnswer:
     own = _certified(context)
     return answer if own is None else in_other_frames(answer, *own)
-
-
-def _combination(direction: tuple[float, ...]) -> tuple[float, ...] | None:
-    """Return the coefficients that a straight family of two joints keeps; None of other families."""
-    moving = [i for i, rate in enumerate(direction) if abs(rate) > 1e-9]
-    if len(moving) != 2:
-        return None
-    i, k = moving
-    return tuple(direction[k] if j == i else -direction[i] if j == k else 0.0 for j in range(len(direction)))
-
-
-def _written(answer: JointAnswer, instance: Instance) -> JointAnswerCells:
-    """Return an answer in the exercise's units, rounded as on paper."""
-    degrees = instance.exercise.angle_unit is AngleUnit.DEG
-    types = instance.exercise.reference.table.joint_types
-    rows = tuple(
-        tuple(
-            round(math.degrees(value) if degrees and kind is JointType.REVOLUTE else value, DECIMALS)
-            for value, kind in zip(row, types, strict=True)
-        )
-        for row in answer.rows
-    )
-    return JointAnswerCells(claim=answer.claim, solutions=rows, combinations=answer.combinations)
 
 
 PART = InverseKinematicsType()

@@ -17,7 +17,8 @@ import numpy as np
 from exercises.answers import RawAnswer, parse
 from exercises.grader import grade
 from exercises.instance import Instance
-from exercises.parts.inverse.joint_solutions import DrawnPose, InverseKinematicsPart, JointAnswerCells
+from exercises.parts.inverse.joint_cells import JointAnswerCells
+from exercises.parts.inverse.pose_question import DrawnPose, InverseKinematicsPart
 from exercises.parts.joint_draws import PoseCase, key_numbers
 from exercises.written_table import written_table
 from kinematics.answers.joint_verdicts import JointClaim

@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from exercises.grading import HelpLevel
-from exercises.parts.inverse.joint_solutions import JointAnswerCells
+from exercises.parts.inverse.joint_cells import JointAnswerCells
 from exercises.parts.motion.jacobian_cells import JacobianCells
 from exercises.parts.motion.motion_cells import MotionCells
 from exercises.parts.motion.singularities import SingularityCells
