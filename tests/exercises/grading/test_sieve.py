@@ -9,14 +9,15 @@ import numpy as np
 import pytest
 
 from exercises.grading import Policy, ToolRule
+from exercises.grading.changes import Change, Extent
 from exercises.grading.comparison import comparisons
 from exercises.grading.explanation import work_on
 from exercises.grading.misconceptions import CATALOGUE
-from exercises.grading.sieve import Sieve
+from exercises.grading.sieve import LegibleFact, LegibleFacts, Sieve, legible_facts
 from exercises.grading.wanted_changes import changes_of
 from exercises.grading.work import Work
 from kinematics.equivalence.batches import axes_of_tables
-from kinematics.table import DHTable, NumericRow, NumericTable
+from kinematics.table import Convention, DHRow, DHTable, JointType, NumericRow, NumericTable
 from tests.exercises.grading.campaign import drawn_by_hand
 from tests.exercises.grading.written import written
 from tests.kinematics.equivalence.campaign import references
@@ -147,3 +148,62 @@ def test_most_edits_of_an_arm_with_a_row_for_every_joint_are_held_back() -> None
     ]
     assert len(shares) > 10
     assert np.mean(shares) > 0.9
+
+
+@pytest.mark.parametrize("wrong", range(4))
+@pytest.mark.parametrize("most", range(4))
+def test_an_edit_may_leave_as_many_facts_wrong_as_is_said(wrong: int, most: int) -> None:
+    """Whether it brings a table of its own or changes cells, and whether it touches what is wrong or not."""
+    rows = tuple(turning(a=2.0 if i < wrong else 1.0) for i in range(3))
+    facts = LegibleFacts([LegibleFact("a", (i,), (), frozenset({(i, "a")}), 1.0, 0.1) for i in range(3)])
+    nothing, first = Change("", Extent.CELL), Change("a_value", Extent.CELL, 0, "a", ((0, "a", 1.0),))
+    assert facts.are_wrong(nothing, rows, most) is (wrong > most)
+    assert facts.leave_wrong(nothing, rows, facts.wrong(rows), most) is (wrong > most)
+    left = max(wrong - 1, 0)
+    assert facts.are_wrong(first, rows, most) is (left > most)
+    assert facts.leave_wrong(first, rows, facts.wrong(rows), most) is (left > most)
+
+
+def turning(alpha: float = 0.0, a: float = 0.0, d: float = 0.0) -> NumericRow:
+    return DHRow(joint=JointType.REVOLUTE, theta=0.0, d=d, a=a, alpha=alpha)
+
+
+@pytest.mark.parametrize(
+    ("alphas", "ds", "wrong"),
+    [
+        ((0.0, 0.0), (1.0, 2.0, 3.0), False),
+        ((math.pi, 0.0), (1.0, -2.0, -3.0), False),
+        ((0.0, math.pi), (1.0, 2.0, -3.0), False),
+        ((math.pi, math.pi), (-1.0, 2.0, -3.0), False),
+        ((math.pi, math.pi), (1.0, 2.0, 3.0), True),
+        ((0.0, 0.0), (1.0, 2.0, 2.0), True),
+        ((0.3, 0.0), (1.0, 2.0, 2.0), False),
+        ((0.0, 0.3), (1.0, 2.0, 2.0), False),
+    ],
+)
+def test_offsets_along_parallel_axes_add_up(
+    alphas: tuple[float, float], ds: tuple[float, float, float], wrong: bool
+) -> None:
+    """Each as its axis points; nothing is said where one of the axes is not parallel."""
+    places = frozenset({(0, "d"), (1, "d"), (2, "d"), (0, "alpha"), (1, "alpha")})
+    fact = LegibleFact("d", (0, 1, 2), (0, 1), places, 6.0, 0.1)
+    rows = [turning(alpha, 0.0, d) for alpha, d in zip((*alphas, 0.0), ds, strict=True)]
+    assert fact.is_wrong(rows, {}) is wrong
+
+
+def test_where_the_facts_of_an_arm_stand() -> None:
+    """Between two skew axes, along two parallel ones in the middle, and beside the axes that meet."""
+    half = math.pi / 2
+    rows = (turning(half), turning(0.0, 0.4), turning(-half, 0.02, 0.15), turning(half, 0.0, 0.35), turning())
+    key = written(DHTable(convention=Convention.STANDARD, rows=rows))
+    work = work_on(comparisons(key, key, {})[0], (key, key), FREE)
+    facts = legible_facts(
+        work.invariants, work.n_facts, work.table.convention, tuple(row.joint for row in work.table.rows)
+    ).facts
+    places = {(fact.column, fact.rows, fact.links): fact.target for fact in facts}
+    assert {place: round(target, 9) for place, target in places.items() if place[0] == "d"} == {
+        ("d", (1, 2), (1,)): 0.15,
+        ("d", (3,), ()): 0.35,
+    }
+    assert places["alpha", (0,), ()] == pytest.approx(half)
+    assert places["a", (1,), (1,)] == pytest.approx(0.4)

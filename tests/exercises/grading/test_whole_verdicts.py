@@ -1,0 +1,179 @@
+"""Whole verdicts on wrong answers: all that is told of each, in order, and every edit that would mend it."""
+
+from __future__ import annotations
+
+import pytest
+
+from exercises.grading import (
+    BaseRule,
+    ConventionRule,
+    DirectionRule,
+    Policy,
+    ToolRule,
+    Verdict,
+    ZeroRule,
+    accept,
+    grade,
+    is_accepted,
+)
+from kinematics.cells import ReadTable
+from tests.exercises.grading.test_grade import KEY, PUMA, PUMA_CRAIG, USUAL, VALUES, with_cells
+from tests.exercises.grading.written import Cell, read
+
+Rows = list[tuple[Cell, Cell, Cell, Cell]]
+Told = list[tuple[str, int | None]]
+
+PLANAR: Rows = [(0, 0.31, 0, "q1"), (0, 0.4318, 0, "q2"), (0, 0.0203, 0, "q3")]
+LIFT: Rows = [("pi/2", "a1", 0, "q1"), ("-pi/2", 0, "q2 + L2", 0), (0, "a3", 0, "q3 + pi/4")]
+LIFT_VALUES = {"a1": 0.4, "L2": 0.3, "a3": 0.2}
+FIXED = Policy(base=BaseRule.FRAME, tool=ToolRule.FRAME, zero=ZeroRule.FIGURE, direction=DirectionRule.FIGURE)
+
+
+def feedback(verdict: Verdict) -> Told:
+    return [(entry.code, entry.row) for entry in verdict.feedback]
+
+
+def repairs(verdict: Verdict) -> list[Told]:
+    return [[(edit.code, edit.row) for edit in repair.edits] for repair in verdict.repairs]
+
+
+ANSWERS: dict[str, tuple[ReadTable, ReadTable, Policy, Told, list[Told]]] = {
+    "a sign, where everything is fixed": (
+        read("standard", PLANAR),
+        read("standard", with_cells(PLANAR, (2, 1, -0.4318))),
+        FIXED,
+        [("right_robot", None), ("zero_missed", None), ("length_wrong", 2)],
+        [[("a_sign", 2)]],
+    ),
+    "one twist the wrong way: a mirrored arm": (
+        read("modified", PUMA_CRAIG),
+        read("modified", with_cells(PUMA_CRAIG, (4, 0, "pi/2"))),
+        USUAL,
+        [
+            ("not_equivalent", None),
+            ("mirrored", None),
+            ("one_of_these", None),
+            ("sign_wrong", 3),
+            ("sign_wrong", 4),
+        ],
+        [
+            [("alpha_sign", 4)],
+            [("a_sign", 4)],
+            [("d_sign", 3)],
+            [("d_sign", 4)],
+            [("twists_all_reversed", None)],
+        ],
+    ),
+    "one angle in degrees": (
+        read("modified", PUMA_CRAIG),
+        read("modified", with_cells(PUMA_CRAIG, (4, 0, -90))),
+        USUAL,
+        [("not_equivalent", None), ("twist_wrong", 4)],
+        [[("cell_in_degrees", 4)], [("alpha_value", 4)], [("angles_in_degrees", None)]],
+    ),
+    "all lengths in millimetres": (
+        read("standard", PLANAR),
+        read("standard", [(alpha, 1000 * a, d, theta) for alpha, a, d, theta in PLANAR]),  # type: ignore[operator]
+        Policy(convention=ConventionRule.STANDARD),
+        [("not_equivalent", None), ("lengths_throughout", None)],
+        [[("length_unit", None)]],
+    ),
+    "the other convention, and a length": (
+        read("standard", PLANAR),
+        read("modified", with_cells(PLANAR, (2, 1, 0.9))),
+        USUAL,
+        [("not_equivalent", None), ("columns_throughout", None), ("length_wrong", 2)],
+        [
+            [("convention", None), ("a_value", 2)],
+            [("a_value", 2), ("a_value", 3)],
+            [("rows_swapped", 1), ("a_value", 3)],
+        ],
+    ),
+}
+
+
+@pytest.mark.parametrize(("key", "answer", "policy", "told", "edits"), ANSWERS.values(), ids=ANSWERS.keys())
+def test_all_that_is_told(
+    key: ReadTable, answer: ReadTable, policy: Policy, told: Told, edits: list[Told]
+) -> None:
+    verdict = grade(key, answer, policy, VALUES if key.parameters else None)
+    assert feedback(verdict) == told
+    assert repairs(verdict) == edits
+
+
+def test_no_more_than_six_explanations() -> None:
+    """A row too many and two rows exchanged have more; who reads them all is helped by none."""
+    rows: Rows = [(0, 0, 0, "q1"), (0, 0.31, 0, "q2"), (0, 0.0203, 0, "q3"), (0, 0.4318, 0, "q4")]
+    assert len(repairs(grade(read("standard", PLANAR), read("standard", rows), USUAL))) == 6
+
+
+@pytest.mark.parametrize("ratio", [1000, 0.001, 100, 0.01, 10, 0.1])
+def test_lengths_in_any_unit_are_told(ratio: float) -> None:
+    rows = [(alpha, ratio * a, d, theta) for alpha, a, d, theta in PLANAR]  # type: ignore[operator]
+    assert repairs(grade(read("standard", PLANAR), read("standard", rows), USUAL))[0] == [
+        ("length_unit", None)
+    ]
+
+
+def test_a_short_length_is_no_length_in_another_unit() -> None:
+    told = repairs(grade(KEY, read("standard", with_cells(PUMA, (4, 2, 0.001))), USUAL, VALUES))
+    assert told[0] == [("d_value", 4)]
+
+
+def test_a_single_twist_is_not_all_of_them() -> None:
+    key = read("standard", with_cells(LIFT, (1, 0, 0)))
+    answer = read("standard", with_cells(LIFT, (1, 0, 0), (2, 0, "pi/2")))
+    assert repairs(grade(key, answer, FIXED, LIFT_VALUES)) == [[("alpha_sign", 2)]]
+
+
+@pytest.mark.parametrize(
+    ("unit", "zeros", "told"),
+    [
+        ("rad", ("q2 + L2 - 0.1", "q3 - pi/4"), [(2, "0.1"), (3, "pi/2")]),
+        ("deg", ("q2 + L2 - 0.1", "q3 - 45"), [(2, "0.1"), (3, "90°")]),
+    ],
+)
+def test_another_zero_is_told_in_the_unit_of_its_variable(
+    unit: str, zeros: tuple[str, str], told: list[tuple[int, str]]
+) -> None:
+    """In the other convention, so that it is told of the variables, not of the frames."""
+    slide, turn = zeros
+    right = 90 if unit == "deg" else "pi/2"
+    rows: Rows = [(0, 0, 0, "q1"), (right, "a1", slide, 0), (f"-{right}", 0, 0, turn), (0, "a3", 0, 0)]
+    verdict = grade(read("standard", LIFT), read("modified", rows, unit), USUAL, LIFT_VALUES)
+    assert verdict.correct
+    assert [
+        (entry.row, entry.params["joint"], entry.params["offset"])
+        for entry in verdict.feedback
+        if entry.code == "variable_offset"
+    ] == [(row, row, text) for row, text in told]
+
+
+def test_the_key_has_itself_for_a_certificate() -> None:
+    """No zero of it has a sign."""
+    certificate = grade(KEY, KEY, USUAL).certificate
+    assert certificate is not None
+    same = tuple(tuple(float(i == k) for k in range(4)) for i in range(4))
+    assert repr((certificate.base, certificate.tool)) == repr((same, same))
+
+
+def test_who_accepts_asks_no_more_than_whether_it_is_right() -> None:
+    right, wrong = read("modified", PUMA_CRAIG), read("standard", with_cells(PUMA, (4, 2, 0)))
+    assert accept(KEY, right, USUAL) == accept(KEY, right, USUAL, {}) == grade(KEY, right, USUAL)
+    assert accept(KEY, wrong, USUAL, VALUES) is None
+    assert is_accepted(KEY, right, USUAL)
+    assert not is_accepted(KEY, wrong, USUAL, VALUES)
+
+
+@pytest.mark.parametrize("change", [(2, 1, "a2 + 1"), (4, 2, "d4 + 1"), (5, 0, 0)])
+def test_every_kind_of_fact_is_worth_the_same(change: tuple[int, int, Cell]) -> None:
+    """Where a policy says nothing of their weights: a twist counts as a length and as an offset."""
+    one = grade(KEY, read("standard", with_cells(PUMA, (2, 1, "a2 + 1"))), USUAL, VALUES)
+    verdict = grade(KEY, read("standard", with_cells(PUMA, change)), USUAL, VALUES)
+    assert verdict.score == one.score
+
+
+def test_without_names_of_its_own_a_key_knows_none() -> None:
+    answer = read("standard", with_cells(PLANAR, (2, 1, "L2")))
+    told = grade(read("standard", PLANAR), answer, USUAL).feedback[0]
+    assert (told.code, told.params) == ("parameter_unknown", {"name": "L2", "known": "–"})
