@@ -8,6 +8,7 @@ jacobian_answers     Jacobians in numbers, and the joint forces that hold a wren
 jacobian_forms       the same as functions of the joint variables
 singularity_answers  conditions for singularities, as a set, and the motion that is lost
 singular_arms        families of singularities and points of them
+lost_motions         motions that an arm has lost in a configuration
 unit_multiples       is a function a product of given ones, up to what never vanishes
 dynamics_answers     equations of motion
 valued_robot         a robot in symbols, with values of its names

@@ -27,6 +27,9 @@ HALVINGS = 45
 LOST = 1e-6
 """Share of the usual value below which the smallest singular value, or a condition, counts as zero: zeros are
 found to 1e-9 and better."""
+ROUNDED = 5e-4
+"""Share of its usual value below which a condition with numbers rounded to four digits counts as zero; with
+fewer digits, what their rounding leaves open."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

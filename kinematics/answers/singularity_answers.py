@@ -22,9 +22,8 @@ from fractions import Fraction
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.answers.jacobian_answers import jacobian_at
 from kinematics.answers.left_open import TOGETHER, Rounded, moved_by
-from kinematics.answers.singular_arms import LOST, SingularArm, typical
+from kinematics.answers.singular_arms import LOST, ROUNDED, SingularArm, typical
 from kinematics.answers.unit_multiples import factors_of
 from kinematics.errors import ParameterError
 from kinematics.expressions import (
@@ -40,16 +39,14 @@ from kinematics.expressions import (
     pi_times,
 )
 from kinematics.expressions.values import holds_decimals
-from kinematics.jacobian import JacobianFrame
 from kinematics.se3 import Floats
 from kinematics.symbolic import ProofStatus
-from kinematics.symbolic.determinants import MotionRows
 from kinematics.symbolic.quotients import reduced
 from kinematics.table import JointType
 
-ROUNDED = 5e-4
-"""Share of its usual value below which a condition with numbers rounded to four digits counts as zero; with
-fewer digits, what their rounding leaves open."""
+CLOSE = 0.05
+"""Share of its usual value up to which the smallest singular value is that of roughly rounded conditions: one
+or two degrees from a singular configuration."""
 
 
 class ConditionStatus(StrEnum):
@@ -73,10 +70,12 @@ class JudgedCondition:
     Attributes:
         status: of it.
         example: of an invented one (n,) a configuration where it holds and the arm is not singular.
+        is_close: wherever an invented one with decimals holds, the arm is almost singular.
     """
 
     status: ConditionStatus
     example: tuple[float, ...] | None = None
+    is_close: bool = False
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -232,52 +231,6 @@ def _divisors(arm: SingularArm, bottom: Sequence[Expression]) -> tuple[int, ...]
     return powers
 
 
-def lost_motion_is_right(arm: SingularArm, joints: Sequence[float], given: Sequence[float]) -> bool | None:
-    """Judge a motion that the end lost: λ ≠ 0 with λ · J q̇ = 0 for all q̇.
-
-    Args:
-        arm: which arm, and which motion.
-        joints: a singular configuration.
-        given: λ: what multiplies v, and, of the whole twist, what multiplies ω; in frame 0.
-
-    Returns:
-        Whether it is; None if it is zero, or zero but for motions that the arm never makes.
-    """
-    J, moving = _scaled(arm, joints)
-    vector = np.array(given, dtype=np.float64)
-    vector /= np.abs(vector).max() or 1.0
-    vector[:3] *= arm.size
-    norm = float(np.linalg.norm(vector))
-    if norm == 0.0 or np.linalg.norm(vector[moving]) <= ROUNDED * norm:
-        return None
-    return bool(np.linalg.norm(vector @ J) <= 5 * ROUNDED * norm * float(np.linalg.norm(J)))
-
-
-def lost_motions_at(arm: SingularArm, joints: Sequence[float]) -> list[tuple[float, ...]]:
-    """Return a basis of the motions that are lost in a configuration, the largest component 1."""
-    J, moving = _scaled(arm, joints)
-    left, values, _ = np.linalg.svd(J[moving])
-    usual = arm.usual
-    rank = int((usual > 1e-9 * usual.max(initial=0.0)).sum())
-    kept = int((values[:rank] > LOST * usual[:rank]).sum())
-    found = []
-    for k in range(kept, rank):
-        vector = np.zeros(len(moving))
-        vector[moving] = left[:, k]
-        vector[:3] /= arm.size
-        vector /= vector[np.argmax(np.abs(vector))]
-        found.append(tuple(vector.tolist()))
-    return found
-
-
-def _scaled(arm: SingularArm, joints: Sequence[float]) -> tuple[Floats, NDArray[np.bool_]]:
-    """Return J in the arm's size for a length, and which of its rows are not always zero."""
-    count = 6 if arm.rows is MotionRows.TWIST else 3
-    J = jacobian_at(arm.chain, joints, JacobianFrame.BASE) * arm.units
-    J[:3] /= arm.size
-    return J[:count], arm.moving[:count]
-
-
 def _near(factors: Sequence[Expression], rounded: Sequence[Expression]) -> Rounded:
     """Return what the factors of a condition are with its decimals moved; each moves one of them."""
     found: dict[Expression, tuple[Expression, ...]] = {}
@@ -322,7 +275,11 @@ def _verified(arm: SingularArm, factor: Expression, near: Sequence[Expression]) 
     if (lost <= limit).all() or (lost <= _lost_by_rounding(arm, factor, near, zeros)).all():
         return JudgedCondition(status=ConditionStatus.SINGULAR)
     worst = zeros[:, int(np.argmax(lost))]
-    return JudgedCondition(status=ConditionStatus.INVENTED, example=tuple(worst.tolist()))
+    return JudgedCondition(
+        status=ConditionStatus.INVENTED,
+        example=tuple(worst.tolist()),
+        is_close=holds_decimals(factor) and bool((lost <= CLOSE).all()),
+    )
 
 
 def _lost_by_rounding(

@@ -34,13 +34,12 @@ from exercises.parts.protocol import (
 from exercises.parts.report import Credit, Fact, PartReport, fact, judged, told_from
 from exercises.reading import Reader
 from kinematics.answers.left_open import Rounded
+from kinematics.answers.lost_motions import lost_motion_is_right, lost_motions_at
 from kinematics.answers.singular_arms import SingularArm, arm_of
 from kinematics.answers.singularity_answers import (
     ConditionStatus,
     is_sine_for_cosine,
     judge_singularities,
-    lost_motion_is_right,
-    lost_motions_at,
 )
 from kinematics.cells import Cell
 from kinematics.cells.meaning import Position
@@ -108,6 +107,7 @@ class SingularitiesType(PartType[SingularitiesPart, SingularityCells, Singularit
         **told_from(HelpLevel.REPAIR, "singularity_missing_at"),
         **told_from(HelpLevel.ROW, "singularity_invented"),
         **told_from(HelpLevel.REPAIR, "singularity_invented_at", "singularity_sine_for_cosine"),
+        **told_from(HelpLevel.REPAIR, "singularity_rounded"),
         **told_from(HelpLevel.ROW, "singularity_everywhere"),
         **told_from(HelpLevel.REPAIR, "singularity_half"),
         **told_from(HelpLevel.ROW, "lost_motion_wrong", "lost_motion_zero"),
@@ -304,7 +304,9 @@ def _conditions(
         if entry.example is not None:
             at = _configuration(entry.example, units)
             feedback.append(Feedback(code="singularity_invented_at", params={**params, "at": at}))
-            if is_sine_for_cosine(arm, function):
+            if entry.is_close:
+                feedback.append(Feedback(code="singularity_rounded", params=params))
+            elif is_sine_for_cosine(arm, function):
                 feedback.append(Feedback(code="singularity_sine_for_cosine", params=params))
     missing = [family for family in found.families if family.found < 1.0]
     if missing:

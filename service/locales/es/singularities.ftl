@@ -15,6 +15,7 @@ feedback-singularities_missing = Familias de singularidades halladas: { $found }
 feedback-singularity_missing_at = Ninguna de sus condiciones se cumple en esta configuración singular: { $at }.
 feedback-singularity_invented = La condición { $condition } se cumple también donde el brazo no es singular.
 feedback-singularity_invented_at = La condición { $condition } se cumple en { $at }, donde el brazo no es singular.
+feedback-singularity_rounded = La condición { $condition } se acerca a una singularidad, pero no lo suficiente: calcule con más decimales.
 feedback-singularity_sine_for_cosine = La condición { $condition } es la de una singularidad salvo un cuarto de vuelta: se han confundido seno y coseno.
 feedback-singularity_half = De una familia solo se ha hallado una parte: considere también la otra solución de su ecuación (q = π además de q = 0, el brazo plegado además del extendido).
 feedback-singularity_everywhere = La condición { $condition } se cumple siempre.

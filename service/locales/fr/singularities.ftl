@@ -15,6 +15,7 @@ feedback-singularities_missing = Familles de singularités trouvées : { $found
 feedback-singularity_missing_at = Aucune de vos conditions n’est vérifiée dans cette configuration singulière : { $at }.
 feedback-singularity_invented = La condition { $condition } est aussi vérifiée là où le bras n’est pas singulier.
 feedback-singularity_invented_at = La condition { $condition } est vérifiée en { $at }, où le bras n’est pas singulier.
+feedback-singularity_rounded = La condition { $condition } approche d’une singularité, mais pas assez : calculez avec plus de décimales.
 feedback-singularity_sine_for_cosine = La condition { $condition } est celle d’une singularité à un quart de tour près : sinus et cosinus ont été échangés.
 feedback-singularity_half = D’une famille, une partie seulement est trouvée : pensez aussi à l’autre solution de son équation (q = π outre q = 0, le bras replié outre le bras tendu).
 feedback-singularity_everywhere = La condition { $condition } est toujours vérifiée.

@@ -15,6 +15,7 @@ feedback-singularities_missing = Famílias de singularidades encontradas: { $fou
 feedback-singularity_missing_at = Nenhuma das suas condições se verifica nesta configuração singular: { $at }.
 feedback-singularity_invented = A condição { $condition } verifica-se também onde o braço não é singular.
 feedback-singularity_invented_at = A condição { $condition } verifica-se em { $at }, onde o braço não é singular.
+feedback-singularity_rounded = A condição { $condition } aproxima-se de uma singularidade, mas não o suficiente: calcule com mais casas decimais.
 feedback-singularity_sine_for_cosine = A condição { $condition } é a de uma singularidade a menos de um quarto de volta: seno e cosseno foram trocados.
 feedback-singularity_half = De uma família só se encontrou uma parte: considere também a outra solução da sua equação (q = π além de q = 0, o braço dobrado além do esticado).
 feedback-singularity_everywhere = A condição { $condition } verifica-se sempre.

@@ -15,6 +15,7 @@ feedback-singularities_missing = Familii de singularități găsite: { $found } 
 feedback-singularity_missing_at = Niciuna dintre condițiile dumneavoastră nu este îndeplinită în această configurație singulară: { $at }.
 feedback-singularity_invented = Condiția { $condition } este îndeplinită și acolo unde brațul nu este singular.
 feedback-singularity_invented_at = Condiția { $condition } este îndeplinită în { $at }, unde brațul nu este singular.
+feedback-singularity_rounded = Condiția { $condition } se apropie de o singularitate, dar nu îndeajuns: calculați cu mai multe zecimale.
 feedback-singularity_sine_for_cosine = Condiția { $condition } este cea a unei singularități, decalată cu un sfert de rotație: sinusul și cosinusul au fost schimbate între ele.
 feedback-singularity_half = Dintr-o familie s-a găsit doar o parte: gândiți-vă și la cealaltă soluție a ecuației (q = π pe lângă q = 0, brațul pliat pe lângă cel întins).
 feedback-singularity_everywhere = Condiția { $condition } este îndeplinită mereu.

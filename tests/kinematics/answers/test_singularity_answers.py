@@ -9,13 +9,12 @@ import numpy as np
 import pytest
 
 from exercises.parts.motion.conditions import MOST_CONDITIONS, Condition, read_conditions
+from kinematics.answers.lost_motions import lost_motion_is_right, lost_motions_at
 from kinematics.answers.singular_arms import arm_of
 from kinematics.answers.singularity_answers import (
     ConditionStatus,
     is_sine_for_cosine,
     judge_singularities,
-    lost_motion_is_right,
-    lost_motions_at,
 )
 from kinematics.answers.unit_multiples import never_vanishes
 from kinematics.cells import AngleUnit
@@ -290,6 +289,7 @@ def test_a_condition_is_as_exact_as_its_decimals(unit: str, digits: int) -> None
     off = [f"{angle + step:.{digits}f}{unit}" for angle in angles]
     found = judged(*PUMA, SHOULDER, WRIST, f"q3 = {', '.join(off)}")
     assert [entry.status for entry in found.conditions[2:]] == [ConditionStatus.INVENTED] * 2
+    assert [entry.is_close for entry in found.conditions[2:]] == [digits > 1 or unit == "°"] * 2
     assert sum(entry.found == 0.0 for entry in found.families) == 1
 
 
