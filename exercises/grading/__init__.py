@@ -19,6 +19,7 @@ What is wrong?
   changes        an edit: where, how much, and the table that it leads to
   work           what an edit is tried on
   fitting, joint_places  values and places that fit
+  last_row       the row that leads to the frame which is asked for
   sieve          edits that are seen to fail, without measuring
   trials         all edits at once
   repairs        the smallest edits that mend the table; `in_common` what equally small ones share

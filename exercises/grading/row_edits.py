@@ -10,11 +10,12 @@ from itertools import combinations
 from exercises.grading.cell_edits import RIGHT_ANGLES
 from exercises.grading.changes import ROW_CELLS, Change, Extent, with_row, with_rows
 from exercises.grading.fitting import fitted_table
+from exercises.grading.last_row import last_row
 from exercises.grading.typed import Place
 from exercises.grading.work import VARIABLE_CELLS, Work
 from kinematics.equivalence import ToolRule
 from kinematics.equivalence.batches import CellChange
-from kinematics.table import CELLS, DHRow, JointType, NumericTable
+from kinematics.table import CELLS, DHRow, JointType, NumericRow, NumericTable
 
 # In longer tables only neighbouring rows are exchanged.
 MOST_ROWS_FOR_ALL_PAIRS = 8
@@ -94,6 +95,11 @@ def rows_swapped(work: Work) -> Iterator[Change]:
             yield Change("rows_swapped", Extent.ROW, i, None, tuple(cells), table, _both(i, j), params)
 
 
+def _whole(row: int) -> tuple[Place, ...]:
+    """The places of a row."""
+    return tuple((row, cell) for cell in ROW_CELLS)
+
+
 @lru_cache(maxsize=1024)
 def _both(i: int, j: int) -> tuple[Place, ...]:
     """The places of two rows."""
@@ -121,9 +127,22 @@ def fixed_row_left_out(work: Work) -> Iterator[Change]:
         return
     angles = RIGHT_ANGLES if work.policy.tool is ToolRule.FRAME else RIGHT_ANGLES[:1]
     place = len(work.table.rows)
+    if work.policy.tool is ToolRule.FRAME and not work.kept and (row := _forgotten(work)) is not None:
+        whole = with_rows(work.table, (*work.table.rows, row))
+        params = (("place", place + 1), ("after", place))
+        yield Change("fixed_row_missing", Extent.ROW, place, None, (), whole, _whole(place), params)
+        return
     for change in _put_in(work, "fixed_row_missing", place, JointType.FIXED, angles):
         for theta in angles:
             yield change._replace(cells=(*change.cells, (place, "theta", theta)))
+
+
+def _forgotten(work: Work) -> NumericRow | None:
+    """Return the row that leads to the tool's frame, if the key has more rows or the other convention."""
+    key = work.reference.table
+    if key.convention is work.table.convention and len(key.rows) <= len(work.table.rows):
+        return None
+    return last_row(work)
 
 
 def _places(work: Work) -> Iterator[tuple[int, JointType]]:
@@ -142,7 +161,7 @@ def _put_in(
 ) -> Iterator[Change]:
     """A row put in with each of some twists; its cells are yet to be solved for."""
     table = _with_blank(work.table, place, joint)
-    touched = tuple((place, cell) for cell in ROW_CELLS)
+    touched = _whole(place)
     params = (("place", place + 1), ("after", place))
     for alpha in angles:
         cells = ((place, "alpha", alpha),)

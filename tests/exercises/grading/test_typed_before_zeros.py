@@ -155,3 +155,28 @@ def test_a_row_left_out_beside_a_row_of_zeros_is_missing() -> None:
     key = read("standard", PUMA, "deg")
     verdict = grade(key, read("standard", [(0, 0, 0, 0), *PUMA[:5]], "deg"), AXIS, ARM)
     assert _named(verdict) == [("row_missing", 7)]
+
+
+@pytest.mark.parametrize("zero", list(ZeroRule))
+@pytest.mark.parametrize("convention", ["standard", "modified"])
+@pytest.mark.parametrize(
+    "last", [(90, 0, 0.25, 0), (-90, 0.15, 0.25, 180), (30, 0.1, -0.2, 40), (0, 0, 0.3, 90)]
+)
+def test_a_forgotten_last_row_with_an_offset(
+    convention: str, last: tuple[float, ...], zero: ZeroRule
+) -> None:
+    """No invariant shows the offset: what leads from the last frame to the prescribed one does."""
+    rows: Rows = [(-90, 0, 0.5, "q1"), (90, 0.4, 0.1, "q2"), (60, 0.1, 0.2, "q3"), last]
+    policy = Policy(base=BaseRule.FRAME, tool=ToolRule.FRAME, zero=zero)
+    key, answer = read(convention, rows, "deg"), read(convention, rows[:-1], "deg")
+    assert ["fixed_row_missing"] in [
+        [edit.code for edit in repair.edits] for repair in grade(key, answer, policy).repairs
+    ]
+
+
+@pytest.mark.parametrize("convention", ["standard", "modified"])
+def test_a_forgotten_last_row_behind_a_slider(convention: str) -> None:
+    rows: Rows = [(-90, 0, 0.5, "q1"), (90, 0.1, "q2", 30), (60, 0.1, 0.2, 45)]
+    policy = Policy(base=BaseRule.FRAME, tool=ToolRule.FRAME)
+    verdict = grade(read(convention, rows, "deg"), read(convention, rows[:-1], "deg"), policy)
+    assert ["fixed_row_missing"] in [[edit.code for edit in repair.edits] for repair in verdict.repairs]
