@@ -64,7 +64,9 @@ MOST_JOINTS = 6
 _UNIT: tuple[Axis, ...] = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
 
 
-def inverse_form(table: SymbolicTable, taken: Sequence[str] = ()) -> InverseForm:
+def inverse_form(
+    table: SymbolicTable, taken: Sequence[str] = (), tip: Vector = (ZERO, ZERO, ZERO)
+) -> InverseForm:
     """Return the inverse kinematics of a table in closed form.
 
     Angles come out beyond (-π, π] where two are added; they are right up to full turns. Each branch sign may
@@ -73,11 +75,12 @@ def inverse_form(table: SymbolicTable, taken: Sequence[str] = ()) -> InverseForm
     Args:
         table: the DH table; lengths may be numbers or parameters.
         taken: names that nothing else may have, besides those of the parameters.
+        tip: the point whose position the target gives, in frame N.
 
     Raises:
         TableError: code `inverse_form_unknown` of an arm that is not taken apart so.
     """
-    arm = signed_arm_of(table)
+    arm = signed_arm_of(table, tip)
     if arm is not None and 1 <= len(arm.joints) <= MOST_JOINTS:
         for parts in _partitions(arm):
             form = _Writer(arm, parts, (*table_parameters(table), *taken)).form()

@@ -18,10 +18,12 @@ _POSITION = ("t_x", "t_y", "t_z")
 def with_base_and_tool(
     form: InverseForm, base: Matrix | None, tool: Matrix | None, taken: Sequence[str] = ()
 ) -> InverseForm:
-    """Return the form for targets base · ⁰T_N · tool, its first steps ⁰T_N = base⁻¹ · target · tool⁻¹.
+    """Return the form for targets base · ⁰T_N · tool.
+
+    Its first steps take the target to frame 0, and its rotation to that of frame N.
 
     Args:
-        form: for ⁰T_N.
+        form: for the rotation of frame N and the position of the tool, its `tip`.
         base: 4×4 pose of frame 0 in the world, or None.
         tool: 4×4 pose of the tool in frame N, or None.
         taken: names that nothing else may have.
@@ -34,21 +36,16 @@ def with_base_and_tool(
     position = tuple(name + mark for name in _POSITION)
     R: Matrix = [[Parameter(name) for name in row] for row in rotation]
     p: Sequence[Expression] = [Parameter(name) for name in position]
-    if tool is not None:  # R toolᵀ, p - R toolᵀ t
+    if tool is not None:  # R toolᵀ
         R = _product(R, _transposed(tool))
-        p = _moved(R, [row[3] for row in tool[:3]], p)
     if base is not None:  # baseᵀ R, baseᵀ (p - b)
         back = _transposed(base)
         off = [add((x, negate(row[3]))) for x, row in zip(p, base[:3], strict=True)]
         R = _product(back, R)
         p = [add(multiply(pair) for pair in zip(row, off, strict=True)) for row in back]
     values = dict(zip(chain(*form.rotation, form.position), chain(*R, p), strict=True))
-    needed = {
-        node.name
-        for value in (step.value for step in form.steps)
-        for node in walk(value)
-        if isinstance(node, Parameter)
-    }
+    written = (*(step.value for step in form.steps), *form.zeros)
+    needed = {node.name for value in written for node in walk(value) if isinstance(node, Parameter)}
     first = [InverseStep(name=name, value=value) for name, value in values.items() if name in needed]
     return replace(form, steps=(*first, *form.steps), rotation=rotation, position=position)
 
@@ -61,12 +58,4 @@ def _product(A: Matrix, B: Matrix) -> Matrix:
     columns = list(zip(*B, strict=True))
     return [
         [add(multiply(pair) for pair in zip(row, column, strict=True)) for column in columns] for row in A
-    ]
-
-
-def _moved(R: Matrix, t: Sequence[Expression], p: Sequence[Expression]) -> list[Expression]:
-    """Return p - R t."""
-    return [
-        add((x, *(negate(multiply(pair)) for pair in zip(row, t, strict=True))))
-        for x, row in zip(p, R, strict=True)
     ]

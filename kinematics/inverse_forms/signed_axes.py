@@ -64,7 +64,7 @@ class SignedArm:
 
     Attributes:
         joints: base first.
-        end: position of the hand at θ = 0.
+        end: position of the tip at θ = 0.
         columns: the x, y and z axis of the hand at θ = 0.
     """
 
@@ -73,8 +73,13 @@ class SignedArm:
     columns: tuple[Axis, Axis, Axis]
 
 
-def signed_arm_of(table: SymbolicTable) -> SignedArm | None:
-    """Return the arm of a table, or None if an axis is not at right angles to the others."""
+def signed_arm_of(table: SymbolicTable, tip: Vector = (ZERO, ZERO, ZERO)) -> SignedArm | None:
+    """Return the arm of a table, or None if an axis is not at right angles to the others.
+
+    Args:
+        table: the DH table.
+        tip: what is to be placed, a point in frame N.
+    """
     walker = _Walker(table)
     for row in motions_of(table):
         for motion in row:
@@ -82,7 +87,8 @@ def signed_arm_of(table: SymbolicTable) -> SignedArm | None:
                 return None
     if walker.ahead != ZERO:
         return None
-    return SignedArm(joints=tuple(walker.joints), end=walker.point, columns=walker.columns)
+    x, y, z = (along(axis, tip) for axis in zip(*walker.columns, strict=True))
+    return SignedArm(joints=tuple(walker.joints), end=plus(walker.point, (x, y, z)), columns=walker.columns)
 
 
 class _Walker:

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from itertools import chain
 from typing import Any
 
 from kinematics.errors import Fault, FormSizeError
-from kinematics.expressions import Expression, JointVariable, Parameter, walk
+from kinematics.expressions import ZERO, Expression, JointVariable, Parameter, walk
 from kinematics.inverse_forms import InverseCondition, InverseForm, inverse_form
 from kinematics.inverse_forms.outer_frames import with_base_and_tool
+from kinematics.inverse_forms.signed_axes import Vector
 from kinematics.printing import LIMIT, Notation
 from kinematics.printing.equation_lists import (
     MISFIT,
@@ -65,7 +66,7 @@ def written_inverse(task: InverseFormTask) -> bytes:
     """
     parameters = task.parameters
     with located("table"):
-        form = inverse_form(task.table, taken=task.variables)
+        form = inverse_form(task.table, task.variables, _tip(task.tool))
     form = with_base_and_tool(form, task.base, task.tool, (*parameters, *task.variables))
     expressions = [*(step.value for step in form.steps), *_values_of(form)]
     if count_operations(expressions) > LIMIT:
@@ -114,6 +115,12 @@ def written_inverse(task: InverseFormTask) -> bytes:
     if task.notation is Notation.SHORT:
         answer["symbols"] = symbols_of(names, expressions)
     return SymbolicInverseAnswer(**answer).model_dump_json(by_alias=True, exclude_none=True).encode()
+
+
+def _tip(tool: Sequence[Sequence[Expression]] | None) -> Vector:
+    """The tool's origin in frame N."""
+    x, y, z = (ZERO, ZERO, ZERO) if tool is None else (row[3] for row in tool[:3])
+    return x, y, z
 
 
 def _values_of(form: InverseForm) -> list[Expression]:

@@ -69,6 +69,37 @@ def test_code_with_base_and_tool_reaches_the_target(client: httpx.Client) -> Non
     assert len(solutions) == 8
 
 
+@pytest.mark.parametrize("robot", ["onelink", "scara", "twolink", "uw"])
+def test_every_branch_brings_the_tool_to_the_target(client: httpx.Client, robot: str) -> None:
+    """Arms of few joints: with a base, a tool beside the last axis, and code for what must be zero."""
+    placed = {"base": [0.1, -0.2, 0.3, 20, 0, 0], "tool": [0.1, 0.05, -0.02, 30, 40, 50]}
+    forward = {"robot": robot, "joints": [20, -40, 0.1 if robot == "scara" else 30, 30], **placed}
+    forward["joints"] = forward["joints"][: {"onelink": 1, "twolink": 2, "uw": 3}.get(robot, 4)]
+    target = np.array(client.post("/api/v1/forward-kinematics", json=forward).json()["transform"])
+    answer = asked(client, robot=robot, formats=["python"], **placed)
+    space: dict[str, Any] = {"inverse_kinematics_misfit": lambda *_: [0.0]}
+    for code in ("code", "misfit_code"):
+        exec(answer.get(code, {}).get("python", ""), space)
+    known = dict(client.get(f"/api/v1/robots/{robot}").json()["parameters"])
+    for i, row in enumerate(answer["target"]["rotation"]):
+        known |= {name: target[i, j] for j, name in enumerate(row)}
+    known |= dict(zip(answer["target"]["position"], target[:3, 3], strict=True))
+    for signs in itertools.product((1.0, -1.0), repeat=len(answer["branches"])):
+        values = known | dict(zip(answer["branches"], signs, strict=True))
+        arguments = [values[name] for name in answer["arguments"]]
+        try:
+            q = np.degrees(space["inverse_kinematics"](*arguments)).tolist()
+        except ValueError:  # this branch does not exist
+            assert robot == "uw"
+            continue
+        assert np.abs(space["inverse_kinematics_misfit"](*arguments)).max() < 1e-12
+        if robot == "scara":
+            q[2] = math.radians(q[2])
+        pose = client.post("/api/v1/forward-kinematics", json={**forward, "joints": q}).json()["transform"]
+        off = np.abs(np.array(pose) - target)
+        assert (off[:3, 3] if answer["target"]["reach"] == "position" else off).max() < 1e-12
+
+
 def test_only_an_arm_that_cannot_have_every_pose_comes_with_its_misfit(client: httpx.Client) -> None:
     formats = ["c", "python"]
     assert "misfit_code" not in asked(client, robot="puma560", formats=formats)
