@@ -233,13 +233,13 @@ option-twists_all_reversed = every α has the wrong sign
 option-variable_sign = a joint variable counts the wrong way
 option-same = the same robot
 option-different = different robots
-option-axis_reversed = only a z axis, or a joint variable, is reversed
-option-x_turned = only an x axis is turned, and the variable is zero elsewhere
-option-origin_moved = only an origin lies elsewhere
-option-other_convention = only the convention is a different one
+option-axis_reversed = the frames differ: a z axis, or a joint variable, is reversed
+option-x_turned = the frames differ: an x axis is turned, and the variable is zero elsewhere
+option-origin_moved = the frames differ: an origin lies elsewhere, or the first or last frame stands differently
+option-other_convention = the frames differ: the convention is another one
 option-twist = the angle between two axes differs
 option-length = the distance between two axes differs
-option-offset = an offset along an axis differs
+option-offset = an offset along an axis, or a constant angle about it, differs
 given-table-with-mistake = The table with a mistake ({ $convention ->
     [modified] modified convention
    *[standard] standard convention

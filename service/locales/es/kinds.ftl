@@ -233,13 +233,13 @@ option-twists_all_reversed = todas las α tienen el signo equivocado
 option-variable_sign = una variable articular cuenta al revés
 option-same = el mismo robot
 option-different = robots distintos
-option-axis_reversed = solo un eje z, o una variable articular, está invertido
-option-x_turned = solo un eje x está girado, y la variable vale cero en otro lugar
-option-origin_moved = solo un origen está en otro lugar
-option-other_convention = solo la convención es otra
+option-axis_reversed = los sistemas difieren: un eje z, o una variable articular, está invertido
+option-x_turned = los sistemas difieren: un eje x está girado, y la variable vale cero en otro lugar
+option-origin_moved = los sistemas difieren: un origen está en otro lugar, o el primer o el último sistema está colocado de otra manera
+option-other_convention = los sistemas difieren: la convención es otra
 option-twist = el ángulo entre dos ejes es distinto
 option-length = la distancia entre dos ejes es distinta
-option-offset = un desplazamiento a lo largo de un eje es distinto
+option-offset = un desplazamiento a lo largo de un eje, o un ángulo constante en torno a él, es distinto
 given-table-with-mistake = La tabla con un error ({ $convention ->
     [modified] convención modificada
    *[standard] convención estándar

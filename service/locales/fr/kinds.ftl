@@ -233,13 +233,13 @@ option-twists_all_reversed = tous les α ont le mauvais signe
 option-variable_sign = une variable articulaire est comptée à l’envers
 option-same = le même robot
 option-different = des robots différents
-option-axis_reversed = seul un axe z, ou une variable articulaire, est inversé
-option-x_turned = seul un axe x est tourné, et le zéro de la variable est ailleurs
-option-origin_moved = seule une origine est ailleurs
-option-other_convention = seule la convention est autre
+option-axis_reversed = les repères diffèrent : un axe z, ou une variable articulaire, est inversé
+option-x_turned = les repères diffèrent : un axe x est tourné, et le zéro de la variable est ailleurs
+option-origin_moved = les repères diffèrent : une origine est ailleurs, ou le premier ou le dernier repère est placé autrement
+option-other_convention = les repères diffèrent : la convention est autre
 option-twist = l’angle entre deux axes diffère
 option-length = la distance entre deux axes diffère
-option-offset = un décalage le long d’un axe diffère
+option-offset = un décalage le long d’un axe, ou un angle constant autour de lui, diffère
 given-table-with-mistake = Le tableau qui contient une erreur ({ $convention ->
     [modified] convention modifiée
    *[standard] convention standard

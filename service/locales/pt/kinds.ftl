@@ -233,13 +233,13 @@ option-twists_all_reversed = todos os α têm o sinal errado
 option-variable_sign = uma variável de junta conta ao contrário
 option-same = o mesmo robô
 option-different = robôs diferentes
-option-axis_reversed = só um eixo z, ou uma variável de uma junta, está invertido
-option-x_turned = só um eixo x está rodado, e a variável é zero noutro lugar
-option-origin_moved = só uma origem está noutro lugar
-option-other_convention = só a convenção é outra
+option-axis_reversed = os referenciais diferem: um eixo z, ou uma variável de uma junta, está invertido
+option-x_turned = os referenciais diferem: um eixo x está rodado, e a variável é zero noutro lugar
+option-origin_moved = os referenciais diferem: uma origem está noutro lugar, ou o primeiro ou o último referencial está colocado de outra forma
+option-other_convention = os referenciais diferem: a convenção é outra
 option-twist = o ângulo entre dois eixos é diferente
 option-length = a distância entre dois eixos é diferente
-option-offset = um deslocamento ao longo de um eixo é diferente
+option-offset = um deslocamento ao longo de um eixo, ou um ângulo constante em torno dele, é diferente
 given-table-with-mistake = A tabela com um erro ({ $convention ->
     [modified] convenção modificada
    *[standard] convenção standard

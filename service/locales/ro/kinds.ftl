@@ -234,13 +234,13 @@ option-twists_all_reversed = toate valorile α au semnul greșit
 option-variable_sign = o variabilă de cuplă are sensul greșit
 option-same = același robot
 option-different = roboți diferiți
-option-axis_reversed = doar o axă z, sau o variabilă a unei cuple, este inversată
-option-x_turned = doar o axă x este rotită, iar zeroul variabilei este în altă parte
-option-origin_moved = doar o origine se află în altă parte
-option-other_convention = doar convenția este alta
+option-axis_reversed = sistemele diferă: o axă z, sau o variabilă a unei cuple, este inversată
+option-x_turned = sistemele diferă: o axă x este rotită, iar zeroul variabilei este în altă parte
+option-origin_moved = sistemele diferă: o origine se află în altă parte, sau primul ori ultimul sistem stă altfel
+option-other_convention = sistemele diferă: convenția este alta
 option-twist = unghiul dintre două axe diferă
 option-length = distanța dintre două axe diferă
-option-offset = un decalaj de-a lungul unei axe diferă
+option-offset = un decalaj de-a lungul unei axe, sau un unghi constant în jurul ei, diferă
 given-table-with-mistake = Tabelul cu o greșeală ({ $convention ->
     [modified] convenția modificată
    *[standard] convenția standard

@@ -24,6 +24,7 @@ from exercises.parts.mistakes.planting import Planted
 from exercises.selftest.answers import context_of
 from kinematics.cells import AngleUnit, LengthUnit, RawRow, RawTable, read_table
 from kinematics.table import Convention, JointType
+from service.messages import sentence
 from tests.exercises.packaged import exercise
 from tests.exercises.parts.planted_tables import asked
 
@@ -98,6 +99,18 @@ def test_every_true_reason_is_right_and_no_other() -> None:
         verdicts |= {same for same, _ in full}
         assert {report.score for report in reports.values()} == {0, 0.5, 1}
     assert verdicts == set(SameRobot)
+
+
+@pytest.mark.parametrize(
+    ("language", "only"),
+    [("en", "only"), ("es", "solo"), ("fr", "seul"), ("pt", "só"), ("ro", "doar"), ("uk", "лише")],
+)
+def test_no_reason_claims_to_be_the_only_difference(language: str, only: str) -> None:
+    """All four may be true of two tables."""
+    for reason in SAME:
+        text = sentence(language, f"option-{reason.value}")
+        assert text
+        assert only not in text.split()[0]
 
 
 def test_reasons_across_conventions_name_reversed_axes_and_moved_ends_too() -> None:
