@@ -123,20 +123,22 @@ class FindMistakeType(MistakeType[MistakePart, FoundMistakeCells, FoundMistake])
         """Return a third each for place, name and repair; a repair that does says where the mistake was."""
         found: Planted = context.instance.drawn[self.kind]
         key, policy, values = context.reference, as_given(context.policy), context.parameters
-        rows, names = {found.row}, {found.code}
+        pairs = {(found.row, found.code)}
         if answer.row not in (None, found.row) or answer.name not in (None, found.code):
             verdict = explanations(found, key, policy, values)
             single = [repair.edits[0] for repair in verdict.repairs if len(repair.edits) == 1]
-            rows |= {edit.row - 1 for edit in single if edit.row is not None}
-            names |= {REPAIRS[edit.code] for edit in single if edit.code in REPAIRS}
+            pairs |= {(edit.row - 1, REPAIRS.get(edit.code, "")) for edit in single if edit.row is not None}
         mended = answer.mended is not None and (
             _same_links(key.table, answer.mended.table, values)
             or is_accepted(key, answer.mended, policy, values)
         )
+        rows = {row for row, _ in pairs}
+        here = {name for row, name in pairs if answer.row == row or answer.row not in rows}
+        named = answer.name in here - {""} and not (mended and not _changes(found.table, answer))
         return self.report(
             part,
             FoundStep(mended or answer.row in rows, answer.row),
-            FoundStep(answer.name in names, answer.name),
+            FoundStep(named, answer.name),
             FoundStep(mended, answer.mended),
         )
 
@@ -172,6 +174,20 @@ def _mended(
     placed = [_placed(fault, names) for fault in reading.faults[before:]]
     reading.faults[before:] = sorted(placed, key=lambda fault: [str(step) for step in fault.where])
     return own
+
+
+def _changes(shown: ReadTable, answer: FoundMistake) -> bool:
+    """Return whether the mended row is another one in each cell that the named mistake is about."""
+    assert answer.mended is not None
+    assert answer.row is not None
+    before, after = shown.table.rows[answer.row], answer.mended.table.rows[answer.row]
+    cells = [cell for cell in ("alpha", "a", "d") if cell in (answer.name or "").split("_")]
+    return all(
+        not _same_angle(before.alpha, after.alpha)
+        if cell == "alpha"
+        else getattr(before, cell) != getattr(after, cell)
+        for cell in cells
+    )
 
 
 def _same_links(key: SymbolicTable, table: SymbolicTable, values: Mapping[str, float]) -> bool:

@@ -20,7 +20,7 @@ from exercises.parts.mistakes.compare_tables import (
     true_reasons,
 )
 from exercises.parts.mistakes.find_mistake import PART, FoundMistakeCells
-from exercises.parts.mistakes.planting import Planted
+from exercises.parts.mistakes.planting import PLANTABLE, Planted
 from exercises.selftest.answers import context_of
 from kinematics.cells import AngleUnit, LengthUnit, RawRow, RawTable, read_table
 from kinematics.table import Convention, JointType
@@ -46,6 +46,19 @@ def test_place_name_and_repair_earn_a_third_each(name) -> None:
     assert judged(found, "3", find_mistake=whole).score == 1
     assert judged(found, "3", find_mistake=replace(whole, mended=None)).score == pytest.approx(2 / 3)
     assert judged(found, "3", find_mistake=FoundMistakeCells(name=whole.name)).score == pytest.approx(1 / 3)
+
+
+@pytest.mark.parametrize("seed", [str(seed) for seed in range(8)])
+def test_a_name_is_of_the_row_and_of_what_its_repair_changes(seed: str) -> None:
+    """Where several single repairs do, the name of one does not go with the place or the row of another."""
+    found = asked("puma560")
+    planted: Planted = generate(found, seed).drawn["find_mistake"]
+    answer = right(found, seed)
+    named = {name: judged(found, seed, find_mistake=replace(answer, name=name)).correct for name in PLANTABLE}
+    assert named[planted.code]
+    about = {cell for cell in planted.code.split("_") if cell in ("alpha", "a", "d")}
+    other = [name for name in PLANTABLE if not set(name.split("_")) & about]
+    assert not any(named[name] for name in other)
 
 
 def test_a_mended_row_needs_its_variable() -> None:
