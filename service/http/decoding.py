@@ -235,7 +235,7 @@ def _refuse_wide(value: Any, limits: JsonLimits) -> None:
 
 def _duplicate_faults(body: bytes) -> Iterator[Fault]:
     try:
-        found = [*_duplicates(body)] if len(body) <= LONGEST_SEARCHED else []
+        found = [*islice(_duplicates(body), _MOST_FAULTS)] if len(body) <= LONGEST_SEARCHED else []
     except RecursionError:  # Python's reader goes less deep than the one that took the body
         found = []
     for where in found:

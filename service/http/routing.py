@@ -84,7 +84,8 @@ class ApiRequest(Request):
         count = self.settings.batch_limit
         self.body_limit = self.settings.batch_body_limit
         self.json_limits = JsonLimits(
-            lists=JsonLimits.lists + count,
+            objects=ONE_ROBOT.objects,
+            lists=ONE_ROBOT.lists + count,
             values=JsonLimits.values + VALUES_A_CONFIGURATION * count,
             quotes=QUOTES_BESIDE_A_BATCH,
             long=frozenset({"joints"}),

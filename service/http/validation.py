@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import types
 from collections.abc import Iterable, Sequence
-from typing import Any, Union, get_args, get_origin
+from typing import Any, TypeAlias, Union, get_args, get_origin
 
 from pydantic import BaseModel, TypeAdapter, ValidationError
 from pydantic_core import ErrorDetails
@@ -55,6 +55,8 @@ CHOICE = "\0"
 _PYDANTIC_TYPES = frozenset(get_args(ErrorType))
 _QUOTED = re.compile(r"'[^']*'")
 _BOUNDS = ("ge", "gt", "le", "lt")
+_Allowed: TypeAlias = dict[tuple[int | str, ...], tuple[str, ...]]
+"""Names of the fields that an object may have, by its place; many unknown ones stand in one object."""
 _PARTS = {part.value: part for part in RequestPart}
 
 
@@ -74,7 +76,8 @@ def validated(adapter: TypeAdapter[Any], value: object) -> Any:
 
 def faults_of(errors: Iterable[ErrorDetails], model: Any = None) -> tuple[Fault, ...]:
     """Return one fault for each of pydantic's findings, at its place below the validated value."""
-    return tuple(_fault(error, _place(error["loc"]), model) for error in errors)
+    allowed: _Allowed = {}
+    return tuple(_fault(error, _place(error["loc"]), model, allowed) for error in errors)
 
 
 def request_error(errors: Sequence[Any], body_model: Any = None, most: int = MOST_FAULTS) -> RequestError:
@@ -88,7 +91,8 @@ def request_error(errors: Sequence[Any], body_model: Any = None, most: int = MOS
     first = _part(errors[0])
     found = [error for error in errors if _part(error) is first]
     model = body_model if first is RequestPart.BODY else None
-    faults = [_fault(error, _place(error["loc"][1:]), model) for error in found[:most]]
+    allowed: _Allowed = {}
+    faults = [_fault(error, _place(error["loc"][1:]), model, allowed) for error in found[:most]]
     return RequestError(faults, part=first, unlisted=max(0, len(found) - most))
 
 
@@ -96,7 +100,7 @@ def _part(error: Any) -> RequestPart:
     return _PARTS.get(str(error["loc"][0]), RequestPart.BODY) if error["loc"] else RequestPart.BODY
 
 
-def _fault(error: ErrorDetails, where: tuple[int | str, ...], model: Any) -> Fault:
+def _fault(error: ErrorDetails, where: tuple[int | str, ...], model: Any, allowed: _Allowed) -> Fault:
     kind, context = error["type"], error.get("ctx") or {}
     code = CODES.get(kind, kind if kind not in _PYDANTIC_TYPES else "value_invalid")
     if code == "object_expected" and not where:
@@ -104,8 +108,9 @@ def _fault(error: ErrorDetails, where: tuple[int | str, ...], model: Any) -> Fau
     params: dict[str, ParamValue] = {"field": _name(where)}
     params |= {name: _plain(value) for name, value in context.items() if name != "error"}
     if code == "field_unknown":
-        allowed = _fields_at(model, where[:-1])
-        params["allowed"] = tuple(allowed)
+        if where[:-1] not in allowed:
+            allowed[where[:-1]] = tuple(_fields_at(model, where[:-1]))
+        params["allowed"] = allowed[where[:-1]]
     elif code in ("number_too_small", "number_too_large"):
         params = {"limit": next(_plain(context[name]) for name in _BOUNDS if name in context)}
     elif code in ("list_too_long", "string_too_long"):

@@ -11,13 +11,20 @@ from pydantic import TypeAdapter
 
 from exercises.grading import Verdict, accept, grade
 from kinematics.cells import ReadTable, read_table
+from service.http.decoding import JsonLimits
 from service.http.languages import language_of
 from service.http.openapi import problems, request_body
 from service.http.problems import located
 from service.http.routing import JSON, ApiRequest, BytesResponse, DirectRoute, api_router
 from service.http.validation import validated
 from service.schemas import examples_grading as examples
-from service.schemas.grading import GradeBody, GradeManyRequest, GradeOneRequest, ManyVerdicts
+from service.schemas.grading import (
+    MOST_SUBMISSIONS,
+    GradeBody,
+    GradeManyRequest,
+    GradeOneRequest,
+    ManyVerdicts,
+)
 from service.schemas.verdicts import VerdictModel
 from service.wire.many_grades import lines, members, verdicts
 from service.wire.ungraded import answer_refused
@@ -33,6 +40,9 @@ LONG_CELL = 48
 _REQUEST: TypeAdapter[GradeOneRequest] = TypeAdapter(GradeOneRequest)
 _MANY: TypeAdapter[GradeManyRequest] = TypeAdapter(GradeManyRequest)
 NDJSON = "application/x-ndjson"
+
+MANY_TABLES = JsonLimits(lists=4 * MOST_SUBMISSIONS)
+"""Lists of as many tables as one request may hold: each has one, and a few stand beside them."""
 
 
 @router.post(
@@ -52,6 +62,7 @@ async def grade_table(request: ApiRequest) -> Response:
     With `submissions` instead of `submission`, many tables are judged by one key: the verdicts come in their
     order, as one JSON object or, where `application/x-ndjson` is accepted, line by line as they are found.
     """
+    request.json_limits = MANY_TABLES
     body = await request.json()
     if isinstance(body, dict) and "submissions" in body:
         return await _many(request, body)

@@ -37,7 +37,7 @@ from service.http.languages import language_for
 from service.http.link_guard import switched_off
 from service.http.openapi import problems
 from service.http.problems import RequestError
-from service.http.routing import ApiRequest, api_router
+from service.http.routing import ApiRequest, OneRobotRoute, api_router
 from service.resources import resources_of
 from service.schemas.understanding import (
     Meaning,
@@ -49,7 +49,7 @@ from service.schemas.understanding import (
 from service.settings import Settings
 from service.wire.fault_entries import fault_entries
 
-router = api_router("kinematics")
+router = api_router("kinematics", route_class=OneRobotRoute)
 
 EXAMPLES: dict[str, Example] = {
     "a table with an empty cell and an open bracket": {

@@ -2,9 +2,19 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, TypeAlias
+from typing import Annotated, Any, TypeAlias, TypeVar
 
-from pydantic import BaseModel, BeforeValidator, ConfigDict, Discriminator, Field, Tag, WithJsonSchema
+from pydantic import (
+    BaseModel,
+    BeforeValidator,
+    ConfigDict,
+    Discriminator,
+    Field,
+    GetJsonSchemaHandler,
+    Tag,
+    WithJsonSchema,
+)
+from pydantic_core import CoreSchema
 
 from kinematics.frames.axes import MAX_COORDINATE
 from service.http.validation import CHOICE
@@ -29,6 +39,49 @@ class Wire(BaseModel):
 LONGEST_LIST = 256
 """Most items of a list in a request, and most names of an object: far above any robot, and few enough to be
 validated in a millisecond whatever they are. What a list means usually sets a narrower limit."""
+
+
+_FEW, _MANY = CHOICE + "few", CHOICE + "many"
+_Item = TypeVar("_Item")
+
+
+def by_size(items: int, wide: int) -> Discriminator:
+    """Return what tells a short list of small items from any other: all that is wrong with it is told.
+
+    Pydantic collects every finding before any is told, so those of lists in lists are as many as the
+    product of their lengths: of a list that is none of the usual, the first item that is wrong is enough.
+
+    Args:
+        items: most items of a short list.
+        wide: most fields or items of a small item.
+    """
+
+    def size(given: Any) -> str:
+        if not isinstance(given, list):
+            return _FEW
+        large = len(given) > items or any(isinstance(i, list | dict) and len(i) > wide for i in given)
+        return _MANY if large else _FEW
+
+    return Discriminator(size)
+
+
+class _OneForm:
+    """Describes a choice whose branches look alike as one of them."""
+
+    def __get_pydantic_json_schema__(
+        self, schema: CoreSchema, handler: GetJsonSchemaHandler
+    ) -> dict[str, Any]:
+        (form,) = handler(schema)["oneOf"]
+        return dict(form)
+
+
+Listed: TypeAlias = Annotated[
+    Annotated[list[_Item], Field(max_length=LONGEST_LIST), Tag(_FEW)]
+    | Annotated[list[_Item], Field(max_length=LONGEST_LIST, fail_fast=True), Tag(_MANY)],
+    by_size(16, 32),
+    _OneForm(),
+]
+"""A list of objects, such as rows or links."""
 
 
 def _whole(value: Any) -> Any:
@@ -58,19 +111,24 @@ Coordinates: TypeAlias = Annotated[list[Coordinate], Field(min_length=3, max_len
 """A point or a direction of an axis or a frame; `kinematics.frames.axes` refuses larger ones."""
 
 _FOUR = {"minItems": 4, "maxItems": 4}
-Matrix4: TypeAlias = Annotated[
-    list[Annotated[list[Real], Field(max_length=LONGEST_LIST)]],
-    Field(max_length=LONGEST_LIST),
-    WithJsonSchema(
-        {
-            "type": "array",
-            "items": {"type": "array", "items": {"type": "number"}, **_FOUR},
-            **_FOUR,
-            "description": "4×4, row by row",
-        }
-    ),
+_MATRIX4 = WithJsonSchema(
+    {
+        "type": "array",
+        "items": {"type": "array", "items": {"type": "number"}, **_FOUR},
+        **_FOUR,
+        "description": "4×4, row by row",
+    }
+)
+_Numbers = Annotated[list[Real], Field(max_length=LONGEST_LIST)]
+_SomeNumbers = Annotated[list[Real], Field(max_length=LONGEST_LIST, fail_fast=True)]
+Matrix4: TypeAlias = Annotated[list[_Numbers], Field(max_length=LONGEST_LIST), _MATRIX4]
+GivenMatrix4: TypeAlias = Annotated[
+    Annotated[list[_Numbers], Field(max_length=LONGEST_LIST), Tag(_FEW)]
+    | Annotated[list[_SomeNumbers], Field(max_length=LONGEST_LIST, fail_fast=True), Tag(_MANY)],
+    by_size(4, 4),
+    _MATRIX4,
 ]
-"""Its shape is checked with its meaning, by `kinematics.se3.check_transform`."""
+"""A pose of a request. Its shape is checked with its meaning, by `kinematics.se3.check_transform`."""
 
 
 class FaultEntry(Wire):

@@ -11,7 +11,7 @@ from pydantic_core import PydanticCustomError
 from kinematics.cells import AngleUnit, LengthUnit
 from kinematics.table import JointType
 from kinematics.urdf import MAX_CHARACTERS
-from service.schemas.base import Matrix4, Real, Vector3, Wire
+from service.schemas.base import GivenMatrix4, Real, Vector3, Wire
 from service.schemas.choices import forbidding, not_one_of, together
 from service.schemas.joint_limits import JointRanges, Range
 from service.schemas.pose_input import PoseInput
@@ -181,7 +181,7 @@ class ProductAnswer(JointsAnswer):
     """T(q) = exp([S_1] q_1) ⋯ exp([S_n] q_n) · home, q in radians and in the length unit."""
 
     screws: list[ScrewModel] = Field(description="S_1 … S_n at q = 0, in the axes of the world")
-    home: Matrix4 = Field(description="the pose of the end frame at q = 0")
+    home: GivenMatrix4 = Field(description="the pose of the end frame at q = 0")
 
 
 class UrdfAnswer(Units):

@@ -10,7 +10,7 @@ from pydantic_core import PydanticCustomError
 
 from kinematics.dynamics.reading import RawBody
 from kinematics.printing import Notation
-from service.schemas.base import LONGEST_LIST, Real, Wire
+from service.schemas.base import LONGEST_LIST, Listed, Real, Wire
 from service.schemas.examples import TWO_LINKS
 from service.schemas.robot_question import RobotQuestion
 from service.schemas.symbolic_request import (
@@ -64,7 +64,7 @@ class LinkBody(Wire):
 class WeighedRobot(RobotQuestion):
     """A robot and what its links weigh."""
 
-    links: Annotated[list[LinkBody], Field(max_length=LONGEST_LIST)] | None = Field(
+    links: Listed[LinkBody] | None = Field(
         None,
         description="one for each row of the table, fixed rows too; `puma560` brings its own",
     )

@@ -33,9 +33,9 @@ class NumericInverseKinematicsRequest(RobotQuestion):
     )
 
     target: PoseInput | None = Field(None, description="the wanted pose of the tool in the world")
-    targets: Annotated[list[PoseInput], Field(min_length=1, max_length=MOST_TARGETS)] | None = Field(
-        None, description="or many of them; the answer then holds one answer for each, in their order"
-    )
+    targets: (
+        Annotated[list[PoseInput], Field(min_length=1, max_length=MOST_TARGETS, fail_fast=True)] | None
+    ) = Field(None, description="or many of them; the answer then holds one answer for each, in their order")
     position: Vector3 | None = Field(
         None,
         description="or where its origin has to be; with neither quaternion nor axis its orientation is free",

@@ -17,14 +17,11 @@ def _shape_of(joints: Any) -> str:
     return CHOICE + ("batch" if batch else "one")
 
 
-LONGEST_CONFIGURATION = 1024
-"""Most values of a single configuration, each of which is told what is wrong with it."""
-
 Configuration: TypeAlias = Annotated[list[Real], Field(max_length=LONGEST_LIST, fail_fast=True)]
 """One value a joint. A batch may have millions: the first that is no number is named, and no more."""
 
 Joints: TypeAlias = Annotated[
-    Annotated[list[Real], Field(max_length=LONGEST_CONFIGURATION), Tag(CHOICE + "one")]
+    Annotated[list[Real], Field(max_length=LONGEST_LIST), Tag(CHOICE + "one")]
     | Annotated[list[Configuration], Field(fail_fast=True), Tag(CHOICE + "batch")],
     Discriminator(_shape_of),
     WithJsonSchema(

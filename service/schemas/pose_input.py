@@ -8,7 +8,7 @@ from pydantic import BeforeValidator, Discriminator, Field, Tag, WithJsonSchema
 from pydantic_core import PydanticCustomError
 
 from service.http.validation import CHOICE
-from service.schemas.base import Matrix4, Real, Vector3, Wire
+from service.schemas.base import GivenMatrix4, Real, Vector3, Wire
 
 
 class PlacedPose(Wire):
@@ -57,7 +57,9 @@ POSE_SHAPES: list[dict[str, Any]] = [
     },
 ]
 PoseInput: TypeAlias = Annotated[
-    Annotated[XyzabcPose, Tag(XYZABC)] | Annotated[PlacedPose, Tag(PLACED)] | Annotated[Matrix4, Tag(MATRIX)],
+    Annotated[XyzabcPose, Tag(XYZABC)]
+    | Annotated[PlacedPose, Tag(PLACED)]
+    | Annotated[GivenMatrix4, Tag(MATRIX)],
     Discriminator(notation_of),
     WithJsonSchema(
         {

@@ -8,7 +8,7 @@ from pydantic import Field, WithJsonSchema
 
 from kinematics.cells import AngleUnit, LengthUnit, RawRow, RawTable
 from kinematics.table import Convention, JointType
-from service.schemas.base import LONGEST_LIST, Real, Wire
+from service.schemas.base import LONGEST_LIST, Listed, Real, Wire
 
 Cell: TypeAlias = Annotated[
     Any,
@@ -53,8 +53,7 @@ class TableHead(Wire):
 class Table(TableHead):
     """A Denavit–Hartenberg table: a convention and its rows, base first."""
 
-    rows: list[Row] = Field(
-        max_length=LONGEST_LIST,
+    rows: Listed[Row] = Field(
         json_schema_extra={"minItems": 1},
         description="the rows, base first; at least one, and 64 where nothing else is set",
     )

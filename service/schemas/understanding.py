@@ -8,7 +8,7 @@ from pydantic import Field, WithJsonSchema
 
 from kinematics.cells import ParameterKind
 from kinematics.table import JointType
-from service.schemas.base import LONGEST_LIST, FaultEntry, Matrix4, Real, Wire
+from service.schemas.base import LONGEST_LIST, FaultEntry, Listed, Matrix4, Real, Wire
 from service.schemas.tables import Row, Table
 
 MOST_MATRICES = 66
@@ -32,7 +32,7 @@ class TypedRow(Row):
 class TypedTable(Table):
     """A table that is being typed: anything may stand in its cells yet, and it may have no rows."""
 
-    rows: list[TypedRow] = Field(max_length=LONGEST_LIST, description="the rows so far, base first")  # type: ignore[assignment]
+    rows: Listed[TypedRow] = Field(description="the rows so far, base first")  # type: ignore[assignment]
 
 
 class UnderstandRequest(Wire):

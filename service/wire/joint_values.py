@@ -19,7 +19,7 @@ from service.wire.prepared_robots import PreparedRobot
 Floats = NDArray[np.float64]
 
 _NUMBERS = {float, int}
-MOST_FAULTS = 1000
+MOST_FAULTS = 100
 """Of more configurations than this nobody wants to be told singly that their length is wrong."""
 
 

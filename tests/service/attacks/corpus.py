@@ -139,6 +139,9 @@ FIELDS: Mapping[str, object] = {
     "text": "x" * 300_000,
     "brackets": "(" * 300_000,
     "terms": "+".join(["L1"] * 100_000),
+    "lists of texts": [[""] * 250] * 240,
+    "lists of objects": [[{}] * 190] * 200,
+    "objects of fields": [{f"k{i}": 0 for i in range(250)}] * 64,
     "large number": 10**4_000,
 }
 """What may stand in a field in the place of a little."""

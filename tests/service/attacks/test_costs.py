@@ -22,7 +22,7 @@ from service.app import create_app
 from service.settings import Settings
 from tests.conftest import EXPLORE
 from tests.document import DOCUMENT
-from tests.service.attacks.corpus import Attack, attacks, in_each_field
+from tests.service.attacks.corpus import FIELDS, Attack, attacks, in_each_field
 
 CALLS = 70_000
 """Python calls that answering may take in the event loop: about 25 ms."""
@@ -102,6 +102,43 @@ def test_no_field_of_any_call_takes_much_work_of_the_event_loop(app: Any) -> Non
             expensive.append(f"{attack.name}: {calls} calls")
     assert not expensive
     assert len(fields) > 300
+
+
+FEW_FINDINGS = 600
+"""Findings of one refusal: each costs some microseconds, in one stretch that lets no other thread run."""
+NESTED = ("lists of texts", "lists of objects", "objects of fields", "rows", "fields")
+LISTED = (
+    ("grade", "reference", "rows"),
+    ("understand", "table", "rows"),
+    ("check-dynamics", "links", ""),
+    ("inverse-kinematics", "target", ""),
+    ("inverse-kinematics", "targets", ""),
+    ("check-frames", "tool", ""),
+    ("check-screws", "home", ""),
+    ("forward-kinematics", "joints", ""),
+)
+"""Calls, and fields of theirs, that take lists of objects or lists of lists."""
+
+
+@pytest.mark.parametrize("kind", NESTED)
+@pytest.mark.parametrize(("call", "field", "below"), LISTED)
+def test_no_more_is_found_wrong_than_anybody_reads(
+    app: Any, kind: str, call: str, field: str, below: str
+) -> None:
+    value = {"convention": "standard", below: FIELDS[kind]} if below else FIELDS[kind]
+    body = json.dumps({field: value}).encode()
+    refusal = answered(app, Attack(kind, f"/api/v1/{call}", body)).json()
+    assert refusal.get("errors_total", len(refusal["errors"])) <= FEW_FINDINGS
+
+
+@pytest.mark.parametrize("rows", [16, 64])
+def test_each_wrong_row_of_a_usual_table_is_told(app: Any, rows: int) -> None:
+    """Of a longer one the first is."""
+    row = {"alpha": 0, "a": 0, "d": 0}
+    body = {"reference": {"convention": "standard", "rows": [row] * rows}}
+    refusal = answered(app, Attack("rows", "/api/v1/grade", json.dumps(body).encode())).json()
+    found = [error["pointer"] for error in refusal["errors"] if error["pointer"].startswith("/reference")]
+    assert found == [f"/reference/rows/{i}/theta" for i in range(rows if rows == 16 else 1)]
 
 
 @pytest.mark.skipif(not Path("/proc/self/clear_refs").exists(), reason="needs Linux's peak of memory")
