@@ -23,7 +23,7 @@ LIGHT = 0.004
 """Work of a kind that takes no longer [s] is done in the event loop: a thread costs half a millisecond."""
 TRIED = 3
 """So many times work of a kind is done in a thread before it is known how long it takes."""
-LONG = 0.05
+LONG = 0.1
 """An answer that is judged longer [s], as hardly any is, no longer keeps the next one waiting."""
 FADING = 0.9
 """What a kind of work took at the most counts so much less each time."""
