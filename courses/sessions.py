@@ -10,7 +10,7 @@ import sqlalchemy as sa
 
 from courses import records
 from courses.links import link_of
-from courses.model import Course, CourseSession, Person, Role
+from courses.model import Course, CourseSession, Link, Person, Role
 from courses.policies import Allowance
 from courses.refusals import SessionError
 from courses.secrets import hashed
@@ -87,8 +87,9 @@ def sessions_of(store: Store, tokens: Sequence[str], now: datetime) -> list[Cour
     old = [row.id for row in rows.values() if row.expires < now + SESSION - RENEWED_AFTER]
     if old:
         _renew(store, old, now)
+    links: dict[int, Link] = {}
     return [
-        _session(rows[each]) if each in rows else SessionError(Fault(code="session_expired"))
+        _session(rows[each], links) if each in rows else SessionError(Fault(code="session_expired"))
         for each in hashes
     ]
 
@@ -105,7 +106,11 @@ def end_session(store: Store, session_id: int) -> None:
         connection.execute(sa.delete(records.session).where(records.session.c.id == session_id))
 
 
-def _session(row: Any) -> CourseSession:
+def _session(row: Any, links: dict[int, Link]) -> CourseSession:
+    """A session from its row; a class that asks at once shares a link, whose settings are read once."""
+    link = links.get(row.link_id)
+    if link is None:
+        link = links[row.link_id] = link_of(row, row.link_id, row.link_title)
     return CourseSession(
         id=row.id,
         role=Role(row.role),
@@ -120,7 +125,7 @@ def _session(row: Any) -> CourseSession:
             title=row.course_title,
             memberships_url=row.memberships_url,
         ),
-        link=link_of(row, row.link_id, row.link_title),
+        link=link,
         allowance=Allowance(
             extra_time=timedelta(seconds=row.extra_seconds), extra_attempts=row.extra_attempts
         ),

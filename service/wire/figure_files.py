@@ -22,19 +22,26 @@ from exercises.parts.mistakes.frame_mistake import frames_shown
 from service.messages import sentence
 from service.revision import revision
 from service.wire.exercise_views import figure_description
-from service.work.shared_answers import SharedAnswers
+from service.work.shared_answers import SharedAnswers, address_of
 
 KEPT = 256
 """Exercises whose digest is kept."""
+ADDRESSES = 2048
+"""Addresses of figures that are kept: the page, the exercise and the figure itself each ask for it."""
 LEVEL = 4
 """Level of gzip: the higher ones take twice as long and save three bytes in a hundred."""
 
 
 def figure_address(figures: SharedAnswers, instance: Instance, language: str) -> str:
     """Return the address of a figure: a digest of all that it follows from."""
+    return _address(figures.kind, instance, language)
+
+
+@lru_cache(maxsize=ADDRESSES)
+def _address(kind: str, instance: Instance, language: str) -> str:
     title = instance.exercise.title(language)
     told = repr((dict(instance.exact), frames_shown(instance)))
-    return figures.address(_drawn_alike(instance.exercise), language, title, told)
+    return address_of(kind, _drawn_alike(instance.exercise), language, title, told)
 
 
 def drawing_address(figures: SharedAnswers, instance: Instance, note: str) -> str:

@@ -28,6 +28,15 @@ WAITING_BYTES = 8 * 1024 * 1024
 _log = logging.getLogger("framewise.answers")
 
 
+def address_of(kind: str, *origins: str | bytes) -> str:
+    """Return the address of an answer of a kind that follows from some texts: their digest."""
+    digest = hashlib.sha256(kind.encode())
+    for origin in origins:
+        data = origin.encode() if isinstance(origin, str) else origin
+        digest.update(b"%d:" % len(data) + data)
+    return digest.hexdigest()[:40]
+
+
 class SharedAnswers(BackgroundThread):
     """The answers of one kind."""
 
@@ -42,11 +51,7 @@ class SharedAnswers(BackgroundThread):
 
     def address(self, *origins: str | bytes) -> str:
         """Return the address of what follows from some texts: their digest."""
-        digest = hashlib.sha256(self.kind.encode())
-        for origin in origins:
-            data = origin.encode() if isinstance(origin, str) else origin
-            digest.update(b"%d:" % len(data) + data)
-        return digest.hexdigest()[:40]
+        return address_of(self.kind, *origins)
 
     def known(self, address: str) -> bytes | None:
         """Return what this process has in memory."""
