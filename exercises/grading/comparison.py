@@ -10,7 +10,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
-from itertools import islice
 
 from exercises.grading.name_values import (
     Values,
@@ -34,6 +33,8 @@ DRAWS = 3
 ATTEMPTS = 60
 
 
+WAYS_REMEMBERED = 32
+"""Answers at hand, with the ways in which each may be meant."""
 LARGEST_ENTRY = 1e70
 """Volumes and fourth powers of lengths are computed, and sums of them over all rows: doubles end at 1e308."""
 
@@ -101,7 +102,7 @@ def comparisons(
     values = values_of(reference, submission, parameters or {}, typical_length(key.table))
     found = [
         comparison
-        for answer, fixed in _ways(reference, submission, values)
+        for answer, fixed in _ways_of(reference, submission, tuple((parameters or {}).items()))
         if (comparison := _comparison(key, answer, fixed, values)) is not None
     ]
     if not found:
@@ -117,10 +118,10 @@ def compared_by_names(reference: ReadTable, submission: ReadTable, parameters: M
 
     Args and raises as in `comparisons`.
     """
-    values = values_of(reference, submission, parameters, 1.0)
-    ways = list(islice(_ways(reference, submission, values), 2))
+    values_of(reference, submission, parameters, 1.0)
+    ways = _ways_of(reference, submission, tuple(parameters.items()))
     always = has_a_value_always(reference.table) and has_a_value_always(submission.table)
-    return always and ways == [(submission, frozenset())]
+    return always and ways == ((submission, frozenset()),)
 
 
 @lru_cache(maxsize=256)
@@ -132,6 +133,14 @@ def _in_unit_of(reference: ReadTable, submission: ReadTable) -> ReadTable:
     if reference.length_unit is submission.length_unit:
         return reference
     return _converted(reference, submission.length_unit.value)
+
+
+@lru_cache(maxsize=WAYS_REMEMBERED)
+def _ways_of(
+    reference: ReadTable, submission: ReadTable, parameters: tuple[tuple[str, float], ...]
+) -> tuple[tuple[ReadTable, frozenset[str]], ...]:
+    """The ways of `_ways` with values that are known to be numbers; asked for twice of every answer."""
+    return tuple(_ways(reference, submission, values_of(reference, submission, dict(parameters), 1.0)))
 
 
 def _ways(

@@ -45,7 +45,7 @@ def beyond_digits(
         share: by which part of itself an invariant may be off.
     """
     invariants = invariants_of(reference, policy)
-    own = invariants.sizes(invariants.values)[:, 0]
+    own = invariants.own_sizes[:, 0]
     floor = floors(invariants, reference)
     sizes = invariants.sizes(measured_as_typed(invariants, table, steps, policy))
     off = np.abs(sizes[:, 0] - own) - floor
@@ -85,7 +85,7 @@ def tightened(
             if alike
             else _largest(invariants, reference, steps)
         )
-    own = invariants.sizes(invariants.values)[:, 0]
+    own = invariants.own_sizes[:, 0]
     slacks = np.maximum(share * own, SECOND_ORDER * reaches) + floors(invariants, reference)
     return invariants.held_to(slacks[:, None])
 

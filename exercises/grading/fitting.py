@@ -133,9 +133,8 @@ class _Functions:
     def __init__(self, invariants: Invariants, facts: int, found: NDArray[np.float64], scale: float) -> None:
         self._scale = scale
         self._measures = [shape.measure for shape in invariants.shapes]
-        self._targets: list[float] = invariants.sizes(invariants.values)[:, 0].tolist()
-        twists = np.array([measure is Measure.ANGLE for measure in self._measures])[:, None]
-        self._values = np.where(twists, np.cos(found), found * found)
+        self._targets: list[float] = invariants.own_sizes[:, 0].tolist()
+        self._values = np.where(invariants.gauge.twists, np.cos(found), found * found)
         strains = invariants.strains(found)
         self._strains = strains.T
         self._worst = _worst(strains[:facts]), facts + _worst(strains[facts:])

@@ -6,7 +6,6 @@ import math
 from typing import NamedTuple
 
 from exercises.grading.digits import PER_CENT
-from kinematics.conversion import convert
 from kinematics.table import Convention, JointType, NumericTable
 
 TURN = 2.0 * math.pi
@@ -35,15 +34,22 @@ class _Link(NamedTuple):
 
 
 def _links(table: NumericTable) -> list[_Link]:
-    """A table in the modified convention; rows that move along and about x alone join the next one."""
+    """A table in the modified convention; rows that move along and about x alone join the next one.
+
+    Of a standard row the motion along x stands behind that along z, so it is the next link's.
+    """
     links: list[_Link] = []
+    behind = table.convention is Convention.STANDARD
     alpha = a = 0.0
-    for row in convert(table, Convention.MODIFIED).as_rows().rows:
-        alpha, a = alpha + row.alpha, a + row.a
+    for row in table.rows:
+        if not behind:
+            alpha, a = alpha + row.alpha, a + row.a
         if row.joint is not JointType.FIXED or row.d or abs(math.sin(row.theta)) > PER_CENT:
             d = 0.0 if row.joint is JointType.PRISMATIC else row.d
             links.append(_Link(row.joint, alpha, a, d))
             alpha = a = 0.0
+        if behind:
+            alpha, a = alpha + row.alpha, a + row.a
     return [*links, _Link(JointType.FIXED, alpha, a, 0.0)]
 
 

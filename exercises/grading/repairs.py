@@ -70,6 +70,8 @@ def own_table_first(
     Who forgets the key's last fixed row has made that slip, though a sign in the row before it might lead to
     the frame of the tool as well.
     """
+    if len(repairs) < 2:
+        return tuple(repairs)
 
     def leads_elsewhere(repaired: Repaired) -> bool:
         single = len(repaired.changes) == 1
@@ -98,7 +100,7 @@ def equally_good(repairs: Sequence[Repaired], table: NumericTable, key: NumericT
     if forgotten and len(table.rows) >= key.n_joints:
         return forgotten
     typed = tuple(change for change in alike if not change.fills_a_zero(table))
-    if best not in typed:
+    if best not in typed or len(typed) == len(alike):
         return alike
     if is_own_table(best.of(table), key, either_way=not is_offset):
         return typed

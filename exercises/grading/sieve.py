@@ -228,8 +228,7 @@ def legible_facts(
 @lru_cache(maxsize=8)
 def _bounds(invariants: Invariants) -> tuple[list[float], list[float]]:
     """The sizes of invariants in the key, and how far they may be off."""
-    sizes, slacks = invariants.sizes(invariants.values), CLEARLY * invariants.slacks
-    return sizes[:, 0].tolist(), slacks[:, 0].tolist()
+    return invariants.own_sizes[:, 0].tolist(), (CLEARLY * invariants.slacks)[:, 0].tolist()
 
 
 @remembered(lambda shapes, convention, joints: len(joints), longest=USUAL_ROWS, most=1024, few=32)

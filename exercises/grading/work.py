@@ -96,7 +96,7 @@ class Work:
         """
         return self.tightened(self.draw)
 
-    @property
+    @cached_property
     def n_facts(self) -> int:
         """How many of the invariants are facts."""
         return len(invariants_of(self.reference, self.policy).shapes)

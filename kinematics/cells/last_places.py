@@ -24,8 +24,11 @@ def last_places(raw: Sequence[RawRow], rows: Sequence[SymbolicRow]) -> Iterator[
     """
     for i, (typed, row) in enumerate(zip(raw, rows, strict=True)):
         for cell in CELLS:
-            text, entry = getattr(typed, cell), getattr(row, cell)
-            if not isinstance(text, str) or entry == ZERO or parameters_in(entry):
+            text = getattr(typed, cell)
+            if not isinstance(text, str) or "0" not in text:
+                continue
+            entry = getattr(row, cell)
+            if entry == ZERO or parameters_in(entry):
                 continue
             match = _ONE_NUMBER.fullmatch(text)
             if match is None or not match[1].endswith("0"):

@@ -135,8 +135,6 @@ def certify(
         return None
     references = [r.beside(chain) for r, chain in zip(references, submissions, strict=True)]
     wanted = policy.tolerance
-    if surely_apart(references[0], submissions[0], wanted):
-        return None
     coarser = EXACT.length <= wanted.length and EXACT.angle <= wanted.angle and wanted != EXACT
     if coarser and not surely_apart(references[0], submissions[0], EXACT):
         # among axes that are nearly parallel, alignments lever up the errors of the arithmetic
@@ -148,6 +146,8 @@ def certify(
             found = _first(references, submissions, exact, trying, meter, measured=measured)
             if found is not None:
                 return found
+    elif surely_apart(references[0], submissions[0], wanted):
+        return None
     return _first(references, submissions, policy, effort, meter, measured=measured)
 
 

@@ -11,6 +11,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,7 +19,7 @@ from numpy.typing import NDArray
 from kinematics.chain import Axis, Chain
 from kinematics.equivalence.batches import AxisBatch, axis_batch
 from kinematics.equivalence.groups import outside
-from kinematics.equivalence.measures import PARALLEL, Measure, Shape, gauge_of, measured
+from kinematics.equivalence.measures import PARALLEL, Gauge, Measure, Shape, gauge_of, measured
 from kinematics.equivalence.policy import BaseRule, Policy, ToolRule
 from kinematics.equivalence.reference import Reference
 from kinematics.remembering import USUAL_ROWS, remembered
@@ -53,16 +54,25 @@ class Invariants:
     values: Floats
     slacks: Floats
 
+    @cached_property
+    def gauge(self) -> Gauge:
+        """What they are measured between, as arrays."""
+        return gauge_of(self.shapes)
+
+    @cached_property
+    def own_sizes(self) -> Floats:
+        """(q, 1) the sizes of the reference's own."""
+        return self.sizes(self.values)
+
     @property
     def spans(self) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
         """(q, 1) each: the first and the last axis that an invariant concerns."""
-        gauge = gauge_of(self.shapes)
-        return gauge.first, gauge.last
+        return self.gauge.first, self.gauge.last
 
     @property
     def angular(self) -> NDArray[np.bool_]:
         """(q, 1) which are angles, and so do not depend on lengths."""
-        return gauge_of(self.shapes).angular
+        return self.gauge.angular
 
     def measured(self, axes: AxisBatch) -> Floats:
         """(q, k) what they are in submissions, as their axes point."""
@@ -70,17 +80,16 @@ class Invariants:
 
     def reversed(self, found: Floats) -> Floats:
         """(q, k) what the measured values would be if one of the axes were turned round."""
-        gauge = gauge_of(self.shapes)
+        gauge = self.gauge
         return np.where(gauge.reverses, np.where(gauge.twists, math.pi, 0.0) - found, found)
 
     def sizes(self, found: Floats) -> Floats:
         """(q, k) the measured values whichever way axes point: angles up to π/2, lengths without signs."""
-        gauge = gauge_of(self.shapes)
-        return np.where(gauge.twists, np.minimum(found, math.pi - found), np.abs(found))
+        return np.where(self.gauge.twists, np.minimum(found, math.pi - found), np.abs(found))
 
     def strains(self, found: Floats) -> Floats:
         """(q, k) how far the sizes of the measured values are off, in units of what they may be."""
-        return np.asarray(np.abs(self.sizes(found) - self.sizes(self.values)) / self.slacks)
+        return np.asarray(np.abs(self.sizes(found) - self.own_sizes) / self.slacks)
 
     def fits(self, found: Floats) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
         """(q, k) which of the measured values fit; and which would if one of their axes were turned round."""
