@@ -1,6 +1,7 @@
 """What is HTTP's own: routes, strict decoding, refusals, negotiation, compression, middleware.
 
 Reading:
+  accepting        connections shared among processes
   connections, uploads  limits on what a caller may leave undone
   routing          routes that read their requests strictly
   decoding, npy, forms  JSON, arrays, forms
