@@ -175,11 +175,11 @@ class Work:
     def edited(
         self,
         change: Change,
-        reach: tuple[int, int] = EVERYWHERE,
+        reach: tuple[int, int],
         *,
-        angular: bool = False,
-        off: Off = ANYTHING,
-        kept: frozenset[Place] = frozenset(),
+        angular: bool,
+        off: Off,
+        kept: frozenset[Place],
     ) -> Work:
         """Return the table with an edit made, and what another has to do with then."""
         known: dict[str, object] = {"reach": reach, "angular": angular, "lacking": frozenset(), "off": off}

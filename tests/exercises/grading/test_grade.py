@@ -601,6 +601,13 @@ def test_values_that_are_none(parameters: dict[str, float], code: str) -> None:
     assert code in [fault.code for fault in caught.value.faults]
 
 
+@pytest.mark.parametrize(("length", "shown"), [(39, 39), (40, 40), (41, 40)])
+def test_a_name_that_means_nothing_is_shown_as_far_as_forty_characters(length: int, shown: int) -> None:
+    with pytest.raises(ParameterError) as caught:
+        grade(KEY, KEY, USUAL, {"z" * length: 1.0})
+    assert caught.value.faults[0].params["name"] == "z" * shown
+
+
 def test_tables_without_any_value() -> None:
     impossible = read("standard", [("asin(2 + L1^2/L1^2)", "L1", 0, "q1")])
     with pytest.raises(ParameterError) as caught:

@@ -37,13 +37,14 @@ def repairs(verdict: Verdict) -> list[Told]:
     return [[(edit.code, edit.row) for edit in repair.edits] for repair in verdict.repairs]
 
 
-ANSWERS: dict[str, tuple[ReadTable, ReadTable, Policy, Told, list[Told]]] = {
+ANSWERS: dict[str, tuple[ReadTable, ReadTable, Policy, Told, list[Told], float]] = {
     "a sign, where everything is fixed": (
         read("standard", PLANAR),
         read("standard", with_cells(PLANAR, (2, 1, -0.4318))),
         FIXED,
         [("right_robot", None), ("zero_missed", None), ("length_wrong", 2)],
         [[("a_sign", 2)]],
+        0.9,
     ),
     "one twist the wrong way: a mirrored arm": (
         read("modified", PUMA_CRAIG),
@@ -63,6 +64,7 @@ ANSWERS: dict[str, tuple[ReadTable, ReadTable, Policy, Told, list[Told]]] = {
             [("d_sign", 4)],
             [("twists_all_reversed", None)],
         ],
+        0.94,
     ),
     "one angle in degrees": (
         read("modified", PUMA_CRAIG),
@@ -70,6 +72,7 @@ ANSWERS: dict[str, tuple[ReadTable, ReadTable, Policy, Told, list[Told]]] = {
         USUAL,
         [("not_equivalent", None), ("twist_wrong", 4)],
         [[("cell_in_degrees", 4)], [("alpha_value", 4)], [("angles_in_degrees", None)]],
+        0.89,
     ),
     "all lengths in millimetres": (
         read("standard", PLANAR),
@@ -77,6 +80,7 @@ ANSWERS: dict[str, tuple[ReadTable, ReadTable, Policy, Told, list[Told]]] = {
         Policy(convention=ConventionRule.STANDARD),
         [("not_equivalent", None), ("lengths_throughout", None)],
         [[("length_unit", None)]],
+        0.5,
     ),
     "the other convention, and a length": (
         read("standard", PLANAR),
@@ -88,17 +92,21 @@ ANSWERS: dict[str, tuple[ReadTable, ReadTable, Policy, Told, list[Told]]] = {
             [("a_value", 2), ("a_value", 3)],
             [("rows_swapped", 1), ("a_value", 3)],
         ],
+        0.0,
     ),
 }
 
 
-@pytest.mark.parametrize(("key", "answer", "policy", "told", "edits"), ANSWERS.values(), ids=ANSWERS.keys())
+@pytest.mark.parametrize(
+    ("key", "answer", "policy", "told", "edits", "score"), ANSWERS.values(), ids=ANSWERS.keys()
+)
 def test_all_that_is_told(
-    key: ReadTable, answer: ReadTable, policy: Policy, told: Told, edits: list[Told]
+    key: ReadTable, answer: ReadTable, policy: Policy, told: Told, edits: list[Told], score: float
 ) -> None:
     verdict = grade(key, answer, policy, VALUES if key.parameters else None)
     assert feedback(verdict) == told
     assert repairs(verdict) == edits
+    assert verdict.score == score
 
 
 def test_no_more_than_six_explanations() -> None:
@@ -177,3 +185,23 @@ def test_without_names_of_its_own_a_key_knows_none() -> None:
     answer = read("standard", with_cells(PLANAR, (2, 1, "L2")))
     told = grade(read("standard", PLANAR), answer, USUAL).feedback[0]
     assert (told.code, told.params) == ("parameter_unknown", {"name": "L2", "known": "–"})
+
+
+@pytest.mark.parametrize(("millimetres", "told"), [(0.5, []), (5.0, [2])])
+def test_another_zero_of_a_slider_is_told_where_it_is_more_than_a_thousandth_of_the_robot(
+    millimetres: float, told: list[int]
+) -> None:
+    key: Rows = [("pi/2", 0.4, 0, "q1"), ("-pi/2", 0, "q2", 0), (0, 0.2, 0, "q3")]
+    slide = f"q2 - {millimetres}"
+    rows: Rows = [(0, 0, 0, "q1"), ("pi/2", 400, slide, 0), ("-pi/2", 0, 0, "q3"), (0, 200, 0, 0)]
+    verdict = grade(read("standard", key), read("modified", rows, length_unit="mm"), USUAL)
+    assert verdict.correct
+    assert [entry.row for entry in verdict.feedback if entry.code == "variable_offset"] == told
+
+
+@pytest.mark.parametrize("turned", [[("pi/3", 0, 0, 0)], [(0, 0, 0, "pi/2"), ("pi/3", 0, 0, "-pi/2")]])
+def test_a_last_frame_that_leans_is_elsewhere(turned: Rows) -> None:
+    """Over its x axis, or over its y axis."""
+    verdict = grade(KEY, read("modified", [*PUMA_CRAIG, *turned]), Policy(tool=ToolRule.FREE))
+    last = len(PUMA_CRAIG) + len(turned)
+    assert feedback(verdict) == [("other_convention", None), ("frame_elsewhere", last)]
