@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import tracemalloc
+from itertools import product
 
 import pytest
 
@@ -123,6 +124,40 @@ def test_known_numbers(n: int) -> None:
     assert known_number(math.sqrt(n)) == root
     assert known_number(-math.sqrt(n) / 4) == multiply((number(-1), Number(number(1).value / 4), root))
     assert known_number(math.sqrt(n) / 7) is None
+
+
+def test_products_of_two_cosines_of_multiples_of_fifteen_degrees_are_known() -> None:
+    for i, k in product(range(-11, 13), repeat=2):
+        value = math.cos(i * math.pi / 12) * math.cos(k * math.pi / 12)
+        found = known_number(value)
+        assert found is not None
+        assert evaluate(found) == pytest.approx(value, abs=1e-12)
+    assert evaluate(known_number(-3.0) or number(0)) == -3.0
+    assert known_number(3.25) is None
+    assert known_number(0.5 + 1e-6) is None
+
+
+COEFFICIENTS = [(math.sqrt(2) / 2, 0.0), (-1.5, 0.25), (math.cos(math.pi / 12), math.sqrt(3) / 2)]
+
+
+def combination(weights: tuple[float, float], draws: int, off: float = 0.0) -> Expression | None:
+    """The form of p L0 + q L1 + 1/8, at some draws, with one value off."""
+    values = [{"L0": 0.5 + math.sqrt(2 + k) % 1, "L1": 0.5 + math.sqrt(3 + 2 * k) % 1} for k in range(draws)]
+    lengths = [weights[0] * one["L0"] + weights[1] * one["L1"] + 0.125 for one in values]
+    lengths[0] += off
+    return LengthForms([Parameter("L0"), Parameter("L1")], values, 1.5).form(lengths)
+
+
+@pytest.mark.parametrize("weights", COEFFICIENTS)
+def test_known_coefficients_are_recognised_from_a_draw_more_than_names(weights: tuple[float, float]) -> None:
+    other = {"L0": 0.3, "L1": 1.9}
+    for draws in (3, 4):
+        found = combination(weights, draws)
+        assert found is not None
+        assert evaluate(found, other) == pytest.approx(weights[0] * 0.3 + weights[1] * 1.9 + 0.125, abs=1e-9)
+    assert combination(weights, 2) is None
+    assert combination((weights[0] + 0.01, weights[1]), 4) is None
+    assert combination(weights, 5, off=1e-5) is None
 
 
 @pytest.mark.parametrize("size", [1e-9, 1e-3, 1.0, 1e3, 1e9])

@@ -9,6 +9,7 @@ import pytest
 from kinematics.chain import chain_of_table
 from kinematics.equivalence import Kind, Policy, ToolRule
 from kinematics.equivalence.diagnosis import diagnose
+from kinematics.equivalence.invariants import first_axes_shared, invariants_of
 from kinematics.equivalence.reference import prepared
 from kinematics.equivalence.results import Mismatch
 from kinematics.table import NumericTable
@@ -56,3 +57,36 @@ def test_a_slider_that_is_turned_turns_what_comes_behind_it() -> None:
     assert (first.kind, first.row, second.kind, second.row) == (Kind.OFFSET, 2, Kind.OFFSET, 3)
     assert first.angle == pytest.approx(0.3)
     assert 0.2 < second.angle < 0.3
+
+
+CROSSED = standard(
+    (R, HALF, 0.4, 0.2, 0),
+    (R, HALF, 0.3, 0.25, 0),
+    (R, HALF, 0.35, 0.15, 0),
+    (R, HALF, 0.2, 0.1, 0),
+    (R, 0, 0, 0, 0),
+)
+
+
+@pytest.mark.parametrize("row", [2, 3, 4])
+@pytest.mark.parametrize(("cell", "kind"), [("d", Kind.OFFSET), ("a", Kind.LENGTH)])
+def test_lengths_between_crossed_axes_are_told_with_their_amounts(row: int, cell: str, kind: Kind) -> None:
+    (mismatch,) = told(CROSSED, CROSSED, row, cell, 0.08)
+    assert (mismatch.kind, mismatch.row) == (kind, row - 1)
+    assert mismatch.length == pytest.approx(0.08)
+
+
+@pytest.mark.parametrize("row", range(1, 5))
+@pytest.mark.parametrize("cell", ["alpha", "a"])
+def test_first_axes_are_shared_up_to_a_wrong_fact(row: int, cell: str) -> None:
+    reference = prepared(CROSSED)
+    wrong = changed(CROSSED, row, **{cell: getattr(CROSSED.rows[row - 1], cell) + 0.1})
+    assert first_axes_shared(reference, chain_of_table(wrong), FREE) == row
+    assert first_axes_shared(reference, chain_of_table(CROSSED), FREE) == CROSSED.n_joints
+
+
+def test_an_invariant_spans_the_axes_that_it_concerns() -> None:
+    invariants = invariants_of(prepared(SLIDERS), FREE)
+    first, last = invariants.spans
+    assert first[:, 0].tolist() == [min(shape.axes) for shape in invariants.shapes]
+    assert last[:, 0].tolist() == [max(shape.axes) for shape in invariants.shapes]

@@ -60,3 +60,15 @@ def test_free_zeros_have_none_and_fixed_frames_count_as_axes() -> None:
     frames = replace(STRICT, base=BaseRule.FRAME, tool=ToolRule.FRAME)
     assert set(within) < set(home_invariants_of(reference, frames).shapes)
     assert all(shape.axes[1] - shape.axes[0] > 1 for shape in within)
+
+
+@pytest.mark.parametrize("base", list(BaseRule))
+@pytest.mark.parametrize("tool", list(ToolRule))
+def test_every_pair_of_axes_that_are_no_neighbours_has_an_angle(base: BaseRule, tool: ToolRule) -> None:
+    """As far as four axes apart, with those that stand for the frames or points that a policy fixes."""
+    reference = prepared(dict(catalogue())["puma560"])
+    policy = replace(STRICT, base=base, tool=tool)
+    first = 0 if base in (BaseRule.ORIGIN, BaseRule.FRAME) else 1
+    last = 7 if tool in (ToolRule.POINT, ToolRule.FRAME) else 6
+    found = {shape.axes[:2] for shape in home_invariants_of(reference, policy).shapes if shape.is_angle}
+    assert found == {(i, j) for i in range(first, last) for j in range(i + 2, last + 1) if j - i <= 4}
