@@ -169,6 +169,12 @@ class TableAnswer(JointsAnswer):
     tool: MatrixOfCells = Field(description="what stands behind the table")
     base_row: AnsweredRow | None = Field(None, description="the base as a fixed row, where it is one")
     tool_row: AnsweredRow | None = Field(None, description="the tool as a fixed row, where it is one")
+    base_rows: list[AnsweredRow] | None = Field(
+        None, description="the base as fixed rows before the table's; null if it depends on names"
+    )
+    tool_rows: list[AnsweredRow] | None = Field(
+        None, description="the tool as fixed rows behind the table's; null if it depends on names"
+    )
 
 
 class ScrewModel(GivenScrew):

@@ -105,6 +105,31 @@ def test_names_and_limits_come_back_with_a_table(client: httpx.Client) -> None:
     assert known["limits"] == [list(pair) for pair in catalogue.robot("scara").limits or ()]
 
 
+@pytest.mark.parametrize("angle_unit", ["deg", "rad"])
+@pytest.mark.parametrize("convention", ["standard", "modified"])
+@pytest.mark.parametrize("robot", ["gen3", "scara-scm", "puma560"])
+def test_a_table_alone_is_the_robot_with_base_and_tool(
+    client: httpx.Client, robot: str, convention: str, angle_unit: str
+) -> None:
+    """A description's base and tool are general poses: they are fixed rows before and after the table's."""
+    placed = {"robot": robot, "base": [0.1, -0.2, 0.3, 1, 2, 3], "tool": [0.05, 0, 0.1, -2, 1, 0.5]}
+    text = answered(client, CONVERT, {**placed, "to": "urdf"})["urdf"]
+    found = answered(client, CONVERT, {"urdf": text, "to": convention, "angle_unit": angle_unit})
+    rows = [*found["base_rows"], *found["table"]["rows"], *found["tool_rows"]]
+    expected, _ = poses(client, {"urdf": text})
+    again, _ = poses(client, {"table": {**found["table"], "rows": rows}})
+    np.testing.assert_allclose(again, expected, atol=1e-9)
+
+
+def test_rows_of_a_tool_with_names(client: httpx.Client) -> None:
+    table = {"convention": "standard", "rows": [{"alpha": 0.3, "a": "L1", "d": 0, "theta": "q1"}]}
+    found = answered(client, CONVERT, {"table": table, "to": "modified"})
+    assert found["base_rows"] == []
+    assert found["tool_rows"] == [found["tool_row"]]
+    moved = answered(client, CONVERT, {"table": table, "tool": [0, 0, 0.1, 0, 0.5, 0], "to": "modified"})
+    assert moved["tool_rows"] is None
+
+
 @pytest.mark.parametrize("last", FORMS)
 @pytest.mark.parametrize("first", FORMS)
 def test_names_and_limits_pass_through_every_form(client: httpx.Client, first: str, last: str) -> None:

@@ -9,7 +9,7 @@ from typing import TypeAlias
 
 import numpy as np
 
-from kinematics.cells import ParameterKind, RawTable, ReadTable, bind_parameters, read_table
+from kinematics.cells import AngleUnit, ParameterKind, RawTable, ReadTable, bind_parameters, read_table
 from kinematics.conversion import XScrew, convert, fixed_row
 from kinematics.dh import link_transform
 from kinematics.expressions import (
@@ -25,6 +25,7 @@ from kinematics.expressions import (
     number,
     parameters_in,
 )
+from kinematics.fixed_rows import fixed_rows
 from kinematics.printing.notation import Names
 from kinematics.printing.text import TextWriter
 from kinematics.se3 import Transform
@@ -35,7 +36,14 @@ from service.schemas.tables import AnsweredRow, AnsweredTable
 from service.settings import Settings
 from service.wire.conversion.described import RobotDescription
 from service.wire.prepared_robots import listed_robot, robot_of
-from service.wire.written_tables import CELL_KINDS, VARIABLE_CELL, Spellings, TableWriter, WireCell
+from service.wire.written_tables import (
+    CELL_KINDS,
+    VARIABLE_CELL,
+    Spellings,
+    TableWriter,
+    WireCell,
+    numeric_row,
+)
 
 Matrix = list[list[WireCell]]
 Entries: TypeAlias = Sequence[Sequence[Expression]]
@@ -77,7 +85,8 @@ def table_answer(robot: RobotDescription, request: ConvertRequest) -> TableAnswe
     Raises:
         ParameterError: a parameter of base or tool has no finite value.
     """
-    converted = convert(robot.read.table, Convention(request.to.value))
+    convention = Convention(request.to.value)
+    converted = convert(robot.read.table, convention)
     writer = TableWriter(
         angle_unit=robot.read.angle_unit,
         length_unit=robot.read.length_unit,
@@ -85,14 +94,19 @@ def table_answer(robot: RobotDescription, request: ConvertRequest) -> TableAnswe
         variable_cells=robot.variable_cells,
     )
     table = writer.table(converted.table)
+    base = matrix_of_cells(converted.base, robot, before=robot.base)
+    tool = matrix_of_cells(converted.tool, robot, behind=robot.tool)
+    base_row, tool_row = _row(converted.base, writer, robot.base), _row(converted.tool, writer, robot.tool)
     return TableAnswer(
         angle_unit=robot.read.angle_unit.value,
         length_unit=robot.read.length_unit.value,
         table=AnsweredTable.model_validate(table),
-        base=matrix_of_cells(converted.base, robot, before=robot.base),
-        tool=matrix_of_cells(converted.tool, robot, behind=robot.tool),
-        base_row=_row(converted.base, writer, robot.base),
-        tool_row=_row(converted.tool, writer, robot.tool),
+        base=base,
+        tool=tool,
+        base_row=base_row,
+        tool_row=tool_row,
+        base_rows=_rows(base, base_row, convention, robot.read.angle_unit),
+        tool_rows=_rows(tool, tool_row, convention, robot.read.angle_unit),
         **robot.joints,
     )
 
@@ -160,6 +174,18 @@ def _row(screw: XScrew[Expression] | None, writer: TableWriter, other: Transform
     if screw is None or not np.array_equal(other, np.eye(4)):
         return None
     return AnsweredRow.model_validate(writer.row(fixed_row(screw)))
+
+
+def _rows(
+    pose: Matrix, single: AnsweredRow | None, convention: Convention, unit: AngleUnit
+) -> list[AnsweredRow] | None:
+    """The pose as fixed rows; None if it depends on a parameter without a value and is not a single row."""
+    if single is not None:
+        return [single]
+    if any(isinstance(entry, str) for row in pose for entry in row):
+        return None
+    rows = fixed_rows(np.array(pose, dtype=float), convention)
+    return [AnsweredRow.model_validate(numeric_row(row, 0, unit)) for row in rows]
 
 
 def _spellings(raw: RawTable, read: ReadTable) -> Spellings:
