@@ -12,6 +12,7 @@ ellipsoids       where the tool moves easily
 poses            notations of poses; `pose_batches` for arrays of them
 screws           products of exponentials
 conversion       standard to modified tables and back
+fixed_rows       a constant pose as rows of a table
 trajectory       motions from rest to rest
 tree_structures  tables that branch
 joint_values     one configuration, or a batch
