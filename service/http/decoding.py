@@ -12,6 +12,7 @@ from typing import Any
 import orjson
 
 from kinematics.errors import Fault
+from service.http.long_lists import AT_ONCE, PIECE, blank, first_list, items, list_of_numbers, numbers
 from service.http.problems import BodyError, BodySizeError
 
 _BYTE_ORDER_MARK = b"\xef\xbb\xbf"
@@ -22,9 +23,8 @@ DEEPEST = 1024
 """How deeply orjson nests lists and objects."""
 LONGEST_SEARCHED = 64 * 1024
 """In a longer body [byte] the place of such a fault is not looked for: so much takes up to 20 ms."""
-PIECE = 128 * 1024
-"""Bytes of a long list of numbers that are read at a time, in a millisecond: the parser lets no other thread
-run until it is done."""
+LONGEST_REST = 1024 * 1024
+"""Bytes beside the list in a body that is too long to be read at once: as many as other calls read."""
 _SHALLOW = 16
 """How deeply the bodies nest that calls understand."""
 _NO_BRACKETS = bytes(set(range(256)) - set(b"[]{}"))
@@ -92,49 +92,47 @@ def decode_json(body: bytes, limits: JsonLimits = JsonLimits()) -> Any:
 
 
 def _read_in_pieces(body: bytes, limits: JsonLimits) -> Any:
-    """The value of a body with a long list of numbers; None where it has none, or where anything is wrong."""
+    """The value of a body with a long list of numbers; None where it has none, or where anything is wrong.
+
+    Raises:
+        BodySizeError: it is longer than what is read at once, and without the list it still is.
+        BodyError: it is as long, and anything is wrong.
+    """
     for name in limits.long if len(body) > PIECE else ():
         key = b'"%b"' % name.encode()
-        if body.count(key) == 1 and (where := _list_of_numbers(body, body.find(key) + len(key))):
+        if body.count(key) == 1 and (where := list_of_numbers(body, body.find(key) + len(key))):
             start, stop = where
             try:
                 value = decode_json(body[:start] + b"0" + body[stop:], replace(limits, long=frozenset()))
                 if type(value) is dict and name in value:
-                    value[name] = _numbers(body, start, stop)
+                    value[name] = numbers(body, start, stop)
                     return value
             except (BodyError, orjson.JSONDecodeError):
-                return None  # what is wrong is found, with its place, where all is read at once
-    return None
+                break  # what is wrong is found, with its place, where all is read at once
+    return _read_large(body, limits) if limits.long and len(body) > AT_ONCE else None
 
 
-def _list_of_numbers(body: bytes, behind: int) -> tuple[int, int] | None:
-    """Where the list behind a key begins and ends, if it holds no text and no object."""
-    start = body.find(b"[", behind)
-    if start < 0 or body[behind:start].strip() != b":":
-        return None
-    ends = [body.find(sign, start) for sign in (b'"', b"{", b"}")]
-    stop = body.rfind(b"]", start, min((end for end in ends if end >= 0), default=len(body))) + 1
-    return (start, stop) if stop else None
-
-
-def _numbers(body: bytes, start: int, stop: int) -> list[Any]:
-    """A list of numbers, or of lists of them, read between two places: each piece is a list by itself.
-
-    Raises:
-        orjson.JSONDecodeError: it is no such list, or holds a list that is longer than a piece.
-    """
-    found: list[Any] = []
-    sign = b"]," if body.find(b"[", start + 1, stop) >= 0 else b","
-    begun, last = start + 1, stop - 1
-    while begun <= last:
-        cut = body.find(sign, begun + PIECE, last)
-        end = last if cut < 0 else cut + len(sign) - 1
-        piece = orjson.loads(b"[%b]" % body[begun:end])
-        if not piece and (found or end < last):
-            raise orjson.JSONDecodeError("a comma too many", "", begun)
-        found += piece
-        begun = end + 1
-    return found
+def _read_large(body: bytes, limits: JsonLimits) -> Any:
+    """The value of a body that is too long to be read at once, whatever stands in its long list."""
+    if body.startswith(_BYTE_ORDER_MARK):
+        return decode_json(body[len(_BYTE_ORDER_MARK) :], limits)
+    name, start = first_list(body, limits.long)
+    try:
+        found, stop = items(body, start)
+    except orjson.JSONDecodeError as error:
+        raise BodyError(_syntax_faults(body, error)) from None
+    rest = replace(limits, long=frozenset())
+    if len(body) - (stop - start) > LONGEST_REST:
+        raise BodySizeError(Fault(code="body_too_large", params={"limit": AT_ONCE}))
+    try:
+        value = decode_json(body[:start] + b"[]" + body[stop:], rest)
+    except BodyError:  # once more, with as much room in the place of the list: what is wrong has its line
+        decode_json(body[:start] + blank(body, start, stop) + body[stop:], rest)
+        raise
+    if type(value) is not dict or value.get(name) != []:
+        raise BodySizeError(Fault(code="body_too_large", params={"limit": AT_ONCE}))
+    value[name] = found
+    return value
 
 
 def _is_plain(body: bytes, value: Any) -> bool:

@@ -20,9 +20,11 @@ def _shape_of(joints: Any) -> str:
 Configuration: TypeAlias = Annotated[list[Real], Field(max_length=LONGEST_LIST, fail_fast=True)]
 """One value a joint. A batch may have millions: the first that is no number is named, and no more."""
 
+Configurations: TypeAlias = Annotated[list[Configuration], Field(fail_fast=True)]
+
 Joints: TypeAlias = Annotated[
     Annotated[list[Real], Field(max_length=LONGEST_LIST), Tag(CHOICE + "one")]
-    | Annotated[list[Configuration], Field(fail_fast=True), Tag(CHOICE + "batch")],
+    | Annotated[Configurations, Tag(CHOICE + "batch")],
     Discriminator(_shape_of),
     WithJsonSchema(
         {

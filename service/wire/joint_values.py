@@ -19,6 +19,8 @@ from service.wire.prepared_robots import PreparedRobot
 Floats = NDArray[np.float64]
 
 _NUMBERS = {float, int}
+PIECE = 2048
+"""Configurations that are validated, or laid out, at a time: no other thread runs until they are."""
 MOST_FAULTS = 100
 """Of more configurations than this nobody wants to be told singly that their length is wrong."""
 
@@ -43,7 +45,10 @@ def read_joints(joints: list[Any], robot: PreparedRobot, batch_limit: int) -> li
         return [value * unit for value, unit in zip(joints, robot.joint_units, strict=True)]
     refuse_large_batch(len(joints), batch_limit)
     _refuse_lengths(((len(one), ("joints", i)) for i, one in enumerate(joints)), robot)
-    batch: Floats = np.array(joints, dtype=np.float64).reshape(len(joints), -1) * np.array(robot.joint_units)
+    batch: Floats = np.empty((len(joints), len(robot.joint_units)))
+    for start in range(0, len(joints), PIECE):
+        batch[start : start + PIECE] = joints[start : start + PIECE]
+    batch *= np.array(robot.joint_units)
     return batch
 
 

@@ -9,7 +9,7 @@ from typing import Any, Generic, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
-from pydantic import TypeAdapter
+from pydantic import TypeAdapter, ValidationError
 from starlette.responses import Response
 
 from kinematics.errors import Fault
@@ -17,9 +17,10 @@ from service.http.decoding import decode_json
 from service.http.npy import read_npy
 from service.http.problems import BodyError, RequestError, RequestPart
 from service.http.routing import NPY, ApiRequest, BytesResponse
-from service.http.validation import validated
+from service.http.validation import faults_of, validated
+from service.schemas.joints import Configurations
 from service.schemas.robot_question import RobotQuestion
-from service.wire.joint_values import plain_configuration, read_array, read_joints
+from service.wire.joint_values import PIECE, plain_configuration, read_array, read_joints
 from service.wire.prepared_robots import PreparedRobot, RobotCache
 from service.work.batches import BatchResponse
 from service.work.limiters import WorkKind
@@ -28,6 +29,8 @@ _SMALL = 64
 """Configurations that the event loop reads itself; more are read by a thread."""
 _PLAIN = {"table", "robot", "parameters", "joints"}
 
+
+_CONFIGURATIONS: TypeAdapter[Configurations] = TypeAdapter(Configurations)
 
 Question = TypeVar("Question", bound=RobotQuestion)
 
@@ -77,9 +80,16 @@ class QuestionReader(Generic[Question]):
         return await request.in_turn(partial(self._from_json, body, request, robots))
 
     def _from_json(self, body: Any, request: ApiRequest, robots: RobotCache) -> ReadQuestion[Question]:
-        wire = validated(self._request, body)
+        given = body.get("joints") if type(body) is dict else None
+        if type(given) is list and len(given) > PIECE and type(given[0]) is list:
+            wire = validated(self._request, {**body, "joints": given[:PIECE]})
+            for start in range(PIECE, len(given), PIECE):
+                _validate_configurations(given[start : start + PIECE], start)
+        else:
+            wire = validated(self._request, body)
+            given = wire.joints
         robot = robots.prepare(wire, body)
-        joints = read_joints(wire.joints, robot, request.settings.batch_limit)
+        joints = read_joints(given, robot, request.settings.batch_limit)
         return ReadQuestion(wire=wire, robot=robot, joints=joints)
 
     async def _from_npy(self, request: ApiRequest, robots: RobotCache) -> ReadQuestion[Question]:
@@ -89,6 +99,22 @@ class QuestionReader(Generic[Question]):
         robot = robots.prepare(wire, body)
         joints = read_array(read_npy(await request.body()), robot, request.settings.batch_limit)
         return ReadQuestion(wire=wire, robot=robot, joints=joints)
+
+
+def _validate_configurations(some: list[Any], start: int) -> None:
+    """Make sure that a part of a batch, from an index on, is lists of numbers.
+
+    Raises:
+        RequestError: it is not; the first wrong value at its place in the batch.
+    """
+    try:
+        _CONFIGURATIONS.validate_python(some)
+    except ValidationError as error:
+        found = error.errors(include_url=False, include_input=False)
+        for each in found:
+            first, *rest = each["loc"]
+            each["loc"] = ("joints", start + int(first), *rest)
+        raise RequestError(faults_of(found)) from None
 
 
 def _recalled(body: Any, robots: RobotCache) -> ReadQuestion[Any] | None:

@@ -9,7 +9,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from service.http.decoding import PIECE, JsonLimits, decode_json
+from service.http.decoding import JsonLimits, decode_json
+from service.http.long_lists import PIECE
 from service.http.problems import BodyError, BodySizeError
 
 VALUES = st.recursive(
@@ -223,15 +224,44 @@ def test_a_body_means_the_same_in_pieces(
 ) -> None:
     body = around % inside
     whole = outcome(body)
-    monkeypatch.setattr("service.http.decoding.PIECE", piece)
+    for module in ("decoding", "long_lists"):
+        monkeypatch.setattr(f"service.http.{module}.PIECE", piece)
     assert outcome(body) == whole
+
+
+@pytest.mark.parametrize("around", WRITTEN)
+@pytest.mark.parametrize("inside", INSIDE)
+def test_a_body_too_long_to_be_read_at_once_means_the_same_or_is_refused_as_such(
+    around: bytes, inside: bytes, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """While ten megabytes with one text among the numbers were read at once, nobody else was served."""
+    body = around % inside
+    whole = outcome(body)
+    for module in ("decoding", "long_lists"):
+        monkeypatch.setattr(f"service.http.{module}.PIECE", 1)
+        monkeypatch.setattr(f"service.http.{module}.AT_ONCE", 0)
+    monkeypatch.setattr("service.http.decoding.LONGEST_REST", len(body))
+    assert outcome(body) in (whole, [("body_too_large", (), {"limit": 0})])
+
+
+@pytest.mark.parametrize("place", [0, 100_000, 199_999])
+def test_a_long_list_with_one_text_is_read_a_piece_at_a_time(
+    place: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    joints: list[list[object]] = [[0.25, -1.5, 3.125, 0.5] for _ in range(200_000)]
+    joints[place][2] = "a],[b"
+    body = json.dumps({"robot": "puma560", "joints": joints, "base": [[1]]}, separators=(",", ":")).encode()
+    lengths = read_lengths(monkeypatch)
+    assert decode_json(body, BATCH)["joints"] == joints
+    assert max(lengths) < 0.6 * len(body)
+    assert sum(length > 1.1 * PIECE for length in lengths) <= 1
 
 
 def outcome(body: bytes) -> object:
     """What a body means, or what is wrong with it."""
     try:
         return decode_json(body, BATCH)
-    except BodyError as error:
+    except (BodyError, BodySizeError) as error:
         return [(fault.code, fault.where, fault.params) for fault in error.faults]
 
 
