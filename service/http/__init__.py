@@ -4,7 +4,8 @@ Reading:
   accepting        connections shared among processes
   connections, uploads  limits on what a caller may leave undone
   routing          routes that read their requests strictly
-  decoding, npy, forms  JSON, arrays, forms
+  decoding, long_lists  JSON, and long lists in it
+  npy, forms       arrays, forms
   validation       findings of pydantic as faults
   negotiation, languages  media type and language of the answer
   idempotency      a POST that is sent again
