@@ -20,8 +20,6 @@ if TYPE_CHECKING:
     from fastapi import FastAPI
 
 _LARGEST_PORT = 65535
-SHARING_LOOP = "service.http.accepting:SharingLoop"
-"""The event loop of one of several processes, by name: who only looks after others needs none."""
 
 
 def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -47,8 +45,7 @@ def _serve(options: argparse.Namespace) -> int:
         share_secret()
         figures = share_metrics()
         try:
-            chosen |= {"factory": True, "workers": workers, "loop": SHARING_LOOP}
-            uvicorn.run("service.cli.serve:application", **chosen)  # type: ignore[arg-type]
+            uvicorn.run("service.cli.serve:application", factory=True, workers=workers, **chosen)  # type: ignore[arg-type]
         finally:
             shutil.rmtree(figures, ignore_errors=True)
         return 0

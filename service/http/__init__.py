@@ -1,7 +1,6 @@
 """What is HTTP's own: routes, strict decoding, refusals, negotiation, compression, middleware.
 
 Reading:
-  accepting        connections shared among processes
   connections, uploads  limits on what a caller may leave undone
   routing          routes that read their requests strictly
   decoding, long_lists  JSON, and long lists in it
