@@ -175,9 +175,7 @@ class Settings(BaseSettings):
         (),
         description="folders with your own exercises, which override packaged ones of the same id",
     )
-    grading_threads: PositiveInt = Field(
-        2, description="answers that are judged at the same time, where one takes long"
-    )
+    grading_threads: PositiveInt = Field(2, description="wrong answers that are explained at the same time")
     grading_queue: NonNegativeInt = Field(
         4096, description="answers, figures and sign-ins that may wait for their turn, counted by kind"
     )

@@ -148,24 +148,12 @@ class FairQueue:
         used = math.log2(seconds) + time.monotonic() / HALF_LIFE if seconds > 0.0 else -math.inf
         for key in (client[0], client):
             _remember(self._used, key, _sum_of_powers(self._use(key), used))
-        self.running -= 1
-        self._hand_on()
-
-    def widen(self) -> None:
-        """Let one task more run at a time."""
-        self._slots += 1
-        self._hand_on()
-
-    def narrow(self) -> None:
-        """Let one task less run at a time, once as many run as may then."""
-        self._slots -= 1
-
-    def _hand_on(self) -> None:
-        """Hand the slots that are free to those who wait."""
-        while self.running < self._slots and (following := self._line.next()) is not None:
-            self.running += 1
+        following = self._line.next()
+        if following is not None:
             self._serve(following.client)
             following.grant()
+        else:
+            self.running -= 1
 
     def _serve(self, client: Client) -> None:
         """Note how much was used by who is served next: of all names, and of the connections of one."""

@@ -23,8 +23,6 @@ LIGHT = 0.004
 """Work of a kind that takes no longer [s] is done in the event loop: a thread costs half a millisecond."""
 TRIED = 3
 """So many times work of a kind is done in a thread before it is known how long it takes."""
-LONG = 0.1
-"""An answer that is judged longer [s], as hardly any is, no longer keeps the next one waiting."""
 FADING = 0.9
 """What a kind of work took at the most counts so much less each time."""
 _Result = TypeVar("_Result")
@@ -41,30 +39,13 @@ class WorkKind(StrEnum):
 
 
 class Limiter:
-    """Lets so many tasks run at a time, and so many wait.
+    """Lets so many tasks run at a time, and so many wait."""
 
-    Attributes:
-        queue: hands out the slots.
-        patience: how long a task keeps the next one waiting [s]; None: as long as it takes.
-    """
-
-    def __init__(self, *, threads: int, capacity: int, timeout: float, patience: float | None = None) -> None:
-        """Make a limiter.
-
-        Args:
-            threads: how many tasks run at a time.
-            capacity: how many may wait.
-            timeout: how long each of them may wait [s].
-            patience: one task runs at a time, and the next beside it only once it has run so long [s]: where
-                threads of one interpreter take turns, two short tasks are done sooner one after the other.
-                None: all threads are used at once.
-        """
-        self.patience = patience
-        self._spare = 0 if patience is None else threads - 1
+    def __init__(self, *, threads: int, capacity: int, timeout: float) -> None:
         self._threads = anyio.CapacityLimiter(threads)
         self._done: OrderedDict[Hashable, None] = OrderedDict()
         self._kinds: OrderedDict[Hashable, tuple[int, float]] = OrderedDict()
-        self.queue = FairQueue(slots=threads - self._spare, capacity=capacity, timeout=timeout)
+        self.queue = FairQueue(slots=threads, capacity=capacity, timeout=timeout)
 
     async def acquire(self) -> ThreadSlot:
         """Wait for a slot, and take it until it is released.
@@ -72,21 +53,7 @@ class Limiter:
         Raises:
             BusyError: as many as may wait are waiting, or the slot did not come in time.
         """
-        slot = await self.queue.acquire()
-        return ThreadSlot(slot, self._threads, None if self.patience is None else self)
-
-    def step_aside(self) -> bool:
-        """Let another task begin beside one that takes long; return whether there is a thread for it."""
-        if not self._spare:
-            return False
-        self._spare -= 1
-        self.queue.widen()
-        return True
-
-    def step_back(self) -> None:
-        """End that."""
-        self._spare += 1
-        self.queue.narrow()
+        return ThreadSlot(await self.queue.acquire(), self._threads)
 
     async def run(self, work: Callable[[], _Result]) -> _Result:
         """Do the work in a thread, in turn.
@@ -148,18 +115,11 @@ def _timed(work: Callable[[], _Result]) -> tuple[_Result, float]:
 
 
 class ThreadSlot:
-    """The right to have work done in a thread.
+    """The right to have work done in a thread."""
 
-    Where tasks run one at a time, one that takes long steps aside.
-    """
-
-    def __init__(self, slot: Slot, threads: anyio.CapacityLimiter, one_by_one: Limiter | None = None) -> None:
+    def __init__(self, slot: Slot, threads: anyio.CapacityLimiter) -> None:
         self._slot = slot
         self._threads = threads
-        self._limiter = one_by_one
-        self._is_aside = False
-        self._timer: asyncio.TimerHandle | None = None
-        self._wait()
 
     async def run(self, work: Callable[[], _Result]) -> _Result:
         """Do a part of the work in a thread."""
@@ -167,23 +127,7 @@ class ThreadSlot:
 
     def release(self) -> None:
         """Give the slot back; once is enough, twice does no harm."""
-        if self._timer is not None:
-            self._timer.cancel()
-        if self._limiter is not None and self._is_aside:
-            self._is_aside = False
-            self._limiter.step_back()
-        self._limiter = None
         self._slot.release()
-
-    def _wait(self) -> None:
-        if self._limiter is not None and (patience := self._limiter.patience) is not None:
-            self._timer = asyncio.get_running_loop().call_later(patience, self._step_aside)
-
-    def _step_aside(self) -> None:
-        if self._limiter is not None:
-            self._is_aside = self._limiter.step_aside()
-            if not self._is_aside:
-                self._wait()
 
 
 def limiters(settings: Settings) -> dict[WorkKind, Limiter]:
@@ -196,11 +140,6 @@ def limiters(settings: Settings) -> dict[WorkKind, Limiter]:
         WorkKind.COURSES: (COURSE_THREADS, settings.grading_queue),
     }
     return {
-        kind: Limiter(
-            threads=count,
-            capacity=capacity,
-            timeout=settings.queue_seconds,
-            patience=LONG if kind is WorkKind.GRADING else None,
-        )
+        kind: Limiter(threads=count, capacity=capacity, timeout=settings.queue_seconds)
         for kind, (count, capacity) in threads.items()
     }

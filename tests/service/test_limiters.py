@@ -76,43 +76,6 @@ def test_work_that_fails_releases_its_slot() -> None:
     asyncio.run(scene())
 
 
-def test_short_answers_are_judged_one_after_the_other() -> None:
-    """Threads of one interpreter take turns: side by side two answers take longer than one by one."""
-
-    async def scene() -> None:
-        limiter = Limiter(threads=2, capacity=8, timeout=60, patience=3600.0)
-        first = await limiter.acquire()
-        second = asyncio.create_task(limiter.acquire())
-        await asyncio.sleep(0.01)
-        assert (limiter.queue.running, limiter.queue.waiting) == (1, 1)
-        first.release()
-        (await second).release()
-        assert (limiter.queue.running, limiter.queue.waiting) == (0, 0)
-
-    assert limiters(Settings())[WorkKind.GRADING].patience is not None
-    asyncio.run(scene())
-
-
-def test_no_answer_waits_for_the_end_of_a_long_one() -> None:
-    async def scene() -> None:
-        limiter = Limiter(threads=2, capacity=8, timeout=1, patience=0.0)
-        long = await limiter.acquire()
-        beside = await limiter.acquire()
-        last = asyncio.create_task(limiter.acquire())
-        await asyncio.sleep(0.01)
-        assert (limiter.queue.running, limiter.queue.waiting) == (2, 1)  # there are two threads
-        beside.release()
-        following = await last
-        assert limiter.queue.running == 2
-        long.release()
-        (await limiter.acquire()).release()  # beside the one that has become a long one
-        following.release()
-        assert (limiter.queue.running, limiter.queue.waiting) == (0, 0)
-        assert await limiter.run(lambda: 42) == 42
-
-    asyncio.run(scene())
-
-
 def test_a_figure_does_not_wait_behind_wrong_answers() -> None:
     async def scene() -> None:
         found = limiters(Settings(grading_threads=1, grading_queue=0, batch_threads=1, batch_queue=0))
