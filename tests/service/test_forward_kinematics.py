@@ -258,3 +258,15 @@ def test_points_of_links_that_are_not_there(client: httpx.Client) -> None:
     body["points"] = [{"frame": 1, "at": [0, 0, 0]}]
     arrays = client.post("/api/v1/forward-kinematics", json=body, headers={"Accept": "application/x-npy"})
     assert arrays.json()["code"] == "npy_one_part"
+
+
+@pytest.mark.parametrize("place", [0, 2047, 2048, 4999])
+@pytest.mark.parametrize("wrong", ["x", None, [1]])
+def test_a_wrong_value_in_a_long_batch_is_told_at_its_place(
+    client: httpx.Client, place: int, wrong: Any
+) -> None:
+    joints: list[list[Any]] = [[0.1] * 6 for _ in range(5000)]
+    joints[place][place % 6] = wrong
+    answer = client.post("/api/v1/forward-kinematics", json={"robot": "puma560", "joints": joints})
+    told = [(error["code"], error["pointer"]) for error in answer.json()["errors"]]
+    assert told == [("number_expected", f"/joints/{place}/{place % 6}")]
