@@ -228,3 +228,47 @@ def test_lengths_as_numbers_keep_the_usual_tolerance(client: httpx.Client) -> No
     assert check_form(client, jacobian=numbers).json()["correct"]
     load = {"wrench": [0, "fy", 0, 0, 0, 0], "joint_forces": ["(0.5*c1 + 0.502*c12)*fy", "0.5*c12*fy"]}
     assert check_form(client, **load).json()["correct"]
+
+
+def rates_of_zyz(client: httpx.Client, joints: list[float]) -> np.ndarray:
+    """The Jacobian of (x, y, z, α, β, γ) by differences, R = Rot_z(α) Rot_y(β) Rot_z(γ)."""
+
+    def coordinates(q: np.ndarray) -> np.ndarray:
+        body = {"robot": "puma560", "joints": q.tolist(), "parts": ["transform"]}
+        T = np.array(client.post("/api/v1/forward-kinematics", json=body).json()["transform"])
+        middle = math.atan2(math.hypot(T[0, 2], T[1, 2]), T[2, 2])
+        first, last = math.atan2(T[1, 2], T[0, 2]), math.atan2(T[2, 1], -T[2, 0])
+        return np.array([*T[:3, 3], first, middle, last])
+
+    step = 1e-4
+    here = np.array(joints)
+    columns = []
+    for one in np.eye(len(joints)) * step:
+        change = coordinates(here + one) - coordinates(here - one)
+        change[3:] = [math.remainder(angle, math.tau) for angle in change[3:]]
+        columns.append(change / (2 * math.radians(step)))
+    return np.array(columns).T
+
+
+def test_an_analytic_jacobian_in_numbers_is_judged(client: httpx.Client) -> None:
+    joints = [30.0, -40.0, 70.0, 20.0, 50.0, -80.0]
+    rates = rates_of_zyz(client, joints)
+    body = {"robot": "puma560", "joints": joints, "angles": {"axes": "ZYZ"}}
+
+    def judged(matrix: np.ndarray, **more: Any) -> Any:
+        return client.post(
+            "/api/v1/check-jacobian", json={**body, "jacobian": matrix.tolist(), **more}
+        ).json()
+
+    assert judged(rates)["correct"]
+    assert judged(np.vstack([rates[3:], rates[:3]]), order="angular_first")["correct"]
+    assert judged(rates * np.array([1, 1, 1, 1, -1, 1])[:, None])["correct"], "the other triple"
+    wrong = rates.copy()
+    wrong[3, 2] += 0.02
+    assert not judged(wrong)["correct"]
+    geometric = np.array(asked(client, {"robot": "puma560", "joints": joints})["J0"])
+    found = judged(geometric)
+    assert (found["correct"], found["mistakes"][0]["code"]) == (False, "geometric")
+    locked = judged(rates, joints=[0.0] * 6)
+    assert (locked["code"], locked["pointer"]) == ("angles_locked", "/joints")
+    assert judged(rates, angles={"axes": "ZZY"})["pointer"] == "/angles/axes"

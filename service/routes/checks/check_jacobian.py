@@ -15,6 +15,7 @@ from kinematics.errors import Fault, JointValueError
 from kinematics.inverse.lengths import check_lengths
 from service.http.languages import language_of
 from service.http.openapi import problems
+from service.http.problems import located
 from service.http.routing import ApiRequest, api_router
 from service.schemas import examples
 from service.schemas.checks.jacobian_answers import (
@@ -55,8 +56,9 @@ async def check_jacobian(
     body: Annotated[CheckJacobianRequest, Body(openapi_examples=examples.named(_EXAMPLES))],
     request: ApiRequest,
 ) -> CheckJacobianAnswer:
-    """Return the geometric Jacobian of the last frame's origin, in either axes and order, and τ = Jᵀ (f, m).
+    """Return the Jacobian of the last frame's origin, in either order of the rows, and τ = Jᵀ (f, m).
 
+    Geometric, in either axes, or analytic for one of the 24 sequences of angles.
     The table is the answerer's own: whether it is the robot's is asked of `/grade`. Columns that the usual
     slips would make are named.
     """
@@ -77,6 +79,10 @@ def _checked(body: CheckJacobianRequest, robot: PreparedRobot, language: str) ->
         check_count(row, n, ("jacobian", i))
     if body.joint_forces is not None:
         check_count(body.joint_forces, n, ("joint_forces",))
+    angles = None
+    if body.angles is not None:
+        with located("angles"):
+            angles = body.angles.sequence()
     chain = chain_of_table(robot.table)
     entries, forces, correct = None, None, True
     mistakes: list[tuple[str, JacobianMistake, int | None]] = []
@@ -84,7 +90,7 @@ def _checked(body: CheckJacobianRequest, robot: PreparedRobot, language: str) ->
         given = np.array(body.jacobian, dtype=np.float64)
         if body.order is ScrewOrder.ANGULAR_FIRST:
             given = np.vstack([given[3:], given[:3]])
-        found = judge_jacobian(chain, joints, given, body.frame, body.tolerance)
+        found = judge_jacobian(chain, joints, given, body.frame, body.tolerance, angles)
         entries, correct = found.entries.tolist(), found.right
         mistakes += [("jacobian", mistake, joint) for mistake, joint in found.mistakes]
     if body.joint_forces is not None and body.wrench is not None:

@@ -15,7 +15,6 @@ from kinematics.answers.jacobian_forms import judge_force_form, judge_jacobian_f
 from kinematics.answers.screw_answers import ScrewOrder
 from kinematics.cells import ParameterKind
 from kinematics.errors import Fault, JointValueError
-from kinematics.rotations.sequences import EulerSequence
 from kinematics.symbolic import ProofStatus
 from service.http.languages import language_of
 from service.http.openapi import problems
@@ -79,7 +78,7 @@ def _checked(body: CheckJacobianFormRequest, robot: PreparedRobot, language: str
     angles = None
     if body.angles is not None:
         with located("angles"):
-            angles = EulerSequence(axes=body.angles.axes, turning=body.angles.turning)
+            angles = body.angles.sequence()
     values, kinds = form_values(body, robot), robot.read.parameters
     named = {**{name: 7.0 + 3.0 * i for i, name in enumerate(COMPONENTS)}, **values}
     lengths = {name for name in values if kinds.get(name, ParameterKind.LENGTH) is ParameterKind.LENGTH}

@@ -8,25 +8,14 @@ from pydantic import Field
 
 from kinematics.answers.screw_answers import ScrewOrder
 from kinematics.jacobian import JacobianFrame
-from kinematics.rotations.sequences import Turning
 from kinematics.symbolic import ProofStatus
-from service.schemas.base import Real, Wire
-from service.schemas.checks.jacobian_answers import JacobianMistakeModel
+from service.schemas.base import Real
+from service.schemas.checks.jacobian_answers import JacobianMistakeModel, RatesOfAngles
 from service.schemas.choices import forbidding, together
 from service.schemas.robot_question import NO_ROBOT, RobotQuestion
-from service.schemas.rotations import EulerAxes
 from service.schemas.tables import Cell, Units
 
 FormRow = Annotated[list[Cell], Field(max_length=16)]
-
-
-class RatesOfAngles(Wire):
-    """The angles of an analytic Jacobian."""
-
-    axes: EulerAxes
-    turning: Annotated[Turning, Field(strict=False)] = Field(
-        Turning.CURRENT, description="the angles turn about current or about fixed axes"
-    )
 
 
 class CheckJacobianFormRequest(RobotQuestion):
