@@ -42,6 +42,7 @@ EXERCISES = codes_of("exercises.ftl") - {"answer_empty", "source_form", "exercis
 """What a definition or an answer to an exercise means depends on the exercise."""
 ROBOTS = {  # what there is of a robot: its joints, rows, parameters, links
     *("parameter_missing", "parameter_name_invalid", "joint_variable_unknown", "joint_variable_in_number"),
+    "name_without_value",
     "table_too_many_rows",
     *("joints_wrong_length", "limits_wrong_length", "joint_row_length", "motion_row_count"),
     *("links_count", "links_missing", "screw_count", "frames_too_many", "frame_unknown"),
@@ -49,10 +50,10 @@ ROBOTS = {  # what there is of a robot: its joints, rows, parameters, links
     *("urdf_not_xml", "urdf_joint_names", "robot_unknown", "not_plantable", "not_singular"),
     *("inverse_form_unknown", "inverse_joint_count", "form_too_large", "archive_not_zip"),
 }
-GEOMETRY = {  # four rows of four numbers are seldom a pose, and zeros point nowhere
+GEOMETRY = {  # four rows of four numbers are seldom a pose, zeros point nowhere, and angles lock
     *("pose_bottom_row", "pose_not_orthonormal", "pose_left_handed", "direction_zero", "axis_length"),
     *("quaternion_length", "expected_not_rotation", "frame_y_not_z_cross_x", "vector_malformed"),
-    "screw_of_other_type",
+    *("screw_of_other_type", "angles_locked"),
 }
 BEYOND_A_SCHEMA = CELLS | EXERCISES | ROBOTS | GEOMETRY
 """Codes of refusals of what has the right shape."""
