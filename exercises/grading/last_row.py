@@ -13,6 +13,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from functools import partial
 
 from exercises.grading.work import Work
 from kinematics.chain import Axis, Chain, chain_of_table
@@ -51,9 +52,12 @@ def _behind_the_last_joint(chain: Chain, motion: Motion, convention: Convention)
         turned = compose(chain.axes[-1].motion(-value), compose(chain.end, motion))
         return compose(inverse(chain.end), turned)
 
+    def off(value: float, condition: int) -> float:
+        return _off(moved(value), convention)[condition]
+
     yield motion
-    for k in (0, 1):
-        for value in _zeros(lambda x, k=k: _off(moved(x), convention)[k], chain.axes[-1]):  # type: ignore[misc]
+    for condition in (0, 1):
+        for value in _zeros(partial(off, condition=condition), chain.axes[-1]):
             yield moved(value)
 
 

@@ -46,8 +46,6 @@ NO_ROTATION = 1e-9
 """|ω| of a slider."""
 NO_PITCH = 1e-11
 """v·ω of a robot without a length: what the arithmetic leaves of zero."""
-
-
 OTHER_UNITS = (1e-3, 1e-2, 1e2, 1e3)
 """Of a length, in parts of the key's: mm for m, cm for m, and the reverse."""
 
@@ -74,8 +72,8 @@ class ScrewMistake(StrEnum):
     OTHER_FRAME: body screws for space screws, or the reverse. HOME_INVERTED: M leads the other way.
     SIGN_OR_HOME: it is one of these two, and nothing tells which: all axes are parallel, and M is not turned.
     HOME: M is wrong and the screws are right. NOT_RIGID: M is no rigid motion. LENGTH_UNIT: moments, and
-    perhaps M, are in another unit of length. EXCHANGED: the rows of a joint and the next one stand in each
-    other's stead. REVERSED: the rows lead from the tool to the base.
+    perhaps M, are in another unit of length. EXCHANGED: the rows of a joint and the next one are exchanged.
+    REVERSED: the rows lead from the tool to the base.
     """
 
     NOT_UNIT = "not_unit"

@@ -85,3 +85,12 @@ def test_no_place_is_told_where_a_condition_that_always_holds_does_not() -> None
     found = part(judged("twolink-singularities", singularities=cells), "singularities")
     assert "singularity_everywhere" in codes(found)
     assert "singularity_missing_at" not in codes(found)
+
+
+@pytest.mark.parametrize(("angle", "close"), [("0.7", True), ("20.5", False)])
+def test_a_condition_that_is_almost_a_singularity_is_told_to_be_rounded(angle: str, close: bool) -> None:
+    cells = SingularityCells(conditions=((f"q2 = {angle}, 180",),), lost=(1, 2, 3))
+    report = judged("twolink-singularities", help_level=HelpLevel.REPAIR, singularities=cells)
+    told = codes(part(report, "singularities"))
+    assert "singularity_invented_at" in told
+    assert ("singularity_rounded" in told) is close
