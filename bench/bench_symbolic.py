@@ -157,7 +157,7 @@ def _jacobian() -> list[Outcome]:
 def _catalogue() -> list[Outcome]:
     from kinematics.catalogue import robots
     from kinematics.printing import Format, Notation
-    from service.wire.symbolic_forms import FormPart, SymbolicTask, written_answer
+    from service.wire.kinematics.symbolic_forms import FormPart, SymbolicTask, written_answer
 
     measures = {"⁰T_N": (FormPart.TRANSFORM,), "links, frames, ⁰T_N, its inverse, J0, Jn": tuple(FormPart)}
     outcomes: list[Outcome] = []

@@ -22,7 +22,7 @@ from service.receipts.keys import receipt_keys
 from service.settings import Settings
 from service.web.assets import Assets, static_root
 from service.wire.answer_cache import AnswerCache
-from service.wire.prepared_robots import RobotCache
+from service.wire.kinematics.prepared_robots import RobotCache
 from service.work.callbacks import Callbacks
 from service.work.fair_queue import FairQueue
 from service.work.limiters import Limiter, WorkKind, limiters

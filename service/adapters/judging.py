@@ -19,9 +19,9 @@ from kinematics.errors import Fault, KinematicsError
 from service.http.problems import ServiceError
 from service.http.validation import validated
 from service.messages import DEFAULT_LANGUAGE, sentence
-from service.schemas.exercises import AnswerBase, ExerciseAnswer
-from service.wire.exercise_views import instance_of
-from service.wire.verdicts import encoded, report_body
+from service.schemas.exercises.exercises import AnswerBase, ExerciseAnswer
+from service.wire.exercises.exercise_views import instance_of
+from service.wire.exercises.verdicts import encoded, report_body
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -16,7 +16,7 @@ from kinematics.errors import Fault
 from service.adapters import mued
 from service.adapters.judging import JudgedAnswer, judge, told_fault
 from service.messages import sentence
-from service.schemas.evaluation import EvaluateRequest, FunctionCall
+from service.schemas.exercises.evaluation import EvaluateRequest, FunctionCall
 
 _OF_ROWS = ("convention", "angle_unit", "length_unit")
 _CHECKED = "twolink"

@@ -15,7 +15,7 @@ from service.http.decoding import decode_json
 from service.http.negotiation import preferred_language
 from service.http.problems import ServiceError
 from service.messages import DEFAULT_LANGUAGE, languages, sentence
-from service.schemas.evaluation import EvaluateRequest, SubmissionType
+from service.schemas.exercises.evaluation import EvaluateRequest, SubmissionType
 
 VERSION = "0.1.0"
 TABLE_FORMAT = "dh_table"

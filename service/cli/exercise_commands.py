@@ -25,7 +25,7 @@ from exercises.selftest.checks import check
 from exercises.selftest.findings import Failure, Findings
 from service.cli.environment import count, settings_of_environment
 from service.messages import sentence
-from service.wire.figure_files import figure_file
+from service.wire.exercises.figure_files import figure_file
 
 SEEDS = 10
 """What a lecturer waits for; `make check-exercises` tries more."""

@@ -22,11 +22,11 @@ from service.cli.environment import count, settings_of_environment
 from service.http.problems import NotFoundError
 from service.messages import languages, sentence
 from service.resources import Resources
-from service.schemas.symbolic_request import SymbolicRequest
+from service.schemas.kinematics.symbolic_request import SymbolicRequest
 from service.settings import Settings
-from service.wire.figure_files import packed_figure
-from service.wire.symbolic_forms import written_answer
-from service.wire.symbolic_tasks import form_address, matrices_task
+from service.wire.exercises.figure_files import packed_figure
+from service.wire.kinematics.symbolic_forms import written_answer
+from service.wire.kinematics.symbolic_tasks import form_address, matrices_task
 
 MISTAKES = 0
 """A variant is tested by right answers, by wrong parts and by its figure. How well mistakes are explained

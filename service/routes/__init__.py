@@ -1,4 +1,6 @@
-"""One noun a file. Each module has a `router`, made by `service.http.routing.api_router("tag")`.
+"""One noun a file, in the rooms `kinematics`, `checks`, `exercises` and `courses`; beside them the pages.
+
+Each module has a `router`, made by `service.http.routing.api_router("tag")`.
 
 The application mounts every module of this package and of its rooms, in alphabetical order of the names of
 files, as it stands: the paths of an API router already begin with /api/v1, and a page's router says its own.

@@ -16,8 +16,8 @@ from service.resources import resources_of
 from service.settings import Publishers
 from service.web.responses import missing_page, page_language, page_response
 from service.web.shell import Page
-from service.wire.exercise_views import instance_of, statement_html
-from service.wire.figure_files import figure_path
+from service.wire.exercises.exercise_views import instance_of, statement_html
+from service.wire.exercises.figure_files import figure_path
 from service.work.limiters import WorkKind
 
 router = APIRouter(include_in_schema=False, route_class=DirectRoute)

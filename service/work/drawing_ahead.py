@@ -24,7 +24,7 @@ from exercises.parts.mistakes.frame_mistake import FrameMistakeType
 from kinematics.errors import KinematicsError
 from service.course_resources import now
 from service.messages import languages
-from service.wire.figure_files import draw_ahead
+from service.wire.exercises.figure_files import draw_ahead
 from service.work.background import BackgroundThread
 from service.work.shared_answers import SharedAnswers
 

@@ -26,9 +26,9 @@ from exercises.library import Library
 from kinematics.cells import Limits
 from kinematics.errors import Fault
 from service.course_resources import now
-from service.schemas.exercises import AnswerBase, ExerciseAnswer
+from service.schemas.exercises.exercises import AnswerBase, ExerciseAnswer
 from service.wire.courses.session_views import seed_of
-from service.wire.verdicts import encoded
+from service.wire.exercises.verdicts import encoded
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -21,8 +21,8 @@ from typing import Any
 PRELOADED = (
     "kinematics.inverse",
     "kinematics.workspace",
-    "service.wire.chain_forms",
-    "service.wire.symbolic_forms",
+    "service.wire.kinematics.chain_forms",
+    "service.wire.kinematics.symbolic_forms",
 )
 """What nearly every task needs: imported before the first one comes."""
 

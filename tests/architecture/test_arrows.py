@@ -43,5 +43,5 @@ def test_starting_up_loads_nothing_heavy(program: str) -> None:
 
 def test_worker_processes_load_no_web_framework() -> None:
     modules = ("inverse_forms", "dynamics", "symbolic_forms", "chain_forms", "motion_products")
-    program = "".join(f"import service.wire.{module}\n" for module in modules)
+    program = "".join(f"import service.wire.kinematics.{module}\n" for module in modules)
     assert loaded(program, ("starlette",)) == []

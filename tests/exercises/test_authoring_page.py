@@ -17,7 +17,7 @@ from exercises.definition import LANGUAGES
 from exercises.loader import load_exercise
 from exercises.parts.registry import part_types
 from service.cli.commands import main
-from service.schemas.exercises import ExerciseAnswer
+from service.schemas.exercises.exercises import ExerciseAnswer
 from tests.exercises.answering import judged
 
 PAGE = (Path(__file__).parents[2] / "docs" / "authoring.md").read_text(encoding="utf-8")

@@ -9,7 +9,7 @@ import pytest
 from exercises.grader import Report
 from exercises.grading import HelpLevel, Verdict
 from exercises.records import plain, restored
-from service.wire.verdicts import encoded, report_body
+from service.wire.exercises.verdicts import encoded, report_body
 from tests.exercises.answering import SCARA, SCARA_TRANSFORM, edited, judged, table
 
 WRONG = table("standard", (0, "a2", 0, "q1"), (90, "a3", 0, "q2"), (0, 0, "q3", 0), (0, 0, 0, "q4"))

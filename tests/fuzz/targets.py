@@ -45,8 +45,8 @@ from service.http.validation import validated
 from service.lti.launch import Expected, read_launch
 from service.receipts.keys import keys_of_secret
 from service.receipts.receipt import verify
-from service.schemas.exercises import ExerciseAnswer
-from service.schemas.scm import ScmChainModel
+from service.schemas.exercises.exercises import ExerciseAnswer
+from service.schemas.kinematics.scm import ScmChainModel
 
 REFUSALS = (KinematicsError, ExerciseError, ServiceError)
 SLOW_SECONDS = 1.0

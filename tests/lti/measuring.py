@@ -26,7 +26,7 @@ from courses.storage import Store, open_store
 from exercises.library import packaged
 from kinematics.cells import DEFAULT
 from service.course_resources import now
-from service.schemas.exercises import ExerciseAnswer
+from service.schemas.exercises.exercises import ExerciseAnswer
 from service.settings import Settings
 from service.work.regrading_processes import RegradingProcesses
 from service.work.session_grading import Grader, judged_submission

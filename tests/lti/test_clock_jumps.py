@@ -11,7 +11,7 @@ import httpx
 import pytest
 
 import service.course_resources
-import service.routes.receipts
+import service.routes.exercises.receipts
 from courses.enrolment import Arrival, arrive
 from courses.model import Role
 from courses.storage import Store, open_store
@@ -95,7 +95,7 @@ def test_forwards_a_session_ends_and_another_finds_everything(
 def test_a_receipt_holds_whatever_the_clock_says(
     student: httpx.Client, clock: type[Clock], monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(service.routes.receipts, "datetime", Clock)
+    monkeypatch.setattr(service.routes.exercises.receipts, "datetime", Clock)
     clock.jump = timedelta(hours=5)
     made = student.post("exercises/puma560/receipts", json={**RIGHT, "name": "Ann"}).json()["receipt"]
     for hours in (0, -5, 24 * 365):

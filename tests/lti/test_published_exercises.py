@@ -8,7 +8,7 @@ from typing import Any
 
 import pytest
 
-from service.schemas.examples_authoring import TWO_LINKS
+from service.schemas.exercises.examples_authoring import TWO_LINKS
 from service.settings import Publishers, Settings
 from tests.lti.classes import TEACHER, Browser, Lms, eventually, hint
 

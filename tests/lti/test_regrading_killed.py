@@ -105,6 +105,6 @@ def test_a_regrading_that_was_killed_goes_on(database: str, tmp_path: Path) -> N
 
 
 def _wire(answer: object) -> object:
-    from service.schemas.exercises import ExerciseAnswer
+    from service.schemas.exercises.exercises import ExerciseAnswer
 
     return ExerciseAnswer.model_validate(answer)

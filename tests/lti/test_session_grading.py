@@ -20,7 +20,7 @@ from exercises.instance import generate, kept_instance
 from exercises.library import Library
 from kinematics.cells import DEFAULT
 from service.course_resources import CourseResources, now
-from service.schemas.exercises import ExerciseAnswer
+from service.schemas.exercises.exercises import ExerciseAnswer
 from service.settings import Settings
 from service.work.session_grading import Grader, judged_submission, with_exercise_rules
 from tests.courses.classroom import attempts_of, handed_in, joined

@@ -21,7 +21,7 @@ from exercises.instance import generate, possible_instances
 from exercises.library import packaged
 from kinematics.errors import Fault
 from service.course_resources import now
-from service.wire import figure_files
+from service.wire.exercises import figure_files
 from service.work.drawing_ahead import DrawingAhead
 from service.work.shared_answers import SharedAnswers
 from tests.courses.classroom import platform

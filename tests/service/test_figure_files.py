@@ -16,7 +16,8 @@ from courses.storage import Store, open_store
 from exercises.instance import generate
 from exercises.library import packaged
 from service.settings import Settings
-from service.wire import answer_cache, figure_files
+from service.wire import answer_cache
+from service.wire.exercises import figure_files
 from service.work.shared_answers import SharedAnswers
 from service.work.workers import Workers
 from tests.live_service import running

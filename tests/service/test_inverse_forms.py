@@ -10,9 +10,9 @@ import httpx
 import numpy as np
 import pytest
 
-from service.schemas.inverse_forms import SymbolicInverseRequest
+from service.schemas.kinematics.inverse_forms import SymbolicInverseRequest
 from service.settings import Settings
-from service.wire.inverse_forms import inverse_form_task
+from service.wire.kinematics.inverse_forms import inverse_form_task
 
 URL = "/api/v1/inverse-kinematics"
 

@@ -14,7 +14,7 @@ from kinematics.cells import AngleUnit, bind_parameters
 from kinematics.forward import end_pose
 from kinematics.table import JointType
 from service.schemas.examples import PUMA_560
-from service.wire import inverse_solutions
+from service.wire.kinematics import inverse_solutions
 from service.work.workers import Lane, Workers
 
 URL = "/api/v1/inverse-kinematics"

@@ -20,7 +20,7 @@ from exercises.instance import Instance, kept_instance
 from service.app import create_app
 from service.http.problems import BusyError
 from service.settings import Settings
-from service.wire import exercise_views
+from service.wire.exercises import exercise_views
 from service.work import fair_queue
 from service.work.fair_queue import AHEAD, CLIENTS, Client, FairQueue, Name, Proven, current_client
 from service.work.limiters import DONE, LIGHT, TRIED, Limiter, WorkKind, limiters

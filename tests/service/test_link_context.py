@@ -16,7 +16,7 @@ from exercises.access import Tool
 from exercises.grading import HelpLevel
 from service.http.link_context import HEADER, LinkContext, signed, verified
 from service.http.problems import ForbiddenError
-from service.schemas.examples_grading import SCARA_BY_THE_BOOK
+from service.schemas.exercises.examples_grading import SCARA_BY_THE_BOOK
 from service.settings import Settings
 from tests.exercises.folders import TWO_LINKS, folder
 from tests.live_service import running

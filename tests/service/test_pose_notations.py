@@ -5,9 +5,9 @@ import math
 import numpy as np
 import pytest
 
-from service.schemas.inverse_forms import SymbolicInverseRequest
-from service.schemas.workspace_request import WorkspaceRequest
-from service.wire.pose_matrices import base_and_tool
+from service.schemas.kinematics.inverse_forms import SymbolicInverseRequest
+from service.schemas.kinematics.workspace_request import WorkspaceRequest
+from service.wire.kinematics.pose_matrices import base_and_tool
 
 ROBOT = {"robot": "twolink"}
 JOINTS = {"joints": [0.3, 0.8]}

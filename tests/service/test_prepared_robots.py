@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from service.schemas.robot_question import RobotQuestion
+from service.schemas.kinematics.robot_question import RobotQuestion
 from service.settings import Settings
-from service.wire.prepared_robots import RobotCache
+from service.wire.kinematics.prepared_robots import RobotCache
 
 SIZE = 8
 

@@ -19,7 +19,7 @@ import pytest
 from kinematics.expressions import evaluate
 from kinematics.printing import Format, from_tree
 from service.app import create_app
-from service.schemas.symbolic_request import PUMA_LENGTHS
+from service.schemas.kinematics.symbolic_request import PUMA_LENGTHS
 from service.settings import Settings
 from tests.live_service import running
 
@@ -276,7 +276,7 @@ def test_sympy_is_never_imported() -> None:
 import asyncio, json, sys
 import httpx
 from service.app import create_app
-from service.schemas.symbolic_request import PUMA_LENGTHS
+from service.schemas.kinematics.symbolic_request import PUMA_LENGTHS
 from service.work.workers import Lane
 
 async def main():

@@ -15,7 +15,7 @@ from courses.storage import open_store
 from service.cli.commands import main
 from service.course_resources import now
 from service.settings import Settings
-from service.wire import figure_files
+from service.wire.exercises import figure_files
 from tests.courses.classroom import platform
 from tests.live_service import running
 

@@ -15,7 +15,7 @@ from playwright.sync_api import Locator, Page, Route, expect
 from exercises.authoring.archive import draft_of_archive
 from exercises.authoring.draft import exercise_of_draft
 from exercises.selftest.checks import check_values
-from service.schemas.examples_authoring import TWO_LINKS
+from service.schemas.exercises.examples_authoring import TWO_LINKS
 from service.settings import Settings
 from tests.live_service import running
 from tests.web.conftest import LANGUAGES, OpenPage, Watch

@@ -25,8 +25,8 @@ from service.schemas.checks.jacobian_answers import (
 )
 from service.wire.checks.answer_functions import check_count
 from service.wire.fault_pointers import traced
-from service.wire.joint_values import values_in_radians
-from service.wire.prepared_robots import PreparedRobot
+from service.wire.kinematics.joint_values import values_in_radians
+from service.wire.kinematics.prepared_robots import PreparedRobot
 
 router = api_router("kinematics")
 

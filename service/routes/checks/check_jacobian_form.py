@@ -24,7 +24,7 @@ from service.schemas import examples
 from service.schemas.checks.jacobian_answers import jacobian_mistake
 from service.schemas.checks.jacobian_form_answers import CheckJacobianFormAnswer, CheckJacobianFormRequest
 from service.wire.checks.answer_functions import form_values, read_row, roundings_of
-from service.wire.prepared_robots import PreparedRobot
+from service.wire.kinematics.prepared_robots import PreparedRobot
 from service.work.limiters import WorkKind
 
 router = api_router("kinematics")

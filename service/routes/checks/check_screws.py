@@ -17,8 +17,8 @@ from service.schemas import examples
 from service.schemas.checks.screw_answers import CheckScrewsAnswer, CheckScrewsRequest, ScrewMistakeModel
 from service.schemas.spoken import feedback_sentence
 from service.wire.fault_pointers import traced
-from service.wire.pose_matrices import pose_matrix
-from service.wire.prepared_robots import PreparedRobot
+from service.wire.kinematics.pose_matrices import pose_matrix
+from service.wire.kinematics.prepared_robots import PreparedRobot
 from service.work.limiters import WorkKind
 
 router = api_router("kinematics")

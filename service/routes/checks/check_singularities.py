@@ -28,8 +28,8 @@ from service.schemas.checks.singularity_answers import CheckSingularitiesAnswer,
 from service.schemas.spoken import feedback_sentence
 from service.wire.checks.answer_functions import check_count, form_values, known_functions
 from service.wire.fault_pointers import traced
-from service.wire.joint_values import values_in_radians
-from service.wire.prepared_robots import PreparedRobot
+from service.wire.kinematics.joint_values import values_in_radians
+from service.wire.kinematics.prepared_robots import PreparedRobot
 from service.work.limiters import WorkKind
 
 router = api_router("kinematics")

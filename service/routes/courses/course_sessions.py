@@ -22,10 +22,10 @@ from service.http.languages import language_of
 from service.http.routing import JSON, ApiRequest, DirectRoute, api_router
 from service.http.validation import validated
 from service.resources import resources_of
-from service.schemas.exercises import AnswerBase, ExerciseAnswer
+from service.schemas.exercises.exercises import AnswerBase, ExerciseAnswer
 from service.wire.courses.session_views import attempt_view, masked, session_view, stored_report
-from service.wire.ungraded import answer_refused
-from service.wire.verdicts import encoded, report_body
+from service.wire.exercises.ungraded import answer_refused
+from service.wire.exercises.verdicts import encoded, report_body
 from service.work.limiters import WorkKind
 from service.work.session_grading import Grader, judged_submission, with_exercise_rules
 

@@ -45,7 +45,7 @@ from service.routes.courses.course_sessions import grader_of, in_thread, json_re
 from service.wire.courses.course_views import attempt_record, csv_of, with_examples
 from service.wire.courses.lti_custom import custom_of
 from service.wire.courses.session_views import attempt_view
-from service.wire.ungraded import known_exercise
+from service.wire.exercises.ungraded import known_exercise
 from service.work.regrading_processes import RegradingProcesses
 from service.work.session_grading import asked_exercise
 

@@ -18,10 +18,10 @@ from service.http.problems import ForbiddenError
 from service.http.routing import ApiRequest, api_router
 from service.resources import resources_of
 from service.routes.courses.course_sessions import in_thread, json_response, signed_in
-from service.schemas import authoring as wire
-from service.schemas import examples_authoring as examples
+from service.schemas.exercises import authoring as wire
+from service.schemas.exercises import examples_authoring as examples
 from service.settings import Publishers
-from service.wire.drafts import draft_refused
+from service.wire.exercises.drafts import draft_refused
 from service.work.workers import Lane
 
 router = api_router("authoring")

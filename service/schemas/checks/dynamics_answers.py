@@ -10,8 +10,8 @@ from kinematics.answers.dynamics_answers import TOLERANCE, DynamicsMistake
 from kinematics.symbolic import ProofStatus
 from service.schemas.base import Real, Wire
 from service.schemas.choices import forbidding, together
-from service.schemas.dynamics_request import DYNAMICS, WeighedRobot
-from service.schemas.robot_question import NO_ROBOT
+from service.schemas.kinematics.dynamics_request import DYNAMICS, WeighedRobot
+from service.schemas.kinematics.robot_question import NO_ROBOT
 from service.schemas.tables import Cell, Units
 
 EquationRow = Annotated[list[Cell], Field(max_length=16)]

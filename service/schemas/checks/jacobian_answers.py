@@ -12,9 +12,9 @@ from kinematics.jacobian import JacobianFrame
 from kinematics.rotations.sequences import EulerSequence, Turning
 from service.schemas.base import Real, Wire
 from service.schemas.choices import forbidding, together
-from service.schemas.rates_request import Vector6
-from service.schemas.robot_question import NO_ROBOT, RobotQuestion
-from service.schemas.rotations import EulerAxes
+from service.schemas.kinematics.rates_request import Vector6
+from service.schemas.kinematics.robot_question import NO_ROBOT, RobotQuestion
+from service.schemas.kinematics.rotations import EulerAxes
 from service.schemas.spoken import feedback_sentence
 from service.schemas.tables import Units
 

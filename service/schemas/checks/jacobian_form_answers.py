@@ -12,7 +12,7 @@ from kinematics.symbolic import ProofStatus
 from service.schemas.base import Real
 from service.schemas.checks.jacobian_answers import JacobianMistakeModel, RatesOfAngles
 from service.schemas.choices import forbidding, together
-from service.schemas.robot_question import NO_ROBOT, RobotQuestion
+from service.schemas.kinematics.robot_question import NO_ROBOT, RobotQuestion
 from service.schemas.tables import Cell, Units
 
 FormRow = Annotated[list[Cell], Field(max_length=16)]

@@ -9,9 +9,9 @@ from pydantic import Field
 from kinematics.answers.joint_questions import USUAL_TOLERANCE
 from kinematics.answers.joint_verdicts import JointClaim
 from service.schemas.base import Matrix4, Real, Wire
-from service.schemas.joint_limits import JointRanges
-from service.schemas.pose_input import PoseInput
-from service.schemas.robot_question import RobotQuestion
+from service.schemas.kinematics.joint_limits import JointRanges
+from service.schemas.kinematics.pose_input import PoseInput
+from service.schemas.kinematics.robot_question import RobotQuestion
 from service.schemas.spoken import SpokenFeedback
 from service.schemas.tables import Table, Units
 

@@ -8,10 +8,10 @@ from pydantic import Field
 
 from kinematics.answers.screw_answers import ScrewFrame, ScrewMistake, ScrewOrder
 from service.schemas.base import Matrix4, Real, Wire
-from service.schemas.pose_input import PoseInput
-from service.schemas.robot_question import RobotQuestion
+from service.schemas.exercises.verdicts import PolicyModel
+from service.schemas.kinematics.pose_input import PoseInput
+from service.schemas.kinematics.robot_question import RobotQuestion
 from service.schemas.tables import Units
-from service.schemas.verdicts import PolicyModel
 
 ScrewRowModel = Annotated[list[Real], Field(min_length=6, max_length=6)]
 

@@ -11,7 +11,7 @@ from kinematics.symbolic import ProofStatus
 from kinematics.symbolic.determinants import MotionRows
 from service.schemas.base import Real, Wire
 from service.schemas.choices import forbidding, together
-from service.schemas.robot_question import NO_ROBOT, RobotQuestion
+from service.schemas.kinematics.robot_question import NO_ROBOT, RobotQuestion
 from service.schemas.tables import Cell, Units
 
 

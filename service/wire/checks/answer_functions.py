@@ -13,8 +13,8 @@ from kinematics.cells import AngleUnit, ParameterKind, ReadTable, nearest_name
 from kinematics.cells.meaning import CellMeaning
 from kinematics.errors import CellError, Fault, JointValueError, ParamValue
 from kinematics.expressions import Expression
-from service.schemas.robot_question import RobotQuestion
-from service.wire.prepared_robots import PreparedRobot, listed_robot
+from service.schemas.kinematics.robot_question import RobotQuestion
+from service.wire.kinematics.prepared_robots import PreparedRobot, listed_robot
 
 Where = tuple[str | int, ...]
 

@@ -29,13 +29,13 @@ from service.schemas.checks.joint_answers import (
     CheckInverseKinematicsRequest,
     JointRowVerdict,
 )
-from service.schemas.joint_limits import domain_limits
+from service.schemas.kinematics.joint_limits import domain_limits
 from service.schemas.spoken import spoken
 from service.wire.checks.answer_functions import check_count
 from service.wire.fault_pointers import traced
-from service.wire.inverse_solutions import TargetQuestion, answer_to
-from service.wire.pose_matrices import pose_matrix
-from service.wire.prepared_robots import PreparedRobot
+from service.wire.kinematics.inverse_solutions import TargetQuestion, answer_to
+from service.wire.kinematics.pose_matrices import pose_matrix
+from service.wire.kinematics.prepared_robots import PreparedRobot
 from service.work.limiters import WorkKind
 
 ROUNDED = 2e-3

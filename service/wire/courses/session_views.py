@@ -13,7 +13,7 @@ from exercises.grader import Report
 from exercises.instance import variant_of
 from exercises.records import restored
 from service.course_resources import now
-from service.wire.verdicts import report_body
+from service.wire.exercises.verdicts import report_body
 
 
 def seed_of(session: CourseSession) -> str | None:

@@ -12,7 +12,7 @@ import httpx
 import pytest
 
 from exercises.library import ROOT, packaged
-from service.schemas.examples_authoring import DRAWING, TWO_LINKS
+from service.schemas.exercises.examples_authoring import DRAWING, TWO_LINKS
 from service.settings import Settings
 from tests.live_service import running
 

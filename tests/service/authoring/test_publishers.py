@@ -10,7 +10,7 @@ import pytest
 from pydantic import ValidationError
 
 from service.http.api_keys import KeyFile, KeyScope
-from service.schemas.examples_authoring import TWO_LINKS
+from service.schemas.exercises.examples_authoring import TWO_LINKS
 from service.settings import Publishers, Settings
 from tests.live_service import running
 

@@ -1,0 +1,1 @@
+"""Exercises: making them, answering them, and what is handed to a course."""

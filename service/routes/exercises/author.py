@@ -1,0 +1,233 @@
+"""Making exercises: a draft is started, tried, tested, taken along; nothing is kept."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import Annotated, Any
+
+from fastapi import Body, Response
+from pydantic import TypeAdapter
+
+from exercises.answers import parse
+from exercises.authoring.archive import LARGEST_ARCHIVE, archive_of_draft, draft_of_archive
+from exercises.authoring.trials import (
+    new_draft,
+    rehearsed_mistakes,
+    rehearsed_right,
+    self_test,
+    trial,
+)
+from exercises.grader import grade
+from exercises.instance import generate
+from service.http.languages import language_of
+from service.http.openapi import problems, request_body
+from service.http.routing import JSON, ApiRequest, DirectRoute, api_router
+from service.http.validation import validated
+from service.resources import resources_of
+from service.schemas.exercises import authoring as wire
+from service.schemas.exercises import examples_authoring as examples
+from service.schemas.exercises.exercises import AnswerBase, ExerciseAnswer, GradedModel
+from service.wire.exercises.drafts import (
+    draft_body,
+    draft_refused,
+    exercise_of,
+    preview_body,
+    rehearsal_body,
+    self_test_body,
+)
+from service.wire.exercises.ungraded import answer_refused
+from service.wire.exercises.verdicts import encoded, report_body
+from service.work.limiters import WorkKind
+from service.work.workers import Lane
+
+router = api_router("authoring")
+direct = api_router("authoring", route_class=DirectRoute)
+
+ZIP = "application/zip"
+_BINARY: dict[int | str, dict[str, Any]] = {
+    200: {"content": {ZIP: {"schema": {"type": "string", "format": "binary"}}}}
+}
+_REFUSALS = problems(400, 413, 415, 422, 503)
+LARGEST_BODY = 2 * LARGEST_ARCHIVE
+"""Of an archive in base64, with what is around it."""
+_IMPORT = TypeAdapter(wire.ImportRequest)
+_ANSWER: TypeAdapter[AnswerBase] = TypeAdapter(ExerciseAnswer)
+
+
+@router.post(
+    "/author/start",
+    response_model=wire.StartAnswer,
+    responses=_REFUSALS,
+    summary="Start an exercise",
+)
+async def start_draft(
+    body: Annotated[wire.StartRequest, Body(openapi_examples=examples.START)], request: ApiRequest
+) -> Response:
+    """Start a draft from a catalogue robot, a DH table, drawn joint axes, an SCM chain or a URDF description.
+
+    The draft loads, can be drawn and passes its own tests unchanged.
+    """
+    with draft_refused():
+        draft, axes = await _in_worker(request, new_draft, body.id, body.source)
+    return _json({**draft_body(draft), "axes": axes}, language_of(request))
+
+
+@router.post(
+    "/author/preview",
+    response_model=wire.PreviewAnswer,
+    responses=_REFUSALS,
+    summary="A draft as students will see it",
+)
+async def preview_draft(
+    body: Annotated[wire.DraftRequest, Body(openapi_examples=examples.DRAFT)], request: ApiRequest
+) -> Response:
+    """Return the exercise with its figure, and what the policy leaves free for this robot.
+
+    An incomplete draft is refused; every fault has its place in the draft.
+    """
+    language = language_of(request)
+    draft = body.draft.draft()
+    with draft_refused():
+        admission = await _in_worker(request, trial, draft)
+        found = await _drawn(request, partial(preview_body, draft, admission, language))
+    return _json(found, language)
+
+
+@router.post(
+    "/author/check",
+    response_model=wire.SelfTestAnswer,
+    responses=_REFUSALS,
+    summary="A round of a draft's self-test",
+)
+async def check_draft(
+    body: Annotated[wire.CheckRequest, Body(openapi_examples=examples.CHECK)], request: ApiRequest
+) -> Response:
+    """Run `framewise exercises check` for the values of one seed, with some of the listed mistakes."""
+    language = language_of(request)
+    with draft_refused():
+        findings = await _in_worker(request, self_test, body.draft.draft(), body.seed)
+    return _json(self_test_body(findings, body.seed, language), language)
+
+
+@router.post(
+    "/author/right-answers",
+    response_model=wire.RehearsalAnswer,
+    responses=_REFUSALS,
+    summary="Right answers that look different",
+)
+async def right_answers_of_draft(
+    body: Annotated[wire.RightAnswersRequest, Body(openapi_examples=examples.DRAFT)], request: ApiRequest
+) -> Response:
+    """Return right tables with other frames, signs, zeros and conventions, as far as the policy allows."""
+    return await _rehearsed(request, rehearsed_right, body.draft, body.count)
+
+
+@router.post(
+    "/author/mistakes",
+    response_model=wire.RehearsalAnswer,
+    responses=_REFUSALS,
+    summary="The commonest wrong answers and their marks",
+)
+async def mistakes_of_draft(
+    body: Annotated[wire.DraftRequest, Body(openapi_examples=examples.DRAFT)], request: ApiRequest
+) -> Response:
+    """Return every misconception about the draft's robot, made in the key.
+
+    Each is given with what it earns and what a student is told.
+    """
+    return await _rehearsed(request, rehearsed_mistakes, body.draft)
+
+
+@router.post(
+    "/author/grade",
+    response_model=GradedModel,
+    responses=_REFUSALS,
+    summary="Judge an answer to a draft",
+)
+async def grade_against_draft(
+    body: Annotated[wire.TryRequest, Body(openapi_examples=examples.TRY)], request: ApiRequest
+) -> Response:
+    """Return the verdict that a student would get. Nothing is recorded."""
+    language = language_of(request)
+    draft = body.draft.draft()
+    with draft_refused():
+        await _in_worker(request, trial, draft)
+    with answer_refused():
+        answer: AnswerBase = validated(_ANSWER, body.answer)
+        raw, limits = answer.raw(), request.settings.cell_limits
+
+        def work() -> Any:
+            instance = generate(exercise_of(draft), answer.seed)
+            return grade(instance, parse(instance, raw, limits), answer.help, answer.attempt)
+
+        report = await resources_of(request).limiters[WorkKind.GRADING].run(work)
+    return _json(report_body(report, language), language)
+
+
+@router.post(
+    "/author/folder.zip",
+    responses={**_BINARY, **_REFUSALS},
+    response_class=Response,
+    summary="The folder of a draft",
+)
+async def folder_of_draft(
+    body: Annotated[wire.DraftRequest, Body(openapi_examples=examples.DRAFT)], request: ApiRequest
+) -> Response:
+    """Return the folder as a zip archive, the same bytes for the same draft."""
+    draft = body.draft.draft()
+    with draft_refused():
+        await _in_worker(request, trial, draft)
+        archive = archive_of_draft(draft)
+    headers = {
+        "Content-Disposition": f'attachment; filename="{draft.id}.zip"',
+        "Cache-Control": "no-store",
+    }
+    return Response(archive, media_type=ZIP, headers=headers)
+
+
+@direct.post(
+    "/author/import",
+    response_model=wire.DraftAnswer,
+    responses=_REFUSALS,
+    openapi_extra=request_body(wire.ImportRequest, examples.IMPORT),
+    summary="The draft in a folder",
+)
+async def import_draft(request: ApiRequest) -> Response:
+    """Return the draft that the zip archive of a folder holds. Nothing is unpacked to a disk.
+
+    The archive may also be the body itself, as `application/zip`.
+    """
+    request.body_limit = LARGEST_BODY
+    if request.media_type() == ZIP:
+        data = await request.body()
+    else:
+        asked: wire.ImportRequest = validated(_IMPORT, await request.json(ZIP))
+        data = asked.archive
+    with draft_refused():
+        draft = draft_of_archive(data)
+        await _in_worker(request, trial, draft)
+    return _json(draft_body(draft), language_of(request))
+
+
+async def _in_worker(request: ApiRequest, work: Any, *arguments: Any) -> Any:
+    """Do what costs time with a draft, in a process that may only take so much of it."""
+    return await resources_of(request).workers.run(Lane.SLOW, work, *arguments)
+
+
+async def _rehearsed(request: ApiRequest, work: Any, draft: wire.DraftModel, *arguments: Any) -> Response:
+    language = language_of(request)
+    with draft_refused():
+        answers = await _in_worker(request, work, draft.draft(), *arguments)
+    return _json(rehearsal_body(answers, language), language)
+
+
+async def _drawn(request: ApiRequest, work: Any) -> Any:
+    return await resources_of(request).limiters[WorkKind.DRAWING].run(work)
+
+
+def _json(body: dict[str, Any], language: str) -> Response:
+    headers = {"Content-Language": language, "Vary": "Accept-Language", "Cache-Control": "no-store"}
+    return Response(encoded(body), media_type=JSON, headers=headers)
+
+
+router.routes.extend(direct.routes)

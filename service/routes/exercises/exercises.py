@@ -1,0 +1,246 @@
+"""Exercises: the list, one of them with a student's values, its figure, and judging answers."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+from typing import Annotated, TypeVar
+
+from fastapi import Path, Request, Response
+from pydantic import TypeAdapter
+
+from exercises.access import lowest
+from exercises.answers import parse
+from exercises.errors import AnswerError
+from exercises.grader import Report, grade
+from exercises.grading import HelpLevel
+from exercises.instance import Instance
+from kinematics.errors import Fault
+from service.http.languages import language_of
+from service.http.link_context import LinkContext
+from service.http.link_guard import context_of
+from service.http.openapi import problems, request_body
+from service.http.problems import ForbiddenError, RequestError, RequestPart
+from service.http.routing import JSON, ApiRequest, DirectRoute, api_router
+from service.http.validation import validated
+from service.resources import resources_of
+from service.schemas.exercises import examples_grading as examples
+from service.schemas.exercises.exercises import (
+    AnswerBase,
+    ExerciseAnswer,
+    ExerciseList,
+    ExerciseModel,
+    GradedModel,
+)
+from service.web.responses import packed_response, text_response
+from service.wire.exercises.exercise_views import (
+    attempts_of,
+    exercise_list,
+    exercise_view,
+    instance_of,
+)
+from service.wire.exercises.figure_files import figure_address, figure_path, known_figure, packed_figure
+from service.wire.exercises.ungraded import answer_refused, known_exercise
+from service.wire.exercises.verdicts import encoded, report_body
+from service.work.limiters import WorkKind
+
+router = api_router("exercises", route_class=DirectRoute)
+
+_ANSWER: TypeAdapter[AnswerBase] = TypeAdapter(ExerciseAnswer)
+_Result = TypeVar("_Result")
+SVG = "image/svg+xml"
+YEAR = 31_536_000
+_FIGURE_POLICY = "default-src 'none'; style-src 'unsafe-inline'"
+Id = Annotated[
+    str,
+    Path(max_length=64, description="id of the exercise", openapi_examples={"PUMA": {"value": "puma560"}}),
+]
+_ONE_STUDENTS = {"parameters": [examples.EXERCISE_ID, examples.SEED, examples.LANGUAGE]}
+
+
+@router.get(
+    "/exercises",
+    response_model=ExerciseList,
+    openapi_extra={"parameters": [examples.LANGUAGE]},
+    summary="All exercises",
+)
+async def list_exercises(request: ApiRequest) -> Response:
+    """Return every exercise with its title, in the caller's language."""
+    language = language_of(request)
+    listed = exercise_list(resources_of(request).exercises, language, context_of(request))
+    return _text(request, encoded(listed), language, JSON)
+
+
+@router.get(
+    "/exercises/{exercise_id}",
+    response_model=ExerciseModel,
+    responses=problems(404),
+    openapi_extra=_ONE_STUDENTS,
+    summary="One exercise",
+)
+async def show_exercise(request: ApiRequest) -> Response:
+    """Return an exercise with one student's values: statement, rules, dimensions, figure; never the key."""
+    language = language_of(request)
+
+    def work() -> bytes:
+        instance = _asked_instance(request)
+        view = exercise_view(instance, language, context_of(request))
+        view["figure"]["file"] = figure_path(resources_of(request).figures, instance, language)
+        return encoded(view)
+
+    body = await _first(request, "view", work)
+    return _text(request, body, language, JSON)
+
+
+@router.get(
+    "/exercises/{exercise_id}/figure.svg",
+    responses={
+        200: {"content": {SVG: {"schema": {"type": "string"}}}},
+        **problems(404, 503),
+    },
+    response_class=Response,
+    openapi_extra=_ONE_STUDENTS,
+    summary="The figure of an exercise",
+)
+async def show_figure(request: ApiRequest) -> Response:
+    """Return the robot with its joints, dimensions and marked points; frames are the question."""
+    return await _figure(request, "no-cache")
+
+
+@router.get("/exercises/{exercise_id}/figures/{address}.svg", include_in_schema=False)
+async def show_addressed_figure(request: ApiRequest) -> Response:
+    """Return the same figure under the address that the exercise gives; its content never changes.
+
+    Caches may store it for good. Students with the same values have the same address.
+    """
+    return await _figure(request, f"public, max-age={YEAR}, immutable", request.path_params["address"])
+
+
+def _asked_instance(request: ApiRequest) -> Instance:
+    """The exercise that the address names, with the values of the seed that it names.
+
+    Raises:
+        NotFoundError: there is no such exercise.
+        RequestError: the seed is too long.
+    """
+    seed = seed_of(request)
+    try:
+        with known_exercise():
+            return instance_of(resources_of(request).exercises, request.path_params["exercise_id"], seed)
+    except AnswerError as error:
+        raise RequestError(error.faults, part=RequestPart.QUERY) from error
+
+
+async def _first(request: ApiRequest, what: str, work: Callable[[], _Result]) -> _Result:
+    """What follows from the values that the address names a seed for; of one exercise all take as long."""
+    context, seed = context_of(request), seed_of(request)
+    exercise_id = request.path_params["exercise_id"]
+    question = (what, exercise_id, seed, language_of(request), context)
+    return (
+        await resources_of(request).limiters[WorkKind.DRAWING].run_first(question, work, (what, exercise_id))
+    )
+
+
+async def _figure(request: ApiRequest, caching: str, asked: str | None = None) -> Response:
+    """The figure; where another address was asked for than it has now, where it is."""
+    language, figures = language_of(request), resources_of(request).figures
+
+    def look() -> tuple[Instance, str, bytes | None]:
+        instance = _asked_instance(request)
+        now = figure_address(figures, instance, language)
+        return instance, now, known_figure(figures, instance, language) if asked in (None, now) else None
+
+    instance, address, packed = await _first(request, "figure", look)
+    if packed is None and asked in (None, address):
+        draw = partial(packed_figure, figures, instance, language)
+        packed = await resources_of(request).limiters[WorkKind.DRAWING].run(draw)
+    if packed is None:
+        query = f"?{request.url.query}" if request.url.query else ""
+        moved = {"Location": f"{address}.svg{query}", "Cache-Control": "no-store"}
+        return Response(status_code=307, headers=moved)
+    headers = {**_headers(language), "Cache-Control": caching, "Content-Security-Policy": _FIGURE_POLICY}
+    return packed_response(request, packed, address, SVG, headers)
+
+
+@router.post(
+    "/exercises/{exercise_id}/grade",
+    response_model=GradedModel,
+    responses=problems(404, 503),
+    openapi_extra={
+        **request_body(ExerciseAnswer, examples.ANSWERS),
+        **_ONE_STUDENTS,
+    },
+    summary="Judge an answer to an exercise",
+)
+async def grade_answer(request: ApiRequest) -> Response:
+    """Return the verdict on the table, and the feedback on every other part that was handed in.
+
+    Every valid choice of frames is accepted. A part that follows correctly from a wrong table earns its
+    marks. A request that cannot be graded is refused and costs no attempt.
+    """
+    language = language_of(request)
+    with answer_refused():
+        report = await _judged(request)
+    resources_of(request).metrics.graded(correct=report.correct, score=report.score, kept=False)
+    return _answer(encoded(report_body(report, language)), language, JSON)
+
+
+async def _judged(request: ApiRequest) -> Report:
+    exercise_id = request.path_params["exercise_id"]
+    library = resources_of(request).exercises
+    found = library.exercise(exercise_id)  # an address at which nothing is comes before what is wrong
+    wire: AnswerBase = validated(_ANSWER, await request.json())
+    raw, limits = wire.raw(), request.settings.cell_limits
+
+    help_level, attempt = help_of(context_of(request), wire.help, wire.attempt)
+    refuse_beyond(attempts_of(found, context_of(request)), attempt)
+
+    resources = resources_of(request)
+
+    def work() -> Report:
+        instance = instance_of(library, exercise_id, seed_of(request, wire.seed))
+        return grade(instance, parse(instance, raw, limits), resources.help_now(help_level), attempt)
+
+    return await resources.limiters[WorkKind.GRADING].run(work)
+
+
+def seed_of(request: Request, asked: str | None = None) -> str | None:
+    """Return the seed of the student's link, else that of the body, else that of the address."""
+    context = context_of(request)
+    if context is not None and context.seed is not None:
+        return context.seed
+    return request.query_params.get("seed") if asked is None else asked
+
+
+def help_of(
+    context: LinkContext | None, asked: HelpLevel | None, attempt: int | None
+) -> tuple[HelpLevel | None, int | None]:
+    """Return the help that may be given and the number of the attempt; a link's own go before a caller's."""
+    if context is None:
+        return asked, attempt
+    levels = [level for level in (asked, context.help) if level is not None]
+    return (lowest(levels) if levels else None), attempt if context.attempt is None else context.attempt
+
+
+def refuse_beyond(attempts: int | None, attempt: int | None) -> None:
+    """Refuse an attempt beyond the last.
+
+    Raises:
+        ForbiddenError: there are no more attempts.
+    """
+    if attempts is not None and attempt is not None and attempt > attempts:
+        fault = Fault(code="attempts_used_up", where=("attempt",), params={"limit": attempts})
+        raise ForbiddenError(fault)
+
+
+def _text(request: Request, body: bytes, language: str, media_type: str) -> Response:
+    """What is read again and again: with a validator, and compressed for who takes it."""
+    return text_response(request, body, media_type, _headers(language))
+
+
+def _answer(body: bytes, language: str, media_type: str) -> Response:
+    return Response(body, media_type=media_type, headers=_headers(language))
+
+
+def _headers(language: str) -> dict[str, str]:
+    return {"Content-Language": language, "Vary": "Accept-Language", "Cache-Control": "no-cache"}

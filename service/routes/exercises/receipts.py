@@ -1,0 +1,288 @@
+"""Receipts: given for a verdict, verified for a lecturer, and the keys to verify them elsewhere."""
+
+from __future__ import annotations
+
+import io
+from datetime import UTC, datetime
+from functools import partial
+from typing import TYPE_CHECKING, Annotated, Any
+
+import segno
+from fastapi import Body, Query, Request, Response
+from fastapi.responses import JSONResponse
+
+from exercises.answers import parse
+from exercises.grader import Report, grade
+from exercises.instance import Instance
+from exercises.parts.protocol import TABLE
+from kinematics.table import Convention
+from service.adapters.gradebook import GradebookFormat, write_marks
+from service.adapters.judging import told_fault
+from service.http.languages import language_of
+from service.http.link_context import LinkContext
+from service.http.link_guard import context_of
+from service.http.openapi import problems
+from service.http.routing import api_router
+from service.messages import sentence
+from service.receipts.checking import CheckedReceipt, check_receipts, marks_of
+from service.receipts.receipt import PartScore, Receipt, answer_hash, issue
+from service.resources import AppResources
+from service.routes.exercises.exercises import Id, help_of, refuse_beyond, seed_of
+from service.schemas.examples import named
+from service.schemas.exercises import examples_grading
+from service.schemas.exercises.receipts import (
+    IssuedReceipt,
+    KeySet,
+    ReceiptRequest,
+    VerifiedReceipts,
+    VerifyRequest,
+)
+from service.wire.exercises.exercise_views import attempts_of, instance_of
+from service.wire.exercises.figure_files import figure_file
+from service.wire.exercises.ungraded import answer_refused
+from service.work.limiters import WorkKind
+
+if TYPE_CHECKING:
+    from service.receipts.sheet import Sheet
+
+router = api_router("receipts")
+
+_RECEIPT: dict[str, Any] = named(
+    {"a table": {"table": examples_grading.SCARA_BY_THE_BOOK, "name": "Ada Lovelace"}}
+)
+_VERIFY: dict[str, Any] = named({"a text that is no receipt": {"receipts": ["eyJhbGciOiJFZERTQSIsImtpZCI6"]}})
+_CSV = "text/csv; charset=utf-8"
+_PDF = "application/pdf"
+_BINARY = {"type": "string", "format": "binary"}
+_COLUMNS = {
+    Convention.STANDARD: ("theta", "d", "a", "alpha"),
+    Convention.MODIFIED: ("alpha", "a", "d", "theta"),
+}
+"""Columns in the order in which each convention's textbooks print them."""
+_LETTERS = {"theta": "θ", "d": "d", "a": "a", "alpha": "α"}
+_OUTSIDE = {"name", "seed", "help", "attempt"}
+"""Members of a request that are no part of the answer."""
+
+
+@router.post(
+    "/exercises/{exercise_id}/receipts",
+    response_model=IssuedReceipt,
+    responses=problems(404, 503),
+    summary="Judge an answer and sign a receipt for it",
+)
+async def issue_receipt(
+    request: Request,
+    exercise_id: Id,
+    body: Annotated[ReceiptRequest, Body(openapi_examples=_RECEIPT)],
+    resources: AppResources,
+) -> Any:
+    """Return a compact JWS that says what an answer earned, for a student to hand to a lecturer.
+
+    It names the exercise and its version, the seed, the name typed, the score by part, the settings that were
+    in force and a hash of the answer. Anybody can verify it with the keys at /receipts/keys.
+    """
+    token, receipt = await _issued(request, exercise_id, body, resources)
+    return IssuedReceipt(
+        receipt=token,
+        qr=_picture(token),
+        points=receipt.points,
+        max_points=receipt.max_points,
+        issued=receipt.time.isoformat(),
+    )
+
+
+@router.post(
+    "/exercises/{exercise_id}/receipts.pdf",
+    responses={
+        200: {"content": {_PDF: {"schema": {"type": "string", "format": "binary"}}}},
+        **problems(404, 503),
+    },
+    response_class=Response,
+    summary="A receipt as a page to print",
+)
+async def receipt_page(
+    request: Request,
+    exercise_id: Id,
+    body: Annotated[ReceiptRequest, Body(openapi_examples=_RECEIPT)],
+    resources: AppResources,
+) -> Response:
+    """Return the same receipt on a page.
+
+    What it earned, the robot, the table as it was typed, the QR code (PDF).
+    """
+    token, receipt = await _issued(request, exercise_id, body, resources)
+    language = language_of(request)
+
+    def work() -> bytes:
+        from service.receipts.sheet import pdf_of  # takes a quarter of a second, and few ask for it
+
+        instance = instance_of(resources.exercises, exercise_id, receipt.seed)
+        sheet = _sheet(instance, receipt, token, body, language)
+        figure = figure_file(instance, language).decode()
+        return pdf_of(sheet, figure=figure, code=_code(token).matrix)
+
+    page = await resources.limiters[WorkKind.DRAWING].run(work)
+    headers = {
+        "Content-Disposition": f'attachment; filename="{exercise_id}.pdf"',
+        "Cache-Control": "no-store",
+    }
+    return Response(page, media_type=_PDF, headers=headers)
+
+
+async def _issued(
+    request: Request, exercise_id: str, body: ReceiptRequest, resources: AppResources
+) -> tuple[str, Receipt]:
+    """A signed receipt for an answer, judged as its link says."""
+    context = context_of(request)
+    with answer_refused():
+        found = resources.exercises.exercise(exercise_id)
+        level, attempt = help_of(context, body.help, body.attempt)
+        refuse_beyond(attempts_of(found, context), attempt)
+
+        def work() -> tuple[Instance, Report]:
+            instance = instance_of(resources.exercises, exercise_id, seed_of(request, body.seed))
+            answer = parse(instance, body.raw(), resources.settings.cell_limits)
+            return instance, grade(instance, answer, level, attempt)
+
+        instance, report = await resources.limiters[WorkKind.GRADING].run(work)
+    receipt = _receipt(request, instance, body, report)
+    return issue(receipt, resources.receipt_keys), receipt
+
+
+def _sheet(instance: Instance, receipt: Receipt, token: str, body: ReceiptRequest, language: str) -> Sheet:
+    from service.receipts.sheet import Sheet
+
+    def say(message: str, **values: Any) -> str:
+        return sentence(language, message, values) or message
+
+    points = {"points": f"{receipt.points:g}", "total": f"{receipt.max_points:g}"}
+    table = body.raw().get(TABLE)
+    columns = _COLUMNS[table.convention] if table is not None else ()
+    service = receipt.service
+    facts = [
+        (say("receipts-name"), receipt.name),
+        (say("receipts-points"), say("form-points", **points)),
+        (say("receipts-time"), f"{receipt.time:%Y-%m-%d %H:%M} UTC"),
+        (say("receipts-settings"), say(f"form-help-{receipt.settings['help']}")),
+        *([("", say("receipts-by-link"))] if "link" in receipt.settings else []),
+    ]
+    rows = [[str(getattr(row, name)) for name in columns] for row in table.rows] if table is not None else []
+    return Sheet(
+        title=instance.exercise.title(language),
+        language=language,
+        facts=facts,
+        answer=say("receipts-answer"),
+        columns=["i", *(_LETTERS[name] for name in columns)],
+        rows=[[str(i), *row] for i, row in enumerate(rows, 1)],
+        signature=say("receipts-sign", service=service, page=f"{service}/receipts"),
+        receipt=token,
+    )
+
+
+@router.post(
+    "/receipts/verify",
+    response_model=VerifiedReceipts,
+    responses={200: {"content": {"text/csv": {"schema": {"type": "string"}}}}},
+    summary="Verify receipts",
+)
+async def verify_receipts(
+    request: Request,
+    body: Annotated[VerifyRequest, Body(openapi_examples=_VERIFY)],
+    resources: AppResources,
+    gradebook: Annotated[
+        GradebookFormat | None, Query(alias="format", description="a gradebook file instead of JSON")
+    ] = None,
+) -> Any:
+    """Return what receipts say, in the order in which they were sent.
+
+    A forged one says why it is not believed.
+    """
+    language = language_of(request)
+    check = partial(check_receipts, body.receipts, resources.receipt_keys)
+    checked = await resources.limiters[WorkKind.GRADING].run(check)
+    if gradebook is not None:
+        stream = io.StringIO()
+        write_marks(marks_of(checked), stream, gradebook)
+        return Response(stream.getvalue(), media_type=_CSV)
+    return JSONResponse({"receipts": [_verified(entry, language) for entry in checked]})
+
+
+@router.get("/receipts/keys", summary="Public keys of receipts (JWK Set)", response_model=KeySet)
+async def receipt_keys(resources: AppResources) -> Response:
+    """Return the keys that verify receipts (RFC 7517); the first one signs."""
+    return JSONResponse(resources.receipt_keys.public(), headers={"Cache-Control": "public, max-age=600"})
+
+
+def _receipt(request: Request, instance: Instance, body: ReceiptRequest, report: Report) -> Receipt:
+    answer = body.model_dump(mode="json", exclude=_OUTSIDE, exclude_none=True)
+    context = context_of(request)
+    return Receipt(
+        exercise=instance.exercise.id,
+        version=instance.exercise.version,
+        seed=instance.seed,
+        name=body.name,
+        points=report.points,
+        max_points=report.max_points,
+        parts={
+            part.kind: PartScore(points=part.points, max_points=part.max_points, correct=part.correct)
+            for part in report.parts
+        },
+        settings={
+            "help": report.help_level.value,
+            "parts": [part.kind for part in instance.exercise.parts],
+            **({} if context is None else {"link": _of_link(context)}),
+        },
+        answer=answer_hash(answer),
+        time=datetime.now(UTC).replace(microsecond=0),
+        service=str(request.base_url).rstrip("/"),
+    )
+
+
+def _of_link(context: LinkContext) -> dict[str, Any]:
+    """What a lecturer's link said: a student who left it behind has a receipt without it."""
+    told = {
+        "off": sorted(context.off),
+        "help": context.help,
+        "attempts": context.attempts,
+        "seed": context.seed,
+    }
+    return {name: value for name, value in told.items() if value}
+
+
+def _code(token: str) -> segno.QRCode:
+    return segno.make(token, micro=False, error="l")
+
+
+def _picture(token: str) -> str:
+    stream = io.BytesIO()
+    _code(token).save(
+        stream, kind="svg", xmldecl=False, svgns=True, scale=3, dark="#000", light="#fff", omitsize=True
+    )
+    return stream.getvalue().decode()
+
+
+def _verified(entry: CheckedReceipt, language: str) -> dict[str, Any]:
+    receipt = entry.receipt
+    if receipt is None:
+        assert entry.fault is not None
+        said = dict.fromkeys(_CLAIMS)
+        message = told_fault(entry.fault, language)
+        return {**said, "valid": False, "code": entry.fault.code, "message": message, "repeated": False}
+    return {
+        "valid": True,
+        "code": None,
+        "message": None,
+        **{name: getattr(receipt, name) for name in _CLAIMS if name not in ("parts", "issued")},
+        "parts": {
+            kind: {"points": part.points, "max_points": part.max_points, "correct": part.correct}
+            for kind, part in receipt.parts.items()
+        },
+        "issued": receipt.time.isoformat(),
+        "repeated": entry.repeated,
+    }
+
+
+_CLAIMS = (
+    "exercise", "version", "seed", "name", "points", "max_points", "parts", "settings", "answer", "issued",
+    "service",
+)  # fmt: skip

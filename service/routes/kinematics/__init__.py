@@ -1,0 +1,1 @@
+"""What is computed of a robot: poses, velocities, forces, closed forms, and other descriptions of it."""

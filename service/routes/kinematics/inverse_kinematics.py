@@ -1,0 +1,90 @@
+"""Poses to joint values."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import Annotated
+
+from fastapi import Body
+
+from service.http.openapi import problems
+from service.http.routing import ApiRequest, BytesResponse, api_router
+from service.schemas import examples
+from service.schemas.kinematics.inverse_forms import (
+    SYMBOLIC_INVERSE,
+    InverseQuestion,
+    SymbolicInverseAnswer,
+    SymbolicInverseRequest,
+)
+from service.schemas.kinematics.inverse_kinematics import (
+    InverseKinematicsAnswer,
+    InverseKinematicsAnswers,
+)
+from service.wire.kinematics.inverse_forms import inverse_form_task, written_inverse
+from service.wire.kinematics.inverse_solutions import solved, solved_each
+from service.wire.kinematics.symbolic_tasks import answered
+
+router = api_router("kinematics")
+
+_TARGET = [[0, 0, 1, 0.5], [0, -1, 0, 0.2], [1, 0, 0, 0.3], [0, 0, 0, 1]]
+_EXAMPLES = {
+    "PUMA 560: all eight": {"table": examples.PUMA_560, "target": _TARGET},
+    "PUMA 560: within limits": {
+        "robot": "puma560",
+        "target": _TARGET,
+        "limits": [[-160, 160], [-225, 45], [-45, 225], [-110, 170], [-100, 100], [-266, 266]],
+    },
+    "two links: out of reach, so the nearest pose": {
+        "table": examples.TWO_LINKS,
+        "parameters": {"L1": 0.5, "L2": 0.3},
+        "target": [[1, 0, 0, 1], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]],
+    },
+    "three links in names, two poses at once, the nearest to a start first": {
+        "table": {
+            "convention": "standard",
+            "angle_unit": "deg",
+            "rows": [
+                {"alpha": 90, "a": 0, "d": "h", "theta": "q1"},
+                {"alpha": 0, "a": "L1", "d": 0, "theta": "q2"},
+                {"alpha": 0, "a": "L2", "d": 0, "theta": "q3"},
+            ],
+        },
+        "parameters": {"h": 0.4, "L1": 0.5, "L2": 0.3},
+        "targets": [[0.7, 0, 0.7, 0, 0, 90], [0, 0.7, 0.7, 90, 0, 90]],
+        "start": [0, 30, -60],
+    },
+}
+
+
+@router.post(
+    "/inverse-kinematics",
+    summary="A pose to the joint values that reach it",
+    response_model=InverseKinematicsAnswer | InverseKinematicsAnswers | SymbolicInverseAnswer,
+    response_model_exclude_none=True,
+    responses=problems(400, 413, 415, 422, 503),
+)
+async def inverse_kinematics(
+    body: Annotated[InverseQuestion, Body(openapi_examples=examples.named(_EXAMPLES | SYMBOLIC_INVERSE))],
+    request: ApiRequest,
+) -> InverseKinematicsAnswer | InverseKinematicsAnswers | BytesResponse:
+    """Return all distinct solutions if the arm has a closed form, and otherwise those that a search finds.
+
+    There are closed forms for most arms of five and six revolute joints with a wrist or parallel axes, for
+    arms of up to four joints of any kind, and for up to three joints of any kind before a wrist. Other arms,
+    of up to twelve joints, are searched from many starts. Residuals are computed by forward kinematics.
+    Unreachable and singular poses are results, not errors. Several `targets` get `answers`, one for each;
+    those that one request has no time for are `unanswered`, and listed in `faults`.
+
+    With `"form": "symbolic"` and no target, the answer is the inverse kinematics in symbols, as in textbooks:
+    one joint after another by atan2, with branch signs and conditions, and as source code. It is
+    known for arms whose axes are at right angles: planar arms, SCARA, cylindrical arms, arms with a spherical
+    wrist such as the PUMA and the Stanford arm, SCORBOT and Universal Robots.
+    """
+    resources = request.resources
+    if isinstance(body, SymbolicInverseRequest):
+        task = await request.in_turn(partial(inverse_form_task, body, request.settings))
+        return await answered(request, task, b"inverse" + await request.body(), written_inverse)
+    robot = await request.in_turn(partial(resources.robots.prepare, body))
+    if body.targets is not None:
+        return await solved_each(body, robot, request)
+    return await solved(body, robot, resources.workers)

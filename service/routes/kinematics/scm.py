@@ -1,0 +1,262 @@
+"""The SCM toolbox: direct and inverse kinematics, Jacobians, random configurations."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from functools import partial
+from typing import Annotated, Any
+
+import numpy as np
+from fastapi import Body
+from numpy.typing import NDArray
+
+from kinematics.errors import Fault, JointValueError
+from kinematics.inverse import InverseKinematics, JointLimits
+from kinematics.jacobian import JacobianFrame
+from kinematics.poses import pose_notations
+from kinematics.scm import (
+    ScmChain,
+    ScmKinematics,
+    default_limits,
+    forward_kinematics_scm,
+    inverse_kinematics_scm,
+    jacobian_base_by_inspection,
+    jacobian_end_by_inspection,
+    jacobian_numbers_by_differentiation,
+    random_configurations,
+    solver_of_chain,
+)
+from kinematics.se3 import inverse_transform
+from service.http.openapi import problems
+from service.http.routing import ApiRequest, BytesResponse, OneRobotRoute, api_router
+from service.schemas.kinematics import scm as wire
+from service.schemas.kinematics import scm_examples as examples
+from service.schemas.kinematics.forward_kinematics import AxisAngleModel, Orientation
+from service.schemas.kinematics.inverse_kinematics import InverseKinematicsAnswer
+from service.schemas.kinematics.scm_products import ScmProductsAnswer, ScmProductsRequest
+from service.wire.fault_pointers import traced
+from service.wire.kinematics.chain_forms import ChainTask, Wanted, is_quick, written_chain
+from service.wire.kinematics.inverse_solutions import told
+from service.wire.kinematics.motion_products import products_task, written_products
+from service.wire.kinematics.pose_matrices import pose_matrix
+from service.wire.kinematics.prepared_chains import PreparedChain, prepared_chain, written_structure
+from service.work.threads import in_thread
+from service.work.workers import Lane
+
+router = api_router("scm", route_class=OneRobotRoute)
+
+_REFUSALS = problems(400, 413, 415, 422, 503)
+
+
+@router.post(
+    "/scm/forward-kinematics",
+    response_model=wire.ScmForwardKinematicsAnswer,
+    response_model_exclude_none=True,
+    responses=_REFUSALS,
+    summary="Direct kinematics of an SCM chain",
+)
+async def forward_kinematics(
+    body: Annotated[wire.ScmForwardKinematicsRequest, Body(openapi_examples=examples.FORWARD_KINEMATICS)],
+    request: ApiRequest,
+) -> wire.ScmForwardKinematicsAnswer | BytesResponse:
+    """Return ⁰H_FT, every H_i and every frame: scm(manipulator, 0) of the toolbox.
+
+    With `joints` in numbers, without them in closed form.
+    """
+    if body.joints is None:
+        return await _closed(body, Wanted.FORWARD_KINEMATICS, request)
+    prepared, motion = await _moved(body, body.joints, request)
+    return wire.ScmForwardKinematicsAnswer(
+        **prepared.units,
+        transform=_listed(motion.transform),
+        links=_listed(motion.links),
+        frames=_listed(motion.frames),
+        end=_listed(motion.end),
+        orientation=_orientation(motion.transform, prepared.angle),
+    )
+
+
+@router.post(
+    "/scm/inverse-transform",
+    response_model=wire.ScmInverseTransformAnswer,
+    response_model_exclude_none=True,
+    responses=_REFUSALS,
+    summary="Inverse of the direct kinematics of an SCM chain",
+)
+async def inverse_of_transform(
+    body: Annotated[wire.ScmInverseTransformRequest, Body(openapi_examples=examples.INVERSE_TRANSFORM)],
+    request: ApiRequest,
+) -> wire.ScmInverseTransformAnswer | BytesResponse:
+    """Return the pose of frame 0 in the tool: scm(manipulator, -1) of the toolbox.
+
+    With `joints` in numbers, without them in closed form.
+    """
+    if body.joints is None:
+        return await _closed(body, Wanted.INVERSE_TRANSFORM, request)
+    prepared, motion = await _moved(body, body.joints, request)
+    inverse = inverse_transform(motion.transform)
+    return wire.ScmInverseTransformAnswer(**prepared.units, transform=_listed(inverse))
+
+
+@router.post(
+    "/scm/jacobian",
+    response_model=wire.ScmJacobianAnswer,
+    response_model_exclude_none=True,
+    responses=_REFUSALS,
+    summary="J0 and Jn of an SCM chain",
+)
+async def jacobian(
+    body: Annotated[wire.ScmJacobianRequest, Body(openapi_examples=examples.JACOBIAN)], request: ApiRequest
+) -> wire.ScmJacobianAnswer | BytesResponse:
+    """Return J0 and Jn, by inspection (scm(manipulator, 1) and 2) or by differentiating the matrix (h2j).
+
+    With `joints` in numbers, without them in closed form.
+    """
+    inspected = body.method is wire.JacobianMethod.INSPECTION
+    wanted = Wanted.INSPECTED_JACOBIANS if inspected else Wanted.DIFFERENTIATED_JACOBIANS
+    if body.joints is None:
+        return await _closed(body, wanted, request)
+    prepared = await _prepared(body, request)
+    joints = prepared.joints(body.joints)
+    if inspected:
+        base = jacobian_base_by_inspection(prepared.chain, joints, prepared.values)
+        end = jacobian_end_by_inspection(prepared.chain, joints, prepared.values)
+    else:
+        base, end = (
+            jacobian_numbers_by_differentiation(prepared.chain, joints, prepared.values, frame)
+            for frame in (JacobianFrame.BASE, JacobianFrame.END)
+        )
+    return wire.ScmJacobianAnswer(**prepared.units, method=body.method, J0=_listed(base), Jn=_listed(end))
+
+
+@router.post(
+    "/scm/inverse-kinematics",
+    response_model_exclude_none=True,
+    responses=_REFUSALS,
+    summary="Inverse kinematics of an SCM chain",
+)
+async def inverse_kinematics(
+    body: Annotated[wire.ScmInverseKinematicsRequest, Body(openapi_examples=examples.INVERSE_KINEMATICS)],
+    request: ApiRequest,
+) -> InverseKinematicsAnswer:
+    """Return the joint values at which the tool reaches a pose: scm(manipulator, target, origin) and ik2q.
+
+    All solutions where there is a closed form; joint values in the chain's angle unit.
+    """
+    prepared = await _prepared(body, request)
+    start = None if body.start is None else prepared.joints(body.start, "start")
+    limits = None if body.limits is None else _scaled(body.limits, prepared)
+    question = (prepared.chain, pose_matrix(body.target, prepared.angle, "target"), prepared.values, limits)
+    with traced(body):
+        found = await in_thread(_directly, *question)
+    if found is None:
+        found = await request.resources.workers.run(Lane.SLOW, _search, *question)
+    found = found.nearest_first([row.joint for row in prepared.chain.rows], start)
+    return InverseKinematicsAnswer(**prepared.units, **told(found, prepared))
+
+
+@router.post("/scm/random-configuration", responses=_REFUSALS, summary="Random joint values for an SCM chain")
+async def random_configuration(
+    body: Annotated[wire.RandomConfigurationRequest, Body(openapi_examples=examples.RANDOM_CONFIGURATION)],
+    request: ApiRequest,
+) -> wire.RandomConfigurationAnswer:
+    """Return joint values drawn evenly within limits: qrand of the toolbox."""
+    prepared = await _prepared(body, request)
+    default = default_limits(prepared.chain, prepared.values)
+    low, high = (prepared.answered([pair[end] for pair in default]) for end in (0, 1))
+    given = [None] * len(default) if body.limits is None else body.limits
+    _refuse_length(given, prepared)
+    limits = [pair or list(ends) for pair, *ends in zip(given, low, high, strict=True)]
+    drawn = random_configurations([(low, high) for low, high in limits], count=body.count, seed=body.seed)
+    configurations: list[list[float]] = drawn.tolist()
+    return wire.RandomConfigurationAnswer(
+        **prepared.units,
+        joints=configurations[0],
+        configurations=configurations,
+        limits=limits,
+    )
+
+
+@router.post(
+    "/scm/products",
+    response_model=ScmProductsAnswer,
+    response_model_exclude_none=True,
+    responses=_REFUSALS,
+    summary="Products of motions, compared",
+)
+async def products(
+    body: Annotated[ScmProductsRequest, Body(openapi_examples=examples.PRODUCTS)], request: ApiRequest
+) -> BytesResponse:
+    """Multiply motions and matrices: HRX … HTZ, GEO, SCZIP, S2D and H2J of the toolbox.
+
+    Each product is formed exactly, written, evaluated if everything in it has a value, and
+    compared with the first as a function. This shows that translations along an axis and rotations about it
+    commute (eq. 2.10 to 2.12), and that other motions do not.
+    """
+    task = await request.in_turn(partial(products_task, body, request.settings.cell_limits))
+    return BytesResponse(await request.resources.workers.run(Lane.SLOW, written_products, task))
+
+
+async def _closed(body: wire.ClosedFormQuestion, wanted: Wanted, request: ApiRequest) -> BytesResponse:
+    """The answer in closed form, from a worker process."""
+    read = await request.in_turn(partial(written_structure, body, request.settings.cell_limits))
+    task = ChainTask.of(read, wanted, body.formats, body.notation)
+    lane = Lane.QUICK if is_quick(read.chain) else Lane.SLOW
+    return BytesResponse(await request.resources.workers.run(lane, written_chain, task))
+
+
+async def _prepared(body: wire.ChainQuestion, request: ApiRequest) -> PreparedChain:
+    return await request.in_turn(partial(prepared_chain, body, request.settings.cell_limits))
+
+
+async def _moved(
+    body: wire.ClosedFormQuestion, joints: list[float], request: ApiRequest
+) -> tuple[PreparedChain, ScmKinematics]:
+    """The chain, and its forward kinematics in numbers."""
+    prepared = await _prepared(body, request)
+    return prepared, forward_kinematics_scm(prepared.chain, prepared.joints(joints), prepared.values)
+
+
+def _listed(array: NDArray[np.float64]) -> list[Any]:
+    listed: list[Any] = (array + 0.0).tolist()  # no entry is -0.0
+    return listed
+
+
+def _orientation(transform: Any, angle: float) -> Orientation:
+    position, quaternion, rpy, (axis, turn), _ = pose_notations(transform)
+    roll, pitch, yaw = (value / angle for value in rpy)
+    return Orientation(
+        quaternion=list(quaternion),
+        rpy=[roll, pitch, yaw],
+        axis_angle=AxisAngleModel(axis=list(axis), angle=turn / angle),
+        xyzabc=[*position, yaw, pitch, roll],
+    )
+
+
+def _directly(
+    chain: ScmChain, target: Any, values: Mapping[str, float], limits: JointLimits | None
+) -> InverseKinematics | None:
+    """What the closed form alone says, in a thread; every refusal is made here, none in a worker."""
+    return solver_of_chain(chain, values, limits=limits).solve_directly(target)
+
+
+def _search(
+    chain: ScmChain, target: Any, values: Mapping[str, float], limits: JointLimits | None
+) -> InverseKinematics:
+    """What a worker process does."""
+    return inverse_kinematics_scm(chain, target, values, limits=limits)
+
+
+def _scaled(limits: Sequence[Sequence[float | None] | None], prepared: PreparedChain) -> list[Any]:
+    _refuse_length(limits, prepared)
+    return [
+        pair and tuple(end if end is None else end * unit for end in pair)
+        for pair, unit in zip(limits, prepared.joint_units, strict=True)
+    ]
+
+
+def _refuse_length(limits: Sequence[Any], prepared: PreparedChain) -> None:
+    n = prepared.chain.n_joints
+    if len(limits) != n:
+        params = {"expected": n, "given": len(limits)}
+        raise JointValueError(Fault(code="limits_wrong_length", where=("limits",), params=params))

@@ -1,0 +1,1 @@
+"""The shapes of exercises, answers to them, and verdicts."""

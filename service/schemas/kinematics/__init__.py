@@ -1,0 +1,1 @@
+"""The shapes of what is computed of a robot."""

@@ -1,0 +1,218 @@
+"""POST /convert on the wire."""
+
+from __future__ import annotations
+
+from enum import StrEnum
+from typing import Annotated, Self, TypeAlias
+
+from pydantic import Field, model_validator
+from pydantic_core import PydanticCustomError
+
+from kinematics.cells import AngleUnit, LengthUnit
+from kinematics.table import JointType
+from kinematics.urdf import MAX_CHARACTERS
+from service.schemas.base import GivenMatrix4, Real, Vector3, Wire
+from service.schemas.choices import forbidding, not_one_of, together
+from service.schemas.kinematics.joint_limits import JointRanges, Range
+from service.schemas.kinematics.pose_input import PoseInput
+from service.schemas.kinematics.scm import ScmChainModel, Verification
+from service.schemas.tables import AnsweredRow, AnsweredTable, Parameters, Table, Units
+
+
+class Target(StrEnum):
+    """What a robot can be converted to."""
+
+    STANDARD = "standard"
+    MODIFIED = "modified"
+    POE = "poe"
+    SCM = "scm"
+    URDF = "urdf"
+
+
+class GivenScrew(Wire):
+    """A joint's motion: the velocity field of a unit joint rate."""
+
+    joint: Annotated[JointType | None, Field(strict=False)] = Field(
+        None, description="its type, which follows from ω and may be left out"
+    )
+    linear: Vector3 = Field(
+        description="v: the velocity at the world's origin, per radian of a revolute joint"
+    )
+    angular: Vector3 = Field(
+        description="ω: the unit vector along a revolute joint's axis; zero if prismatic"
+    )
+
+
+class ScrewProduct(Wire):
+    """T(q) = exp([S_1] q_1) ⋯ exp([S_n] q_n) · home, q in radians and in the length unit."""
+
+    screws: list[GivenScrew] = Field(
+        min_length=1, max_length=64, description="S_1 … S_n at q = 0, in the axes of the world"
+    )
+    home: PoseInput = Field(description="the pose of the end frame at q = 0")
+    length_unit: Annotated[LengthUnit, Field(strict=False)] = Field(
+        LengthUnit.M, description="unit of every length"
+    )
+
+
+SOURCES = ("poe", "robot", "scm", "table", "urdf")
+OPTIONS_OF_ROWS = ("base", "tool", "parameters")
+"""Options of the sources that are written in rows of cells."""
+
+
+class ConvertRequest(Wire):
+    """A robot, described in exactly one way, and the description that is wanted."""
+
+    model_config = forbidding(
+        *not_one_of(*SOURCES),
+        *(together(name, without=["urdf"]) for name in ("base_link", "tip_link")),
+        *(together(name, source) for name in OPTIONS_OF_ROWS for source in ("urdf", "poe")),
+        together("angle_unit", without=["urdf", "poe"]),
+        together("verify", without=["scm"]),
+        together("name", to={"not": {"const": Target.URDF}}),
+    )
+
+    to: Annotated[Target, Field(strict=False)] = Field(
+        description="standard, modified: a DH table; poe: a product of exponentials; scm: an SCM chain; "
+        "urdf: a URDF description"
+    )
+    table: Table | None = Field(None, description="a DH table")
+    robot: str | None = Field(None, max_length=64, description="the id of a robot of the catalogue")
+    scm: ScmChainModel | None = Field(None, description="an SCM chain; it becomes a DH table (SCM2DH)")
+    poe: ScrewProduct | None = Field(None, description="a product of exponentials")
+    urdf: str | None = Field(
+        None,
+        max_length=MAX_CHARACTERS,
+        description="a URDF description, XML; one serial chain of it is taken",
+    )
+    base_link: str | None = Field(
+        None, max_length=200, description="of a URDF: the first link of the chain; the root if left out"
+    )
+    tip_link: str | None = Field(
+        None,
+        max_length=200,
+        description="of a URDF: the last link of the chain; needed where the description branches",
+    )
+    base: PoseInput | None = Field(None, description="what stands before a table, a listed robot or a chain")
+    tool: PoseInput | None = Field(None, description="what stands behind a table, a listed robot or a chain")
+    angle_unit: Annotated[AngleUnit | None, Field(strict=False)] = Field(
+        None,
+        description="of a URDF or a product: the unit of angles in the answer, and in a `home` that is "
+        "written as [X, Y, Z, A, B, C]; rad if left out",
+    )
+    name: str | None = Field(
+        None, min_length=1, max_length=100, description="to URDF: the robot's name in the description"
+    )
+    joint_names: list[Annotated[str, Field(min_length=1, max_length=200)]] | None = Field(
+        None, max_length=64, description="names of joint 1 … n; left out, those of the source if it has any"
+    )
+    limits: JointRanges | None = Field(
+        None,
+        description="[least, greatest] of each joint in the table's units, null where there is "
+        "none; left out, those of the source if it has any",
+    )
+    parameters: Parameters | None = None
+    verify: Annotated[Verification | None, Field(strict=False)] = Field(
+        None,
+        description="of an SCM chain: strict (if left out) refuses one that does not pass the document's "
+        "input check; off takes it all the same, with fixed rows",
+    )
+
+    @model_validator(mode="after")
+    def _one_source(self) -> Self:
+        if sum(getattr(self, name) is not None for name in SOURCES) != 1:
+            raise PydanticCustomError(
+                "one_source", "describe the robot in exactly one way: {allowed}", {"allowed": SOURCES}
+            )
+        return self
+
+    @model_validator(mode="after")
+    def _no_idle_option(self) -> Self:
+        idle = {
+            "base_link": self.urdf is None,
+            "tip_link": self.urdf is None,
+            **dict.fromkeys(OPTIONS_OF_ROWS, self.urdf is not None or self.poe is not None),
+            "angle_unit": self.urdf is None and self.poe is None,
+            "verify": self.scm is None,
+            "name": self.to is not Target.URDF,
+        }
+        found = tuple(name for name, is_idle in idle.items() if is_idle and getattr(self, name) is not None)
+        if found:
+            raise PydanticCustomError(
+                "option_idle", "leave out {found}: this conversion has no use for it", {"found": found}
+            )
+        return self
+
+
+MatrixOfCells: TypeAlias = Annotated[
+    list[Annotated[list[Real | str], Field(min_length=4, max_length=4)]],
+    Field(
+        min_length=4, max_length=4, description="4×4; an entry that depends on a parameter is an expression"
+    ),
+]
+
+
+class JointsAnswer(Units):
+    """Names and limits of the joints, beside a description that has no place for them."""
+
+    joint_names: list[str] | None = Field(None, description="the names of joint 1 … n, if the source has any")
+    limits: list[Range | None] | None = Field(
+        None, description="[least, greatest] of each joint, if any are known; null where there is none"
+    )
+
+
+class TableAnswer(JointsAnswer):
+    """base · (this table) · tool is the described robot, for every q."""
+
+    table: AnsweredTable
+    base: MatrixOfCells = Field(description="what stands before the table")
+    tool: MatrixOfCells = Field(description="what stands behind the table")
+    base_row: AnsweredRow | None = Field(None, description="the base as a fixed row, where it is one")
+    tool_row: AnsweredRow | None = Field(None, description="the tool as a fixed row, where it is one")
+    base_rows: list[AnsweredRow] | None = Field(
+        None, description="the base as fixed rows before the table's; null if it depends on names"
+    )
+    tool_rows: list[AnsweredRow] | None = Field(
+        None, description="the tool as fixed rows behind the table's; null if it depends on names"
+    )
+
+
+class ScrewModel(GivenScrew):
+    """A joint's motion, with its type."""
+
+    joint: JointType
+
+
+class ProductAnswer(JointsAnswer):
+    """T(q) = exp([S_1] q_1) ⋯ exp([S_n] q_n) · home, q in radians and in the length unit."""
+
+    screws: list[ScrewModel] = Field(description="S_1 … S_n at q = 0, in the axes of the world")
+    home: GivenMatrix4 = Field(description="the pose of the end frame at q = 0")
+
+
+class UrdfAnswer(Units):
+    """A URDF description; its lengths are in metres and its angles in radians, as the format has it."""
+
+    urdf: str = Field(description="the description, XML")
+    base_link: str = Field(description="the name of its first link")
+    tip_link: str = Field(description="the name of its last link, the end frame")
+    assumed_limits: list[int] = Field(
+        description="joints, counted from 1, with a limit that stands for none: the format has no sliding "
+        "joint without limits and no limit on one side, so ±1e16 stands for none"
+    )
+
+
+class ScmAnswer(JointsAnswer):
+    """base · (the chain's pose) is the described robot, for every q."""
+
+    scm: ScmChainModel = Field(
+        description="the chain; where a twist is not zero it turns about two axes in a row"
+    )
+    base: MatrixOfCells = Field(description="what stands before the chain")
+    verify: Verification = Field(
+        description="what to send with the chain: off where a row holds a constant turn or an offset, "
+        "which does not pass the document's input check"
+    )
+
+
+ConvertAnswer: TypeAlias = TableAnswer | ProductAnswer | ScmAnswer | UrdfAnswer

@@ -1,0 +1,127 @@
+"""POST /inverse-kinematics with "form": "symbolic" on the wire."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, Literal
+
+from pydantic import ConfigDict, Discriminator, Field, Tag
+
+from kinematics.inverse_forms import ConditionKind, InverseReach
+from kinematics.printing import Notation
+from kinematics.printing.formats import EquationFormat
+from service.http.validation import CHOICE
+from service.schemas.base import LONGEST_LIST, Wire
+from service.schemas.kinematics.inverse_kinematics import NumericInverseKinematicsRequest
+from service.schemas.kinematics.pose_input import PoseInput
+from service.schemas.kinematics.robot_question import RobotQuestion
+from service.schemas.kinematics.symbolic_request import SomeParameters
+from service.schemas.tables import Units
+
+
+class SymbolicInverseRequest(RobotQuestion):
+    """A robot whose inverse kinematics are wanted in closed form: no target."""
+
+    form: Literal["symbolic"] = Field(description="the word symbolic: closed forms, and no target")
+    parameters: SomeParameters = Field(default_factory=dict)
+    base: PoseInput | None = Field(None, description="pose of frame 0 in the world; the identity if left out")
+    tool: PoseInput | None = Field(None, description="pose of the tool in frame N; the identity if left out")
+    formats: list[Annotated[EquationFormat, Field(strict=False)]] = Field(
+        default_factory=lambda: [EquationFormat.LATEX, EquationFormat.TEXT],
+        min_length=1,
+        max_length=LONGEST_LIST,
+        description="how equations are written; latex and text if left out",
+    )
+    notation: Annotated[Notation, Field(strict=False)] = Field(
+        Notation.FULL, description="full: cos(q2 + q3); short: c23"
+    )
+
+
+def _form(body: Any) -> str:
+    form = body.get("form") if isinstance(body, dict) else getattr(body, "form", None)
+    return CHOICE + ("symbolic" if form == "symbolic" else "numeric")
+
+
+InverseQuestion = Annotated[
+    Annotated[NumericInverseKinematicsRequest, Tag(CHOICE + "numeric")]
+    | Annotated[SymbolicInverseRequest, Tag(CHOICE + "symbolic")],
+    Discriminator(_form),
+]
+
+
+class WrittenValue(Wire):
+    """A value in the formats that were asked for."""
+
+    model_config = ConfigDict(populate_by_name=True)
+
+    text: str | None = Field(None, description="as an infix expression")
+    latex: str | None = Field(None, description="in LaTeX; of an equation the whole of it")
+    json_: dict[str, Any] | None = Field(None, alias="json", description="as an expression tree")
+
+
+class InverseConditionModel(WrittenValue):
+    """What has to hold of a value."""
+
+    kind: ConditionKind = Field(
+        description="reachable: it is 0 or more, or the branch does not exist; determined: it is not 0, or "
+        "the joint may be chosen (a singularity); fulfilled: it is 0, or no configuration reaches the target"
+    )
+
+
+class InverseEquation(WrittenValue):
+    """One equation: a joint variable, or an intermediate that later ones hold."""
+
+    name: str = Field(description="what is defined")
+    joint: int | None = Field(None, description="number of the joint whose variable it is")
+    branch: str | None = Field(None, description="the sign that it introduces: another solution")
+    conditions: list[InverseConditionModel] = Field(description="what has to hold")
+
+
+class InverseTargetNames(Wire):
+    """What the entries of the target are called in the equations."""
+
+    reach: InverseReach = Field(description="pose; position: of the target only its position is used")
+    rotation: list[list[str]] = Field(description="3×3")
+    position: list[str] = Field(description="x, y, z")
+
+
+class SymbolicInverseAnswer(Units):
+    """Inverse kinematics in closed form, one joint after another.
+
+    Angles stand in radians, and are right up to full turns.
+    """
+
+    variables: list[str] = Field(description="the joint variables as the table names them, in joint order")
+    parameters: list[str] = Field(description="the parameters that are left")
+    notation: str = Field(description="full or short")
+    symbols: dict[str, str] | None = Field(None, description="what the short names stand for")
+    target: InverseTargetNames
+    branches: list[str] = Field(
+        description="signs, each 1 or -1: every choice whose conditions hold is a solution, and every "
+        "solution is one"
+    )
+    equations: list[InverseEquation] = Field(description="in the order in which they can be computed")
+    conditions: list[InverseConditionModel] = Field(description="what the target has to fulfil")
+    arguments: list[str] = Field(
+        description="what functions take, in this order: the target's entries that are used, the signs, and "
+        "the parameters"
+    )
+    code: dict[str, str] | None = Field(
+        None, description="the source of a function that returns the joint variables, for each language"
+    )
+    misfit_code: dict[str, str] | None = Field(
+        None,
+        description="of an arm that cannot have every pose: the source of a function of the same arguments "
+        "that returns the values of all conditions `fulfilled`; where one is farther from 0 than the target "
+        "was rounded, the branch does not reach it",
+    )
+
+
+SYMBOLIC_INVERSE: dict[str, Any] = {
+    "SCARA in symbols": {"form": "symbolic", "robot": "scara", "notation": "short"},
+    "PUMA 560 in symbols, as functions too": {
+        "form": "symbolic",
+        "robot": "puma560",
+        "notation": "short",
+        "formats": ["latex", "text", "python"],
+    },
+}

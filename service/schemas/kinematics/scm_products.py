@@ -1,0 +1,119 @@
+"""POST /scm/products on the wire: motions multiplied and compared."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any, TypeAlias
+
+from pydantic import Discriminator, Field, Tag, WithJsonSchema
+
+from kinematics.cells import AngleUnit, LengthUnit
+from kinematics.printing import Format, Notation
+from kinematics.scm.products import LARGEST_VARIABLE, RawFactor
+from kinematics.symbolic import ProofStatus
+from service.http.validation import CHOICE
+from service.schemas.base import LONGEST_LIST, Matrix4, Real, Wire
+from service.schemas.kinematics.scm import ENTRIES, ListedPlacement, PlacementModel, SixEntries
+from service.schemas.kinematics.symbolic_request import SomeParameters, WrittenJacobians, WrittenMatrix
+from service.schemas.tables import Units
+
+MOST_PRODUCTS = 8
+MOST_FACTORS = 32
+"""Products in a request and factors in each; all of them are multiplied in symbols."""
+_CELL = {"anyOf": [{"type": "number"}, {"type": "string", "minLength": 1, "maxLength": 200}]}
+_ROW = {"type": "array", "items": _CELL, "minItems": 4, "maxItems": 4}
+
+
+_MATRIX, _PLACEMENT = CHOICE + "matrix", CHOICE + "placement"
+
+
+def _notation_of(value: Any) -> str:
+    matrix = isinstance(value, list) and bool(value) and all(isinstance(row, list) for row in value)
+    return _MATRIX if matrix else _PLACEMENT
+
+
+MotionFactor: TypeAlias = Annotated[
+    Annotated[Any, Tag(_MATRIX)] | Annotated[SixEntries, Tag(_PLACEMENT)],
+    Discriminator(_notation_of),
+    WithJsonSchema(
+        {
+            "description": "a motion: an object with some of x, y, z, a, b, c (one alone is HTX … HRX), "
+            "the list [X, Y, Z, A, B, C] of a frame, or a 4×4 matrix of cells with the last row 0, 0, 0, 1",
+            "anyOf": [
+                {
+                    "type": "object",
+                    "properties": dict.fromkeys(ENTRIES, _CELL),
+                    "additionalProperties": False,
+                },
+                {"type": "array", "items": _CELL, "minItems": 6, "maxItems": 6},
+                {"type": "array", "items": _ROW, "minItems": 4, "maxItems": 4},
+            ],
+        }
+    ),
+]
+
+
+class ScmProductsRequest(Wire):
+    """Products of motions, and what is wanted of them."""
+
+    products: list[Annotated[list[MotionFactor], Field(min_length=1, max_length=MOST_FACTORS)]] = Field(
+        min_length=1,
+        max_length=MOST_PRODUCTS,
+        description="each a list of motions, multiplied from left to right; q1, q2, … are joint variables, "
+        "other names parameters",
+    )
+    angle_unit: Annotated[AngleUnit, Field(strict=False)] = Field(
+        AngleUnit.RAD, description="unit of every angle: motions, joints, parameters and answer"
+    )
+    length_unit: Annotated[LengthUnit, Field(strict=False)] = Field(
+        LengthUnit.M, description="unit of every length: motions, joints, parameters and answer"
+    )
+    parameters: SomeParameters = Field(default_factory=dict)
+    joints: list[Real] | None = Field(
+        None, max_length=LARGEST_VARIABLE, description="values of q1 … qn, for the products in numbers (S2D)"
+    )
+    jacobian: bool = Field(False, description="whether J0 and Jn of every product are wanted (H2J)")
+    formats: list[Annotated[Format, Field(strict=False)]] | None = Field(
+        None, max_length=LONGEST_LIST, min_length=1, description="text and latex if left out"
+    )
+    notation: Annotated[Notation, Field(strict=False)] = Field(
+        Notation.SHORT, description="short writes c23 (SCZIP), full cos(q2 + q3)"
+    )
+
+    def raw(self) -> list[list[RawFactor]]:
+        """Return the factors as the cell grammar reads them."""
+        return [
+            [factor.cells() if isinstance(factor, PlacementModel) else factor for factor in factors]
+            for factors in self.products
+        ]
+
+    def place(self, where: tuple[str | int, ...]) -> tuple[str | int, ...]:
+        """Return the place of an entry in what was sent: by its number where the motion is a list."""
+        match where:
+            case ("products", int(i), int(k), str(entry)):
+                listed = isinstance(self.products[i][k], ListedPlacement)
+                return (*where[:-1], ENTRIES.index(entry)) if listed else where
+        return where
+
+
+class ScmProduct(WrittenJacobians):
+    """One product."""
+
+    transform: WrittenMatrix = Field(description="the product; motions about and along one axis are added")
+    numbers: Matrix4 | None = Field(
+        None, description="its values, where every parameter and every joint variable in it has one"
+    )
+    xyzabc: list[Real] | None = Field(
+        None, description="[X, Y, Z, A, B, C] of the values (GEO), if they are those of a rigid motion"
+    )
+
+
+class ScmProductsAnswer(Units):
+    """The products, and which of them are equal."""
+
+    variables: list[str] = Field(description="q1 … qn, up to the last one that occurs")
+    parameters: list[str] = Field(description="the parameters that are left")
+    products: list[ScmProduct] = Field(description="in the order of the request")
+    equal_to_first: list[Annotated[ProofStatus, Field(strict=False)]] = Field(
+        description="whether each product is the first one for all values: proved, refuted or undecided"
+    )
+    symbols: dict[str, str] | None = Field(None, description="what the short names stand for")

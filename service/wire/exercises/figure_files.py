@@ -1,0 +1,141 @@
+"""Figures as files under addresses made from what they show.
+
+Two students with the same values, in whatever process, have the same address; another value, another language
+or another version of exercise or program has another one. What an address shows therefore never changes.
+What is drawn is shared more widely than that: by all whose figures differ in words alone.
+"""
+
+from __future__ import annotations
+
+import gzip
+import hashlib
+from functools import lru_cache
+from urllib.parse import urlencode
+
+import orjson
+
+from exercises.definition import Exercise
+from exercises.drawings import drawn_values, figure_drawing
+from exercises.figures.svg import SvgDrawing, document
+from exercises.instance import Instance
+from exercises.parts.mistakes.frame_mistake import frames_shown
+from service.messages import sentence
+from service.revision import revision
+from service.wire.exercises.exercise_views import figure_description
+from service.work.shared_answers import SharedAnswers, address_of
+
+KEPT = 256
+"""Exercises whose digest is kept."""
+ADDRESSES = 2048
+"""Addresses of figures that are kept: the page, the exercise and the figure itself each ask for it."""
+LEVEL = 4
+"""Level of gzip: the higher ones take twice as long and save three bytes in a hundred."""
+
+
+def figure_address(figures: SharedAnswers, instance: Instance, language: str) -> str:
+    """Return the address of a figure: a digest of all that it follows from."""
+    return _address(figures.kind, instance, language)
+
+
+@lru_cache(maxsize=ADDRESSES)
+def _address(kind: str, instance: Instance, language: str) -> str:
+    title = instance.exercise.title(language)
+    told = repr((dict(instance.exact), frames_shown(instance)))
+    return address_of(kind, _drawn_alike(instance.exercise), language, title, told)
+
+
+def drawing_address(figures: SharedAnswers, instance: Instance, note: str) -> str:
+    """Return the address of what is drawn: of all figures that differ in words alone, the same."""
+    told = repr((drawn_values(instance), frames_shown(instance)))
+    return figures.address(_drawn_alike(instance.exercise), "drawing", note, told)
+
+
+@lru_cache(maxsize=KEPT)
+def _drawn_alike(exercise: Exercise) -> bytes:
+    """A digest of what all figures of an exercise follow from, whatever a student's values are."""
+    policy = exercise.policy
+    told = (
+        revision(),
+        repr(exercise.figure),
+        repr(exercise.reference),
+        repr((policy.direction, policy.zero, exercise.length_unit, exercise.angle_unit)),
+    )
+    return hashlib.sha256("\n".join(told).encode()).digest()
+
+
+def figure_path(figures: SharedAnswers, instance: Instance, language: str, asked: str | None = None) -> str:
+    """Return the path of a figure below the API's root, by which any process can draw it.
+
+    Args:
+        figures: the figures of the application.
+        instance: the exercise with the student's values.
+        language: of title and description.
+        asked: the query that the page carries, if not language and seed alone.
+    """
+    address = figure_address(figures, instance, language)
+    seed = {} if instance.seed is None else {"seed": instance.seed}
+    query = asked if asked is not None else urlencode({"lang": language, **seed})
+    return f"exercises/{instance.exercise.id}/figures/{address}.svg?{query}"
+
+
+def known_figure(figures: SharedAnswers, instance: Instance, language: str) -> bytes | None:
+    """Return a figure, gzipped, where this process has what is drawn in memory."""
+    address = figure_address(figures, instance, language)
+    packed = figures.known(address)
+    if packed is None:
+        drawn = figures.known(drawing_address(figures, instance, _note(language)))
+        if drawn is not None:
+            packed = _told(figures, address, drawn, instance, language)
+    return packed
+
+
+def packed_figure(figures: SharedAnswers, instance: Instance, language: str) -> bytes:
+    """Return a figure, gzipped: as some process has drawn it, else drawn now, with its words."""
+    known = known_figure(figures, instance, language)
+    if known is not None:
+        return known
+    drawn = _drawn(figures, drawing_address(figures, instance, _note(language)), instance, language)
+    return _told(figures, figure_address(figures, instance, language), drawn, instance, language)
+
+
+def draw_ahead(figures: SharedAnswers, instance: Instance, language: str) -> bool:
+    """Have what is drawn in memory, as some process has drawn it, else drawn now; return whether it was."""
+    place = drawing_address(figures, instance, _note(language))
+    if figures.known(place) is not None:
+        return False
+    _drawn(figures, place, instance, language)
+    return True
+
+
+def _drawn(figures: SharedAnswers, place: str, instance: Instance, language: str) -> bytes:
+    """Return what is drawn, packed: as some process has drawn it, else drawn now."""
+    drawn = figures.stored(place)
+    if drawn is None:
+        drawing = figure_drawing(instance, _note(language), frames_shown(instance))
+        drawn = gzip.compress(orjson.dumps((drawing.box, drawing.elements)), LEVEL, mtime=0)
+        figures.keep(place, drawn)
+    return drawn
+
+
+def figure_file(instance: Instance, language: str) -> bytes:
+    """Draw the figure as an SVG file."""
+    return _file(figure_drawing(instance, _note(language), frames_shown(instance)), instance, language)
+
+
+def _told(figures: SharedAnswers, address: str, drawn: bytes, instance: Instance, language: str) -> bytes:
+    """What is drawn, as a file with its words, gzipped; this process keeps it."""
+    box, elements = orjson.loads(gzip.decompress(drawn))
+    file = _file(SvgDrawing(box=tuple(box), elements=elements), instance, language)
+    packed = gzip.compress(file, LEVEL, mtime=0)
+    figures.remember(address, packed)
+    return packed
+
+
+def _file(drawing: SvgDrawing, instance: Instance, language: str) -> bytes:
+    title = sentence(language, "figure-title", {"title": instance.exercise.title(language)}) or ""
+    description = figure_description(instance, language)
+    return document(drawing, title=title, description=description, language=language).encode()
+
+
+def _note(language: str) -> str:
+    return sentence(language, "figure-note") or ""

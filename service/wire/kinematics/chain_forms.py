@@ -1,0 +1,136 @@
+"""Closed forms of SCM chains as the wire shows them: what a worker process computes."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from enum import StrEnum
+from typing import Any
+
+from kinematics.jacobian import JacobianFrame
+from kinematics.printing import Format, MatrixPrinter, Notation, Purpose
+from kinematics.scm import (
+    ReadChain,
+    ScmChain,
+    closed_form_scm,
+    inverse_closed_form_scm,
+    jacobian_by_differentiation,
+    jacobian_closed_form_scm,
+    verify,
+)
+from kinematics.symbolic import Matrix
+from service.wire.kinematics.symbolic_forms import written_out
+
+DEFAULT_FORMATS = (Format.TEXT, Format.LATEX)
+_QUICK_JOINTS = 8
+"""Joints of a chain whose closed forms are answered at once, without a process of their own."""
+
+
+class Wanted(StrEnum):
+    """Which closed forms are wanted."""
+
+    FORWARD_KINEMATICS = "forward_kinematics"
+    INVERSE_TRANSFORM = "inverse_transform"
+    INSPECTED_JACOBIANS = "inspected_jacobians"
+    DIFFERENTIATED_JACOBIANS = "differentiated_jacobians"
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class ChainTask:
+    """A closed form to be written.
+
+    Attributes:
+        chain: the chain.
+        parameters: names of its parameters.
+        wanted: which matrices.
+        formats: in which formats.
+        notation: how sines and cosines are written.
+        head: what the answer says besides.
+    """
+
+    chain: ScmChain
+    parameters: tuple[str, ...]
+    wanted: Wanted
+    formats: tuple[Format, ...]
+    notation: Notation
+    head: Mapping[str, Any]
+
+    @classmethod
+    def of(
+        cls, read: ReadChain, wanted: Wanted, formats: Sequence[Format] | None, notation: Notation
+    ) -> ChainTask:
+        """Return the task of a request."""
+        return cls(
+            chain=read.chain,
+            parameters=tuple(read.parameters),
+            wanted=wanted,
+            formats=tuple(dict.fromkeys(formats or DEFAULT_FORMATS)),
+            notation=notation,
+            head={
+                "angle_unit": read.angle_unit.value,
+                "length_unit": read.length_unit.value,
+                "variables": [f"q{i}" for i in range(1, read.chain.n_joints + 1)],
+                **_STATED.get(wanted, {}),
+            },
+        )
+
+
+def is_quick(chain: ScmChain) -> bool:
+    """Return whether closed forms of a chain are certain to be small."""
+    return chain.n_joints <= _QUICK_JOINTS and not verify(chain)
+
+
+def written_chain(task: ChainTask) -> bytes:
+    """Return the wanted matrices in the wanted formats, with the meaning of short names, as JSON.
+
+    Raises:
+        FormSizeError: a matrix has too many operations to be written out, or is nested too deeply for JSON.
+    """
+    printer = MatrixPrinter(n_joints=task.chain.n_joints, parameters=task.parameters, notation=task.notation)
+    answer: dict[str, Any] = dict(task.head)
+    written: list[Matrix] = []
+    for name, found in _matrices(task).items():
+        matrices = found if isinstance(found, list) else [found]
+        forms = [printer.write(matrix, task.formats, _PURPOSES[name]) for matrix in matrices]
+        answer[name] = forms if isinstance(found, list) else forms[0]
+        written += matrices
+    if task.notation is Notation.SHORT:
+        answer["symbols"] = printer.symbols(written)
+    return written_out(answer)
+
+
+def _matrices(task: ChainTask) -> dict[str, Matrix | list[Matrix]]:
+    chain = task.chain
+    if task.wanted is Wanted.INVERSE_TRANSFORM:
+        return {"transform": inverse_closed_form_scm(chain)}
+    if task.wanted is Wanted.INSPECTED_JACOBIANS:
+        return {
+            "J0": jacobian_closed_form_scm(chain, JacobianFrame.BASE),
+            "Jn": jacobian_closed_form_scm(chain, JacobianFrame.END),
+        }
+    form = closed_form_scm(chain)
+    if task.wanted is Wanted.DIFFERENTIATED_JACOBIANS:
+        return {
+            "J0": jacobian_by_differentiation(form.transform, chain.n_joints, JacobianFrame.BASE),
+            "Jn": jacobian_by_differentiation(form.transform, chain.n_joints, JacobianFrame.END),
+        }
+    return {
+        "transform": form.transform,
+        "links": list(form.links),
+        "frames": list(form.frames),
+        "end": form.end,
+    }
+
+
+_STATED = {
+    Wanted.INSPECTED_JACOBIANS: {"joint_unit": "rad", "method": "inspection"},
+    Wanted.DIFFERENTIATED_JACOBIANS: {"joint_unit": "rad", "method": "differentiation"},
+}
+_PURPOSES = {
+    "transform": Purpose(name="chain_transform", meaning="pose of the tool in frame 0"),
+    "links": Purpose(name="chain_link", meaning="pose of frame i in frame i-1", result="H"),
+    "frames": Purpose(name="chain_frame", meaning="pose of frame i in frame 0", result="H"),
+    "end": Purpose(name="chain_end", meaning="Final Transformation times tool", result="H"),
+    "J0": Purpose(name="jacobian_base", meaning="Jacobian in the axes of frame 0", result="J"),
+    "Jn": Purpose(name="jacobian_end", meaning="Jacobian in the axes of the tool", result="J"),
+}

@@ -1,0 +1,206 @@
+"""DH tables: read from the wire or the catalogue, written in either convention."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from functools import reduce
+from typing import TypeAlias
+
+import numpy as np
+
+from kinematics.cells import AngleUnit, ParameterKind, RawTable, ReadTable, bind_parameters, read_table
+from kinematics.conversion import XScrew, convert, fixed_row
+from kinematics.dh import link_transform
+from kinematics.expressions import (
+    ONE,
+    ZERO,
+    Expression,
+    Function,
+    add,
+    call,
+    evaluate,
+    multiply,
+    negate,
+    number,
+    parameters_in,
+)
+from kinematics.fixed_rows import fixed_rows
+from kinematics.printing.notation import Names
+from kinematics.printing.text import TextWriter
+from kinematics.se3 import Transform
+from kinematics.table import Convention, DHTable
+from service.http.problems import located
+from service.schemas.kinematics.conversion import ConvertRequest, TableAnswer
+from service.schemas.tables import AnsweredRow, AnsweredTable
+from service.settings import Settings
+from service.wire.kinematics.conversion.described import RobotDescription
+from service.wire.kinematics.prepared_robots import listed_robot, robot_of
+from service.wire.kinematics.written_tables import (
+    CELL_KINDS,
+    VARIABLE_CELL,
+    Spellings,
+    TableWriter,
+    WireCell,
+    numeric_row,
+)
+
+Matrix = list[list[WireCell]]
+Entries: TypeAlias = Sequence[Sequence[Expression]]
+
+
+def described_table(request: ConvertRequest, settings: Settings) -> RobotDescription:
+    """Return the robot of a table, or of the catalogue.
+
+    Raises:
+        KinematicsError: the table cannot be read, or the parameters that were given do not fit.
+    """
+    name: str | None = None
+    limits = None
+    if request.table is None:
+        listed = listed_robot(str(request.robot))
+        name, limits = listed.id, listed.limits
+        raw, read = listed.raw, listed.table
+        parameters: Mapping[str, float] | None = {**listed.parameters, **(request.parameters or {})}
+    else:
+        raw = request.table.raw()
+        with located("table"):
+            read = read_table(raw, settings.cell_limits)
+        parameters = request.parameters
+    if parameters is not None:
+        robot_of(read, parameters)
+    return RobotDescription(
+        read=read,
+        parameters=parameters,
+        spellings=_spellings(raw, read),
+        variable_cells=_variable_cells(raw, read),
+        name=name,
+        limits=limits,
+    )
+
+
+def table_answer(robot: RobotDescription, request: ConvertRequest) -> TableAnswer:
+    """Return the robot's table in a convention, its entries moved and never computed.
+
+    Raises:
+        ParameterError: a parameter of base or tool has no finite value.
+    """
+    convention = Convention(request.to.value)
+    converted = convert(robot.read.table, convention)
+    writer = TableWriter(
+        angle_unit=robot.read.angle_unit,
+        length_unit=robot.read.length_unit,
+        spellings=robot.spellings,
+        variable_cells=robot.variable_cells,
+    )
+    table = writer.table(converted.table)
+    base = matrix_of_cells(converted.base, robot, before=robot.base)
+    tool = matrix_of_cells(converted.tool, robot, behind=robot.tool)
+    base_row, tool_row = _row(converted.base, writer, robot.base), _row(converted.tool, writer, robot.tool)
+    return TableAnswer(
+        angle_unit=robot.read.angle_unit.value,
+        length_unit=robot.read.length_unit.value,
+        table=AnsweredTable.model_validate(table),
+        base=base,
+        tool=tool,
+        base_row=base_row,
+        tool_row=tool_row,
+        base_rows=_rows(base, base_row, convention, robot.read.angle_unit),
+        tool_rows=_rows(tool, tool_row, convention, robot.read.angle_unit),
+        **robot.joints,
+    )
+
+
+def matrix_of_cells(
+    screw: XScrew[Expression] | None,
+    robot: RobotDescription,
+    *,
+    before: Transform | None = None,
+    behind: Transform | None = None,
+) -> Matrix:
+    """Return before · screw · behind: numbers where all is known, else expressions."""
+    if screw is not None and robot.parameters is None and parameters_in(screw.a) | parameters_in(screw.alpha):
+        factors = [None if before is None else _numbers(before), _expressions(screw)]
+        factors.append(None if behind is None else _numbers(behind))
+        product = reduce(_product, (factor for factor in factors if factor is not None))
+        return [[_entry(entry) for entry in row] for row in product]
+    motion = np.eye(4) if screw is None else _motion(screw, robot)
+    if before is not None:
+        motion = before @ motion
+    if behind is not None:
+        motion = motion @ behind
+    written: Matrix = (motion + 0.0).tolist()
+    return written
+
+
+def _motion(screw: XScrew[Expression], robot: RobotDescription) -> Transform:
+    """The motion with the robot's parameters, bound as a row of its table is; without them it needs none."""
+    table = DHTable(convention=robot.read.table.convention, rows=(fixed_row(screw),))
+    needed = {} if robot.parameters is None else robot.read.parameters
+    bound = bind_parameters(replace(robot.read, table=table, parameters=needed), robot.parameters or {})
+    return link_transform(bound.rows[0], bound.convention)
+
+
+def _expressions(screw: XScrew[Expression]) -> Entries:
+    """Trans_x(a) Rot_x(alpha), written with its parameters."""
+    cosine, sine = call(Function.COS, screw.alpha), call(Function.SIN, screw.alpha)
+    return (
+        (ONE, ZERO, ZERO, screw.a),
+        (ZERO, cosine, negate(sine), ZERO),
+        (ZERO, sine, cosine, ZERO),
+        (ZERO, ZERO, ZERO, ONE),
+    )
+
+
+def _numbers(motion: Transform) -> Entries:
+    return [[number(repr(entry)) for entry in row] for row in (motion + 0.0).tolist()]
+
+
+def _product(one: Entries, other: Entries) -> Entries:
+    return [
+        [add(multiply(pair) for pair in zip(row, column, strict=True)) for column in zip(*other, strict=True)]
+        for row in one
+    ]
+
+
+def _entry(entry: Expression) -> WireCell:
+    if parameters_in(entry):
+        return TextWriter(Names()).text(entry)
+    return evaluate(entry) + 0.0
+
+
+def _row(screw: XScrew[Expression] | None, writer: TableWriter, other: Transform) -> AnsweredRow | None:
+    """The motion as a fixed row, unless something else stands beside it."""
+    if screw is None or not np.array_equal(other, np.eye(4)):
+        return None
+    return AnsweredRow.model_validate(writer.row(fixed_row(screw)))
+
+
+def _rows(
+    pose: Matrix, single: AnsweredRow | None, convention: Convention, unit: AngleUnit
+) -> list[AnsweredRow] | None:
+    """The pose as fixed rows; None if it depends on a parameter without a value and is not a single row."""
+    if single is not None:
+        return [single]
+    if any(isinstance(entry, str) for row in pose for entry in row):
+        return None
+    rows = fixed_rows(np.array(pose, dtype=float), convention)
+    return [AnsweredRow.model_validate(numeric_row(row, 0, unit)) for row in rows]
+
+
+def _spellings(raw: RawTable, read: ReadTable) -> Spellings:
+    """How the constant entries were written."""
+    found: dict[tuple[ParameterKind, Expression], WireCell] = {}
+    for row, entries in zip(raw.rows, read.table.rows, strict=True):
+        for name, kind in CELL_KINDS.items():
+            if VARIABLE_CELL.get(entries.joint) != name:
+                found.setdefault((kind, getattr(entries, name)), getattr(row, name))
+    return found
+
+
+def _variable_cells(raw: RawTable, read: ReadTable) -> dict[int, WireCell]:
+    """How the cells with the joint variables were written, by the number of the joint."""
+    return {
+        joint: getattr(raw.rows[i], VARIABLE_CELL[read.table.rows[i].joint])
+        for joint, i in enumerate(read.table.joint_rows, 1)
+    }

@@ -1,0 +1,133 @@
+"""From a request for inverse kinematics in symbols to the written equations."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from itertools import chain
+from typing import Any
+
+from kinematics.errors import Fault, FormSizeError
+from kinematics.expressions import ZERO, Expression, JointVariable, Parameter, walk
+from kinematics.inverse_forms import InverseCondition, InverseForm, inverse_form
+from kinematics.inverse_forms.outer_frames import with_base_and_tool
+from kinematics.inverse_forms.signed_axes import Vector
+from kinematics.printing import LIMIT, Notation
+from kinematics.printing.equation_lists import (
+    MISFIT,
+    EquationPrinter,
+    NamedValue,
+    source_of,
+    symbols_of,
+)
+from kinematics.printing.formats import EquationFormat
+from kinematics.printing.notation import Names
+from kinematics.symbolic import count_operations
+from kinematics.symbolic.size import bottom_up
+from kinematics.table import CELLS
+from service.http.problems import located
+from service.schemas.kinematics.inverse_forms import SymbolicInverseAnswer, SymbolicInverseRequest
+from service.settings import Settings
+from service.wire.kinematics.exact_values import exact_question
+from service.wire.kinematics.symbolic_forms import FormTask
+
+MOST_JOINTS = 6
+"""No arm with more has a closed form; up to so many it takes some ten milliseconds, and a format as much."""
+
+QUICK_NODES = 500
+"""Nodes of the table's expressions up to which that is so."""
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class InverseFormTask(FormTask[EquationFormat]):
+    """Equations to be found and written."""
+
+    def is_quick(self) -> bool:
+        """Return whether the answer is certain to be small: such arms have six joints at most."""
+        cells = (getattr(row, cell) for row in self.table.rows for cell in CELLS)
+        return self.table.n_joints <= MOST_JOINTS and len(bottom_up(cells)) <= QUICK_NODES
+
+
+def inverse_form_task(question: SymbolicInverseRequest, settings: Settings) -> InverseFormTask:
+    """Return what a validated request asks of the workers.
+
+    Raises:
+        KinematicsError: see `exact_question`.
+    """
+    return InverseFormTask(**exact_question(question, settings))
+
+
+def written_inverse(task: InverseFormTask) -> bytes:
+    """Return the answer to a task, as JSON.
+
+    Raises:
+        TableError: the arm has no such form.
+        FormSizeError: the equations have too many operations to be written out.
+    """
+    parameters = task.parameters
+    with located("table"):
+        form = inverse_form(task.table, task.variables, _tip(task.tool))
+    form = with_base_and_tool(form, task.base, task.tool, (*parameters, *task.variables))
+    expressions = [*(step.value for step in form.steps), *_values_of(form)]
+    if count_operations(expressions) > LIMIT:
+        raise FormSizeError(Fault(code="closed_form_too_large", params={"limit": LIMIT}))
+    names = Names(
+        notation=task.notation,
+        parameters=frozenset((*parameters, *(step.name for step in form.steps if not step.joint))),
+        variables=task.variables,
+    )
+    printer = EquationPrinter(names)
+    equations = [NamedValue(step.name, step.joint, step.value) for step in form.steps]
+    arguments = _arguments(form, expressions, parameters)
+    sources = [chosen for chosen in task.formats if chosen.is_source]
+
+    def conditions(some: Iterable[InverseCondition]) -> list[dict[str, Any]]:
+        return [{"kind": one.kind, **printer.value(one.value, task.formats)} for one in some]
+
+    answer: dict[str, Any] = {
+        **task.head,
+        "target": {
+            "reach": form.reach,
+            "rotation": [list(row) for row in form.rotation],
+            "position": list(form.position),
+        },
+        "branches": list(form.branches),
+        "equations": [
+            {
+                **printer.equation(equation, task.formats),
+                "joint": step.joint or None,
+                "branch": step.branch or None,
+                "conditions": conditions(step.conditions),
+            }
+            for equation, step in zip(equations, form.steps, strict=True)
+        ],
+        "conditions": conditions(form.conditions),
+        "arguments": arguments,
+    }
+    if sources:
+        joints = [JointVariable(joint) for joint in range(1, task.table.n_joints + 1)]
+        answer["code"] = {one.value: source_of(equations, arguments, joints, one) for one in sources}
+        zeros = form.zeros
+        if zeros:
+            answer["misfit_code"] = {
+                one.value: source_of(equations, arguments, zeros, one, MISFIT) for one in sources
+            }
+    if task.notation is Notation.SHORT:
+        answer["symbols"] = symbols_of(names, expressions)
+    return SymbolicInverseAnswer(**answer).model_dump_json(by_alias=True, exclude_none=True).encode()
+
+
+def _tip(tool: Sequence[Sequence[Expression]] | None) -> Vector:
+    """The tool's origin in frame N."""
+    x, y, z = (ZERO, ZERO, ZERO) if tool is None else (row[3] for row in tool[:3])
+    return x, y, z
+
+
+def _values_of(form: InverseForm) -> list[Expression]:
+    return [one.value for one in chain(form.conditions, *(step.conditions for step in form.steps))]
+
+
+def _arguments(form: InverseForm, expressions: Iterable[Expression], parameters: Iterable[str]) -> list[str]:
+    used = {node.name for value in expressions for node in walk(value) if isinstance(node, Parameter)}
+    target = [name for name in chain(*form.rotation, form.position) if name in used]
+    return [*target, *form.branches, *parameters]

@@ -1,0 +1,269 @@
+"""Inverse kinematics between the wire and the domain."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, Protocol, TypeAlias
+
+import numpy as np
+
+from kinematics.errors import Fault, JointValueError
+from kinematics.inverse import ArmReach, IKSolution, InverseKinematics, NearestPose, Solver, solver_of
+from kinematics.inverse.goals import read_goal
+from kinematics.inverse.results import Family
+from kinematics.table import NumericTable
+from service.http.languages import language_of
+from service.http.routing import ApiRequest
+from service.schemas.kinematics.inverse_kinematics import (
+    MOST_TARGETS,
+    FamilyParameterModel,
+    InverseKinematicsAnswer,
+    InverseKinematicsAnswers,
+    Nearest,
+    NumericInverseKinematicsRequest,
+    Solution,
+    SolutionFamily,
+    TargetAnswer,
+)
+from service.schemas.kinematics.joint_limits import DomainLimits, domain_limits
+from service.wire.fault_entries import fault_entries
+from service.wire.fault_pointers import traced
+from service.wire.kinematics.pose_matrices import base_and_tool, placed_matrix, pose_matrix
+from service.wire.kinematics.prepared_robots import PreparedRobot
+from service.work.allotted_time import each_in_time
+from service.work.threads import in_thread
+from service.work.workers import Lane, Workers
+
+Matrix: TypeAlias = Any
+
+ALLOTTED = 0.8
+"""Part of a task's processor time in which many targets are answered: what is left is for the kernel's own
+time, and for sending."""
+
+
+class InUnits(Protocol):
+    """A robot or a chain, and the units of the request that it came with."""
+
+    @property
+    def joint_units(self) -> tuple[float, ...]:
+        """For joint 1 … n what one unit of the request is in [rad], or in the length unit."""
+
+    @property
+    def angle(self) -> float:
+        """What one unit of the request's angles is in [rad]."""
+
+
+async def solved(
+    request: NumericInverseKinematicsRequest, robot: PreparedRobot, workers: Workers
+) -> InverseKinematicsAnswer:
+    """Return the joint values that reach a target.
+
+    Raises:
+        KinematicsError: malformed limits or poses, or a table that inverse kinematics does not take.
+        ServiceError: as `answer_to`.
+    """
+    with traced(request):
+        question = _question(request, robot)
+        answer = await answer_to(question, workers)
+    return _answer(answer.nearest_first(robot.table.joint_types, question.start), robot)
+
+
+async def solved_each(
+    request: NumericInverseKinematicsRequest, robot: PreparedRobot, api: ApiRequest
+) -> InverseKinematicsAnswers:
+    """Return the joint values that reach each of many targets, all in one worker process.
+
+    Targets that its time does not reach to are unanswered, each with a fault that says so.
+
+    Raises:
+        KinematicsError: as `solved`, of a target at its place.
+        ServiceError: no place for the task, or not one target was answered in time.
+    """
+    with traced(request):
+        question = _question(request, robot)
+        targets = [
+            pose_matrix(pose, robot.angle, "targets", i) for i, pose in enumerate(request.targets or [])
+        ]
+        for i, target in enumerate(targets):
+            read_goal(target, question.tolerance, where=("targets", i))
+        question.solver()
+    seconds = api.settings.symbolic_seconds
+    answers = await api.resources.workers.run(Lane.SLOW, _solve_each, question, targets, ALLOTTED * seconds)
+    answers = [answer.nearest_first(robot.table.joint_types, question.start) for answer in answers]
+    return InverseKinematicsAnswers(
+        angle_unit=robot.read.angle_unit.value,
+        length_unit=robot.read.length_unit.value,
+        answers=[
+            *(TargetAnswer(**told(answer, robot)) for answer in answers),
+            *(_unanswered(target, question.tolerance) for target in targets[len(answers) :]),
+        ],
+        faults=fault_entries(
+            [
+                Fault(
+                    code="target_unanswered",
+                    where=("targets", i),
+                    params={"answered": len(answers), "seconds": round(seconds, 3)},
+                )
+                for i in range(len(answers), len(targets))
+            ],
+            language_of(api),
+            MOST_TARGETS,
+        ),
+    )
+
+
+def _unanswered(target: Matrix, tolerance: float | None) -> TargetAnswer:
+    """What stands in the place of an answer that was not reached in time."""
+    return TargetAnswer(
+        status="unanswered",
+        complete=False,
+        solutions=[],
+        outside_limits=0,
+        tolerance=read_goal(target, tolerance, where=()).tolerance,
+    )
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class TargetQuestion:
+    """What is asked, in domain units; it can go to another process."""
+
+    table: NumericTable
+    target: Matrix
+    reach: ArmReach = ArmReach.POSE
+    base: Matrix | None = None
+    tool: Matrix | None = None
+    limits: DomainLimits | None = None
+    tolerance: float | None = None
+    start: list[float] | None = None
+
+    def solver(self) -> Solver:
+        """Return the arm made ready."""
+        return solver_of(self.table, base=self.base, tool=self.tool, limits=self.limits, reach=self.reach)
+
+
+def _question(request: NumericInverseKinematicsRequest, robot: PreparedRobot) -> TargetQuestion:
+    base, tool = base_and_tool(request, robot.angle)
+    if request.targets is not None:
+        target, reach = None, ArmReach.POSE
+    elif request.position is None:
+        target, reach = pose_matrix(request.target or [], robot.angle, "target"), ArmReach.POSE
+    else:
+        target = placed_matrix(request.position, request.quaternion, request.axis)
+        free = ArmReach.POSITION if request.axis is None else ArmReach.AXIS
+        reach = ArmReach.POSE if request.quaternion is not None else free
+    return TargetQuestion(
+        table=robot.table,
+        target=target,
+        reach=reach,
+        base=base,
+        tool=tool,
+        limits=domain_limits(request.limits, robot.joint_units),
+        tolerance=request.tolerance,
+        start=None if request.start is None else _start(request.start, robot),
+    )
+
+
+def _start(start: list[float], robot: PreparedRobot) -> list[float]:
+    if len(start) != len(robot.joint_units):
+        params = {"expected": len(robot.joint_units), "given": len(start)}
+        raise JointValueError(Fault(code="joints_wrong_length", where=("start",), params=params))
+    return [value * unit for value, unit in zip(start, robot.joint_units, strict=True)]
+
+
+async def answer_to(question: TargetQuestion, workers: Workers) -> InverseKinematics:
+    """Return the solutions: a closed form gives them at once; a worker process searches, or follows families.
+
+    Raises:
+        KinematicsError: malformed limits or poses, or a table that inverse kinematics does not take.
+        ServiceError: no place in the lane, or it took too long.
+    """
+    answer = await in_thread(_directly, question)
+    return await workers.run(Lane.SLOW, _solve, question) if answer is None else answer
+
+
+def _directly(question: TargetQuestion) -> InverseKinematics | None:
+    """What the closed form alone says, in a thread; every refusal is made here, none in a worker."""
+    return question.solver().solve_directly(question.target, question.tolerance)
+
+
+def _solve(question: TargetQuestion) -> InverseKinematics:
+    """What a worker process does."""
+    return question.solver().solve(question.target, question.tolerance)
+
+
+def _solve_each(
+    question: TargetQuestion, targets: Sequence[Matrix], seconds: float
+) -> list[InverseKinematics]:
+    """What a worker process does for many targets: the first ones, as many as the processor time allows."""
+    solver = question.solver()
+    return each_in_time(lambda target: solver.solve(target, question.tolerance), targets, seconds)
+
+
+def _answer(answer: InverseKinematics, robot: PreparedRobot) -> InverseKinematicsAnswer:
+    return InverseKinematicsAnswer(
+        angle_unit=robot.read.angle_unit.value,
+        length_unit=robot.read.length_unit.value,
+        **told(answer, robot),
+    )
+
+
+def told(answer: InverseKinematics, robot: InUnits) -> dict[str, Any]:
+    """Return what an answer says of one target, in the units of the request."""
+    nearest = answer.nearest
+    return {
+        "status": answer.status,
+        "complete": answer.complete,
+        "method": answer.method,
+        "solutions": [
+            Solution(
+                **_reached(solution, robot),
+                isolation=solution.isolation,
+                family=None if solution.family is None else _family(solution.family, robot),
+            )
+            for solution in answer.solutions
+        ],
+        "nearest": None if nearest is None else _nearest(nearest, robot),
+        "reason": answer.reason,
+        "outside_limits": answer.outside_limits,
+        "tolerance": answer.tolerance,
+    }
+
+
+def _family(family: Family, robot: InUnits) -> SolutionFamily:
+    units = robot.joint_units
+    parameter = family.parameters[0].joint - 1 if family.parameters else 0
+    return SolutionFamily(
+        dimension=family.dimension,
+        parameters=[
+            FamilyParameterModel(
+                joint=one.joint,
+                interval=[one.least / units[one.joint - 1], one.greatest / units[one.joint - 1]],
+                full_turn=one.full_turn,
+            )
+            for one in family.parameters
+        ],
+        direction=None
+        if family.direction is None
+        else [way * units[parameter] / unit + 0.0 for way, unit in zip(family.direction, units, strict=True)],
+        members=[_in_units(member, robot) for member in family.members],
+    )
+
+
+def _nearest(nearest: NearestPose, robot: InUnits) -> Nearest:
+    return Nearest(
+        **_reached(nearest, robot), transform=(nearest.transform + 0.0).tolist(), size=nearest.size
+    )
+
+
+def _reached(found: IKSolution | NearestPose, robot: InUnits) -> dict[str, Any]:
+    return {
+        "joints": _in_units(found.joints, robot),
+        "residual": float(np.hypot(found.position_error, found.orientation_error)),
+        "position_error": found.position_error,
+        "orientation_error": found.orientation_error / robot.angle,
+    }
+
+
+def _in_units(joints: Sequence[float], robot: InUnits) -> list[float]:
+    return [value / unit + 0.0 for value, unit in zip(joints, robot.joint_units, strict=True)]

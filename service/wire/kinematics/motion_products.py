@@ -1,0 +1,151 @@
+"""Products of motions between the wire and the domain."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+from kinematics.cells import AngleUnit, Limits, ParameterKind
+from kinematics.errors import (
+    DescriptionError,
+    Fault,
+    JointValueError,
+    ParameterError,
+    PoseError,
+)
+from kinematics.expressions import Expression
+from kinematics.jacobian import JacobianFrame
+from kinematics.poses import pose_notations
+from kinematics.printing import Format, MatrixPrinter, Notation, Purpose
+from kinematics.scm.products import (
+    ReadProducts,
+    compare_matrices,
+    jacobian_of_product,
+    matrix_in_numbers,
+    matrix_with_values,
+    names_left,
+    product_of,
+    read_products,
+)
+from kinematics.se3 import check_transform
+from kinematics.symbolic import Matrix
+from service.schemas.kinematics.scm_products import ScmProductsRequest
+from service.wire.kinematics.chain_forms import DEFAULT_FORMATS
+from service.wire.kinematics.exact_values import exact_values
+from service.wire.kinematics.symbolic_forms import written_out
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class ProductsTask:
+    """Products to be formed, compared and written.
+
+    Attributes:
+        read: the products.
+        values: of some of the parameters.
+        joints: q_1 … q_n [rad, or length units], or None.
+        jacobian: whether Jacobians are wanted.
+        formats: in which formats matrices are written.
+        notation: how sines and cosines are written.
+    """
+
+    read: ReadProducts
+    values: dict[str, Expression]
+    joints: tuple[float, ...] | None
+    jacobian: bool
+    formats: tuple[Format, ...]
+    notation: Notation
+
+
+def products_task(request: ScmProductsRequest, limits: Limits) -> ProductsTask:
+    """Return what a validated request asks of the workers.
+
+    Raises:
+        KinematicsError: motions that cannot be read, values that do not fit; every fault at its place.
+    """
+    try:
+        read = read_products(request.raw(), request.angle_unit, request.length_unit, limits)
+    except DescriptionError as error:
+        placed = [replace(fault, where=request.place(fault.where)) for fault in error.faults]
+        raise DescriptionError(placed) from error
+    return ProductsTask(
+        read=read,
+        values=exact_values(read, request.parameters),
+        joints=None if request.joints is None else _joints(request.joints, read),
+        jacobian=request.jacobian,
+        formats=tuple(dict.fromkeys(request.formats or DEFAULT_FORMATS)),
+        notation=request.notation,
+    )
+
+
+def written_products(task: ProductsTask) -> bytes:
+    """Return the products in the wanted formats, their values and which are equal, as JSON.
+
+    Raises:
+        FormSizeError: a matrix has too many operations to be written out.
+        ParameterError: an entry has no value.
+    """
+    read = task.read
+    try:
+        matrices = [matrix_with_values(product_of(factors), task.values) for factors in read.products]
+    except ZeroDivisionError:
+        raise ParameterError(Fault(code="value_undefined", where=("parameters",))) from None
+    left = {name for matrix in matrices for name in names_left(matrix)[0]}
+    parameters = tuple(name for name in read.parameters if name in left)
+    printer = MatrixPrinter(n_joints=read.n_joints, parameters=parameters, notation=task.notation)
+    written: list[Matrix] = []
+
+    def write(matrix: Matrix, name: str, meaning: str) -> dict[str, Any]:
+        written.append(matrix)
+        return printer.write(matrix, task.formats, Purpose(name=name, meaning=meaning))
+
+    products = []
+    for i, matrix in enumerate(matrices, start=1):
+        product: dict[str, Any] = {"transform": write(matrix, f"product_{i}", f"Product {i} of motions.")}
+        if task.jacobian:
+            for name, frame in (("J0", JacobianFrame.BASE), ("Jn", JacobianFrame.END)):
+                J = jacobian_of_product(matrix, read.n_joints, frame)
+                product[name] = write(J, f"{name}_{i}", f"Jacobian {name} of product {i}, linear rows first.")
+        products.append(product | _numbers(matrix, task))
+    answer: dict[str, Any] = {
+        "angle_unit": read.angle_unit.value,
+        "length_unit": read.length_unit.value,
+        "variables": [f"q{k}" for k in range(1, read.n_joints + 1)],
+        "parameters": list(parameters),
+        "products": products,
+        "equal_to_first": [compare_matrices(matrices[0], matrix).value for matrix in matrices],
+    }
+    if task.notation is Notation.SHORT:
+        answer["symbols"] = printer.symbols(written)
+    return written_out(answer)
+
+
+def _numbers(matrix: Matrix, task: ProductsTask) -> dict[str, Any]:
+    """The values of a matrix, if all that stands in it has one, and its frame."""
+    parameters, variables = names_left(matrix)
+    if parameters or (variables and task.joints is None):
+        return {}
+    values = matrix_in_numbers(matrix, task.joints or ())
+    try:
+        check_transform(values)
+    except PoseError:
+        return {"numbers": values.tolist()}
+    (x, y, z), _, (roll, pitch, yaw), _, _ = pose_notations(values)
+    unit = math.pi / 180.0 if task.read.angle_unit is AngleUnit.DEG else 1.0
+    return {
+        "numbers": values.tolist(),
+        "xyzabc": [x, y, z, *(angle / unit for angle in (yaw, pitch, roll))],
+    }
+
+
+def _joints(given: Sequence[float], read: ReadProducts) -> tuple[float, ...]:
+    """Joint values in [rad] and length units."""
+    if len(given) != read.n_joints:
+        params = {"expected": read.n_joints, "given": len(given)}
+        raise JointValueError(Fault(code="joints_wrong_length", where=("joints",), params=params))
+    unit = math.pi / 180.0 if read.angle_unit is AngleUnit.DEG else 1.0
+    return tuple(
+        value if read.joints.get(k) is ParameterKind.LENGTH else value * unit
+        for k, value in enumerate(given, start=1)
+    )

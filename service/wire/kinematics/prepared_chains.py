@@ -1,0 +1,142 @@
+"""From what a request says of an SCM chain to one that can be computed with."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, replace
+from typing import Any
+
+from kinematics.cells import Limits, parameter_values
+from kinematics.errors import DescriptionError, Fault, JointValueError, KinematicsError
+from kinematics.scm import ReadChain, ScmChain, check_values, read_chain, verify, with_values
+from kinematics.table import JointType
+from service.schemas.kinematics.scm import ChainQuestion, ScmChainModel, Verification
+from service.wire.kinematics.exact_values import exact_values
+from service.wire.kinematics.prepared_robots import listed_robot
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class PreparedChain:
+    """A chain that can be computed with.
+
+    Attributes:
+        read: the chain, exact.
+        values: the value of every parameter [rad, or the chain's length unit].
+        angle: what one unit of the request's angles is in [rad].
+    """
+
+    read: ReadChain
+    values: Mapping[str, float]
+    angle: float
+
+    @property
+    def chain(self) -> ScmChain:
+        """The chain."""
+        return self.read.chain
+
+    @property
+    def units(self) -> dict[str, Any]:
+        """The names of its units, as an answer states them."""
+        return {"angle_unit": self.read.angle_unit.value, "length_unit": self.read.length_unit.value}
+
+    @property
+    def joint_units(self) -> tuple[float, ...]:
+        """For joint 1 … n what one unit of the request is in [rad], or in the chain's length unit."""
+        return tuple(self.angle if row.joint is JointType.REVOLUTE else 1.0 for row in self.chain.rows)
+
+    def joints(self, given: Sequence[float], where: str = "joints") -> list[float]:
+        """Return the joint values of a request in [rad] and the chain's length unit.
+
+        Raises:
+            JointValueError: not one for each joint.
+        """
+        n = self.chain.n_joints
+        if len(given) != n:
+            raise JointValueError(
+                Fault(
+                    code="joints_wrong_length",
+                    where=(where,),
+                    params={"expected": n, "given": len(given)},
+                )
+            )
+        return [value * unit for value, unit in zip(given, self.joint_units, strict=True)]
+
+    def answered(self, joints: Sequence[float]) -> list[float]:
+        """Return the joint values in the units of the request."""
+        return [value / unit for value, unit in zip(joints, self.joint_units, strict=True)]
+
+
+def prepared_structure(question: ChainQuestion, limits: Limits) -> ReadChain:
+    """Return the chain of a request, read and verified.
+
+    Raises:
+        DescriptionError: it cannot be read, or does not pass the document's input check.
+        RequestError: the catalogue has no such robot.
+    """
+    if question.chain is None:
+        return _listed(str(question.robot)).read
+    with in_chain("chain", question.chain):
+        read = read_chain(question.chain.raw(), limits)
+        faults = verify(read.chain) if question.verify is Verification.STRICT else ()
+        if faults:
+            raise DescriptionError(faults)
+    return read
+
+
+def written_structure(question: ChainQuestion, limits: Limits) -> ReadChain:
+    """Return the chain of a request for closed forms: parameters that have a value are gone, the others stay.
+
+    Raises:
+        KinematicsError: the chain or its parameters are not right; every fault at its place.
+        RequestError: the catalogue has no such robot.
+    """
+    read = prepared_structure(question, limits)
+    values = exact_values(read, question.parameters)
+    with in_chain("chain", question.chain):
+        chain = with_values(read.chain, values)
+    left = {name: kind for name, kind in read.parameters.items() if name not in values}
+    return replace(read, chain=chain, parameters=left)
+
+
+@contextmanager
+def in_chain(field: str, chain: ScmChainModel | None) -> Iterator[None]:
+    """Place the faults of a chain's entries where the chain was sent, or at `robot` if none was."""
+    try:
+        yield
+    except KinematicsError as error:
+        raise type(error)(
+            replace(fault, where=("robot",) if chain is None else (field, *chain.place(fault.where)))
+            for fault in error.faults
+        ) from error
+
+
+def prepared_chain(question: ChainQuestion, limits: Limits) -> PreparedChain:
+    """Return the chain of a request with a value for every parameter; a catalogue robot brings its own.
+
+    Raises:
+        KinematicsError: the chain or its parameters are not right; every fault at its place.
+        RequestError: the catalogue has no such robot.
+    """
+    read = prepared_structure(question, limits)
+    given = dict(question.parameters)
+    if question.chain is None:
+        given = {**_listed(str(question.robot)).values, **given}
+    values = parameter_values(read.parameters, read.angle_unit, given)
+    with in_chain("chain", question.chain):
+        check_values(read.chain, values)
+    angle = read.angle_unit.radians
+    return PreparedChain(read=read, values=values, angle=angle)
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class _Listed:
+    read: ReadChain
+    values: Mapping[str, float]
+
+
+def _listed(robot_id: str) -> _Listed:
+    robot = listed_robot(robot_id)
+    assert robot.chain is not None  # every file has one: tests/kinematics/catalogue
+    values = {name: robot.parameters[known] for name, known in robot.chain.parameters.items()}
+    return _Listed(read=robot.chain.read, values=values)
