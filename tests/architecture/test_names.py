@@ -53,6 +53,7 @@ ALIKE = {
     "service/adapters",
     "service/cli",
     "service/lti",
+    "service/routes/courses",
     "service/routes/exercises",
     "service/routes/kinematics",
     "service/schemas/exercises",

@@ -21,12 +21,12 @@ from courses.platforms import (
     set_status,
 )
 from kinematics.errors import Fault
+from service.course_callers import in_thread, json_response
 from service.course_resources import CourseResources, bearer_token, now
 from service.http.forms import own_root
 from service.http.problems import RequestError
 from service.http.routing import ApiRequest, DirectRoute, api_router
 from service.resources import resources_of
-from service.routes.courses.course_sessions import in_thread, json_response
 
 router = api_router("courses", route_class=DirectRoute)
 router.include_in_schema = False

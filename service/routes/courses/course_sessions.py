@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import replace
 from functools import partial
 from typing import Any, TypeVar
@@ -17,17 +16,18 @@ from courses.refusals import AttemptError, NoExerciseError, PublicationError
 from courses.secrets import redeem_code
 from courses.sessions import end_session
 from exercises.errors import UnknownExerciseError
-from service.course_resources import CourseResources, bearer_token, now
+from service.course_callers import grader_of, in_thread, json_response, signed_in
+from service.course_resources import now
 from service.http.languages import language_of
-from service.http.routing import JSON, ApiRequest, DirectRoute, api_router
+from service.http.routing import ApiRequest, DirectRoute, api_router
 from service.http.validation import validated
 from service.resources import resources_of
 from service.schemas.exercises.exercises import AnswerBase, ExerciseAnswer
 from service.wire.courses.session_views import attempt_view, masked, session_view, stored_report
 from service.wire.exercises.ungraded import answer_refused
-from service.wire.exercises.verdicts import encoded, report_body
+from service.wire.exercises.verdicts import report_body
 from service.work.limiters import WorkKind
-from service.work.session_grading import Grader, judged_submission, with_exercise_rules
+from service.work.session_grading import Grader, judged_submission
 
 router = api_router("courses", route_class=DirectRoute)
 router.include_in_schema = False
@@ -36,39 +36,6 @@ _ANSWER: TypeAdapter[AnswerBase] = TypeAdapter(ExerciseAnswer)
 _Result = TypeVar("_Result")
 LONGEST_KEY = 100
 """Characters of an idempotency key that are stored; a UUID has 36."""
-
-
-async def in_thread(request: ApiRequest, work: Callable[..., _Result], *arguments: Any) -> _Result:
-    """Return the result of work that waits for the database."""
-    return await resources_of(request).limiters[WorkKind.COURSES].run(partial(work, *arguments))
-
-
-async def signed_in(request: ApiRequest) -> tuple[CourseResources, CourseSession]:
-    """Return who is signed in by the request's bearer token.
-
-    Raises:
-        SessionError: nobody is.
-    """
-    courses = resources_of(request).with_courses()
-    session = await courses.signed_in(bearer_token(request.headers.get("authorization", "")))
-    return courses, with_exercise_rules(resources_of(request).exercises, session)
-
-
-def grader_of(request: ApiRequest) -> Grader:
-    """Return what judges answers by the application's exercises and limits."""
-    resources = resources_of(request)
-    edition = resources.courses.edition if resources.courses else None
-    return Grader(
-        library=resources.exercises,
-        limits=resources.settings.cell_limits,
-        edition=edition,
-    )
-
-
-def json_response(body: Any, status: int = 200) -> Response:
-    """Return a body that no cache keeps."""
-    headers = {"Cache-Control": "no-store"}
-    return Response(encoded(body), status_code=status, media_type=JSON, headers=headers)
 
 
 @router.post("/session/open")

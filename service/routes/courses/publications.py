@@ -13,11 +13,11 @@ from courses.refusals import StaffOnlyError
 from courses.secrets import check_code
 from exercises.authoring.trials import trial
 from kinematics.errors import Fault
+from service.course_callers import in_thread, json_response, signed_in
 from service.course_resources import now
 from service.http.problems import ForbiddenError
 from service.http.routing import ApiRequest, api_router
 from service.resources import resources_of
-from service.routes.courses.course_sessions import in_thread, json_response, signed_in
 from service.schemas.exercises import authoring as wire
 from service.schemas.exercises import examples_authoring as examples
 from service.settings import Publishers

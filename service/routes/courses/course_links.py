@@ -1,0 +1,183 @@
+"""The links of a course, as its staff sees and changes them.
+
+Every look at a student's work is in the audit log.
+"""
+
+from __future__ import annotations
+
+from datetime import timedelta
+from typing import Any
+
+from fastapi import Response
+from fastapi.responses import StreamingResponse
+
+from courses.attempt_export import exported_attempts
+from courses.enrolment import preview
+from courses.link_settings import read, written
+from courses.links import allow, change_settings, release_feedback, reports_of
+from courses.outbox import resend
+from courses.policies import Allowance
+from courses.refusals import NoExerciseError
+from courses.secrets import issue_code
+from courses.statistics import class_overview, link_statistics, misconceptions, undelivered, unexplained
+from exercises.errors import ExerciseError
+from kinematics.errors import Fault
+from service.course_callers import existing_exercise, json_response, object_body, staff_of
+from service.course_resources import now
+from service.http.languages import language_of
+from service.http.problems import RequestError
+from service.http.routing import ApiRequest, DirectRoute, api_router
+from service.resources import resources_of
+from service.wire.courses.course_views import attempt_record, csv_of, with_examples
+
+router = api_router("courses", route_class=DirectRoute)
+router.include_in_schema = False
+
+LONGEST_EXTRA = 366 * 24 * 60
+MOST_EXTRA = 1000
+"""A year in minutes, and more attempts than anybody makes: larger numbers are slips of the finger."""
+PREVIEW_CODE = timedelta(minutes=2)
+"""How long the code of a preview can be exchanged: the new window does it at once."""
+
+
+@router.get("/course")
+async def overview(request: ApiRequest) -> Response:
+    """Return the class: links, students, how far each is, and scores that could not be delivered."""
+    staff = await staff_of(request)
+    course = staff.session.course
+    members = await staff.run(staff.courses.class_members, course)
+    found = await staff.run(class_overview, staff.store, course.id, members)
+    lost = await staff.run(undelivered, staff.store, course.id)
+    await staff.log("overview")
+    links = [{**link, "exercise_title": _title(request, link["exercise"])} for link in found["links"]]
+    return json_response(
+        {
+            "course": {"title": course.title, "members": members is not None},
+            "link": staff.session.link.id,
+            **found,
+            "links": links,
+            "undelivered": lost,
+        }
+    )
+
+
+def _title(request: ApiRequest, exercise_id: str | None) -> str | None:
+    """Return an exercise's title in the reader's language; its id, if it is no longer served or malformed."""
+    if exercise_id is None:
+        return None
+    try:
+        return resources_of(request).exercises.exercise(exercise_id).title(language_of(request))
+    except ExerciseError:
+        return exercise_id
+
+
+@router.get("/course/links/{link}/settings")
+async def show_settings(request: ApiRequest) -> Response:
+    """Return the exercise and the rules of a link."""
+    staff = await staff_of(request)
+    link = await staff.link()
+    return json_response({"exercise": link.settings.exercise_id, **written(link.settings)})
+
+
+@router.put("/course/links/{link}/settings")
+async def put_settings(request: ApiRequest) -> Response:
+    """Give a link its exercise and rules."""
+    staff = await staff_of(request)
+    link, body = await staff.link(), await object_body(request)
+    settings = read(existing_exercise(request, body.get("exercise")), body)
+    await staff.run(change_settings, staff.store, link.id, settings, now())
+    await staff.log("settings", link=link.id, exercise=settings.exercise_id)
+    return json_response({"exercise": settings.exercise_id, **written(settings)})
+
+
+@router.get("/course/links/{link}/statistics")
+async def statistics(request: ApiRequest) -> Response:
+    """Return numbers of a link.
+
+    Success, mistakes that were found, and wrong answers that nothing explains.
+    """
+    staff, language = await staff_of(request), language_of(request)
+    link = await staff.link()
+
+    def work() -> dict[str, Any]:
+        mistakes = misconceptions(staff.store, link.id)
+        reports = reports_of(staff.store, [entry["newest"] for entry in mistakes])
+        return {
+            **link_statistics(staff.store, link.id),
+            "misconceptions": with_examples(mistakes, reports, language),
+            "unexplained": unexplained(staff.store, link.id),
+        }
+
+    found = await staff.run(work)
+    await staff.log("statistics", link=link.id)
+    return json_response({"title": link.title, "exercise": link.settings.exercise_id, **found})
+
+
+@router.post("/course/links/{link}/preview")
+async def preview_link(request: ApiRequest) -> Response:
+    """Return a code that opens the exercise of a link as a student would find it, by the link's rules."""
+    staff = await staff_of(request)
+    link = await staff.link()
+    if link.settings.exercise_id is None:
+        raise NoExerciseError
+
+    def work() -> str:
+        token = preview(staff.store, staff.session, link.id, now())
+        return issue_code(staff.store, "session", {"token": token}, now(), PREVIEW_CODE)
+
+    code = await staff.run(work)
+    await staff.log("preview", link=link.id)
+    return json_response({"exercise": link.settings.exercise_id, "code": code})
+
+
+@router.post("/course/links/{link}/release")
+async def release(request: ApiRequest) -> Response:
+    """Show the students of a link what was found, and let their scores go."""
+    staff = await staff_of(request)
+    link = await staff.link()
+    await staff.run(release_feedback, staff.store, link.id, now())
+    await staff.log("release", link=link.id)
+    return Response(status_code=204)
+
+
+@router.post("/course/links/{link}/allowances")
+async def give_allowance(request: ApiRequest) -> Response:
+    """Give a student extra time or attempts."""
+    staff = await staff_of(request)
+    link, body = await staff.link(), await object_body(request)
+    minutes, attempts = body.get("extra_minutes", 0), body.get("extra_attempts", 0)
+    for name, value, most in (
+        ("extra_minutes", minutes, LONGEST_EXTRA),
+        ("extra_attempts", attempts, MOST_EXTRA),
+    ):
+        if type(value) is not int or not 0 <= value <= most:
+            params = {"name": name, "known": f"0 … {most}"}
+            raise RequestError(Fault(code="setting_invalid", where=(name,), params=params))
+    allowance = Allowance(extra_time=timedelta(minutes=minutes), extra_attempts=attempts)
+    person = str(body.get("person"))
+    await staff.run(allow, staff.store, link.id, person, allowance, now())
+    await staff.log("allowance", subject=person, link=link.id, minutes=minutes, attempts=attempts)
+    return Response(status_code=204)
+
+
+@router.post("/course/links/{link}/resend")
+async def resend_scores(request: ApiRequest) -> Response:
+    """Send scores again that could not be delivered."""
+    staff = await staff_of(request)
+    link = await staff.link()
+    count = await staff.run(resend, staff.store, link.id, now())
+    return json_response({"scores": count})
+
+
+@router.get("/course/links/{link}/export.{form}")
+async def export(request: ApiRequest) -> Response:
+    """Return every attempt of a link's students, as CSV or JSON."""
+    staff = await staff_of(request)
+    link = await staff.link()
+    await staff.log("export", link=link.id)
+    found = exported_attempts(staff.store, link)
+    headers = {"Cache-Control": "no-store"}
+    if request.path_params["form"] == "csv":
+        return StreamingResponse(csv_of(found), media_type="text/csv; charset=utf-8", headers=headers)
+    records = await staff.run(lambda: [attempt_record(each) for each in found])
+    return json_response({"attempts": records})

@@ -1,0 +1,52 @@
+"""A lecturer's choice of an exercise, signed for the platform that asked."""
+
+from __future__ import annotations
+
+from fastapi import Response
+
+from courses.link_settings import read
+from courses.platforms import platform_by_id
+from courses.secrets import redeem_code
+from service.course_callers import existing_exercise, in_thread, json_response, object_body
+from service.course_resources import now
+from service.http.forms import own_root
+from service.http.languages import language_of
+from service.http.routing import ApiRequest, DirectRoute, api_router
+from service.lti.deep_links import ContentItem, response_token, takes_line_items
+from service.resources import resources_of
+from service.wire.courses.lti_custom import custom_of
+from service.work.session_grading import asked_exercise
+
+router = api_router("courses", route_class=DirectRoute)
+router.include_in_schema = False
+
+
+@router.post("/deep-links")
+async def answer_deep_link(request: ApiRequest) -> Response:
+    """Return the signed answer to a platform that asked for a link: an exercise with its rules."""
+    courses = resources_of(request).with_courses()
+    body = await object_body(request)
+    exercise_id = existing_exercise(request, body.get("exercise"))
+    settings = read(exercise_id, body)
+    exercise = asked_exercise(resources_of(request).exercises, settings)
+    title = exercise.title(language_of(request))
+    root = own_root(request, resources_of(request).settings.public_url)
+
+    def work() -> dict[str, str]:
+        asked = redeem_code(courses.store, "deep-link", str(body.get("choice")), now())
+        platform = platform_by_id(courses.store, asked["platform"])
+        told = {name: value for name, value in body.items() if name not in ("choice", "exercise")}
+        item = ContentItem(
+            address=f"{root}lti/launch",
+            title=title,
+            text="",
+            custom=custom_of(exercise_id, told),
+            points=settings.points if takes_line_items(asked["settings"]) else None,
+            tag=exercise_id,
+        )
+        token = response_token(
+            platform, asked["deployment"], asked["settings"], [item], courses.signing(), now()
+        )
+        return {"address": asked["settings"]["deep_link_return_url"], "jwt": token}
+
+    return json_response(await in_thread(request, work))
