@@ -25,6 +25,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from enum import StrEnum
+from typing import TypeVar
 
 import orjson
 
@@ -186,13 +187,25 @@ def status_of(error: Exception) -> int:
     return next((STATUS[kind] for kind in type(error).__mro__ if kind in STATUS), INTERNAL)
 
 
+_Refusal = TypeVar("_Refusal", bound=Exception)
+
+
+def cause(error: _Refusal) -> _Refusal:
+    """Return a refusal as the cause of another one that a context manager raises: without its traceback.
+
+    Python 3.12 leaves a context manager's frame bound to the caller's, which holds the refusal: a circle with
+    everything that the request made, until garbage is looked for.
+    """
+    return error.with_traceback(None)
+
+
 @contextmanager
 def located(*prefix: str | int) -> Iterator[None]:
     """Place the faults of what is read inside: an object at `prefix` of the request's body."""
     try:
         yield
     except KinematicsError as error:
-        raise type(error)(fault.within(*prefix) for fault in error.faults) from error
+        raise type(error)(fault.within(*prefix) for fault in error.faults) from cause(error)
     except ServiceError as error:
         if error.part is RequestPart.BODY:
             error.faults = tuple(fault.within(*prefix) for fault in error.faults)

@@ -12,6 +12,7 @@ from dataclasses import replace
 from typing import Any
 
 from kinematics.errors import Fault, KinematicsError
+from service.http.problems import cause
 
 _SOURCES: Mapping[str, tuple[str, ...]] = {
     "table": ("table",),
@@ -38,7 +39,7 @@ def traced(request: Any) -> Iterator[None]:
         yield
     except KinematicsError as error:
         placed = [fault for each in error.faults for fault in _placed(each, request)]
-        raise type(error)({(fault.code, fault.where): fault for fault in placed}.values()) from error
+        raise type(error)({(fault.code, fault.where): fault for fault in placed}.values()) from cause(error)
 
 
 def _placed(fault: Fault, request: Any) -> list[Fault]:

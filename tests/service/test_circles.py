@@ -24,7 +24,7 @@ Request = tuple[str, str, bytes]
 
 
 def requests() -> Iterator[Request]:
-    """Each example of each call, and with nothing for its first member."""
+    """Each example of each call, and with nothing for its first member; and what is refused on the way."""
     for path, methods in DOCUMENT["paths"].items():
         for method, call in methods.items():
             content = call.get("requestBody", {}).get("content", {}).get("application/json", {})
@@ -33,6 +33,10 @@ def requests() -> Iterator[Request]:
                 spoilt = [{**whole, next(iter(whole)): None}] if isinstance(whole, dict) and whole else []
                 for body in (whole, *spoilt):
                     yield method.upper(), path.format(exercise_id=EXERCISE), json.dumps(body).encode()
+    unread = {"convention": "standard", "rows": [{"theta": "q1", "d": "sin(", "a": 1, "alpha": 0}]}
+    yield "POST", "/api/v1/symbolic", json.dumps({"table": unread}).encode()
+    yield "POST", f"/api/v1/exercises/{EXERCISE}/grade", json.dumps({"table": unread}).encode()
+    yield "GET", "/api/v1/exercises/unknown", b""
 
 
 async def status_of(app: Any, request: Request) -> int:

@@ -25,7 +25,7 @@ from exercises.selftest.rehearsal import RehearsedAnswer
 from exercises.statements import to_html
 from exercises.written_table import written_table
 from kinematics.errors import Fault
-from service.http.problems import RequestError
+from service.http.problems import RequestError, cause
 from service.messages import sentence
 from service.wire.exercises.exercise_views import exercise_view
 from service.wire.exercises.figure_files import figure_file
@@ -41,7 +41,7 @@ def draft_refused() -> Iterator[None]:
     try:
         yield
     except DefinitionError as error:
-        raise RequestError([_placed(fault) for fault in error.faults]) from error
+        raise RequestError([_placed(fault) for fault in error.faults]) from cause(error)
 
 
 def _placed(fault: Fault) -> Fault:

@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from courses.refusals import CourseError
 from exercises.errors import ExerciseError, UnknownExerciseError
 from kinematics.errors import KinematicsError
-from service.http.problems import MessageId, NotFoundError, RequestError, RequestPart, ServiceError
+from service.http.problems import MessageId, NotFoundError, RequestError, RequestPart, ServiceError, cause
 
 MEMBERS = {"attempt_counted": False, "note": MessageId("problem-note-ungraded")}
 
@@ -25,7 +25,7 @@ def answer_refused() -> Iterator[None]:
     except CourseError:  # what a policy refuses is told by its own status
         raise
     except (KinematicsError, ExerciseError) as error:
-        raise RequestError(error.faults, members=MEMBERS) from error
+        raise RequestError(error.faults, members=MEMBERS) from cause(error)
 
 
 @contextmanager
@@ -34,4 +34,4 @@ def known_exercise() -> Iterator[None]:
     try:
         yield
     except UnknownExerciseError as error:
-        raise NotFoundError(error.faults, part=RequestPart.PATH) from error
+        raise NotFoundError(error.faults, part=RequestPart.PATH) from cause(error)

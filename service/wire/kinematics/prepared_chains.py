@@ -11,6 +11,7 @@ from kinematics.cells import Limits, parameter_values
 from kinematics.errors import DescriptionError, Fault, JointValueError, KinematicsError
 from kinematics.scm import ReadChain, ScmChain, check_values, read_chain, verify, with_values
 from kinematics.table import JointType
+from service.http.problems import cause
 from service.schemas.kinematics.scm import ChainQuestion, ScmChainModel, Verification
 from service.wire.kinematics.exact_values import exact_values
 from service.wire.kinematics.prepared_robots import listed_robot
@@ -108,7 +109,7 @@ def in_chain(field: str, chain: ScmChainModel | None) -> Iterator[None]:
         raise type(error)(
             replace(fault, where=("robot",) if chain is None else (field, *chain.place(fault.where)))
             for fault in error.faults
-        ) from error
+        ) from cause(error)
 
 
 def prepared_chain(question: ChainQuestion, limits: Limits) -> PreparedChain:
