@@ -50,15 +50,6 @@ class Conversion(Generic[Entry]):
     base: XScrew[Entry] | None
     tool: XScrew[Entry] | None
 
-    def as_rows(self) -> DHTable[Entry]:
-        """Return the same in one table: base and tool as fixed rows at its ends."""
-        rows: list[DHRow[Entry]] = list(self.table.rows)
-        if self.base is not None:
-            rows.insert(0, fixed_row(self.base))
-        if self.tool is not None:
-            rows.append(fixed_row(self.tool))
-        return replace(self.table, rows=tuple(rows))
-
 
 def convert(
     table: DHTable[Entry],

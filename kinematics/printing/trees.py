@@ -2,14 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from fractions import Fraction
 from typing import Any, TypeAlias
 
 from kinematics.expressions import (
     Call,
-    Expression,
-    Function,
     JointVariable,
     Number,
     Parameter,
@@ -26,18 +22,13 @@ from kinematics.printing.writer import Writer
 Tree: TypeAlias = dict[str, Any]
 
 
-def to_tree(expression: Expression) -> Tree:
-    """Return an expression as nested dictionaries, each with a `type`.
+class TreeWriter(Writer[Tree]):
+    """Writes expressions as nested dictionaries, each with a `type`.
 
     number (value: "1/2" or "0.4318"), pi, parameter (name), variable (name q1, index), sum (terms),
     product (factors), power (base, exponent: "2" or "1/2") and call (function, arguments). What occurs twice
     is one and the same dictionary.
     """
-    return TreeWriter().written(expression)
-
-
-class TreeWriter(Writer[Tree]):
-    """Writes expressions as trees."""
 
     def __init__(self, names: Names | None = None, ledger: Ledger | None = None) -> None:
         super().__init__(ledger)
@@ -62,31 +53,3 @@ class TreeWriter(Writer[Tree]):
                 return {"type": "pi"}
             case Power(_, exponent):
                 return {"type": "power", "base": below[0], "exponent": str(exponent)}
-
-
-def from_tree(tree: Mapping[str, Any]) -> Expression:
-    """Return the expression of which `to_tree` made a tree.
-
-    Raises:
-        ValueError: it is no such tree.
-    """
-    try:
-        return _READERS[tree["type"]](tree)
-    except (KeyError, TypeError, ValueError, ZeroDivisionError) as error:
-        raise ValueError("this is not an expression tree") from error
-
-
-def _all(trees: Sequence[Mapping[str, Any]]) -> tuple[Expression, ...]:
-    return tuple(from_tree(tree) for tree in trees)
-
-
-_READERS: dict[str, Callable[[Mapping[str, Any]], Expression]] = {
-    "number": lambda tree: Number(Fraction(tree["value"])),
-    "pi": lambda tree: Pi(),
-    "parameter": lambda tree: Parameter(tree["name"]),
-    "variable": lambda tree: JointVariable(tree["index"]),
-    "sum": lambda tree: Sum(_all(tree["terms"])),
-    "product": lambda tree: Product(_all(tree["factors"])),
-    "power": lambda tree: Power(from_tree(tree["base"]), Fraction(tree["exponent"])),
-    "call": lambda tree: Call(Function(tree["function"]), _all(tree["arguments"])),
-}

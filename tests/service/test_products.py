@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from kinematics.expressions import evaluate
-from kinematics.printing import from_tree
+from tests.kinematics.printing.tree_reader import from_tree
 
 URL = "/api/v1/scm/products"
 SHIFTS = {"c": "x", "b": "y", "a": "z"}

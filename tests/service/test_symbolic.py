@@ -17,10 +17,11 @@ import numpy as np
 import pytest
 
 from kinematics.expressions import evaluate
-from kinematics.printing import Format, from_tree
+from kinematics.printing import Format
 from service.app import create_app
 from service.schemas.kinematics.symbolic_request import PUMA_LENGTHS
 from service.settings import Settings
+from tests.kinematics.printing.tree_reader import from_tree
 from tests.live_service import running
 
 VALUES = {"a2": 0.4318, "a3": 0.0203, "d3": 0.15005, "d4": 0.4318}
