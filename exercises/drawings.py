@@ -17,7 +17,7 @@ from exercises.figures.skeleton import usual_dimensions
 from exercises.figures.specification import DimensionMark
 from exercises.figures.svg import SvgDrawing, document
 from exercises.grading import DirectionRule, ZeroRule
-from exercises.grading.exact_text import expression_text
+from exercises.grading.judging.exact_text import expression_text
 from exercises.grading.verdict import Matrix4
 from exercises.instance import Instance
 from kinematics.expressions import Parameter

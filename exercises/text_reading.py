@@ -8,7 +8,7 @@ from types import MappingProxyType
 
 from exercises.definition import LANGUAGES
 from exercises.definition_files import STATEMENT, statement_file
-from exercises.grading.misconceptions import repair_codes
+from exercises.grading.edits.misconceptions import repair_codes
 from exercises.reading import Reader
 from exercises.statements import LONGEST_STATEMENT, LONGEST_TITLE, text_faults
 from kinematics.errors import Fault

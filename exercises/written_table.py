@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from exercises.grading.exact_text import angle_text, expression_text
+from exercises.grading.judging.exact_text import angle_text, expression_text
 from kinematics.cells import AngleUnit, RawRow, RawTable, ReadTable
 from kinematics.expressions import ZERO
 from kinematics.table import JointType, SymbolicRow

@@ -10,8 +10,8 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache, lru_cache
 
-from exercises.grading.comparison import Comparison
-from exercises.grading.digits import tightened
+from exercises.grading.edits.repairs import MOST_WORK, Repaired, equally_good, find_repairs, own_table_first
+from exercises.grading.edits.work import Work
 from exercises.grading.facts import Weights
 from exercises.grading.findings import (
     feedback_of,
@@ -19,11 +19,11 @@ from exercises.grading.findings import (
     told_repairs,
     wrong_facts,
 )
-from exercises.grading.judgement import IMPRECISE, REFUTED, diagnosed, policy_of, share_of
-from exercises.grading.repairs import MOST_WORK, Repaired, equally_good, find_repairs, own_table_first
+from exercises.grading.judging.comparison import Comparison
+from exercises.grading.judging.digits import tightened
+from exercises.grading.judging.judgement import IMPRECISE, REFUTED, diagnosed, policy_of, share_of
 from exercises.grading.score import lost, score_of
 from exercises.grading.verdict import Edit, Feedback, HelpLevel, LinkFinding, ParamValue, Repair
-from exercises.grading.work import Work
 from kinematics.cells import ReadTable
 from kinematics.equivalence import Decision, Policy
 from kinematics.equivalence.home_invariants import home_invariants_of

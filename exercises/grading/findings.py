@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from exercises.grading.changes import Change, Extent
-from exercises.grading.misconceptions import HINTS
-from exercises.grading.repairs import Repaired
+from exercises.grading.edits.changes import Change, Extent
+from exercises.grading.edits.misconceptions import HINTS
+from exercises.grading.edits.repairs import Repaired
+from exercises.grading.edits.work import VARIABLE_CELLS
 from exercises.grading.verdict import Edit, Feedback, Finding, HelpLevel, LinkFinding, ParamValue, Repair
-from exercises.grading.work import VARIABLE_CELLS
 from kinematics.equivalence import Decision, Kind, Mismatch, Policy
 from kinematics.table import JointType, NumericTable
 

@@ -6,8 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import lru_cache
 
-from exercises.grading.certificate_report import certificate_report
-from exercises.grading.comparison import Comparison, compared_by_names, comparisons
+from exercises.grading.edits.in_common import in_common
 from exercises.grading.explanation import (
     Diagnosis,
     clearest,
@@ -18,9 +17,10 @@ from exercises.grading.explanation import (
 )
 from exercises.grading.facts import Weights
 from exercises.grading.findings import all_right
-from exercises.grading.frames import explained
-from exercises.grading.in_common import in_common
-from exercises.grading.judgement import judged
+from exercises.grading.judging.certificate_report import certificate_report
+from exercises.grading.judging.comparison import Comparison, compared_by_names, comparisons
+from exercises.grading.judging.frames import explained
+from exercises.grading.judging.judgement import judged
 from exercises.grading.verdict import Basis, Feedback, HelpLevel, Verdict
 from kinematics.cells import ReadTable
 from kinematics.equivalence import Decision, Policy, prove

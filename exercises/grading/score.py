@@ -9,11 +9,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from exercises.grading.changes import Change, Extent
-from exercises.grading.digits import measured_as_typed, tightened
+from exercises.grading.edits.changes import Change, Extent
+from exercises.grading.edits.repairs import Repaired
+from exercises.grading.edits.work import Work
 from exercises.grading.facts import Facts, Weights, fixed_ends
-from exercises.grading.repairs import Repaired
-from exercises.grading.work import Work
+from exercises.grading.judging.digits import measured_as_typed, tightened
 from kinematics.chain import Axis, chain_of_table
 from kinematics.equivalence import Decision, DirectionRule, Kind, Policy, ZeroRule
 from kinematics.equivalence.decision import convention_fits

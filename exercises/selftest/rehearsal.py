@@ -11,7 +11,7 @@ from exercises.definition import Exercise
 from exercises.errors import AnswerError
 from exercises.grader import Report
 from exercises.grading import Edit, Feedback
-from exercises.grading.misconceptions import CATALOGUE
+from exercises.grading.edits.misconceptions import CATALOGUE
 from exercises.instance import Instance, generate
 from exercises.parts.protocol import TABLE
 from exercises.parts.registry import part_type

@@ -17,7 +17,6 @@ from numpy.typing import ArrayLike, NDArray
 from kinematics.errors import Fault, PoseError
 from kinematics.evaluation.plan import plan_of
 from kinematics.inverse.arm import ArmReach, Array
-from kinematics.inverse.clear_blocks import SOLUTIONS, clear_solutions
 from kinematics.inverse.delicate_blocks import delicate_targets
 from kinematics.inverse.distinct import SAME
 from kinematics.inverse.goals import (
@@ -30,11 +29,12 @@ from kinematics.inverse.goals import (
 from kinematics.inverse.judging import judge
 from kinematics.inverse.lengths import LARGEST_LENGTH
 from kinematics.inverse.limits import within_limits
+from kinematics.inverse.methods.clear_blocks import SOLUTIONS, clear_solutions
+from kinematics.inverse.methods.wrist import WristArm
+from kinematics.inverse.methods.wrist_blocks import candidates_of_many, has_blocks
+from kinematics.inverse.methods.wrist_scalars import ClearWrist
 from kinematics.inverse.results import IKStatus, InverseKinematics
 from kinematics.inverse.solver import Solver
-from kinematics.inverse.wrist import WristArm
-from kinematics.inverse.wrist_blocks import candidates_of_many, has_blocks
-from kinematics.inverse.wrist_scalars import ClearWrist
 from kinematics.se3 import cross_arrays
 
 Indices = NDArray[np.intp]

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from kinematics.inverse.arm import Arm, Array
 from kinematics.inverse.distinct import differences
-from kinematics.inverse.families import LOST
-from kinematics.inverse.isolation import (
+from kinematics.inverse.self_motions.families import LOST
+from kinematics.inverse.self_motions.isolation import (
     LONG,
     can_move,
     fold_length,

@@ -7,10 +7,10 @@ import math
 import numpy as np
 
 from kinematics.inverse.arm import Arm, Array
-from kinematics.inverse.closed_form import NEARLY
-from kinematics.inverse.families import weighing_alike
+from kinematics.inverse.methods.closed_form import NEARLY
 from kinematics.inverse.residuals import are_solutions, errors_of
 from kinematics.inverse.search import polish
+from kinematics.inverse.self_motions.families import weighing_alike
 from kinematics.inverse.valleys import across_folds
 from kinematics.se3 import Transform
 

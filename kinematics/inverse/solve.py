@@ -10,14 +10,14 @@ from numpy.typing import ArrayLike
 
 from kinematics.errors import Fault, PoseError, TableError
 from kinematics.inverse.arm import Arm, ArmReach, arm_of
-from kinematics.inverse.closed_form import InverseClosedForm, closed_form_of
 from kinematics.inverse.lengths import check_lengths, is_far, too_long
 from kinematics.inverse.limits import JointLimits, read_limits
-from kinematics.inverse.locked import LockedArms, locked_arms_of
+from kinematics.inverse.methods.closed_form import InverseClosedForm, closed_form_of
+from kinematics.inverse.methods.locked import LockedArms, locked_arms_of
+from kinematics.inverse.methods.wrist import WristArm
+from kinematics.inverse.methods.wrist_scalars import ClearWrist, clear_wrist_of
 from kinematics.inverse.results import InverseKinematics
 from kinematics.inverse.solver import Solver
-from kinematics.inverse.wrist import WristArm
-from kinematics.inverse.wrist_scalars import ClearWrist, clear_wrist_of
 from kinematics.se3 import check_transform
 from kinematics.table import NumericTable
 

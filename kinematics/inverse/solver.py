@@ -8,15 +8,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from kinematics.inverse.arm import Arm, ArmReach, Array
-from kinematics.inverse.closed_form import InverseClosedForm, candidates_beside
-from kinematics.inverse.components import components_of
-from kinematics.inverse.families import Follower
 from kinematics.inverse.goals import Goal, read_goal
-from kinematics.inverse.isolation import told_apart
 from kinematics.inverse.limits import within_limits
-from kinematics.inverse.locked import LockedArms
-from kinematics.inverse.membership import Component
-from kinematics.inverse.ranges import families_within
+from kinematics.inverse.methods.closed_form import InverseClosedForm, candidates_beside
+from kinematics.inverse.methods.locked import LockedArms
+from kinematics.inverse.methods.wrist_scalars import ClearWrist
 from kinematics.inverse.refinement import solutions_of
 from kinematics.inverse.residuals import errors_of, pose_errors
 from kinematics.inverse.results import (
@@ -31,7 +27,11 @@ from kinematics.inverse.results import (
 )
 from kinematics.inverse.search import MOST_ISOLATED, Bounds, Box, SearchResult, search
 from kinematics.inverse.search import TOLERANCE as SEARCHED
-from kinematics.inverse.wrist_scalars import ClearWrist
+from kinematics.inverse.self_motions.components import components_of
+from kinematics.inverse.self_motions.families import Follower
+from kinematics.inverse.self_motions.isolation import told_apart
+from kinematics.inverse.self_motions.membership import Component
+from kinematics.inverse.self_motions.ranges import families_within
 from kinematics.se3 import Transform
 from kinematics.table import NumericTable
 

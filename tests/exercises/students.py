@@ -23,7 +23,7 @@ from exercises.answers import RawAnswer, parse
 from exercises.errors import AnswerError
 from exercises.grader import Report, grade
 from exercises.grading import Finding, HelpLevel
-from exercises.grading.misconceptions import CATALOGUE
+from exercises.grading.edits.misconceptions import CATALOGUE
 from exercises.instance import Instance, generate
 from exercises.selftest.answers import other_frames
 from exercises.selftest.mistakes import MISTAKES

@@ -15,8 +15,8 @@ from random import Random
 import numpy as np
 
 from exercises.grading import HelpLevel, Policy, ToolRule, grade
-from exercises.grading.comparison import comparisons
-from exercises.grading.judgement import judged
+from exercises.grading.judging.comparison import comparisons
+from exercises.grading.judging.judgement import judged
 from exercises.selftest.variants import some_lengths, variant
 from kinematics.catalogue import robots
 from kinematics.cells import RawRow, RawTable, ReadTable, read_table

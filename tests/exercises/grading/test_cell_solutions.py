@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from exercises.grading.fitting import _angles, _lengths, _turns
+from exercises.grading.edits.fitting import _angles, _lengths, _turns
 
 RNG = np.random.default_rng(11)
 WAVES = RNG.uniform(-1.0, 1.0, (60, 4)).tolist()

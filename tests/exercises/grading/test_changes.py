@@ -7,9 +7,9 @@ from fractions import Fraction
 import pytest
 
 from exercises.grading import Edit, Feedback, Finding, LinkFinding, Repair
-from exercises.grading.changes import Change, Extent, after
-from exercises.grading.exact_text import angle_text
+from exercises.grading.edits.changes import Change, Extent, after
 from exercises.grading.explanation import Explanation, renumbered
+from exercises.grading.judging.exact_text import angle_text
 from kinematics.cells import AngleUnit
 from kinematics.expressions import Expression, Parameter, add, multiply, number, pi_times
 

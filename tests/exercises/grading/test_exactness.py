@@ -9,7 +9,7 @@ from fractions import Fraction
 import pytest
 
 from exercises.grading import Policy, ToolRule, grade
-from exercises.grading.typed import COARSEST_ANGLE, half_steps, meant
+from exercises.grading.judging.typed import COARSEST_ANGLE, half_steps, meant
 from exercises.instance import generate
 from exercises.written_table import written_table
 from kinematics.cells import AngleUnit, read_table

@@ -18,9 +18,9 @@ from exercises.grading import (
     ZeroRule,
     grade,
 )
-from exercises.grading.comparison import comparisons
+from exercises.grading.edits.repairs import MOST_WORK, find_repairs
 from exercises.grading.explanation import work_on
-from exercises.grading.repairs import MOST_WORK, find_repairs
+from exercises.grading.judging.comparison import comparisons
 from kinematics.equivalence import row_measures
 from kinematics.equivalence.batches import AxisBatch, Variation, axes_of_tables
 from kinematics.equivalence.meter import OVERDRAFT, PER_ROUND, Meter, WorkExhaustedError

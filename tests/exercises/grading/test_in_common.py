@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from exercises.grading import Edit, HelpLevel, Repair
-from exercises.grading.in_common import in_common
+from exercises.grading.edits.in_common import in_common
 from tests.exercises.answering import judged, table
 
 

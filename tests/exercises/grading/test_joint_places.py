@@ -8,10 +8,10 @@ from random import Random
 import pytest
 
 from exercises.grading import Policy, ToolRule, grade
-from exercises.grading.comparison import comparisons
+from exercises.grading.edits.joint_places import joint_places
+from exercises.grading.edits.work import Work
 from exercises.grading.explanation import work_on
-from exercises.grading.joint_places import joint_places
-from exercises.grading.work import Work
+from exercises.grading.judging.comparison import comparisons
 from kinematics.table import DHRow, DHTable, JointType, NumericTable
 from tests.exercises.grading.campaign import drawn_by_hand
 from tests.exercises.grading.written import written

@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from exercises.grading import table_edits
-from exercises.grading.misconceptions import CATALOGUE, HINTS, repair_codes
+from exercises.grading.edits import table_edits
+from exercises.grading.edits.misconceptions import CATALOGUE, HINTS, repair_codes
 from tests.exercises.grading.campaign import mended_tables
 from tests.kinematics.equivalence.campaign import Outcome
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from exercises.grading import ConventionRule, DirectionRule, Policy, ToolRule, ZeroRule, grade
-from exercises.grading.digits import floors
+from exercises.grading.judging.digits import floors
 from kinematics.equivalence.invariants import invariants_of
 from kinematics.equivalence.reference import prepared
 from tests.exercises.grading.test_grade import (

@@ -9,13 +9,13 @@ import numpy as np
 import pytest
 
 from exercises.grading import Policy, ToolRule
-from exercises.grading.changes import Change, Extent
-from exercises.grading.comparison import comparisons
+from exercises.grading.edits.changes import Change, Extent
+from exercises.grading.edits.misconceptions import CATALOGUE
+from exercises.grading.edits.sieve import LegibleFact, LegibleFacts, Sieve, legible_facts
+from exercises.grading.edits.wanted_changes import changes_of
+from exercises.grading.edits.work import Work
 from exercises.grading.explanation import work_on
-from exercises.grading.misconceptions import CATALOGUE
-from exercises.grading.sieve import LegibleFact, LegibleFacts, Sieve, legible_facts
-from exercises.grading.wanted_changes import changes_of
-from exercises.grading.work import Work
+from exercises.grading.judging.comparison import comparisons
 from kinematics.equivalence.batches import axes_of_tables
 from kinematics.table import Convention, DHRow, DHTable, JointType, NumericRow, NumericTable
 from tests.exercises.grading.campaign import drawn_by_hand

@@ -16,18 +16,18 @@ from itertools import chain, islice
 import numpy as np
 
 from kinematics.forward import end_pose
-from kinematics.inverse.components import belongs, components_of
 from kinematics.inverse.distinct import differences
-from kinematics.inverse.families import FamilyPath, Follower, nearest_on
 from kinematics.inverse.goals import Goal, read_goal
-from kinematics.inverse.isolation import lost_value
-from kinematics.inverse.membership import Component
 from kinematics.inverse.residuals import are_solutions, error_vectors
 from kinematics.inverse.results import InverseKinematics
 from kinematics.inverse.search import Bounds, descend, polish, search, unbounded
+from kinematics.inverse.self_motions.components import belongs, components_of
+from kinematics.inverse.self_motions.families import FamilyPath, Follower, nearest_on
+from kinematics.inverse.self_motions.isolation import lost_value
+from kinematics.inverse.self_motions.membership import Component
+from kinematics.inverse.self_motions.walks import leads
 from kinematics.inverse.solve import solver_of
 from kinematics.inverse.solver import Solver
-from kinematics.inverse.walks import leads
 from kinematics.table import DHTable
 from tests.kinematics.inverse.arms import random_joints, random_table
 

@@ -10,7 +10,7 @@ from kinematics.forward import end_poses
 from kinematics.inverse import IKStatus, solve_many, solver_of
 from kinematics.inverse.delicate_blocks import delicate_targets
 from kinematics.inverse.goals import COMPUTED_TOLERANCE, read_goal, tolerances_of_exact
-from kinematics.inverse.wrist_blocks import candidates_of_many
+from kinematics.inverse.methods.wrist_blocks import candidates_of_many
 from kinematics.table import Convention, DHRow, DHTable, JointType
 from tests.kinematics.inverse.arms import STANFORD, UR5, apart, random_joints
 from tests.kinematics.robots import PUMA560, PUMA560_CRAIG, RX90

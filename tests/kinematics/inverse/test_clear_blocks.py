@@ -7,8 +7,8 @@ import pytest
 
 from kinematics.forward import end_poses
 from kinematics.inverse import solve_many, solver_of
-from kinematics.inverse.clear_blocks import SOLUTIONS, clear_solutions
 from kinematics.inverse.goals import LEAST_TOLERANCE
+from kinematics.inverse.methods.clear_blocks import SOLUTIONS, clear_solutions
 from kinematics.inverse.residuals import pose_errors
 from tests.kinematics.inverse.models import MODELS
 

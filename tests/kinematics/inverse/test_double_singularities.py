@@ -8,13 +8,13 @@ import pytest
 
 from kinematics.forward import end_pose
 from kinematics.inverse import IKStatus, solver_of
-from kinematics.inverse.crossings import tangents
-from kinematics.inverse.families import Follower, blind_directions
-from kinematics.inverse.gaps import nearest_places, way_through_gaps
 from kinematics.inverse.goals import read_goal
 from kinematics.inverse.residuals import are_solutions, errors_of
 from kinematics.inverse.results import Isolation, Method
-from kinematics.inverse.walks import leads
+from kinematics.inverse.self_motions.crossings import tangents
+from kinematics.inverse.self_motions.families import Follower, blind_directions
+from kinematics.inverse.self_motions.gaps import nearest_places, way_through_gaps
+from kinematics.inverse.self_motions.walks import leads
 from kinematics.table import Convention
 from tests.kinematics.inverse.campaign import has, is_among, questions
 from tests.kinematics.inverse.models import MODELS

@@ -4,8 +4,9 @@ import numpy as np
 import pytest
 
 from kinematics.forward import end_pose
-from kinematics.inverse import ArmReach, corrections, families, solver_of, walks
+from kinematics.inverse import ArmReach, solver_of
 from kinematics.inverse.results import Isolation
+from kinematics.inverse.self_motions import corrections, families, walks
 from tests.kinematics.inverse.models import MODELS
 from tests.kinematics.robots import PUMA560
 

@@ -9,16 +9,16 @@ import pytest
 from kinematics.catalogue import robots
 from kinematics.forward import end_pose
 from kinematics.inverse import IKStatus, UnreachableReason, inverse_kinematics, solver_of
-from kinematics.inverse import isolation as sorting
-from kinematics.inverse.closed_form import closed_form_of
-from kinematics.inverse.components import belongs, components_of
-from kinematics.inverse.general import GeneralArm
 from kinematics.inverse.goals import read_goal
-from kinematics.inverse.isolation import can_move
+from kinematics.inverse.methods.closed_form import closed_form_of
+from kinematics.inverse.methods.general import GeneralArm
+from kinematics.inverse.methods.wrist import WristArm
 from kinematics.inverse.refinement import solutions_of
 from kinematics.inverse.results import Isolation, Method
 from kinematics.inverse.search import Bounds, search
-from kinematics.inverse.wrist import WristArm
+from kinematics.inverse.self_motions import isolation as sorting
+from kinematics.inverse.self_motions.components import belongs, components_of
+from kinematics.inverse.self_motions.isolation import can_move
 from kinematics.table import Convention
 from tests.kinematics.inverse.arms import GENERAL, STANFORD, UR5, apart, random_joints, random_table
 from tests.kinematics.inverse.campaign import is_among, questions, run, run_arms, singular_configuration

@@ -6,10 +6,10 @@ import pytest
 from kinematics.forward import end_pose, end_poses
 from kinematics.inverse import inverse_kinematics, solver_of
 from kinematics.inverse.goals import LEAST_TOLERANCE, read_goal
-from kinematics.inverse.isolation import LONG
+from kinematics.inverse.methods.wrist_scalars import ClearWrist
 from kinematics.inverse.residuals import are_solutions, errors_of, pose_errors
 from kinematics.inverse.results import Method
-from kinematics.inverse.wrist_scalars import ClearWrist
+from kinematics.inverse.self_motions.isolation import LONG
 from tests.kinematics.inverse.arms import GENERAL, apart
 from tests.kinematics.inverse.models import MODELS
 

@@ -1,0 +1,15 @@
+"""What is wrong? The smallest edits that mend a table: see `repairs`.
+
+misconceptions  the catalogue: what students do, and how to undo it
+wanted_changes  what of it is tried
+cell_edits, row_edits, table_edits  the ways to undo it
+changes        an edit: where, how much, and the table that it leads to
+work           what an edit is tried on
+fitting, joint_places  values and places that fit
+last_row       the row that leads to the frame which is asked for
+sieve          edits that are seen to fail, without measuring
+trials         all edits at once
+repairs        the smallest edits that mend the table
+in_common      what equally small ones share
+own_table      whether a table is the key's own
+"""

@@ -1,0 +1,248 @@
+"""The values of one cell with which a table would share an invariant of the key.
+
+In a length cell the square of every invariant length is a quadratic polynomial, in an angle cell the cosine
+between two axes is A + B cos x + C sin x: three evaluations give the function, and it is solved in closed
+form. All cells of all tables are evaluated at once.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from exercises.grading.edits.work import VARIABLE_CELLS, Work
+from exercises.grading.judging.typed import ANGLES, Place
+from kinematics.chain import chain_of_table
+from kinematics.equivalence import Policy
+from kinematics.equivalence.batches import CellChange, Variation
+from kinematics.equivalence.cell_fitting import fitted_cells
+from kinematics.equivalence.diagnosis import likely_signs
+from kinematics.equivalence.invariants import Invariants
+from kinematics.equivalence.measures import Measure
+from kinematics.equivalence.meter import PER_ALIGNMENT, per_batch
+from kinematics.equivalence.reference import Reference
+from kinematics.equivalence.row_measures import measured_of_tables
+from kinematics.table import NumericTable
+
+# A cell that changes an invariant by a smaller share has nothing to do with it.
+INFLUENCE = 1e-6
+# In units of an invariant’s slack: what is off by less needs no mending.
+OFF = 0.1
+# A share of the robot: solutions that are zero but for the arithmetic.
+NEGLIGIBLE = 1e-9
+# Invariants that are solved for: a cell shows in the worst of them if in any.
+MOST_STRAINED = 4
+# Choices of the axes’ directions that are tried, the best first.
+MOST_SIGNS = 4
+# Parts of the robot's size: from farther off than this, squares of lengths lose what they differ by.
+DISTANT = 2.0
+# [rad] Three evaluations round the circle give A + B cos x + C sin x.
+THIRD = 2.0 * math.pi / 3.0
+# [rad] By how much a turn about a slider is tried to change.
+SMALL_TURN = 1e-3
+
+
+class Unsolved(NamedTuple):
+    """A table, and the cells for which values are wanted that fit.
+
+    Attributes:
+        number: the table's number among those at hand.
+        cells: what has been changed in it.
+        places: the cells to be solved for, each by itself.
+    """
+
+    number: int
+    cells: tuple[CellChange, ...]
+    places: Sequence[Place]
+
+
+def measured(
+    work: Work, tables: Sequence[NumericTable], variations: Sequence[Variation]
+) -> NDArray[np.float64]:
+    """(q, k) the invariants of tables in which some cells are changed, as their axes point."""
+    invariants = work.invariants
+    rows = max(len(table.rows) for table in tables)
+    work.meter.charge(per_batch(len(variations), rows, len(invariants.shapes)))
+    return measured_of_tables(invariants.shapes, tables, variations, work.policy)
+
+
+def fitting_values(
+    work: Work, tables: Sequence[NumericTable], wanted: Sequence[Unsolved]
+) -> list[dict[Place, list[float]]]:
+    """Return the values of cells, other than those they have, that make an invariant fit which does not.
+
+    Args:
+        work: the key and its invariants.
+        tables: the tables, with the key's types of joints.
+        wanted: the cells.
+    """
+    invariants, scale = work.invariants, work.reference.size
+    turns = any(shape.measure is Measure.TURN for shape in invariants.shapes)
+    variations: list[Variation] = []
+    counts: list[int] = []
+    for unsolved in wanted:
+        variations.append((unsolved.number, unsolved.cells))
+        for place in unsolved.places:
+            here = _entry(tables, unsolved, place)
+            if place[1] in ANGLES:
+                around = [0.0, THIRD, -THIRD, *([here + SMALL_TURN] if turns else ())]
+            elif abs(here) <= DISTANT * scale:
+                around = [here - scale, here + scale]
+            else:
+                around = [-scale, scale, 0.0]
+            counts.append(len(around))
+            variations += [(unsolved.number, (*unsolved.cells, (*place, value))) for value in around]
+    found = measured(work, tables, variations)
+    functions = _Functions(invariants, work.n_facts, found, scale)
+    solved: list[dict[Place, list[float]]] = []
+    column, each = 0, iter(counts)
+    for unsolved in wanted:
+        own, column = column, column + 1
+        solved.append({})
+        facts, misplaced = functions.strained(own)
+        for row, cell in unsolved.places:
+            place, angular, count = (row, cell), cell in ANGLES, next(each)
+            moves = cell == VARIABLE_CELLS.get(tables[unsolved.number].rows[row].joint)
+            if strained := misplaced if moves else facts:
+                distant = count == 3 and not angular
+                here = 0.0 if distant else _entry(tables, unsolved, place)
+                middle = column + 2 if distant else own
+                values = functions.solved(strained, middle, column, here, angular=angular)
+                solved[-1][place] = [0.0 if abs(x) < NEGLIGIBLE * scale else x for x in values]
+            column += count
+    return solved
+
+
+def _entry(tables: Sequence[NumericTable], unsolved: Unsolved, place: Place) -> float:
+    row, name = place
+    for i, cell, value in reversed(unsolved.cells):
+        if (i, cell) == place:
+            return value
+    entry: float = getattr(tables[unsolved.number].rows[row], name)
+    return entry
+
+
+class _Functions:
+    """How invariants depend on cells, from their values at a few."""
+
+    def __init__(self, invariants: Invariants, facts: int, found: NDArray[np.float64], scale: float) -> None:
+        self._scale = scale
+        self._measures = [shape.measure for shape in invariants.shapes]
+        self._targets: list[float] = invariants.own_sizes[:, 0].tolist()
+        self._values = np.where(invariants.gauge.twists, np.cos(found), found * found)
+        strains = invariants.strains(found)
+        self._strains = strains.T
+        self._worst = _worst(strains[:facts]), facts + _worst(strains[facts:])
+
+    def strained(self, column: int) -> tuple[list[int], ...]:
+        """The invariants that fit least at a column, the worst first: facts; and where joints are zero."""
+        strains = self._strains[column]
+        return tuple([k for k in worst[column].tolist() if strains[k] > OFF] for worst in self._worst)
+
+    def solved(
+        self, strained: Sequence[int], own: int, first: int, here: float, *, angular: bool
+    ) -> list[float]:
+        """Return the values of a cell with which the worst of the strained invariants that it changes fits.
+
+        Args:
+            strained: the invariants.
+            own: the column in which the cell is what it is, or, if that is a distant length, zero.
+            first: the first of those in which it is something else.
+            here: what it is in the one column.
+            angular: it is an angle.
+        """
+        for k in strained:
+            measure, target = self._measures[k], self._targets[k]
+            if (measure in (Measure.DISTANCE, Measure.OFFSET)) is angular:
+                continue
+            values = self._values[k]
+            around: list[float] = values[first : first + (4 if angular else 2)].tolist()
+            middle = float(values[own])
+            if not angular:
+                found = list(_lengths(around[0], middle, around[1], target, here, self._scale))
+            elif measure is Measure.ANGLE:
+                found = list(_angles(around, math.cos(target)))
+            else:
+                found = list(_turns(middle, around[3], here, target))
+            if found:
+                return found
+        return []
+
+
+def _worst(strains: NDArray[np.float64]) -> NDArray[np.intp]:
+    return np.argsort(-strains, axis=0, kind="stable")[:MOST_STRAINED].T
+
+
+def _lengths(
+    below: float, middle: float, above: float, target: float, here: float, scale: float
+) -> Iterator[float]:
+    """Solutions of y(x) = target², y being quadratic, from its values a scale below, here and above."""
+    a = (above - 2.0 * middle + below) / (2.0 * scale * scale)
+    b = (above - below) / (2.0 * scale)
+    if abs(a) < INFLUENCE:
+        return
+    c = middle - target * target
+    root = math.sqrt(max(b * b - 4.0 * a * c, 0.0))
+    root = root if root > INFLUENCE * scale else 0.0
+    for numerator in (-b + root, -b - root):
+        yield here + numerator / (2.0 * a)
+        if root == 0.0:
+            return
+
+
+def _angles(around: Sequence[float], target: float) -> Iterator[float]:
+    """Solutions of y(x) = ±target, y being A + B cos x + C sin x, from its values at 0 and ±120°."""
+    a = (around[0] + around[1] + around[2]) / 3.0
+    b = (2.0 * around[0] - around[1] - around[2]) / 3.0
+    c = (around[1] - around[2]) / math.sqrt(3.0)
+    size = math.hypot(b, c)
+    if size < INFLUENCE:
+        return
+    phase = math.atan2(c, b)
+    for goal in (target, -target):
+        cosine = (goal - a) / size
+        if abs(cosine) > 1.0 + INFLUENCE:
+            continue
+        spread = math.acos(max(-1.0, min(1.0, cosine)))
+        for x in dict.fromkeys((phase + spread, phase - spread)):
+            yield math.remainder(x, 2.0 * math.pi)
+
+
+def _turns(square: float, beside: float, here: float, target: float) -> Iterator[float]:
+    """Angles about a slider, found from the present one: it enters the turn as plus or minus itself."""
+    now = math.sqrt(square)
+    if abs(math.sqrt(beside) - now) < INFLUENCE:
+        return
+    for change in (target - now, -target - now, target + now, now - target):
+        for half in (0.0, math.pi):
+            yield math.remainder(here + change + half, 2.0 * math.pi)
+
+
+def fitted_table(
+    work: Work, table: NumericTable, places: Sequence[Place], choice: int
+) -> NumericTable | None:
+    """Return the table with some cells changed so that it fits the key as a whole; None if they cannot.
+
+    Args:
+        work: the key.
+        table: the table.
+        places: rows, counted from 0, and cells.
+        choice: which of the choices of the axes' directions is taken, the best first; below MOST_SIGNS.
+    """
+    if not work.has_the_joints(table):
+        return None
+    signs = _likely_signs(work.reference, table, work.policy)
+    if choice >= len(signs):
+        return None
+    work.meter.charge(PER_ALIGNMENT * len(table.joint_rows))
+    return fitted_cells(work.reference, table, places, signs[choice], work.policy.tolerance, work.meter)
+
+
+@lru_cache(maxsize=256)
+def _likely_signs(reference: Reference, table: NumericTable, policy: Policy) -> list[tuple[int, ...]]:
+    return likely_signs(reference, chain_of_table(table), policy)

@@ -1,0 +1,312 @@
+"""The catalogue of what students do wrong in a DH table, and how to undo it.
+
+Each misconception is a code, what happened, and a pure function that undoes it wherever it may have happened.
+The order is that of likelihood; if several edits explain a wrong answer, the earlier one is reported first:
+so it is one list, however long.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+
+from exercises.grading.edits.cell_edits import (
+    alpha_sign,
+    alpha_value,
+    angle_in_degrees,
+    angle_in_radians,
+    length_in_other_unit,
+    length_value,
+    offset_value,
+    sign_of_length,
+    sign_of_offset,
+    sign_of_variable,
+    theta_value,
+)
+from exercises.grading.edits.changes import Change, TableSlip
+from exercises.grading.edits.row_edits import (
+    cells_swapped,
+    fixed_row_left_out,
+    joint_left_out,
+    joint_of_other_type,
+    row_left_out,
+    row_too_many,
+    rows_swapped,
+)
+from exercises.grading.edits.table_edits import (
+    all_in_degrees,
+    all_in_other_length_unit,
+    all_in_radians,
+    all_twists_turned_round,
+    columns_a_row_early,
+    columns_a_row_late,
+    columns_exchanged,
+    columns_reordered,
+    other_convention,
+    parameter_misnamed,
+    parameters_swapped,
+)
+from exercises.grading.edits.work import Work
+from exercises.grading.judging.typed import ANGLES
+
+ALL, NONE = frozenset({"alpha", "a", "d"}), frozenset[str]()
+TWISTS, ALONG_X, LENGTHS = frozenset({"alpha"}), frozenset({"alpha", "a"}), frozenset({"a", "d"})
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Misconception:
+    """One entry of the catalogue.
+
+    Attributes:
+        code: stable identifier.
+        story: what the student did.
+        changes: every way to undo it in a table.
+        told_as: codes of the edits it may lead to, if not its own; the message of each is `repair-<code>`.
+        hint: what is told of it from the help level `kind` on, where that is not the wrong facts of its row.
+        cells: those of a row of which it concerns one by itself.
+        counts: undoing it changes how many joints there are.
+        beforehand: it is undone first where it comes together with one that changed their number.
+        sizes: the columns in which undoing it may put entries of another size.
+    """
+
+    code: str
+    story: str
+    changes: Callable[[Work], Iterator[Change]]
+    told_as: tuple[str, ...] = ()
+    hint: str | None = None
+    cells: tuple[str, ...] = ()
+    counts: bool = False
+    beforehand: bool = False
+    sizes: frozenset[str] = ALL
+
+    @property
+    def codes(self) -> tuple[str, ...]:
+        """The codes of the edits it may lead to."""
+        return self.told_as or (self.code,)
+
+    def may_be(self, slip: TableSlip) -> bool:
+        """Return whether a slip may be this misconception."""
+        return slip.cell in self.cells if slip.code is None else slip.code in self.codes
+
+
+LENGTH_STORIES = ("a_value", "a_missing", "a_not_zero", "a_sign", "cell_length_unit", "cell_parameter")
+OFFSET_STORIES = ("d_value", "d_missing", "d_not_zero", "d_sign", "d_offset", *LENGTH_STORIES[-2:])
+
+CATALOGUE: tuple[Misconception, ...] = (
+    Misconception(
+        code="convention",
+        story="wrote the table in the other convention than declared",
+        changes=other_convention,
+        hint="columns_throughout",
+        beforehand=True,
+    ),
+    Misconception(
+        code="angles_in_degrees",
+        story="typed degrees in a table in radians",
+        changes=all_in_degrees,
+        hint="angles_throughout",
+        beforehand=True,
+        sizes=TWISTS,
+    ),
+    Misconception(
+        code="angles_in_radians",
+        story="typed radians in a table in degrees",
+        changes=all_in_radians,
+        hint="angles_throughout",
+        beforehand=True,
+        sizes=TWISTS,
+    ),
+    Misconception(
+        code="length_unit",
+        story="typed all lengths in a unit that is not the declared one",
+        changes=all_in_other_length_unit,
+        hint="lengths_throughout",
+        beforehand=True,
+        sizes=LENGTHS,
+    ),
+    Misconception(
+        code="columns_late",
+        story="wrote a and α one row too low: read a standard table as a modified one",
+        changes=columns_a_row_late,
+        hint="columns_throughout",
+        beforehand=True,
+        sizes=ALONG_X,
+    ),
+    Misconception(
+        code="columns_early",
+        story="wrote a and α one row too high: read a modified table as a standard one",
+        changes=columns_a_row_early,
+        hint="columns_throughout",
+        beforehand=True,
+        sizes=ALONG_X,
+    ),
+    Misconception(
+        code="columns_exchanged",
+        story="wrote two columns in each other's place: a table in another order of columns",
+        changes=columns_exchanged,
+        hint="columns_in_disorder",
+        beforehand=True,
+    ),
+    Misconception(
+        code="columns_reordered",
+        story="wrote α, a and d in another order of columns, each in another's place",
+        changes=columns_reordered,
+        hint="columns_in_disorder",
+        beforehand=True,
+    ),
+    Misconception(
+        code="parameter_misnamed",
+        story="used a name that is not in the figure",
+        changes=parameter_misnamed,
+        hint="names_throughout",
+        beforehand=True,
+    ),
+    Misconception(
+        code="cell_in_degrees",
+        story="typed one angle in degrees in a table in radians",
+        changes=angle_in_degrees,
+        cells=ANGLES,
+        sizes=TWISTS,
+    ),
+    Misconception(
+        code="cell_in_radians",
+        story="typed one angle in radians in a table in degrees",
+        changes=angle_in_radians,
+        cells=ANGLES,
+        sizes=TWISTS,
+    ),
+    Misconception(
+        code="alpha_sign",
+        story="turned a twist the wrong way",
+        changes=alpha_sign,
+        cells=("alpha",),
+        sizes=NONE,
+    ),
+    Misconception(
+        code="alpha_value",
+        story="took a twist for another one",
+        changes=alpha_value,
+        cells=("alpha",),
+        sizes=TWISTS,
+    ),
+    Misconception(
+        code="twists_all_reversed",
+        story="turned every twist the wrong way (left-handed)",
+        changes=all_twists_turned_round,
+        hint="twists_throughout",
+        beforehand=True,
+        sizes=NONE,
+    ),
+    Misconception(
+        code="a_sign",
+        story="measured a length against the x axis",
+        changes=sign_of_length,
+        cells=("a",),
+        sizes=NONE,
+    ),
+    Misconception(
+        code="d_sign",
+        story="measured an offset against the z axis",
+        changes=sign_of_offset,
+        cells=("d",),
+        sizes=NONE,
+    ),
+    Misconception(code="a_d_swapped", story="wrote a under d and d under a", changes=cells_swapped),
+    Misconception(
+        code="parameters_swapped",
+        story="used two names for one another",
+        changes=parameters_swapped,
+        hint="names_throughout",
+        beforehand=True,
+        sizes=LENGTHS,
+    ),
+    Misconception(
+        code="cell_length_unit",
+        story="typed one length in a unit that is not the declared one",
+        changes=length_in_other_unit,
+        cells=("a", "d"),
+        sizes=LENGTHS,
+    ),
+    Misconception(
+        code="a_value",
+        story="left a length out, put one in, or took the wrong one",
+        changes=length_value,
+        cells=("a",),
+        told_as=LENGTH_STORIES,
+        sizes=frozenset({"a"}),
+    ),
+    Misconception(
+        code="d_value",
+        story="left an offset out, put one in, or took the wrong one",
+        changes=offset_value,
+        cells=("d",),
+        told_as=OFFSET_STORIES,
+        sizes=frozenset({"d"}),
+    ),
+    Misconception(
+        code="theta_value",
+        story="left an angle about z out, or took the wrong one",
+        changes=theta_value,
+        cells=("theta",),
+        told_as=("theta_value", "theta_offset"),
+        sizes=NONE,
+    ),
+    Misconception(
+        code="variable_sign",
+        story="counted a variable the wrong way",
+        changes=sign_of_variable,
+        cells=("theta", "d"),
+        sizes=NONE,
+    ),
+    Misconception(
+        code="joint_type",
+        story="took a revolute joint for a prismatic one, or the reverse",
+        changes=joint_of_other_type,
+        beforehand=True,
+    ),
+    Misconception(
+        code="joint_fixed",
+        story="forgot the variable of a joint",
+        changes=joint_left_out,
+        told_as=("joint_fixed", "joint_moving"),
+        counts=True,
+    ),
+    Misconception(
+        code="rows_swapped",
+        story="wrote two rows in the wrong order",
+        changes=rows_swapped,
+        hint="rows_out_of_order",
+        beforehand=True,
+    ),
+    Misconception(
+        code="row_missing", story="left a row out", changes=row_left_out, hint="row_missing", counts=True
+    ),
+    Misconception(
+        code="fixed_row_missing",
+        story="left out the last row, without a variable, that leads to the marked point",
+        changes=fixed_row_left_out,
+        hint="row_missing",
+        sizes=NONE,
+    ),
+    Misconception(
+        code="row_extra",
+        story="wrote a row that is not needed",
+        changes=row_too_many,
+        hint="row_not_needed",
+        counts=True,
+    ),
+)
+
+
+RANKS = {
+    code: rank for rank, entry in reversed(list(enumerate(CATALOGUE))) for code in (*entry.codes, entry.code)
+}
+"""The place of what is told in the catalogue; the earlier, the likelier."""
+
+HINTS = {code: entry.hint for entry in CATALOGUE if entry.hint is not None for code in entry.codes}
+"""By the code of an edit what is told of it before the edit itself is."""
+
+
+def repair_codes() -> frozenset[str]:
+    """Return the code of every edit that may be told."""
+    return frozenset(code for entry in CATALOGUE for code in entry.codes)

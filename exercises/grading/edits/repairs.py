@@ -1,0 +1,261 @@
+"""The smallest edits that make a wrong table right: one from the catalogue of misconceptions, else two."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from itertools import islice
+
+from exercises.grading.edits.cell_edits import any_cell
+from exercises.grading.edits.changes import Change, Extent, after
+from exercises.grading.edits.fitting import MOST_SIGNS
+from exercises.grading.edits.misconceptions import RANKS
+from exercises.grading.edits.own_table import is_own_table
+from exercises.grading.edits.row_edits import any_row_left_out, joint_left_out, row_left_out
+from exercises.grading.edits.sieve import Sieve
+from exercises.grading.edits.trials import Catalogue, Trial, finishing_reaches, tried, tried_unchanged
+from exercises.grading.edits.wanted_changes import changes_beforehand, changes_of
+from exercises.grading.edits.work import ANYTHING, EVERYWHERE, LENGTHS, Work
+from exercises.grading.judging.digits import PER_CENT
+from kinematics.equivalence.meter import WorkExhaustedError
+from kinematics.equivalence.search import Effort
+from kinematics.table import NumericTable
+
+# Some three tenths of a second: see `kinematics.equivalence.meter`. Each way to a single
+# edit may use no more than its share, so that what comes after is tried as well; fitting cells to the whole
+# robot leaves some of it for deciding on what was found.
+MOST_WORK = 270_000
+WORK_OF_ONE_WAY = 190_000
+WORK_OF_FITTING = 120_000
+# A bound of the work: every one of them is followed by all the edits there are.
+MOST_FIRST_EDITS = 24
+MOST_BEFOREHAND = 48
+# A bound of what is held in memory at once: tables that are tried together, times their rows.
+MOST_ROWS_TOGETHER = 160
+# More explanations than these explain nothing.
+MOST_REPAIRS = 6
+# A convention is declared once: likelier wrong than a row, less likely than a cell.
+DECLARED = (Extent.CELL.value + Extent.ROW.value) / 2
+# a single edit adds or removes one joint
+MOST_JOINTS_APART = 2
+
+
+@dataclass(frozen=True, slots=True)
+class Repaired:
+    """Changes that together make the table right."""
+
+    changes: tuple[Change, ...]
+
+
+def find_repairs(work: Work) -> tuple[Repaired, ...]:
+    """Return the repairs of a wrong table, likeliest first; of two edits only if no one edit helps.
+
+    The search is bounded by the work that the meter of `work` grants.
+    """
+    if abs(work.excess) > MOST_JOINTS_APART:
+        return ()
+    found: list[Repaired] = []
+    with suppress(WorkExhaustedError):
+        for repaired in islice(_found(work), MOST_REPAIRS):
+            found.append(repaired)  # noqa: PERF402 - what was found before the work ran out counts
+    return tuple(found)
+
+
+def own_table_first(
+    repairs: Sequence[Repaired], table: NumericTable, key: NumericTable
+) -> tuple[Repaired, ...]:
+    """Return the repairs, first the single edits that make an answer the key's own table.
+
+    Who forgets the key's last fixed row has made that slip, though a sign in the row before it might lead to
+    the frame of the tool as well.
+    """
+    if len(repairs) < 2:
+        return tuple(repairs)
+
+    def leads_elsewhere(repaired: Repaired) -> bool:
+        single = len(repaired.changes) == 1
+        return not (single and is_own_table(repaired.changes[0].of(table), key))
+
+    return tuple(sorted(repairs, key=leads_elsewhere))
+
+
+def equally_good(repairs: Sequence[Repaired], table: NumericTable, key: NumericTable) -> tuple[Change, ...]:
+    """Return the single edits that explain an answer as well as the likeliest one does, and that one.
+
+    A mirrored arm has one handedness that is wrong, and as many signs that set it right, in one row or in
+    several; an offset along parallel axes may be wrong in any of their rows. Edits of a cell are as good as
+    one another, and edits of a row; what concerns the table throughout is told as the likeliest alone. A
+    length that was typed is likelier wrong than a zero, where with that the frames are the key's own, and
+    where it becomes a length of the key and the zero doesn't. An offset is so only in the key's own table to
+    the letter: along parallel axes, what is missing in one row makes it any number in another. A variable was
+    forgotten, rather than a row left out, where there is a row for every joint.
+    """
+    singles = [repair.changes[0] for repair in repairs if len(repair.changes) == 1]
+    if not singles or singles[0] is not repairs[0].changes[0] or singles[0].row is None:
+        return ()
+    best, is_offset = singles[0], singles[0].cell == "d"
+    alike = tuple(change for change in singles if change.extent is best.extent and change.row is not None)
+    forgotten = tuple(change for change in alike if change.code == "joint_fixed")
+    if forgotten and len(table.rows) >= key.n_joints:
+        return forgotten
+    typed = tuple(change for change in alike if not change.fills_a_zero(table))
+    if best not in typed or len(typed) == len(alike):
+        return alike
+    if is_own_table(best.of(table), key, either_way=not is_offset):
+        return typed
+    if not is_offset and any(_is_of_the_key(change, key) for change in typed):
+        return tuple(change for change in alike if change in typed or _is_of_the_key(change, key))
+    return alike
+
+
+def _is_of_the_key(change: Change, key: NumericTable) -> bool:
+    """Whether an edit of a cell puts a length there that stands in the key, whatever the frames."""
+    lengths = [abs(length) for row in key.rows for length in (row.a, row.d) if length]
+    return any(
+        cell in LENGTHS and abs(abs(value) - length) <= PER_CENT * length
+        for _, cell, value in change.cells
+        for length in lengths
+    )
+
+
+def _found(work: Work) -> Iterator[Repaired]:
+    """Single edits, by growing effort; if there are none, pairs."""
+    here = tried_unchanged(work)
+    near = work if here is None else replace(work, reach=here.reach, angular=here.angular, off=here.off)
+    (trials,) = tried([near])
+    trials.sort(key=lambda trial: _likelihood(trial.change, work.table))
+    ways = [_helping(work, trials, Effort.PLAIN)]
+    if _says_little(work, here):
+        ways.append(_fitted(near))
+    ways.append(_helping(work, trials, Effort.REFINED))
+    for way in ways:
+        found: list[Change] = []
+        with work.meter.at_most(WORK_OF_ONE_WAY):
+            for change in way:
+                found.append(change)
+                yield Repaired((change,))
+        if found:
+            if all(change.code == "row_missing" for change in found):
+                yield from _pairs(work, _nearer(work, here, joint_left_out))
+            return
+    yield from _pairs(work, [*_nearer(work, here), *_beforehand(work)])
+
+
+def _says_little(work: Work, here: Trial | None) -> bool:
+    """Whether a wrong cell may show in no single invariant: beside sliders, and in a rule about the ends."""
+    if here is not None and not here.meets:
+        return False
+    sliders = any(axis.prismatic for axis in work.reference.chain.axes)
+    return sliders or (here is not None and here.failing == here.misplaced == 0)
+
+
+def _fitted(work: Work) -> Iterator[Change]:
+    """Single edits found by fitting a cell to the whole robot; those made before the work runs out count."""
+    made: list[Change] = []
+    with work.meter.at_most(WORK_OF_FITTING):
+        work = Sieve(work).narrowed()
+        work = replace(work, reach=finishing_reaches([work])[0])
+        (put_in,) = tried([work], row_left_out, finishing=False)
+        places = frozenset(trial.change.row for trial in put_in)
+        for choice in range(MOST_SIGNS):
+            made += any_cell(work, choice)
+            made += any_row_left_out(work, choice, places)
+    yield from _helping(work, tried([work], lambda _: iter(made))[0], Effort.REFINED)
+
+
+def _likelihood(change: Change, table: NumericTable) -> tuple[float, bool, int]:
+    """What edits are sorted by, the likeliest first."""
+    extent = DECLARED if change.code == "convention" else change.extent.value
+    return extent, change.fills_a_zero(table), RANKS[change.code]
+
+
+def _helping(work: Work, trials: Iterable[Trial], effort: Effort) -> Iterator[Change]:
+    """The changes that make the table right at every draw; each place of an edit once."""
+    told: set[tuple[str, int | None, str | None]] = set()
+    for trial in trials:
+        change = trial.change
+        place = (change.code, change.row, change.cell)
+        if place in told:
+            continue
+        if _is_right(work, work, (change,), effort):
+            told.add(place)
+            yield change
+
+
+def _is_right(work: Work, edited: Work, changes: Sequence[Change], effort: Effort) -> bool:
+    """Whether edits make a table right at every draw, the last one made in what the others led to."""
+    if work.draw or len(work.references) == 1:
+        return edited.accepts(changes[-1], effort)
+    if effort is Effort.PLAIN and work.accepts_alike(changes, effort):
+        return True
+    return edited.accepts(changes[-1], effort) and _at_other_draws(work, changes, effort)
+
+
+def _at_other_draws(work: Work, changes: Sequence[Change], effort: Effort) -> bool:
+    if work.accepts_alike(changes, effort, first=1):
+        return True
+    return all(_mends(work.at(draw), changes, effort) for draw in range(1, len(work.references)))
+
+
+def _mends(work: Work, changes: Sequence[Change], effort: Effort) -> bool:
+    """Whether the slips undone here make the table right, with the values that fit here."""
+    work = replace(work, only=changes[0].slip)
+    if len(changes) > 1:
+        (trials,) = tried([work], finishing=False)
+        first = [*trials, *_beforehand(work)]
+        return any(_mends(half, changes[1:], effort) for half in _halves(work, first))
+    (trials,) = tried([work])
+    if any(work.accepts(trial.change, effort) for trial in trials):
+        return True
+    return effort is Effort.REFINED and any(True for _ in _fitted(work))
+
+
+def _pairs(work: Work, first: Sequence[Trial]) -> Iterator[Repaired]:
+    """Two edits: one of the first, then each that might finish."""
+    told: set[frozenset[tuple[str, int | None, str | None]]] = set()
+    together = max(MOST_ROWS_TOGETHER // len(work.table.rows), 1)
+    for start in range(0, len(first), together):
+        some = first[start : start + together]
+        halves = _halves(work, some, keeping=True)
+        for trial, half, rest in zip(some, halves, tried(halves), strict=True):
+            for other in rest:
+                changes = (trial.change, other.change)
+                places = frozenset((c.code, c.row, c.cell) for c in changes)
+                if places not in told and _is_right(work, half, changes, Effort.PLAIN):
+                    told.add(places)
+                    shown = (trial.change, after(*changes))
+                    yield Repaired(tuple(sorted(shown, key=lambda c: -1 if c.row is None else c.row)))
+
+
+def _halves(work: Work, trials: Iterable[Trial], *, keeping: bool = False) -> list[Work]:
+    """The table with each of some edits made; what one has changed is kept, unless that was all there is."""
+    halves = []
+    for change, _, _, _, reach, angular, off in trials:
+        keeps = keeping and not (change.row is None and work.excess)
+        kept = frozenset(change.places if keeps else ())
+        halves.append(work.edited(change, reach, angular=angular, off=off, kept=kept))
+    return halves
+
+
+def _nearer(work: Work, here: Trial | None, catalogue: Catalogue = changes_of) -> list[Trial]:
+    """The edits of a catalogue that bring the table nearer to the key, so that one more may mend it."""
+    most = None if here is None else max(here.failing - 1, 0)
+    (made,) = tried([work], catalogue, finishing=False, most_failing=most)
+    first = [trial for trial in made if trial.meets and _is_nearer(trial, here)]
+    first.sort(key=lambda trial: (trial.failing, trial.misplaced, RANKS[trial.change.code]))
+    return first[:MOST_FIRST_EDITS]
+
+
+def _is_nearer(trial: Trial, before: Trial | None) -> bool:
+    if before is None or trial.failing < before.failing:
+        return True
+    return trial.failing == before.failing == 0 and trial.misplaced <= before.misplaced
+
+
+def _beforehand(work: Work) -> list[Trial]:
+    """The edits after which one that mends the count of the joints might finish; they cannot be tried."""
+    changes = islice(changes_beforehand(work), MOST_BEFOREHAND)
+    return [
+        Trial(change, 0, 0, might=False, reach=EVERYWHERE, angular=False, off=ANYTHING) for change in changes
+    ]

@@ -1,0 +1,266 @@
+"""Facts that stand in the entries of a table: what an edit leaves wrong is seen there, without measuring.
+
+Where one row leads from a joint to the next, its α is the angle between the two axes and its `a` their
+distance; the offset along a run of parallel axes is the sum of their d, each counted as its axis points. So
+an edit after which such an entry is not the key's does not make the table right, whatever else it does. Where
+fixed rows or sliders stand between, or axes are parallel only nearly, nothing is said.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property, lru_cache
+from typing import NamedTuple
+
+from exercises.grading.edits.changes import Change
+from exercises.grading.edits.work import Work
+from exercises.grading.judging.typed import Place
+from kinematics.equivalence.invariants import Invariants
+from kinematics.equivalence.measures import Measure, Shape
+from kinematics.remembering import USUAL_ROWS, remembered
+from kinematics.table import Convention, JointType, NumericRow, NumericTable
+
+# A share of the slack: what is off by hardly more than it is left to be measured.
+CLEARLY = 1.01
+# A sine: axes are parallel but for the errors of the arithmetic.
+PARALLEL = 1e-9
+TURN = 2.0 * math.pi
+
+
+class FactPlace(NamedTuple):
+    """Where a fact stands.
+
+    Attributes:
+        number: which of the facts.
+        column: α for an angle, `a` for a distance, d for an offset.
+        rows: the rows in which it stands, counted from 0; of an offset those of the joints of the run.
+        links: the rows whose α are zero or π, or else the fact is not seen in the entries.
+        places: the cells on which it depends.
+    """
+
+    number: int
+    column: str
+    rows: tuple[int, ...]
+    links: tuple[int, ...]
+    places: frozenset[Place]
+
+
+@dataclass(eq=False, slots=True)
+class LegibleFact:
+    """A fact that stands in entries; see `FactPlace`.
+
+    Attributes:
+        target: its size in the key.
+        slack: how far it may be off.
+    """
+
+    column: str
+    rows: tuple[int, ...]
+    links: tuple[int, ...]
+    places: frozenset[Place]
+    target: float
+    slack: float
+
+    def is_wrong(self, rows: Sequence[NumericRow], changed: Mapping[Place, float]) -> bool:
+        """Return whether it is seen not to be the key's, in rows of which some cells are changed."""
+        first, column = self.rows[0], self.column
+        value: float = changed.get((first, column), getattr(rows[first], column))
+        if column == "alpha":
+            twist = abs(math.remainder(value, TURN))
+            return abs(min(twist, math.pi - twist) - self.target) > self.slack
+        if not self.links:
+            return abs(abs(value) - self.target) > self.slack
+        twists = [changed.get((row, "alpha"), rows[row].alpha) for row in self.links]
+        if any(abs(math.sin(twist)) > PARALLEL for twist in twists):
+            return False
+        way = 1.0
+        for row, twist in zip(self.rows[1:], twists, strict=False):
+            way = math.copysign(1.0, way * math.cos(twist))
+            value += way * changed.get((row, column), getattr(rows[row], column))
+        return abs(abs(value) - self.target) > self.slack
+
+
+class LegibleFacts:
+    """The facts that stand in the entries of tables with the same rows.
+
+    Attributes:
+        facts: all of them.
+    """
+
+    def __init__(self, facts: Sequence[LegibleFact]) -> None:
+        self.facts = facts
+
+    @cached_property
+    def _at(self) -> Mapping[Place, Sequence[LegibleFact]]:
+        """The facts by the cells on which they depend."""
+        found: dict[Place, list[LegibleFact]] = {}
+        for fact in self.facts:
+            for place in fact.places:
+                found.setdefault(place, []).append(fact)
+        return found
+
+    def wrong(self, rows: Sequence[NumericRow]) -> list[LegibleFact]:
+        """Return the facts that are seen not to be the key's."""
+        return [fact for fact in self.facts if fact.is_wrong(rows, {})]
+
+    def are_wrong(self, change: Change, rows: Sequence[NumericRow], most: int) -> bool:
+        """Return the same of any change; a fact is not wrong that depends on a cell yet to be solved for.
+
+        Args:
+            change: the change.
+            rows: the rows that it is made in, of which it is not known what is wrong in them.
+            most: how many facts may be wrong.
+        """
+        changed = {(row, cell): value for row, cell, value in change.cells}
+        free = {(change.row, cell) for cell in change.unsolved}
+        for fact in self.facts:
+            if fact.is_wrong(rows, changed) and free.isdisjoint(fact.places):
+                most -= 1
+                if most < 0:
+                    return True
+        return False
+
+    def leave_wrong(
+        self, change: Change, rows: Sequence[NumericRow], before: Sequence[LegibleFact], most: int
+    ) -> bool:
+        """Return whether a change of cells leaves too many facts wrong.
+
+        Args:
+            change: the change; no cell is yet to be solved for.
+            rows: the rows that it is made in.
+            before: the facts that are wrong without it.
+            most: how many may be.
+        """
+        changed = {(row, cell): value for row, cell, value in change.cells}
+        for fact in before:
+            if fact.places.isdisjoint(changed):
+                most -= 1
+                if most < 0:
+                    return True
+        at = self._at
+        touched = {fact for place in changed if place in at for fact in at[place]}
+        for fact in touched:
+            if fact.is_wrong(rows, changed):
+                most -= 1
+                if most < 0:
+                    return True
+        return False
+
+
+class Sieve:
+    """Holds back the edits of a table after which too many entries are seen not to be the key's.
+
+    Attributes:
+        wrong: the facts that are seen to be wrong in the table itself; none if its joints are not the key's.
+    """
+
+    def __init__(self, work: Work, most: int = 0) -> None:
+        """Prepare it.
+
+        Args:
+            work: the table.
+            most: how many facts an edit may leave wrong.
+        """
+        self._work, self._rows, self._most = work, work.table.rows, most
+        self._known = work.invariants, work.n_facts
+        self.wrong: Sequence[LegibleFact] = ()
+        if work.has_the_joints():
+            self._entries = self._of(work.table)
+            self.wrong = self._entries.wrong(self._rows)
+
+    def _of(self, table: NumericTable) -> LegibleFacts:
+        joints = tuple(row.joint for row in table.rows)
+        return legible_facts(*self._known, table.convention, joints)
+
+    def holds_back(self, change: Change) -> bool:
+        """Return whether too much is seen to be wrong after a change that leads to the key's joints."""
+        if change.table is None and not change.unsolved:
+            return self._entries.leave_wrong(change, self._rows, self.wrong, self._most)
+        table = change.table or self._work.table
+        return self._of(table).are_wrong(change, table.rows, self._most)
+
+    def concerned(self) -> Work:
+        """The table and what an edit has to do with that mends anything, where all that fails is seen."""
+        if len(self.wrong) <= self._most:
+            return self._work
+        start = min(self._work.joints_up_to[fact.rows[0]] for fact in self.wrong)
+        end = max(self._work.joints_up_to[fact.rows[-1]] for fact in self.wrong)
+        return replace(self._work, reach=(start, end))
+
+    def narrowed(self) -> Work:
+        """The table and what an edit has to do with that mends all that is seen to be wrong."""
+        if not self.wrong:
+            return self._work
+        start, end = self._work.reach
+        for fact in self.wrong:
+            start = max(start, self._work.joints_up_to[fact.rows[0]])
+            end = min(end, self._work.joints_up_to[fact.rows[-1]])
+        lacking = frozenset(fact.column for fact in self.wrong if len(fact.rows) == 1)
+        angular = self._work.angular or "alpha" in lacking
+        return replace(self._work, reach=(start, end), angular=angular, lacking=lacking)
+
+
+@remembered(lambda invariants, n_facts, convention, joints: len(joints), longest=USUAL_ROWS, most=256, few=32)
+def legible_facts(
+    invariants: Invariants, n_facts: int, convention: Convention, joints: tuple[JointType, ...]
+) -> LegibleFacts:
+    """Return what is seen in the entries of a table with the key's joints.
+
+    Args:
+        invariants: the key's, with the slack that an answer has.
+        n_facts: how many of them are facts, whatever the policy says of the zeros.
+        convention: the table's.
+        joints: the types of joints, row by row.
+    """
+    targets, slacks = _bounds(invariants)
+    return LegibleFacts(
+        [
+            LegibleFact(column, rows, links, places, targets[number], slacks[number])
+            for number, column, rows, links, places in _places(
+                invariants.shapes[:n_facts], convention, joints
+            )
+        ]
+    )
+
+
+@lru_cache(maxsize=8)
+def _bounds(invariants: Invariants) -> tuple[list[float], list[float]]:
+    """The sizes of invariants in the key, and how far they may be off."""
+    return invariants.own_sizes[:, 0].tolist(), (CLEARLY * invariants.slacks)[:, 0].tolist()
+
+
+@remembered(lambda shapes, convention, joints: len(joints), longest=USUAL_ROWS, most=1024, few=32)
+def _places(
+    shapes: tuple[Shape, ...], convention: Convention, joints: tuple[JointType, ...]
+) -> list[FactPlace]:
+    """Where facts stand; the same for all students of an exercise, whatever their values."""
+    rows = [row for row, joint in enumerate(joints) if joint is not JointType.FIXED]
+    standard = convention is Convention.STANDARD
+
+    def link(i: int, j: int) -> int | None:
+        """The one row that leads from joint i to joint j, both counted from 1."""
+        if i < 1 or j != i + 1 or j > len(rows) or rows[j - 1] != rows[i - 1] + 1:
+            return None
+        return rows[i - 1] if standard else rows[j - 1]
+
+    found: list[FactPlace] = []
+
+    def keep(number: int, column: str, rows: tuple[int, ...], links: tuple[int, ...] = ()) -> None:
+        places = frozenset({(row, column) for row in rows} | {(row, "alpha") for row in links})
+        found.append(FactPlace(number, column, rows, links, places))
+
+    for number, (measure, axes) in enumerate(shapes):
+        if measure is Measure.OFFSET:
+            before, first, last, after = axes
+            links = [link(k, k + 1) for k in range(first, last)]
+            inside = tuple(row for row in links if row is not None)
+            if len(inside) == len(links) and None not in (link(before, first), link(last, after)):
+                keep(number, "d", tuple(rows[first - 1 : last]), inside)
+        elif measure is not Measure.TURN and (row := link(*axes[:2])) is not None:
+            if measure is Measure.ANGLE:
+                keep(number, "alpha", (row,))
+            elif len(axes) == 3 or set(axes[2:]) == set(axes[:2]):
+                keep(number, "a", (row,), (row,) if len(axes) == 3 else ())
+    return found

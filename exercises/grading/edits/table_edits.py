@@ -1,0 +1,240 @@
+"""Misconceptions about the table as a whole."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from contextlib import suppress
+from itertools import combinations
+from operator import neg
+
+from exercises.grading.edits.changes import Change, Extent
+from exercises.grading.edits.work import LENGTHS, Work
+from exercises.grading.judging.typed import ANGLES, Place, meant_in_radians
+from kinematics.cells import AngleUnit
+from kinematics.equivalence.batches import CellChange
+from kinematics.errors import ParameterError
+from kinematics.expressions import Expression, evaluate
+from kinematics.table import Convention, DHTable, JointType, NumericRow
+
+ALONG_X = ("alpha", "a")
+# Metres, decimetres, centimetres and millimetres for one another, the likeliest first.
+LENGTH_RATIOS = (1000.0, 0.001, 100.0, 0.01, 10.0, 0.1)
+# Parts of the robot's size, a sieve: what all lengths of a table come to, if it may be this robot at all.
+SMALLEST_EXTENT, LARGEST_EXTENT = 0.05, 300.0
+# [rad] Nobody types more than a turn in radians.
+CLEARLY_DEGREES = 2 * math.pi
+# A share: what is left of sums in another order.
+SAME = 1e-12
+
+
+def _every_cell(
+    work: Work, code: str, names: tuple[str, ...], edit: Callable[[float], float], **params: str
+) -> Iterator[Change]:
+    """Some cells of every row as a function of what stands in them."""
+    touching = tuple(name for name in names if name != "theta")
+    if not work.leaves(touching):
+        return iter(())
+    touched = _places(range(len(work.table.rows)), touching)
+    cells = [
+        (i, name, now)
+        for i, row in enumerate(work.table.rows)
+        for name in names
+        if (now := edit(here := getattr(row, name))) != here
+    ]
+    return _throughout(code, touched, cells, **params)
+
+
+def _throughout(
+    code: str, touched: Sequence[Place], cells: Sequence[CellChange], **params: str
+) -> Iterator[Change]:
+    """One change of some columns; none if no cell is other than it was."""
+    if cells:
+        yield Change(
+            code, Extent.TABLE, cells=tuple(cells), touched=tuple(touched), params=tuple(params.items())
+        )
+
+
+def _places(rows: Iterable[int], names: Sequence[str]) -> list[Place]:
+    return [(i, name) for i in rows for name in names]
+
+
+def other_convention(work: Work) -> Iterator[Change]:
+    """Declare the other convention."""
+    other = {Convention.STANDARD: Convention.MODIFIED, Convention.MODIFIED: Convention.STANDARD}
+    declared = work.table.convention
+    table = DHTable(convention=other[declared], rows=work.table.rows)
+    params = (("declared", declared.value), ("meant", other[declared].value))
+    yield Change("convention", Extent.TABLE, table=table, params=params)
+
+
+def all_in_degrees(work: Work) -> Iterator[Change]:
+    """Read all angles, or all that can't be anything else, as degrees."""
+    if work.answer.angle_unit is not AngleUnit.RAD:
+        return
+
+    def large(angle: float) -> float:
+        return math.radians(angle) if abs(angle) > CLEARLY_DEGREES else angle
+
+    for unit in (math.radians, large):
+        yield from _every_cell(work, "angles_in_degrees", ANGLES, unit)
+
+
+def all_in_radians(work: Work) -> Iterator[Change]:
+    """Read all angles, or all that are small enough, as radians."""
+    if work.answer.angle_unit is not AngleUnit.DEG:
+        return
+
+    def small(angle: float) -> float:
+        return meant_in_radians(angle) if abs(angle) <= math.radians(CLEARLY_DEGREES) + 1e-9 else angle
+
+    for unit in (meant_in_radians, small):
+        yield from _every_cell(work, "angles_in_radians", ANGLES, unit)
+
+
+def all_in_other_length_unit(work: Work) -> Iterator[Change]:
+    """Read all lengths in millimetres where metres are declared, and the like."""
+    if work.angular:
+        return
+    extent = sum(abs(row.a) + abs(row.d) for row in work.table.rows)
+    for ratio in LENGTH_RATIOS:
+        if SMALLEST_EXTENT < extent * ratio / work.reference.size < LARGEST_EXTENT:
+            yield from _every_cell(work, "length_unit", LENGTHS, ratio.__mul__)
+
+
+def all_twists_turned_round(work: Work) -> Iterator[Change]:
+    """Flip the sign of every α."""
+    turned = sum(abs(math.sin(row.alpha)) > work.policy.tolerance.angle for row in work.table.rows)
+    if turned > 1:
+        yield from _every_cell(work, "twists_all_reversed", ("alpha",), neg)
+
+
+def columns_a_row_late(work: Work) -> Iterator[Change]:
+    """Move `a` and α up by a row."""
+    rows = work.table.rows
+    return _along_x_of(work, "columns_late", [*rows[1:], None])
+
+
+def columns_a_row_early(work: Work) -> Iterator[Change]:
+    """Move `a` and α down by a row."""
+    rows = work.table.rows
+    return _along_x_of(work, "columns_early", [None, *rows[:-1]])
+
+
+def _along_x_of(work: Work, code: str, others: Sequence[NumericRow | None]) -> Iterator[Change]:
+    """A and α of every row as they stand in another, or zero."""
+    if not work.leaves(ALONG_X):
+        return iter(())
+    touched = _places(range(len(others)), ALONG_X)
+    cells = [
+        (i, name, now)
+        for i, (row, other) in enumerate(zip(work.table.rows, others, strict=True))
+        for name in ALONG_X
+        if (now := 0.0 if other is None else getattr(other, name)) != getattr(row, name)
+    ]
+    return _throughout(code, touched, cells)
+
+
+EXCHANGES = (("a", "alpha"), ("a", "d"), ("alpha", "d"))
+TURNED_ROUND = ({"alpha": "a", "a": "d", "d": "alpha"}, {"alpha": "d", "d": "a", "a": "alpha"})
+"""The other two orders of three columns: which one what stands under each of them belongs under."""
+SYMBOLS = {"alpha": "α", "a": "a", "d": "d"}
+
+
+def columns_exchanged(work: Work) -> Iterator[Change]:
+    """Exchange two columns throughout: the table has another order of columns."""
+    for one, other in EXCHANGES:
+        params = {"one": SYMBOLS[one], "other": SYMBOLS[other]}
+        yield from _in_order(work, "columns_exchanged", {one: other, other: one}, **params)
+
+
+def columns_reordered(work: Work) -> Iterator[Change]:
+    """Reorder three columns, none in its own place; with two of them empty, two are exchanged."""
+    rows = work.table.rows
+    if sum(any(getattr(row, column) for row in rows) for column in ("alpha", "a", "d")) < 2:
+        return
+    for belongs in TURNED_ROUND:
+        params = {column: SYMBOLS[place] for column, place in belongs.items()}
+        yield from _in_order(work, "columns_reordered", belongs, **params)
+
+
+def _in_order(work: Work, code: str, belongs: dict[str, str], **params: str) -> Iterator[Change]:
+    """What stands under some columns put under those where it belongs.
+
+    A number keeps what was typed: 90 under a, in a table in degrees, was a right angle. A name is what it is
+    under every column.
+    """
+    if (work.angular and set(belongs) == set(LENGTHS)) or not work.lacking <= belongs.keys():
+        return
+    if not work.leaves(tuple(belongs), sliders="d" not in belongs):
+        return
+    rows = [
+        (i, row)
+        for i, row in enumerate(work.table.rows)
+        if row.joint is not JointType.PRISMATIC or "d" not in belongs
+    ]
+    touched = _places([i for i, _ in rows], tuple(belongs))
+    units = {"alpha": 180.0 / math.pi if work.answer.angle_unit is AngleUnit.DEG else 1.0, "a": 1.0, "d": 1.0}
+    named = {place for place, _, _ in _named_entries(work)}
+    cells = [
+        (i, place, now)
+        for i, row in rows
+        for column, place in belongs.items()
+        if (now := getattr(row, column) * (1.0 if (i, column) in named else units[column] / units[place]))
+        != getattr(row, place)
+    ]
+    yield from _throughout(code, touched, cells, **params)
+
+
+def parameter_misnamed(work: Work) -> Iterator[Change]:
+    """Replace a name that the key doesn't know by one of the key's that is not used."""
+    kinds = work.key.parameters
+    unknown = [name for name in work.answer.parameters if name not in kinds]
+    unused = [name for name in kinds if name not in work.answer.parameters] or list(kinds)
+    entries = _named_entries(work) if unknown else ()
+    for name in unknown:
+        for other in unused:
+            if kinds[other] is work.answer.parameters[name]:
+                yield from _renamed(work, "parameter_misnamed", entries, {name: other}, name)
+
+
+def parameters_swapped(work: Work) -> Iterator[Change]:
+    """Exchange two names of the key."""
+    used = [name for name in work.answer.parameters if name in work.key.parameters]
+    entries = _named_entries(work) if len(used) > 1 else ()
+    for one, other in combinations(used, 2):
+        if work.key.parameters[one] is work.key.parameters[other]:
+            names = {one: other, other: one}
+            yield from _renamed(work, "parameters_swapped", entries, names, one, other=other)
+
+
+def _named_entries(work: Work) -> Sequence[tuple[Place, Expression, frozenset[str]]]:
+    """The entries of the answer itself with names in them; none of a table in which an edit has been made."""
+    return work.comparison.named_entries if work.table is work.comparison.meant[work.draw] else ()
+
+
+def _renamed(
+    work: Work,
+    code: str,
+    entries: Sequence[tuple[Place, Expression, frozenset[str]]],
+    names: dict[str, str],
+    name: str,
+    **params: str,
+) -> Iterator[Change]:
+    """Names put for one another, in the answer itself: the table in which each has the other's value."""
+    values = work.comparison.draws[work.draw]
+    values = {**values, **{old: values[new] for old, new in names.items() if new in values}}
+    with suppress(ParameterError):
+        cells = [
+            (i, cell, now)
+            for (i, cell), entry, found in entries
+            if not found.isdisjoint(names)
+            and not math.isclose(
+                getattr(work.table.rows[i], cell), now := evaluate(entry, values), rel_tol=SAME
+            )
+        ]
+        if cells:
+            extent = Extent.CELL if code == "parameter_misnamed" else Extent.ROW
+            touched = tuple((i, cell) for i, cell, _ in cells if cell != "theta")
+            shown = (("name", name), *params.items())
+            yield Change(code, extent, cells=tuple(cells), touched=touched, params=shown)

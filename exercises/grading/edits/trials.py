@@ -1,0 +1,287 @@
+"""Every edit of the catalogue tried on a table, all at once, against what no choice of frames changes."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import replace
+from typing import NamedTuple, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from exercises.grading.edits.changes import Change, Extent
+from exercises.grading.edits.fitting import OFF, Unsolved, fitting_values, measured
+from exercises.grading.edits.joint_places import joint_places
+from exercises.grading.edits.sieve import Sieve
+from exercises.grading.edits.wanted_changes import changes_of
+from exercises.grading.edits.work import EVERYWHERE, FAR, VARIABLE_CELLS, Off, Work
+from exercises.grading.facts import fixed_ends, fixed_signs, least_cost
+from exercises.grading.judging.digits import measured_as_typed
+from exercises.grading.judging.typed import ANGLES
+from kinematics.equivalence import DirectionRule, ZeroRule
+from kinematics.equivalence.batches import Variation
+from kinematics.table import NumericTable
+
+REACH_OF_A_ROW = 1
+"""Two rows exchanged, the widest of the edits in a row, change the links before, between and after them."""
+DIGITS = 9
+"""Values that agree so far [rad or length] are the same solution."""
+Catalogue: TypeAlias = Callable[[Work], Iterator[Change]]
+
+
+class Trial(NamedTuple):
+    """A change, and what of the key the table it leads to does not have.
+
+    Attributes:
+        change: the change.
+        failing: how many facts still fail, whichever way the axes point.
+        misplaced: how many others fail: signs, where the directions of the variables are fixed, and what lies
+            between axes that are no neighbours, where their zeros are.
+        might: none fails, and the axes can be turned so that their signs agree: it may be the robot.
+        reach: what an edit must have to do with that mends all facts that fail, or, if none does, all that
+            is misplaced: joints from … to.
+        angular: an angle is among them, so that lengths alone do not mend them.
+        off: what is off at all; see `Work`.
+    """
+
+    change: Change
+    failing: int
+    misplaced: int
+    might: bool
+    reach: tuple[int, int]
+    angular: bool
+    off: Off
+
+    @property
+    def meets(self) -> bool:
+        """Whether all that fail meet at one place of the chain, so that one edit more might mend them."""
+        return self.reach[0] - self.reach[1] <= -REACH_OF_A_ROW
+
+
+UNCHANGED = Change("", Extent.CELL)
+
+
+def tried(
+    works: Sequence[Work],
+    catalogue: Catalogue = changes_of,
+    *,
+    finishing: bool = True,
+    most_failing: int | None = None,
+) -> list[list[Trial]]:
+    """Return the edits of a catalogue, tried on tables.
+
+    Args:
+        works: tables for one key, at the same draw.
+        catalogue: the edits that may be made to a table.
+        finishing: only edits are wanted after which the table might be the robot.
+        most_failing: after others that are not wanted either more facts than these fail; None: any may.
+
+    Returns:
+        For every table the edits with which its joints are those of the key.
+    """
+    if not works:
+        return []
+    sieves: list[Sieve] = []
+    if finishing:
+        sieves = [Sieve(work) for work in works]
+        works = [sieve.narrowed() for sieve in sieves]
+    elif most_failing is not None:
+        sieves = [Sieve(work, most_failing) for work in works]
+        works = [sieve.concerned() for sieve in sieves]
+    fits = _fits(works)
+    reaches = finishing_reaches(works) if finishing else [work.reach for work in works]
+    made = [
+        (number, change)
+        for number, work in enumerate(works)
+        for change in _wanted(replace(work, fits=fits[number], reach=reaches[number]), catalogue)
+    ]
+    trials: list[list[Trial]] = [[] for _ in works]
+    while made:
+        if sieves:
+            made = [(number, change) for number, change in made if not sieves[number].holds_back(change)]
+        if not made:
+            break
+        batch = _Batch(works, made)
+        found = batch.trials()
+        for (number, _), trial in zip(made, found, strict=True):
+            if trial is not None and (trial.might or not finishing):
+                trials[number].append(trial)
+        made = batch.solved(found, finishing=finishing)
+    return trials
+
+
+def _wanted(work: Work, catalogue: Catalogue) -> list[Change]:
+    """The changes of a catalogue that lead to the key's joints and leave alone what is kept."""
+    alike, slip, kept = work.has_the_joints(), work.only, work.kept
+    return [
+        change
+        for change in catalogue(work)
+        if (slip is None or change.slip == slip)
+        and (alike if change.table is None else work.has_the_joints(change.table))
+        and (not kept or kept.isdisjoint(change.places))
+    ]
+
+
+def tried_unchanged(work: Work) -> Trial | None:
+    """Return the answer as it stands; None if its joints are not those of the key."""
+    if not work.has_the_joints():
+        return None
+    invariants = work.invariants
+    found = measured_as_typed(invariants, work.table, work.comparison.steps, work.policy)[:, :1]
+    (judged,) = _judged(work, found)
+    return Trial(UNCHANGED, *judged)
+
+
+def _fits(works: Sequence[Work]) -> list[dict[tuple[int, str], list[float]]]:
+    """Values that fit, for the cells of the tables that have the key's joints, where any fact is off."""
+    found: list[dict[tuple[int, str], list[float]]] = [{} for _ in works]
+    wanted: list[Unsolved] = []
+    for number, work in enumerate(works):
+        places = []
+        angles, lengths, misplaced = work.off
+        for row, cell in _cells(work) if work.has_the_joints() else ():
+            moves = cell == VARIABLE_CELLS.get(work.table.rows[row].joint)
+            if misplaced if moves else angles if cell in ANGLES else lengths:
+                places.append((row, cell))
+            elif not moves and (angles or lengths):
+                found[number][row, cell] = []
+        if places:
+            wanted.append(Unsolved(number, (), places))
+    if wanted:
+        tables = [work.table if work.has_the_joints() else works[wanted[0].number].table for work in works]
+        for unsolved, values in zip(wanted, fitting_values(works[0], tables, wanted), strict=True):
+            found[unsolved.number] |= values
+    return found
+
+
+def finishing_reaches(works: Sequence[Work]) -> list[tuple[int, int]]:
+    """Return what an edit has to do with in each table, so that it may make it the robot."""
+    found = [work.reach for work in works]
+    for excess in (-1, 1):
+        off = [k for k, work in enumerate(works) if work.excess == excess and work.reach is EVERYWHERE]
+        if off:
+            for k, places in zip(off, joint_places([works[k] for k in off]), strict=True):
+                found[k] = places
+    return found
+
+
+def _cells(work: Work) -> list[tuple[int, str]]:
+    """The cells that are no variable's, may mend all that fails, and are not kept as they are."""
+    if (work.only is not None and work.only.code is not None) or len(work.lacking) > 1:
+        return []
+    return [
+        (i, cell)
+        for i, row in work.rows
+        for cell in work.lacking or (ANGLES if work.angular else ("a", "d", *ANGLES))
+        if (work.only is None or cell == work.only.cell)
+        and (i, cell) not in work.kept
+        and (work.policy.zero is ZeroRule.FIGURE or cell != VARIABLE_CELLS.get(row.joint))
+    ]
+
+
+class _Batch:
+    """Changes of tables, measured all at once."""
+
+    def __init__(self, works: Sequence[Work], made: Sequence[tuple[int, Change]]) -> None:
+        self._works, self._made = works, made
+        self._tables: list[NumericTable] = []
+        numbers: dict[int, int] = {}
+        self._variations: list[Variation] = []
+        for number, change in made:
+            table = works[number].table if change.table is None else change.table
+            if id(table) not in numbers:
+                numbers[id(table)] = len(self._tables)
+                self._tables.append(table)
+            self._variations.append((numbers[id(table)], change.cells))
+        self._found = _judged(works[0], measured(works[0], self._tables, self._variations))
+
+    def trials(self) -> list[Trial | None]:
+        """Return what came of each change; None where a row was put in that does not fit there."""
+        return [
+            Trial(change, *found) if change.code != "row_missing" or self._fits_elsewhere(k, change) else None
+            for k, ((_, change), found) in enumerate(zip(self._made, self._found, strict=True))
+        ]
+
+    def _fits_elsewhere(self, k: int, change: Change) -> bool:
+        """Whether everything fits that has nothing to do with the row put in and its neighbours."""
+        assert change.row is not None
+        if not self._found[k][0]:
+            return True
+        joint = self._tables[self._variations[k][0]].joint_rows.index(change.row) + 1
+        start, end = self._found[k][3]
+        return start <= joint <= end
+
+    def solved(self, trials: Sequence[Trial | None], *, finishing: bool) -> list[tuple[int, Change]]:
+        """Return the changes that put a value that fits in one more of their unsolved cells; each table once.
+
+        Angles are solved for before lengths; with a length first, an angle that fails is never mended.
+        """
+        unsolved: list[int] = []
+        wanted: list[Unsolved] = []
+        for k, trial in enumerate(trials):
+            if trial is None or not trial.change.unsolved:
+                continue
+            change = trial.change
+            angles_first = finishing and trial.angular
+            cells = [cell for cell in change.unsolved if cell in ANGLES or not angles_first]
+            if cells:
+                unsolved.append(k)
+                places = [(change.row or 0, cell) for cell in cells]
+                wanted.append(Unsolved(self._variations[k][0], change.cells, places))
+        if not wanted:
+            return []
+        filled = {id(self._made[k][1].table) for k in unsolved}
+        known = {self._content(*made) for made in self._made if id(made[1].table) in filled}
+        made = []
+        for k, values in zip(unsolved, fitting_values(self._works[0], self._tables, wanted), strict=True):
+            number, change = self._made[k]
+            for (row, cell), found in values.items():
+                left = tuple(c for c in change.unsolved if c != cell and (cell in ANGLES or c not in ANGLES))
+                for value in found:
+                    solved = change._replace(cells=(*change.cells, (row, cell, value)), unsolved=left)
+                    content = self._content(number, solved)
+                    if content not in known:
+                        known.add(content)
+                        made.append((number, solved))
+        return made
+
+    @staticmethod
+    def _content(number: int, change: Change) -> tuple[object, ...]:
+        """What a change leads to, but for rounding errors."""
+        cells = {(row, cell): round(value, DIGITS) for row, cell, value in change.cells}
+        return number, id(change.table), *cells.items()
+
+
+def _judged(
+    work: Work, found: NDArray[np.float64]
+) -> list[tuple[int, int, bool, tuple[int, int], bool, Off]]:
+    """What a trial says of tables, from their invariants (q, k): all but the change."""
+    invariants, axes = work.invariants, len(work.reference.chain.axes) + 2
+    fixed = fixed_ends(axes, work.policy)
+    strains, facts = invariants.strains(found), work.n_facts
+    failing, strained = strains > 1.0, strains > OFF
+    angles = invariants.angular[:facts]
+    kinds = (strained[:facts] & angles, strained[:facts] & ~angles, strained[facts:])
+    off = zip(*((some.sum(axis=0) > 0).tolist() for some in kinds), strict=True)
+    counts = failing[:facts].sum(axis=0)
+    if work.policy.direction is DirectionRule.FIGURE:
+        fixed = (*fixed, *range(1, axes - 1))
+        pointing = fixed_signs(invariants.shapes, fixed)
+        failing[pointing] |= ~invariants.fits(found)[0][pointing]
+    misplaced = failing.sum(axis=0) - counts
+    might = (counts == 0) & (misplaced == 0)
+    which = np.flatnonzero(might)
+    if which.size:
+        costs = ~np.array(invariants.fits(found[:, which]))
+        might[which] = least_cost(invariants.shapes, axes, costs.astype(float), fixed) == 0.0
+    if misplaced.any():
+        failing &= (counts == 0) | (strains > 1.0)
+        failing[facts:, counts > 0] = False
+    first, last = invariants.spans
+    starts = np.where(failing, first, 0).max(axis=0, initial=0) - REACH_OF_A_ROW
+    ends = np.where(failing, last, FAR).min(axis=0, initial=FAR) + REACH_OF_A_ROW
+    reaches = zip(starts.tolist(), ends.tolist(), strict=True)
+    angular = np.where(invariants.angular, failing, False).sum(axis=0) > 0
+    return list(
+        zip(counts.tolist(), misplaced.tolist(), might.tolist(), reaches, angular.tolist(), off, strict=True)
+    )

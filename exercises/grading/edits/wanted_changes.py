@@ -1,0 +1,39 @@
+"""Which changes of the catalogue are worth trying on a table."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from exercises.grading.edits.changes import Change
+from exercises.grading.edits.misconceptions import CATALOGUE
+from exercises.grading.edits.work import Work
+
+
+def changes_of(work: Work) -> Iterator[Change]:
+    """Every change of the catalogue with which a table may have the key's joints, and which is wanted."""
+    excess, only, lacking = work.excess, work.only, work.lacking
+    for misconception in CATALOGUE:
+        if (
+            (misconception.counts or not excess)
+            and (only is None or misconception.may_be(only))
+            and lacking <= misconception.sizes
+        ):
+            yield from misconception.changes(work)
+
+
+def changes_beforehand(work: Work) -> Iterator[Change]:
+    """The changes of a table whose joints are not the key's that leave them one too many or one too few.
+
+    A change that mends the joints may come after.
+    """
+    if work.has_the_joints():
+        return
+    only = work.only
+    for misconception in CATALOGUE:
+        if misconception.beforehand and (only is None or misconception.may_be(only)):
+            yield from (
+                change
+                for change in misconception.changes(work)
+                if (only is None or change.slip == only)
+                and work.is_a_joint_off(work.table if change.table is None else change.table)
+            )

@@ -1,0 +1,262 @@
+"""A wrong answer under repair: the table on which edits are tried, and what they are tried against."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from itertools import accumulate
+from typing import TypeAlias
+
+from exercises.grading.edits.changes import ROW_CELLS, Change, TableSlip
+from exercises.grading.judging.comparison import Comparison
+from exercises.grading.judging.typed import ANGLES, Place
+from kinematics.cells import ReadTable
+from kinematics.chain import chain_of_table
+from kinematics.equivalence import Policy
+from kinematics.equivalence.batches import CellChange
+from kinematics.equivalence.decision import certify, convention_fits
+from kinematics.equivalence.invariants import Invariants, invariants_of
+from kinematics.equivalence.meter import PER_ROW, Meter
+from kinematics.equivalence.reference import Reference
+from kinematics.equivalence.search import Effort
+from kinematics.table import JointType, NumericRow, NumericTable
+
+WORK_OF_ONE_EDIT = 30_000
+"""What deciding whether one edit mends the table may cost: no single one uses up the search."""
+SAME = 1e-9
+"""A share: what is left of the errors of the arithmetic."""
+FAR = 10**6
+"""Behind the last axis of any chain."""
+EVERYWHERE = (0, FAR)
+LENGTHS = ("a", "d")
+VARIABLE_CELLS = {JointType.REVOLUTE: "theta", JointType.PRISMATIC: "d"}
+"""Where the variable of a joint stands."""
+
+
+Draws: TypeAlias = tuple[NumericTable, NumericTable]
+"""A table at two draws."""
+Off: TypeAlias = tuple[bool, bool, bool]
+"""Whether angles are off, and lengths, that no choice of frames changes; and others, joints being zero."""
+ANYTHING: Off = (True, True, True)
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class Work:
+    """The table that edits are tried on.
+
+    Attributes:
+        key: the key as read.
+        answer: the answer as read.
+        comparison: both with numbers.
+        policy: what the answer is held to.
+        references: the key at each draw, prepared; at the answer's size, if it has none.
+        tightened: what no choice of frames changes, at a draw, as nearly as the answer must have it.
+        meter: counts what trying edits costs.
+        table: the answer at one draw, as it was meant, perhaps with an edit made already.
+        draw: that draw.
+        fits: for cells, other values that make an invariant fit which does not.
+        reach: what an edit has to do with, to mend all that is wrong: joints from … to, counted from 1; where
+            there is one too many or too few, the places of it.
+        angular: an angle is wrong that no choice of frames changes: lengths alone do not mend it.
+        lacking: columns in which an entry has a size that an edit must change, to mend all that is wrong.
+        off: what is off, if only by what need not be mended: other values of cells are found from that.
+        only: the one slip that is to be undone; any, if none is named.
+        kept: places that an edit made before has changed, which another one leaves alone.
+    """
+
+    key: ReadTable
+    answer: ReadTable
+    comparison: Comparison
+    policy: Policy
+    references: tuple[Reference, ...]
+    tightened: Callable[[int], Invariants]
+    meter: Meter
+    table: NumericTable
+    draw: int = 0
+    fits: Mapping[Place, list[float]] = field(default_factory=dict)
+    reach: tuple[int, int] = EVERYWHERE
+    angular: bool = False
+    lacking: frozenset[str] = frozenset()
+    off: Off = ANYTHING
+    only: TableSlip | None = None
+    kept: frozenset[Place] = frozenset()
+
+    @property
+    def reference(self) -> Reference:
+        """The key at the draw."""
+        return self.references[self.draw]
+
+    @cached_property
+    def invariants(self) -> Invariants:
+        """What no choice of frames changes, at the draw, as nearly as the answer must have it.
+
+        The facts come first; behind them comes what lies between axes that are no neighbours, where the
+        policy fixes the zeros of the variables.
+        """
+        return self.tightened(self.draw)
+
+    @cached_property
+    def n_facts(self) -> int:
+        """How many of the invariants are facts."""
+        return len(invariants_of(self.reference, self.policy).shapes)
+
+    @property
+    def facts(self) -> Invariants:
+        """The facts among the invariants, wherever the variables are zero."""
+        return self.invariants.some(range(self.n_facts))
+
+    @cached_property
+    def excess(self) -> int:
+        """How many joints the table has more than the key."""
+        return self.table.n_joints - self.reference.table.n_joints
+
+    def is_near(self, first: int, last: int | None = None, *, moves: bool = False) -> bool:
+        """Return whether an edit in a row, or in rows from … to, may mend all that is wrong.
+
+        An edit changes how the axes before it lie to those after it; what it leaves alone, it cannot mend.
+
+        Args:
+            first: the row, or the first of them, counted from 0.
+            last: the last of them.
+            moves: whether a joint goes elsewhere, so that what is before and behind the rows changes too.
+        """
+        start, end = self.reach
+        counts = self.joints_up_to
+        return start <= counts[first if last is None else last] + moves and counts[first] - moves <= end
+
+    def is_place(self, joint: int) -> bool:
+        """Return whether the joint that is missing may have this place, counted from 1."""
+        start, end = self.reach
+        return start <= joint <= end
+
+    @cached_property
+    def joints_up_to(self) -> list[int]:
+        """For every row the number of joints up to it."""
+        return list(accumulate(row.joint is not JointType.FIXED for row in self.table.rows))
+
+    @cached_property
+    def rows(self) -> tuple[tuple[int, NumericRow], ...]:
+        """The rows in which an edit may mend all that is wrong, and their numbers, from 0."""
+        wanted = None if self.only is None else self.only.row
+        return tuple(
+            (i, row)
+            for i, row in enumerate(self.table.rows)
+            if (wanted is None or i == wanted) and self.is_near(i)
+        )
+
+    @property
+    def rows_of_lengths(self) -> tuple[tuple[int, NumericRow], ...]:
+        """The rows in which another length may mend all that is wrong."""
+        return () if self.angular else self.rows
+
+    def has_the_joints(self, table: NumericTable | None = None) -> bool:
+        """Return whether the table, or another, has the key's types of joints in order."""
+        return (table or self.table).joint_types == self.reference.table.joint_types
+
+    def is_a_joint_off(self, table: NumericTable) -> bool:
+        """Return whether a table has the key's types of joints in order, but for one too many or too few."""
+        shorter, longer = sorted((table.joint_types, self.reference.table.joint_types), key=len)
+        return len(longer) == len(shorter) + 1 and any(
+            (*longer[:k], *longer[k + 1 :]) == shorter for k in range(len(longer))
+        )
+
+    def at(self, draw: int) -> Work:
+        """Return the answer at another draw."""
+        table = self.comparison.meant[draw]
+        known: dict[str, object] = {
+            "reach": EVERYWHERE,
+            "angular": False,
+            "lacking": frozenset(),
+            "off": ANYTHING,
+        }
+        return replace(self, draw=draw, table=table, fits={}, only=None, **known)  # type: ignore[arg-type]
+
+    def edited(
+        self,
+        change: Change,
+        reach: tuple[int, int],
+        *,
+        angular: bool,
+        off: Off,
+        kept: frozenset[Place],
+    ) -> Work:
+        """Return the table with an edit made, and what another has to do with then."""
+        known: dict[str, object] = {"reach": reach, "angular": angular, "lacking": frozenset(), "off": off}
+        return replace(self, table=change.of(self.table), fits={}, kept=kept, **known)  # type: ignore[arg-type]
+
+    def leaves(self, columns: Sequence[str], *, sliders: bool = True) -> bool:
+        """Whether an edit of columns, perhaps but for sliders, leaves alone what one before has changed."""
+        rows = self.table.rows
+        return not any(
+            cell in columns and i < len(rows) and (sliders or rows[i].joint is not JointType.PRISMATIC)
+            for i, cell in self.kept
+        )
+
+    @cached_property
+    def kept_rows(self) -> frozenset[int]:
+        """The rows that cannot change places with others, as an edit made before has changed them."""
+        return frozenset(row for row, cell in self.kept if cell in ROW_CELLS)
+
+    def accepts(self, change: Change, effort: Effort) -> bool:
+        """Return whether an edit makes the table right, at this draw."""
+        return self._are_right((self.reference,), (change.of(self.table),), effort)
+
+    def accepts_alike(self, changes: Sequence[Change], effort: Effort, *, first: int = 0) -> bool:
+        """Whether the same edits, one after the other, make the table right at all draws from the first on.
+
+        False says nothing where it is not seen what they are at another draw.
+        """
+        here = list(accumulate(changes, lambda table, change: change.of(table), initial=self.table))
+        tables = []
+        for draw in range(first, len(self.references)):
+            table, keys = self.comparison.meant[draw], (self.reference.table, self.references[draw].table)
+            for change, mine in zip(changes, here, strict=False):
+                alike = change if draw == self.draw else _alike(change, (mine, table), keys)
+                if alike is None:
+                    return False
+                table = alike.of(table)
+            tables.append(table)
+        return self._are_right(self.references[first:], tables, effort)
+
+    def _are_right(
+        self, references: Sequence[Reference], tables: Sequence[NumericTable], effort: Effort
+    ) -> bool:
+        if not tables or not convention_fits(tables[0].convention, self.policy.convention):
+            return not tables
+        self.meter.charge(PER_ROW * len(tables) * len(tables[0].rows))
+        chains = [chain_of_table(table) for table in tables]
+        with self.meter.at_most(WORK_OF_ONE_EDIT):
+            found = certify(references, chains, self.policy, effort, self.meter, measured=False)
+            return found is not None
+        return False
+
+
+def _alike(change: Change, own: Draws, keys: Draws) -> Change | None:
+    """A change of some cells as it is at another draw: what is an entry of the answer or the key stays that.
+
+    An angle that is neither is itself; of such a length, None. `own` is the table that it is made in.
+    """
+    if change.table is not None:
+        return None
+    cells: list[CellChange] = []
+    for row, cell, value in change.cells:
+        for one, other in _pairs_of_entries(own, keys, row, cell) if value else ():
+            if one and abs(abs(value) - abs(one)) <= SAME * abs(one):
+                cells.append((row, cell, other * value / one))
+                break
+        else:
+            if value and cell in LENGTHS:
+                return None
+            cells.append((row, cell, value))
+    return change._replace(cells=tuple(cells))
+
+
+def _pairs_of_entries(own: Draws, keys: Draws, row: int, cell: str) -> Iterator[tuple[float, float]]:
+    """An entry of the answer at two draws, then those of the key and all of the answer that it may become."""
+    yield getattr(own[0].rows[row], cell), getattr(own[1].rows[row], cell)
+    kinds = LENGTHS if cell in LENGTHS else ANGLES
+    for one, other in (keys, own):
+        for mine, its in zip(one.rows, other.rows, strict=True):
+            for kind in kinds:
+                yield getattr(mine, kind), getattr(its, kind)

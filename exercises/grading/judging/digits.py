@@ -1,0 +1,127 @@
+"""Whether the lengths and angles of an answer in numbers are those of the key, each by itself.
+
+The tolerance bounds poses, as a share of the whole robot; a small dimension of a large arm would be
+unchecked. So every length and angle that no choice of frames changes is held to what the typed digits allow,
+or to a per cent of itself if that is more.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from exercises.grading.judging.typed import Place
+from kinematics.equivalence import BaseRule, Policy, ToolRule
+from kinematics.equivalence.batches import Variation
+from kinematics.equivalence.invariants import FLOOR, Invariants, invariants_of
+from kinematics.equivalence.measures import Shape
+from kinematics.equivalence.reference import Reference
+from kinematics.equivalence.row_measures import measured_of_tables
+from kinematics.table import NumericTable
+
+Floats = NDArray[np.float64]
+
+PER_CENT = 0.01
+"""The share of itself by which a length or an angle may be off, whatever its digits."""
+REMEMBERED = 64
+"""Tables at hand: each is asked for when it is judged, when edits are tried on it and when it is scored."""
+SECOND_ORDER = 1.25
+"""What the digits do at first order, and room for what they do beyond it."""
+
+
+def beyond_digits(
+    reference: Reference, table: NumericTable, steps: Mapping[Place, float], policy: Policy, share: float
+) -> Invariants | None:
+    """Return the key's invariants that the typed digits do not explain; None if they explain all.
+
+    Args:
+        reference: the key.
+        table: the answer, as it was meant, with as many joints.
+        steps: half a unit of the last place of its decimals.
+        policy: what the answer is held to.
+        share: by which part of itself an invariant may be off.
+    """
+    invariants = invariants_of(reference, policy)
+    own = invariants.own_sizes[:, 0]
+    floor = floors(invariants, reference)
+    sizes = invariants.sizes(measured_as_typed(invariants, table, steps, policy))
+    off = np.abs(sizes[:, 0] - own) - floor
+    far = off > share * own
+    if far.any() and steps:
+        far &= off > SECOND_ORDER * _reaches(sizes)
+    return invariants.some(np.flatnonzero(far).tolist()) if far.any() else None
+
+
+def floors(invariants: Invariants, reference: Reference) -> Floats:
+    """Return what the arithmetic may do to invariants, (q,)."""
+    return FLOOR * np.array([1.0 if shape.is_angle else reference.size for shape in invariants.shapes])
+
+
+def tightened(
+    reference: Reference,
+    table: NumericTable | None,
+    steps: Mapping[Place, float],
+    policy: Policy,
+    share: float,
+) -> Invariants:
+    """Return the invariants of the key, each with the slack that the digits of an answer leave it.
+
+    Args:
+        reference: the key.
+        table: the answer; None for one that is exact.
+        steps: half a unit of the last place of its decimals.
+        policy: what the answer is held to.
+        share: by which part of itself an invariant may be off.
+    """
+    invariants = invariants_of(reference, policy)
+    reaches = np.zeros(len(invariants.shapes))
+    if table is not None and steps:
+        alike = table.joint_types == reference.table.joint_types
+        reaches = (
+            _reaches(invariants.sizes(measured_as_typed(invariants, table, steps, policy)))
+            if alike
+            else _largest(invariants, reference, steps)
+        )
+    own = invariants.own_sizes[:, 0]
+    slacks = np.maximum(share * own, SECOND_ORDER * reaches) + floors(invariants, reference)
+    return invariants.held_to(slacks[:, None])
+
+
+def _largest(invariants: Invariants, reference: Reference, steps: Mapping[Place, float]) -> Floats:
+    """How far invariants may move at the most, whatever the table: angles at the longest of levers."""
+    lengths = sum(step for (_, cell), step in steps.items() if cell in ("a", "d"))
+    angles = sum(step for (_, cell), step in steps.items() if cell in ("alpha", "theta"))
+    return np.array(
+        [angles if shape.is_angle else lengths + angles * reference.size for shape in invariants.shapes]
+    )
+
+
+def measured_as_typed(
+    invariants: Invariants, table: NumericTable, steps: Mapping[Place, float], policy: Policy
+) -> Floats:
+    """(q, 1 + 2·steps) invariants of a table as it stands, and with each decimal half a unit up and down."""
+    frames = Policy(
+        base=BaseRule.FRAME if policy.base is BaseRule.FRAME else BaseRule.FREE,
+        tool=ToolRule.FRAME if policy.tool is ToolRule.FRAME else ToolRule.FREE,
+    )
+    return _measured_as_typed(invariants.shapes, table, tuple(steps.items()), frames)
+
+
+@lru_cache(maxsize=REMEMBERED)
+def _measured_as_typed(
+    shapes: tuple[Shape, ...], table: NumericTable, steps: tuple[tuple[Place, float], ...], policy: Policy
+) -> Floats:
+    variations: list[Variation] = [(0, ())]
+    for (i, cell), step in steps:
+        here = getattr(table.rows[i], cell)
+        variations += (0, ((i, cell, here + step),)), (0, ((i, cell, here - step),))
+    return measured_of_tables(shapes, (table,), variations, policy)
+
+
+def _reaches(sizes: Floats) -> Floats:
+    """How far invariants may move when every decimal moves by half a unit of its last place."""
+    moved = np.abs(sizes[:, 1:] - sizes[:, :1])
+    return np.asarray(np.maximum(moved[:, 0::2], moved[:, 1::2]).sum(axis=1), dtype=np.float64)

@@ -1,0 +1,107 @@
+"""Whether an answer is right, in one way in which it may be meant."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from exercises.grading.judging.comparison import Comparison
+from exercises.grading.judging.digits import PER_CENT, beyond_digits
+from kinematics.chain import chain_of_table
+from kinematics.equivalence import Decision, Kind, Mismatch, Policy, decide_draws
+from kinematics.equivalence.decision import EXACT, convention_fits, mechanism_only
+from kinematics.equivalence.diagnosis import diagnose, mismatches_of
+from kinematics.equivalence.invariants import Invariants
+from kinematics.equivalence.reference import prepared, prepared_for
+from kinematics.equivalence.results import Certificate
+
+IMPRECISE = Decision(certificate=None, mismatches=(Mismatch(kind=Kind.PRECISION),), same_robot=False)
+
+"""Every fact is right by itself, and only their small errors together are too much."""
+REFUTED = Decision(certificate=None, mismatches=(), same_robot=False)
+"""A length or an angle is wrong, whatever frames were chosen; what does not fit is found by `diagnosed`."""
+
+
+def policy_of(comparison: Comparison, policy: Policy) -> Policy:
+    """Return what an answer is held to as it was meant: names, where nothing was rounded, are exact."""
+    if not comparison.exact:
+        return policy
+    lengths, angles = policy.tolerance.length, policy.tolerance.angle
+    tolerance = replace(EXACT, length=min(EXACT.length, lengths), angle=min(EXACT.angle, angles))
+    return replace(policy, tolerance=tolerance)
+
+
+def share_of(comparison: Comparison) -> float:
+    """By which part of itself a length may be off, whatever its digits; none where names say it."""
+    return PER_CENT if comparison.by_value and not comparison.in_names else 0.0
+
+
+def judged(comparison: Comparison, policy: Policy) -> Decision:
+    """Return whether an answer is right: as it was typed, and, where entries were rounded, as it was meant.
+
+    What is wrong is looked for in the answer as it was meant; so no 1.57 is taken for a mistake.
+    """
+    strict = policy_of(comparison, policy)
+    typed_exactly = comparison.meant is comparison.submissions
+    if strict is not policy:
+        meant = decide_draws(comparison.references, comparison.meant, strict)
+        if typed_exactly or not meant.accepted:
+            return meant
+        return _or_imprecise(decide_draws(comparison.references, comparison.submissions, policy))
+    if _is_refuted(comparison, policy):
+        return REFUTED
+    typed = decide_draws(comparison.references, comparison.submissions, policy)
+    if typed.certificate is not None:
+        return _held_to_digits(comparison, typed, typed.certificate, policy)
+    if typed_exactly:
+        return typed
+    meant = decide_draws(comparison.references, comparison.meant, policy)
+    return IMPRECISE if meant.accepted else meant
+
+
+def _is_refuted(comparison: Comparison, policy: Policy) -> bool:
+    """Whether a length or an angle of an answer is wrong, whatever frames were chosen.
+
+    Nothing is searched for then: no certificate stands, and none of the mirror image.
+    """
+    key, answer = comparison.references[0], comparison.meant[0]
+    if key.joint_types != answer.joint_types or not convention_fits(answer.convention, policy.convention):
+        return False
+    return _beyond_digits(comparison, mechanism_only(policy)) is not None
+
+
+def _beyond_digits(comparison: Comparison, policy: Policy, draw: int = 0) -> Invariants | None:
+    answer = comparison.meant[draw]
+    reference = prepared_for(comparison.references[draw], answer)
+    return beyond_digits(reference, answer, comparison.steps, policy, share_of(comparison))
+
+
+def diagnosed(comparison: Comparison, policy: Policy) -> Decision:
+    """Return what does not fit in an answer of which a length or an angle is wrong."""
+    answer = comparison.meant[0]
+    chain = chain_of_table(answer)
+    reference = prepared(comparison.references[0]).beside(chain)
+    found = diagnose(reference, answer, chain, policy)
+    if all(mismatch.kind is Kind.PRECISION for mismatch in found):
+        free = mechanism_only(policy)
+        far = _beyond_digits(comparison, free)
+        found = found if far is None else mismatches_of(far, reference, answer, chain, free)
+    return replace(REFUTED, mismatches=found)
+
+
+def _or_imprecise(decision: Decision) -> Decision:
+    return decision if decision.accepted else IMPRECISE
+
+
+def _held_to_digits(
+    comparison: Comparison, decision: Decision, certificate: Certificate, policy: Policy
+) -> Decision:
+    """The decision, unless a length or an angle is off by more than its digits explain, at any draw."""
+    if certificate.residual <= EXACT.length:
+        return decision
+    for draw, (key, answer) in enumerate(zip(comparison.references, comparison.meant, strict=True)):
+        far = _beyond_digits(comparison, policy, draw)
+        if far is not None:
+            chain = chain_of_table(answer)
+            found = mismatches_of(far, prepared_for(key, answer), answer, chain, policy)
+            return replace(REFUTED, mismatches=found)
+    return decision

@@ -1,0 +1,15 @@
+"""Methods that yield all solutions, and which arm has which: see `closed_form`.
+
+closed_form    which arm has which method
+wrist          three axes through one point
+wrist_blocks   the same for many targets
+wrist_scalars  the same for one target that is away from singularities
+clear_blocks   both: many targets that are away from singularities
+wrist_tapes    what these have recorded of an arm
+parallel       three parallel axes
+general        six turning joints of any kind, as an eigenproblem
+partition      arms of few joints, or with slides before a wrist
+position       three joints that bring points to their places
+trigonometric  equations in the cosine and sine of one angle
+locked         arms with a joint to spare: one is held
+"""

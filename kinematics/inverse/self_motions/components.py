@@ -1,0 +1,255 @@
+"""Solutions as components: which are the same, which stand alone, and which families there are."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from kinematics.inverse.arm import Arm, Array
+from kinematics.inverse.self_motions.crossings import branches, is_beside, tangents
+from kinematics.inverse.self_motions.families import (
+    FamilyPath,
+    Follower,
+    blind_directions,
+    pivots_of,
+)
+from kinematics.inverse.self_motions.gaps import nearest_places, way_through_gaps
+from kinematics.inverse.self_motions.isolation import LONG, fold_length, lost_value, told_apart
+from kinematics.inverse.self_motions.membership import Component, Membership
+
+GAP = 4.0 / LONG
+"""Tolerances by which the pose may be off in a gap between pieces of a family: an error that grows from zero
+to one tolerance over LONG / 2 or more is a wave of 2 / LONG tolerances at most; twice as much is allowed."""
+
+MOST_MEMBERS = 64
+"""Solutions that are looked at of an arm with two or more joints to spare: each of some ten families, four in
+general, has several."""
+
+BESIDE_A_CROSSING = 0.3
+"""Step from a crossing [rad, or parts of the size] after which one of the families is alone."""
+
+BESIDE_A_BRANCH = 0.25
+"""What is nearer than this part of a step to a path, a step from where it crosses another, is on it."""
+
+MOST_FOLLOWED = 16
+MOST_FOLLOWED_WITH_SPARE = 8
+"""Families that are followed for one target, of arms with joints to spare fewer: each takes longer. What is
+left over is returned as members of continua."""
+
+
+def components_of(arm: Arm, target: Array, joints: Array, tolerance: float) -> list[Component]:
+    """Return the components that solutions belong to, each once.
+
+    Args:
+        arm: the arm.
+        target: (4, 4).
+        joints: (m, n) solutions, as exact as they can be had.
+        tolerance: distance [m] and angle [rad] within which the target is reached.
+    """
+    alone, delicate = told_apart(arm, target, joints, tolerance)
+    found = [Component(joints[i]) for i in alone]
+    if delicate:
+        found += _Sorter(arm, Follower(arm, target, tolerance), tolerance).sorted(joints[delicate])
+    return found
+
+
+def belongs(arm: Arm, target: Array, component: Component, q: Array, tolerance: float) -> bool:
+    """Return whether a solution belongs to a component.
+
+    Args:
+        arm: the arm.
+        target: (4, 4).
+        component: of the target's solutions.
+        q: (n,) a solution.
+        tolerance: distance [m] and angle [rad] within which the target is reached.
+    """
+    return Membership(arm, Follower(arm, target, tolerance), tolerance).within(component, q)
+
+
+class _Sorter:
+    """Sorts solutions near singularities, or with joints to spare, into components."""
+
+    def __init__(self, arm: Arm, follower: Follower, tolerance: float) -> None:
+        self.arm, self.follower = arm, follower
+        self.long = fold_length(tolerance)
+        self.blind = lost_value(tolerance)
+        self.members = Membership(arm, follower, tolerance)
+        self.most = MOST_FOLLOWED_WITH_SPARE if arm.spare else MOST_FOLLOWED
+        self.ways: list[FamilyPath] = []
+
+    def sorted(self, joints: Array) -> list[Component]:
+        left = list(joints if self.arm.spare < 2 else joints[:MOST_MEMBERS])
+        found: list[Component] = []
+        followed = 0
+        while left:
+            q, *left = left
+            J = self.follower.jacobian(q / self.arm.units)
+            blind = blind_directions(J, self.blind)
+            if followed < self.most and not self.follower.is_spent:
+                new = self._components(q, blind)
+            else:
+                new = [Component(q, dimension=self._dimension(q, blind))]
+            followed += sum(bool(one.paths) for one in new)
+            left = self.members.outside(left, new)
+            found += new
+            left += self.members.outside(self._behind_gaps(new), found)
+        return found
+
+    def _behind_gaps(self, components: Sequence[Component]) -> list[Array]:
+        """Members of families that lie on the ways of others, behind gaps in which the target is lost."""
+        found: list[Array] = []
+        for one in components:
+            if one.dimension != 1 or self.arm.spare or self.follower.is_spent:
+                continue
+            q = one.joints
+            x = q / self.arm.units
+            for path in one.paths:
+                if path.closed or any(is_beside(self.follower, way, x, self.long) for way in self.ways):
+                    continue
+                self.ways.append(way_through_gaps(self.follower, q, path, GAP))
+                found += nearest_places(self.follower, self.ways[-1])
+        return found
+
+    def _dimension(self, q: Array, blind: Array) -> int:
+        """Of how many dimensions the component of a solution is that is not followed."""
+        x = q / self.arm.units
+        moving = [] if self.arm.spare else [d for d in blind if self._moves(x, d)]
+        crossed = not self.arm.spare and not moving and len(blind) > 1
+        return self.arm.spare or len(moving) if not crossed else 1
+
+    def _components(self, q: Array, blind: Array) -> list[Component]:
+        """The components through a solution: several where families cross."""
+        x = q / self.arm.units
+        moving = [d for d in blind if self._moves(x, d)]
+        if self.arm.spare > 1 or not (moving or len(blind) > 1):
+            return [self._one_family(q, blind, moving)]
+        if len(moving) > 1 and self._spanned(x, moving):
+            return [self._surface(x, moving)]
+        surfaces = [] if len(moving) < 2 else self._surfaces_beside(x, moving)
+        curves = [
+            path for path in self._curves(x, blind) if not any(self._holds(one, path) for one in surfaces)
+        ]
+        curves = self._with_branches(curves, surfaces)
+        members = [q, *(path.points[len(path.points) // 4] for path in curves[1:])]
+        found = [Component(member, (path,), 1) for member, path in zip(members, curves, strict=False)]
+        return [*surfaces, *found] or [Component(q)]
+
+    def _one_family(self, q: Array, blind: Array, moving: Sequence[Array]) -> Component:
+        """The family of a solution, as a whole; where it is short all round the solution stands alone."""
+        spare, x = self.arm.spare, q / self.arm.units
+        if moving or not spare:
+            return Component(q, dimension=self._freedoms(x, moving) if moving else 0)
+        paths = tuple(self.follower.path(x, d, np.empty((0, len(x)))) for d in blind)
+        long = [path for path in paths if self._is_long(path)]
+        return Component(q, tuple(long), spare if long else 0)
+
+    def _freedoms(self, x: Array, moving: Sequence[Array]) -> int:
+        """In how many dimensions a solution can be moved.
+
+        Where the Jacobian has lost rank for this solution alone, as of links folded on a line, its family has
+        no more dimensions than those beside it: so many directions are blind there.
+        """
+        if len(moving) <= self.arm.spare:
+            return self.arm.spare
+        beside = [there for d in moving if (there := self._moved(x, d)) is not None]
+        return max(len(blind_directions(self.follower.jacobian(there), self.blind)) for there in beside)
+
+    def _surface(self, x: Array, moving: Sequence[Array]) -> Component:
+        """The family of as many dimensions as a solution can be moved in."""
+        directions = np.array(moving)
+        paths = self._paths_of_surface(x, directions)
+        return Component(x * self.arm.units, paths, len(moving), tuple(pivots_of(directions)))
+
+    def _surface_at(self, x: Array, fewer: int) -> Component | None:
+        """The surface that a solution is on, of fewer dimensions than so many; None if it is on none."""
+        blind = blind_directions(self.follower.jacobian(x), self.blind)
+        if not 1 < len(blind) < fewer:
+            return None
+        moving = [d for d in blind if self._moves(x, d)]
+        return self._surface(x, moving) if len(moving) > 1 and self._spanned(x, moving) else None
+
+    def _curves(self, x: Array, blind: Array) -> list[FamilyPath]:
+        """Paths through a solution, each once."""
+        found: list[FamilyPath] = []
+        for direction in tangents(self.follower, x, blind, self.blind):
+            moved = self._moved(x, direction)
+            near = BESIDE_A_BRANCH * self.long
+            if moved is None or any(is_beside(self.follower, one, moved, near) for one in found):
+                continue
+            path = self.follower.path(x, direction, np.empty((0, len(x))))
+            if self._is_long(path):
+                found.append(path)
+        return found
+
+    def _spanned(self, x: Array, moving: Sequence[Array]) -> bool:
+        """Whether a solution can be moved along the sums and differences of directions too."""
+        return all(
+            self._moves(x, (one + sign * other) / np.linalg.norm(one + sign * other))
+            for k, one in enumerate(moving)
+            for other in moving[:k]
+            for sign in (1.0, -1.0)
+        )
+
+    def _surfaces_beside(self, x: Array, moving: Sequence[Array]) -> list[Component]:
+        """Surfaces that meet where families cross, told from a point beside the crossing."""
+        found: list[Component] = []
+        for direction in moving:
+            for step in (BESIDE_A_CROSSING, -BESIDE_A_CROSSING):
+                there = self.follower.moves(x, direction, step)
+                if there is None or any(self.members.within(one, there * self.arm.units) for one in found):
+                    continue
+                surface = self._surface_at(there, fewer=len(moving))
+                if surface is not None:
+                    found.append(surface)
+        return found
+
+    def _holds(self, surface: Component, path: FamilyPath) -> bool:
+        """Whether a path lies in a surface, as far as some of its points tell."""
+        return all(self.members.within(surface, q) for q in path.points[:: max(len(path.points) // 3, 1)])
+
+    def _with_branches(self, curves: list[FamilyPath], surfaces: list[Component]) -> list[FamilyPath]:
+        """Paths, and those that cross them, and those that cross these; surfaces that do are added."""
+        found = list(curves)
+        for path in found:
+            if self.follower.is_spent:
+                return found
+            for x, way in branches(self.follower, path, self.long, self.blind):
+                if any(is_beside(self.follower, one, x, BESIDE_A_BRANCH * self.long) for one in found):
+                    continue
+                if any(self.members.within(one, x * self.arm.units) for one in surfaces):
+                    continue
+                surface = self._surface_at(x, fewer=self.arm.n_joints)
+                if surface is not None and self._is_wide(surface):
+                    surfaces.append(surface)
+                    continue
+                branch = self.follower.path(x, way, np.empty((0, len(x))))
+                if self._is_long(branch):
+                    found.append(branch)
+                if len(found) + len(surfaces) >= self.most:
+                    return found
+        return found
+
+    def _is_long(self, path: FamilyPath) -> bool:
+        """Whether a path leads farther than across a fold."""
+        x = path.points / self.arm.units
+        return float(np.abs(x - x[0]).max()) > 0.5 * self.long
+
+    def _is_wide(self, surface: Component) -> bool:
+        """Whether a surface is more than the width that a tolerance gives to families where they cross."""
+        extents = (np.ptp(path.points / self.arm.units, axis=0).max() for path in surface.paths)
+        return all(extent > BESIDE_A_CROSSING for extent in extents)
+
+    def _moves(self, x: Array, direction: Array) -> bool:
+        return self._moved(x, direction) is not None
+
+    def _moved(self, x: Array, direction: Array) -> Array | None:
+        both = self.follower.moves_each(x, self.long * np.array((direction, -direction)))
+        return next((there for there in both if there is not None), None)
+
+    def _paths_of_surface(self, x: Array, directions: Array) -> tuple[FamilyPath, ...]:
+        """Along each direction, the joints that move most along the others held."""
+        pivots = pivots_of(directions)
+        held = np.eye(len(x))[pivots]
+        others = [np.delete(held, k, axis=0) for k in range(len(pivots))]
+        return tuple(self.follower.path(x, d, rows) for d, rows in zip(directions, others, strict=True))

@@ -1,0 +1,323 @@
+"""Families of solutions: configurations joined by a path on which the target stays reached.
+
+A target is known to within a tolerance, so its solutions are the components of
+{q : the pose at q is within the tolerance of the target}. Most components are tiny balls around one solution.
+Where the Jacobian loses rank they may be long: a whole turn of q_4 against q_6 at a wrist in line, a shorter
+interval beside it. Such a component is followed in small steps from one of its members, every step
+corrected by Gauss–Newton steps across it, until the pose leaves the tolerance or the path closes.
+
+Source: for the predictor and the corrector, E. L. Allgower, K. Georg, Introduction to numerical continuation
+methods (2003) ch. 2 and 3.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.inverse.arm import Arm, Array
+from kinematics.inverse.residuals import are_solutions
+from kinematics.inverse.self_motions.corrections import corrected, corrected_across
+
+FIRST_STEP = 0.02
+"""First step along a component [rad, or parts of the size]; it is halved where it loses the target, and
+doubled while the path stays straight. A path that noise bends is followed by steps longer than the bends."""
+
+LONGEST_STEP = 0.4
+"""Straight families (a wrist in line) are followed in steps of this length; bent ones in shorter steps."""
+
+SHORTEST_STEP = 1e-7
+"""A path ends where not even this step keeps the target."""
+
+SLIDING = 1e-9
+"""Turns below this [rad per unit] in a direction: slides alone move, and steps may be of any length."""
+
+FARTHEST = 10.0
+"""Slides without end are followed for ten times the arm's size and the target's distance."""
+
+MOST_STEPS = 400
+"""More steps than the longest closed paths of seven-joint arms were seen to take (some 250)."""
+
+LOST = 1e-6
+"""Second singular values below this, or the root of the tolerance, are as good as zero: within a tolerance ε
+families join that are some √ε apart."""
+
+ROOM = 3.0
+"""A path that comes back to its start is beside it by a few roots of the tolerance: so wide is what a
+tolerance leaves where the Jacobian loses rank."""
+
+STRAIGHT = 0.03
+"""Turn of the direction in one step [rad] below which the next step may be twice as long; with three times
+this a step is taken again at half the length."""
+
+TOGETHER = 1e-12
+"""Solutions this near [rad, or parts of the size] are one."""
+
+NEAR_ONE_END, SAGGING = 0.2, 0.75
+"""Of second singular values at both ends of a step: one below this part of the other, or one in the middle
+below this part of their mean, may vanish between."""
+
+MOST_CORRECTIONS = 2500
+"""Corrections after which a target's families are followed no further; the longest paths take 800 more. A
+PUMA with its arm stretched and its wrist in line takes 95, eight families of seven joints up to this many."""
+
+ROWS = 16
+"""Configurations that are corrected together in some twice the time of one: so many count as another one."""
+
+
+@dataclass(frozen=True, slots=True)
+class FamilyPath:
+    """A component followed from one member.
+
+    Attributes:
+        points: (k, n) configurations along it in order, turns not brought into any range; slides in m.
+        closed: whether the last point leads back to the first.
+        second: (k,) the second least singular value of the Jacobian at each: where it vanishes another family
+            crosses.
+    """
+
+    points: Array
+    closed: bool
+    second: Array
+
+
+def blind_directions(J: Array, smallest: float) -> Array:
+    """Return the (k, n) directions that a Jacobian does not see, singular values up to `smallest`.
+
+    They come in echelon form, which keeps apart what is independent: in a PUMA stretched upwards, the
+    turns of joints 1, 4 and 6 against each other from the bending of the elbow.
+    """
+    _, values, rows = np.linalg.svd(J)
+    seen = int((values > smallest).sum())
+    basis = rows[seen:].copy()
+    pivots: list[int] = []
+    for i in range(len(basis)):
+        rest = np.abs(basis[i:])
+        rest[:, pivots] = 0.0
+        row, column = np.unravel_index(int(rest.argmax()), rest.shape)
+        swap = [i, i + int(row)]
+        basis[swap] = basis[swap[::-1]]
+        basis[i] /= basis[i, column]
+        others = [k for k in range(len(basis)) if k != i]
+        basis[others] -= basis[others, column, None] * basis[i]
+        pivots.append(int(column))
+    return np.asarray(basis / np.linalg.norm(basis, axis=1, keepdims=True))
+
+
+def weighing_alike(arm: Arm) -> Arm:
+    """Return the arm with its lengths in the unit of a tolerance, of which there are as many as radians."""
+    return replace(arm, size=1.0) if arm.size > 1.0 and bool(arm.revolute.all()) else arm
+
+
+class Follower:
+    """Follows components of one target.
+
+    Joint values are measured in the arm's units here: x = q / units.
+    """
+
+    def __init__(self, arm: Arm, target: Array, tolerance: float) -> None:
+        self.arm = weighing_alike(arm)
+        self.target, self.tolerance = target, tolerance
+        self.lost = max(LOST, math.sqrt(tolerance))
+        self.spent = 0
+        self._farthest = FARTHEST * (1.0 + float(np.linalg.norm(target[:3, 3])) / self.arm.size)
+
+    def count(self, rows: int) -> None:
+        """Count one correction of so many configurations."""
+        self.spent += 1 + rows // ROWS
+
+    @property
+    def is_spent(self) -> bool:
+        """Whether as much has been followed as may be."""
+        return self.spent >= MOST_CORRECTIONS
+
+    def reached(self, e: Array) -> bool:
+        """Return whether an error vector is within the tolerance."""
+        return bool(are_solutions(e[None], self.arm, self.tolerance)[0])
+
+    def corrected(self, x: Array, held: Array) -> tuple[Array, Array, Array]:
+        """The nearest pose with held·x unchanged, (k, n) rows: x, its error vector and its Jacobian."""
+        found, e, J = self.corrected_all(x[None], held[None])
+        return found[0], e[0], J[0]
+
+    def corrected_all(self, x: Array, held: Array) -> tuple[Array, Array, Array]:
+        """Return the same of many, (m, n), each with its own held rows, (m, k, n)."""
+        self.count(len(x))
+        return corrected(self.arm, self.target, x, held)
+
+    def moves(self, x: Array, direction: Array, step: float) -> Array | None:
+        """Where x is after a step along a direction, corrected across it; None if the target is lost."""
+        return self.moves_each(x, step * direction[None])[0]
+
+    def moves_each(self, x: Array, ways: Array) -> list[Array | None]:
+        """Where x is after each of several steps, (m, n), corrected across it; None if the target is lost."""
+        if not len(ways):
+            return []
+        lengths = np.linalg.norm(ways, axis=1)
+        moved, e, _ = self.corrected_all(x + ways, (ways / lengths[:, None])[:, None])
+        near = np.linalg.norm(moved - x - ways, axis=1) <= lengths
+        there = near & are_solutions(e, self.arm, self.tolerance)
+        return [one if ok else None for one, ok in zip(moved, there.tolist(), strict=True)]
+
+    def joined(self, x: Array, other: Array) -> bool:
+        """Return whether the straight way between two solutions, corrected across it, keeps the target."""
+        return bool(self.joined_each(x[None], other[None])[0])
+
+    def joined_each(self, x: Array, others: Array) -> NDArray[np.bool_]:
+        """Return the same of many pairs, (m, n) and (m, n)."""
+        ways = others - x
+        lengths = np.linalg.norm(ways, axis=1)
+        apart = np.flatnonzero(lengths >= TOGETHER)
+        if not len(apart):
+            return np.ones(len(x), dtype=bool)
+        parts = np.repeat(((0.25,), (0.5,), (0.75,)), len(apart), axis=0)
+        asked = np.tile(apart, 3)
+        start = x[asked] + parts * ways[asked]
+        between, e, _ = self.corrected_all(
+            start, (ways / np.maximum(lengths, TOGETHER)[:, None])[asked][:, None]
+        )
+        near = np.linalg.norm(between - start, axis=1) <= 0.5 * lengths[asked]
+        kept = np.ones(len(x), dtype=bool)
+        kept[asked[~(near & are_solutions(e, self.arm, self.tolerance))]] = False
+        return kept
+
+    def path(self, x: Array, direction: Array, held: Array) -> FamilyPath:
+        """Return the component through x along a direction, both ways.
+
+        Args:
+            x: (n,) a solution, in units.
+            direction: (n,) unit direction that the Jacobian does not see.
+            held: (k, n) rows of which held·x stays as it is: the other directions of a family of more than
+            one.
+        """
+        ahead, closed = self._one_way(x, direction, held)
+        points = [x, *ahead]
+        if not closed:
+            behind, _ = self._one_way(x, -direction, held)
+            points = [*behind[::-1], *points]
+        return FamilyPath(np.array(points) * self.arm.units, closed, self.second(np.array(points)))
+
+    def jacobian(self, x: Array) -> Array:
+        """(6, n) Jacobian in units."""
+        return np.asarray(self.jacobians(x[None])[0])
+
+    def jacobians(self, x: Array) -> Array:
+        """(m, 6, n) Jacobians in units, at x, (m, n)."""
+        return np.asarray(self.arm.jacobians(self.arm.frames(x * self.arm.units)) * self.arm.units)
+
+    def second(self, x: Array) -> Array:
+        """(m,) second least singular values of the Jacobians at x, (m, n); what no row sees counts as 0."""
+        values = np.linalg.svd(self.jacobians(x), compute_uv=False)
+        place = self.arm.n_joints - 2
+        return np.asarray(values[:, place] if 0 <= place < values.shape[1] else np.zeros(len(x)))
+
+    def _second_of(self, J: Array, held: Array) -> float:
+        """The second least singular value; infinite where a direction is held or two are spare."""
+        if len(held) or self.arm.spare > 1:
+            return math.inf
+        values = np.linalg.svd(J, compute_uv=False)
+        place = self.arm.n_joints - 2
+        return float(values[place]) if 0 <= place < len(values) else math.inf
+
+    def _passes_a_crossing(self, x: Array, new: Array, second: float, there: float) -> bool:
+        """Whether a step may lead past a place where two families all but cross, and from one to the other.
+
+        The second singular value, small at such a place, grows from it on both sides, by one for each radian
+        at most. Where it is lost the two are one within the tolerance, and a step may lead on.
+        """
+        least, greatest = min(second, there), max(second, there)
+        if least <= self.lost or second + there >= float(np.linalg.norm(new - x)):
+            return False
+        if least < NEAR_ONE_END * greatest:
+            return True
+        (middle,) = self.second(0.5 * (x + new)[None])
+        return bool(middle < SAGGING * 0.5 * (second + there))
+
+    def _one_way(self, start: Array, direction: Array, held: Array) -> tuple[list[Array], bool]:
+        x, t, h = start, direction, FIRST_STEP
+        found: list[Array] = []
+        gone = 0.0
+        second = self._second_of(self.jacobian(start), held)
+        for _ in range(MOST_STEPS):
+            new, e, J = self._ahead(x + h * t, t, held)
+            turned = self._direction(J, t, held)
+            bend = float(np.arccos(np.clip(turned @ t, -1.0, 1.0)))
+            off = float(np.linalg.norm(new - x - h * t))
+            there = self._second_of(J, held)
+            crossed = self._passes_a_crossing(x, new, second, there)
+            if not self.reached(e) or off > h or crossed or (bend > 3.0 * STRAIGHT and h > FIRST_STEP):
+                h *= 0.5
+                if h < SHORTEST_STEP:
+                    return found, False
+                continue
+            gone += h
+            back = self.back_to(start, new)
+            along = float(back @ turned)
+            aside = float(np.linalg.norm(back - along * turned))
+            if gone > 4.0 * h and abs(along) <= h and aside < max(0.2 * h, ROOM * self.lost):
+                return [*found, new], True
+            x, t, second = new, turned, there
+            found.append(new)
+            slides = float(np.abs(t[self.arm.revolute]).max(initial=0.0)) < SLIDING
+            h = min(2.0 * h if bend < STRAIGHT else h, np.inf if slides else LONGEST_STEP)
+            if float(np.abs(new - start)[~self.arm.revolute].max(initial=0.0)) > self._farthest:
+                return found, False
+        return found, False
+
+    def _ahead(self, x: Array, t: Array, held: Array) -> tuple[Array, Array, Array]:
+        """The nearest pose across a unit direction, held·x unchanged."""
+        if len(held):
+            return self.corrected(x, np.vstack((t, held)))
+        self.count(1)
+        found, e, J = corrected_across(
+            self.arm, self.target, x[None], (np.eye(len(x)) - np.outer(t, t))[None]
+        )
+        return found[0], e[0], J[0]
+
+    def _direction(self, J: Array, before: Array, held: Array) -> Array:
+        """What of the direction before the Jacobian does not see here, nor any held row."""
+        _, values, rows = np.linalg.svd(np.vstack((J, held)))
+        n = J.shape[1]
+        values = np.concatenate((values, np.zeros(n - len(values))))
+        blind = rows[values <= max(float(np.sort(values)[0]) * 3.0, 1e-5)]
+        t = blind.T @ (blind @ before)
+        length = float(np.linalg.norm(t))
+        return np.asarray(t / length if length > 0.1 else before)
+
+    def back_to(self, start: Array, x: Array) -> Array:
+        """Return the way from x to the start, turns on the circle."""
+        difference = start - x
+        turned = (difference + np.pi) % (2.0 * np.pi) - np.pi
+        return np.asarray(np.where(self.arm.revolute, turned, difference))
+
+
+def nearest_on(arm: Arm, path: FamilyPath, q: Array) -> tuple[Array, Array]:
+    """Return the way from a path's nearest chord to a configuration, and that chord; both in units."""
+    points = path.points / arm.units
+    way = np.diff(points, axis=0)
+    if path.closed:
+        back = points[0] - points[-1]
+        way = np.vstack((way, np.where(arm.revolute, (back + np.pi) % (2.0 * np.pi) - np.pi, back)))
+    start = points[: len(way)] if len(way) else points
+    way = way if len(way) else np.zeros_like(points)
+    # Each joint by the turn that is nearest to the middle of the chord.
+    off = q / arm.units - start - 0.5 * way
+    off = np.where(arm.revolute, (off + np.pi) % (2.0 * np.pi) - np.pi, off) + 0.5 * way
+    square = np.maximum((way * way).sum(axis=1), 1e-300)
+    part = np.clip((off * way).sum(axis=1) / square, 0.0, 1.0)
+    off = off - part[:, None] * way
+    k = int((off * off).sum(axis=1).argmin())
+    return off[k], way[k]
+
+
+def pivots_of(directions: Array) -> Sequence[int]:
+    """For each direction the joint that moves most along it, each joint once."""
+    chosen: list[int] = []
+    for row in np.abs(directions):
+        order = [int(i) for i in np.argsort(-row, kind="stable") if int(i) not in chosen]
+        chosen.append(order[0])
+    return chosen

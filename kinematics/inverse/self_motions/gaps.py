@@ -1,0 +1,61 @@
+"""Families in pieces: what lies on the way of a family behind a gap in which the target is lost.
+
+A wrist beside its line that is known to within a tolerance may turn by an interval, and half a turn on by
+another; a fold between the two may come as near without reaching the target exactly. Between the pieces the
+pose is off by some tolerances, so the way is followed with as much allowed, and where it comes near is tried.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from kinematics.inverse.arm import Array
+from kinematics.inverse.residuals import errors_of
+from kinematics.inverse.search import polish
+from kinematics.inverse.self_motions.families import FamilyPath, Follower, nearest_on
+
+WIDEST = 0.05
+"""A way is followed no farther from its target than this [rad, and parts of the size]: corrections from there
+may lead to another."""
+
+
+def way_through_gaps(follower: Follower, joints: Array, path: FamilyPath, gap: float) -> FamilyPath:
+    """Return the path on which a family lies, followed through gaps.
+
+    Args:
+        follower: of the family's target.
+        joints: (n,) a member.
+        path: the family.
+        gap: how many tolerances the pose may be off in a gap.
+    """
+    arm = follower.arm
+    wide = Follower(arm, follower.target, min(gap * follower.tolerance, WIDEST * min(arm.size, 1.0)))
+    _, chord = nearest_on(arm, path, joints)
+    length = float(np.linalg.norm(chord))
+    if length == 0.0 or wide.tolerance <= follower.tolerance:
+        return path
+    way = wide.path(joints / arm.units, chord / length, np.empty((0, arm.n_joints)))
+    follower.spent += wide.spent
+    return way
+
+
+def nearest_places(follower: Follower, way: FamilyPath) -> list[Array]:
+    """Configurations that reach the target where a way comes nearest to it, one for each such place."""
+    arm, points = follower.arm, way.points
+    off = np.linalg.norm(errors_of(arm, arm.frames(points)[-1], follower.target), axis=1)
+    around = (
+        np.concatenate((off[-1:], off, off[:1])) if way.closed else np.pad(off, 1, constant_values=np.inf)
+    )
+    nearest = points[(off <= around[:-2]) & (off <= around[2:])]
+    found = np.stack((polish(arm, follower.target, nearest), nearest), axis=1)
+    return [
+        next(q for q, there in zip(pair, reached, strict=True) if there)
+        for pair, reached in zip(found, _reached(follower, found), strict=True)
+        if reached.any()
+    ]
+
+
+def _reached(follower: Follower, pairs: Array) -> Array:
+    arm = follower.arm
+    errors = errors_of(arm, arm.frames(pairs.reshape(-1, arm.n_joints))[-1], follower.target)
+    return np.array([follower.reached(e) for e in errors]).reshape(-1, 2)

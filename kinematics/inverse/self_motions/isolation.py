@@ -1,0 +1,188 @@
+"""Which solutions stand alone: can neither be moved nor joined to another while the target stays reached.
+
+All solutions are tried in the same array operations: a step along what the Jacobian does not see, and the
+middle between two that are near each other, are corrected back to the target.
+"""
+
+from __future__ import annotations
+
+import math
+from itertools import combinations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.inverse.arm import Arm, Array
+from kinematics.inverse.distinct import SAME, differences
+from kinematics.inverse.residuals import are_solutions, errors_of
+from kinematics.inverse.self_motions.corrections import corrected
+from kinematics.inverse.self_motions.families import LOST, Follower, weighing_alike
+
+Indices = NDArray[np.intp]
+
+LONG = 0.02
+"""A solution that can be moved by this [rad, or parts of the size] belongs to a family."""
+
+ACROSS_A_FOLD = 8.0
+"""Two solutions beside a fold with curvature κ are joined within a tolerance ε up to 2√(2ε/κ) apart; κ is
+1/8 or more of arms whose links are not thousands of times their offsets. What is no longer than 8√ε is one
+solution, not a family."""
+
+MERGING = 6.0
+"""Solutions whose least singular value is above 6√ε are neither joined by a fold of curvature κ ≤ 18,
+where it is at most √(2εκ), nor long, where it is at most ε/LONG."""
+
+
+def fold_length(tolerance: float) -> float:
+    """Return what is no longer than this [rad, or parts of the size] is one solution, not a family."""
+    return max(LONG, ACROSS_A_FOLD * math.sqrt(tolerance))
+
+
+def lost_value(tolerance: float) -> float:
+    """Return the least singular value of the Jacobian above which a solution is not of a family."""
+    return max(tolerance / LONG * 2.0, LOST, math.sqrt(tolerance))
+
+
+def merging_value(tolerance: float) -> float:
+    """Return the least singular value of the Jacobian above which a solution stands alone."""
+    return MERGING * math.sqrt(tolerance)
+
+
+def told_apart(arm: Arm, target: Array, joints: Array, tolerance: float) -> tuple[list[int], list[int]]:
+    """Return which solutions stand alone, each once; and which may be of families, the most exact first.
+
+    Args:
+        arm: the arm.
+        target: (4, 4).
+        joints: (m, n) solutions, as exact as they can be had.
+        tolerance: distance [m] and angle [rad] within which the target is reached.
+    """
+    if not len(joints):
+        return [], []
+    frames = arm.frames(joints)
+    errors = np.linalg.norm(errors_of(arm, frames[-1], target), axis=1)
+    J = arm.jacobians(frames) * arm.units
+    least = np.linalg.svd(J, compute_uv=False)[:, arm.generic_rank - 1]
+    delicate = (least <= merging_value(tolerance)) | (arm.spare > 0)
+    apart = np.abs(differences(joints[:, None], joints[None], arm)).max(axis=2)
+    np.fill_diagonal(apart, np.inf)
+    if not arm.spare and float(least.min()) > lost_value(tolerance):
+        delicate &= apart.min(axis=1) <= fold_length(tolerance)
+    order = np.argsort(errors, kind="stable").tolist()
+    if not arm.spare and delicate.any():
+        some = [i for i in order if delicate[i]]
+        targets = np.broadcast_to(target, (len(some), 4, 4))
+        if not can_move(arm, targets, joints[some], tolerance).any():
+            joined = joined_before(Follower(arm, target, tolerance), joints, some, tolerance)
+            order = [i for i in order if i not in joined]
+            delicate[:] = False
+    alone: list[int] = []
+    for i in order:
+        if not delicate[i] and all(apart[i, k] > SAME for k in alone):
+            alone.append(i)
+    return alone, [i for i in order if delicate[i]]
+
+
+def can_move(arm: Arm, targets: Array, joints: Array, tolerance: float) -> NDArray[np.bool_]:
+    """Return whether solutions can be moved as far as those of families, or in more than one direction.
+
+    Args:
+        arm: without joints to spare.
+        targets: (k, 4, 4) of each.
+        joints: (k, n).
+        tolerance: distance [m] and angle [rad] within which a target is reached.
+    """
+    alike = weighing_alike(arm)
+    x = joints / alike.units
+    J = alike.jacobians(alike.frames(joints)) * alike.units
+    _, values, directions = np.linalg.svd(J)
+    blind = (values <= lost_value(tolerance)).sum(axis=1)
+    found = blind > 1
+    one = np.flatnonzero(blind == 1)
+    way = fold_length(tolerance) * directions[one, -1]
+    ways, both = np.concatenate((way, -way)), np.concatenate((one, one))
+    found[
+        both[
+            _reach(
+                alike,
+                targets[both],
+                x[both] + ways,
+                ways,
+                fold_length(tolerance),
+                tolerance,
+            )
+        ]
+    ] = True
+    return np.asarray(found)
+
+
+def joined_before(follower: Follower, joints: Array, some: list[int], tolerance: float) -> set[int]:
+    """Return those of some solutions, none of which can be moved, that are joined to one before.
+
+    Args:
+        follower: of their target.
+        joints: (m, n) solutions.
+        some: which are looked at, the most exact first.
+        tolerance: distance [m] and angle [rad] within which the target is reached.
+    """
+    units = follower.arm.units
+    pairs = np.array([*combinations(some, 2)], dtype=np.intp).reshape(-1, 2)
+    ways = differences(joints[pairs[:, 1]], joints[pairs[:, 0]], follower.arm)
+    near = np.abs(ways).max(axis=1) <= fold_length(tolerance)
+    pairs, ways = pairs[near], ways[near]
+    x = joints[pairs[:, 0]] / units
+    found: set[int] = set()
+    for i, k in pairs[follower.joined_each(x, x + ways)].tolist():
+        if i not in found:
+            found.add(k)
+    return found
+
+
+def joined_rows(
+    arm: Arm,
+    targets: Array,
+    joints: Array,
+    owner: Indices,
+    rows: Indices,
+    tolerance: float,
+) -> Indices:
+    """Return those rows of which the solution may be joined to another of the same target.
+
+    Args:
+        arm: without joints to spare.
+        targets: (m, 4, 4).
+        joints: (k, n) solutions, in order of the targets.
+        owner: (k,) whose each is.
+        rows: which of them are looked at.
+        tolerance: distance [m] and angle [rad] within which a target is reached.
+    """
+    alike = weighing_alike(arm)
+    pairs = [(rows[:-k], rows[k:]) for k in range(1, int(np.bincount(owner[rows]).max(initial=1)))]
+    one, other = (np.concatenate([pair[i] for pair in pairs] or [rows[:0]]) for i in (0, 1))
+    same = owner[one] == owner[other]
+    one, other = one[same], other[same]
+    apart = differences(joints[other], joints[one], arm)
+    near = np.abs(apart).max(axis=1, initial=0.0) <= fold_length(tolerance)
+    one, way = one[near], apart[near]
+    middle, half = (
+        joints[one] / alike.units + 0.5 * way,
+        0.5 * np.linalg.norm(way, axis=1),
+    )
+    return np.asarray(one[_reach(alike, targets[owner[one]], middle, way, half, tolerance)])
+
+
+def _reach(
+    arm: Arm,
+    targets: Array,
+    x: Array,
+    way: Array,
+    farthest: Array | float,
+    tolerance: float,
+) -> NDArray[np.bool_]:
+    """(k,) whether what is beside solutions reaches their targets, corrected across the way by so much."""
+    if not len(x):
+        return np.empty(0, dtype=bool)
+    unit = way / np.maximum(np.linalg.norm(way, axis=1), 1e-300)[:, None]
+    there, e, _ = corrected(arm, targets, x, unit[:, None])
+    near = np.linalg.norm(there - x, axis=1) <= farthest
+    return np.asarray(near & are_solutions(e, arm, tolerance))

@@ -1,0 +1,134 @@
+"""Which solutions belong to a family: they are on its paths, or ways lead from them to it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.inverse.arm import Arm, Array
+from kinematics.inverse.distinct import SAME, differences
+from kinematics.inverse.self_motions.families import FamilyPath, Follower, nearest_on
+from kinematics.inverse.self_motions.isolation import fold_length, lost_value
+from kinematics.inverse.self_motions.walks import leads
+
+BESIDE = 1e-3
+"""A solution this near to a path [rad, or parts of the size], or within twenty tolerances of it, is on it."""
+
+CHORD = 0.05
+"""Distance from the chords of a path within which a solution may be on it: the chords are LONGEST_STEP
+long and turn by three times STRAIGHT at most."""
+
+STATIONS = 5
+"""Points of each path of a surface that ways are looked for to: a way that leads to one may miss another."""
+
+NEAREST = 6
+"""Members of a surface to which ways are looked for from a solution: the nearest of those found last."""
+
+
+@dataclass(frozen=True, slots=True)
+class Component:
+    """One answer: a solution that stands alone, or a family.
+
+    Attributes:
+        joints: (n,) its most exact member.
+        paths: one path for each direction of a family that was followed; empty of an isolated solution.
+        dimension: 0 of an isolated solution.
+        pivots: of a surface the joints that tell its members apart.
+    """
+
+    joints: Array
+    paths: tuple[FamilyPath, ...] = ()
+    dimension: int = 0
+    pivots: tuple[int, ...] = ()
+
+
+class Membership:
+    """Tells of the solutions for one target whether they belong to components."""
+
+    def __init__(self, arm: Arm, follower: Follower, tolerance: float) -> None:
+        """Prepare it.
+
+        Args:
+            arm: the arm.
+            follower: of families for the target.
+            tolerance: distance [m] and angle [rad] within which the target is reached.
+        """
+        self._arm, self._follower = arm, follower
+        self._long = fold_length(tolerance)
+        self._blind = lost_value(tolerance)
+        self._beside = max(BESIDE, 20.0 * tolerance)
+
+    def within(self, component: Component, q: Array) -> bool:
+        """Return whether a solution belongs to a component."""
+        return bool(self._within_each(component, q[None])[0])
+
+    def outside(self, joints: Sequence[Array], components: Sequence[Component]) -> list[Array]:
+        """Return those solutions that belong to none of the components."""
+        left = np.array(joints)
+        for one in components:
+            inside = self._within_each(one, left) if len(left) else np.empty(0, dtype=bool)
+            new, left = left[inside], left[~inside]
+            while one.dimension > 1 and len(new) and len(left):
+                inside = self._led(left, self._nearest(new, left))
+                new, left = left[inside], left[~inside]
+        return list(left)
+
+    def _nearest(self, members: Array, joints: Array) -> Array:
+        """(k, m, n) the members of a family, in units, that are nearest to each of (m, n) solutions."""
+        apart = np.abs(differences(joints[:, None], members[None], self._arm)).sum(axis=2)
+        nearest = np.argsort(apart, axis=1, kind="stable")[:, :NEAREST].T
+        return np.asarray(members[nearest] / self._arm.units)
+
+    def _within_each(self, component: Component, joints: Array) -> NDArray[np.bool_]:
+        """Which of some solutions, (m, n), belong to a component."""
+        apart = differences(joints, component.joints, self._arm)
+        farthest = np.abs(apart).max(axis=1)
+        inside = farthest <= SAME
+        for i in np.flatnonzero(~inside).tolist():
+            inside[i] = any(self._on(path, joints[i]) for path in component.paths)
+        x = component.joints / self._arm.units
+        near = np.flatnonzero(~inside & (farthest <= self._long))
+        if self._arm.spare and not component.dimension:
+            inside[near] = True
+            return np.asarray(inside)
+        inside[near] = self._follower.joined_each(np.broadcast_to(x, apart[near].shape), x + apart[near])
+        outside = np.flatnonzero(~inside)
+        if component.dimension > min(self._arm.spare, 1) and len(outside):
+            inside[outside] = self._led(joints[outside], self._places(component, joints[outside]))
+        return np.asarray(inside)
+
+    def _places(self, component: Component, joints: Array) -> Array:
+        """(k, m, n) members of a family, in units, to which ways from (m, n) solutions are looked for."""
+        x = joints / self._arm.units
+        places = [np.broadcast_to(component.joints / self._arm.units, x.shape)]
+        for path in component.paths:
+            places.append(x - [nearest_on(self._arm, path, q)[0] for q in joints])
+            if component.dimension > 1:
+                points = path.points[:: max(len(path.points) // STATIONS, 1)] / self._arm.units
+                places += [np.broadcast_to(point, x.shape) for point in points]
+        return np.array(places)
+
+    def _led(self, joints: Array, places: Array) -> NDArray[np.bool_]:
+        """Which of (m, n) solutions ways along blind directions lead from, to one of (k, m, n) places."""
+        if self._follower.is_spent:
+            return np.zeros(len(joints), dtype=bool)
+        x = np.tile(joints / self._arm.units, (len(places), 1))
+        arrived = leads(self._follower, x, places.reshape(x.shape), self._blind)
+        return np.asarray(arrived.reshape(places.shape[:2]).any(axis=0))
+
+    def _on(self, path: FamilyPath, q: Array) -> bool:
+        """Whether a solution is on a path: its nearest chord, corrected, leads to it."""
+        off, chord = nearest_on(self._arm, path, q)
+        distance, length = float(np.linalg.norm(off)), float(np.linalg.norm(chord))
+        if distance <= self._beside or length == 0.0:
+            return distance <= self._beside
+        if distance > CHORD:
+            return False
+        x = q / self._arm.units
+        corrected, e, _ = self._follower.corrected(x - off, (chord / length)[None])
+        if self._follower.reached(e) and float(np.linalg.norm(corrected - x)) <= self._beside:
+            return True
+        return self._follower.joined(x, x - off)

@@ -1,0 +1,85 @@
+"""Walks from one solution to another, by steps that keep the target reached."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kinematics.inverse.arm import Array
+from kinematics.inverse.residuals import are_solutions
+from kinematics.inverse.self_motions.corrections import corrected_across
+from kinematics.inverse.self_motions.families import FIRST_STEP, MOST_STEPS, Follower
+
+WALK, SHORTEST_WALK = 0.2, 1e-2
+"""Steps of a walk from one solution to another [rad, or parts of the size]: longest and shortest."""
+
+NEARER = 0.01
+"""Part of its step by which a walk has to come nearer."""
+
+ASTRAY = 0.01
+"""A walk ends where less than this part of the way to its end lies in directions that it may take."""
+
+
+def leads(follower: Follower, starts: Array, ends: Array, blind: float) -> NDArray[np.bool_]:
+    """Return whether steps along blind directions, corrected across them, lead from solutions to others.
+
+    Of all ways the one is tried that comes nearer with every step: over a surface, or within the width
+    that a tolerance gives to families that cross.
+
+    Args:
+        follower: of the target.
+        starts: (m, n) solutions, in units.
+        ends: (m, n) the others.
+        blind: singular values up to this are zero.
+    """
+    arrived = np.zeros(len(starts), dtype=bool)
+    x, longest, going = starts.copy(), np.full(len(starts), WALK), np.arange(len(starts))
+    for _ in range(MOST_STEPS):
+        way = follower.back_to(ends[going], x[going])
+        left = np.linalg.norm(way, axis=1)
+        close = left <= FIRST_STEP
+        arrived[going[close]] = follower.joined_each(x[going[close]], x[going[close]] + way[close])
+        going, way, left = going[~close], way[~close], left[~close]
+        unseen = _unseen(follower, x[going], blind)
+        along = (unseen @ way[:, :, None])[:, :, 0]
+        length = np.linalg.norm(along, axis=1)
+        ahead = length >= ASTRAY * left
+        going, left, length, unseen = going[ahead], left[ahead], length[ahead], unseen[ahead]
+        if not len(going) or follower.is_spent:
+            break
+        step = np.minimum(longest[going], length)
+        aim = x[going] + along[ahead] * (step / length)[:, None]
+        follower.count(len(going))
+        across = np.eye(len(x[0])) - unseen
+        there, e, _ = corrected_across(follower.arm, follower.target, aim, across)
+        near = np.linalg.norm(there - aim, axis=1) <= step
+        nearer = np.linalg.norm(follower.back_to(ends[going], there), axis=1) <= left - NEARER * step
+        moved = near & nearer & are_solutions(e, follower.arm, follower.tolerance)
+        moved[moved] = _keeps(follower, x[going[moved]], aim[moved], across[moved])
+        x[going[moved]] = there[moved]
+        longest[going] = np.where(moved, np.minimum(2.0 * step, WALK), 0.5 * step)
+        going = going[longest[going] >= SHORTEST_WALK]
+    return arrived
+
+
+def _keeps(follower: Follower, x: Array, aim: Array, across: Array) -> NDArray[np.bool_]:
+    """Whether steps of a walk keep the target half way too, where another solution is no longer joined.
+
+    With two joints to spare there are ways around such a place, and each step is taken as it is.
+    """
+    if follower.arm.spare > 1 or not len(x):
+        return np.ones(len(x), dtype=bool)
+    follower.count(len(x))
+    middle = 0.5 * (x + aim)
+    there, e, _ = corrected_across(follower.arm, follower.target, middle, across)
+    near = np.linalg.norm(there - middle, axis=1) <= np.linalg.norm(aim - x, axis=1)
+    return np.asarray(near & are_solutions(e, follower.arm, follower.tolerance))
+
+
+def _unseen(follower: Follower, x: Array, blind: float) -> Array:
+    """(m, n, n) projections onto what the Jacobians at x do not see, singular values up to `blind`."""
+    _, values, rows = np.linalg.svd(follower.jacobians(x))
+    seen = np.zeros(rows.shape[:2])
+    seen[:, : values.shape[1]] = values > blind
+    rows = np.where(seen[:, :, None] > 0.0, 0.0, rows)
+    return np.asarray(rows.transpose(0, 2, 1) @ rows)
