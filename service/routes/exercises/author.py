@@ -21,6 +21,7 @@ from exercises.grader import grade
 from exercises.instance import generate
 from service.http.languages import language_of
 from service.http.openapi import problems, request_body
+from service.http.problems import located
 from service.http.routing import JSON, ApiRequest, DirectRoute, api_router
 from service.http.validation import validated
 from service.resources import resources_of
@@ -152,7 +153,7 @@ async def grade_against_draft(
     draft = body.draft.draft()
     with draft_refused():
         await _in_worker(request, trial, draft)
-    with answer_refused():
+    with located("answer"), answer_refused():
         answer: AnswerBase = validated(_ANSWER, body.answer)
         raw, limits = answer.raw(), request.settings.cell_limits
 

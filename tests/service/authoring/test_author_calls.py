@@ -114,6 +114,9 @@ def test_a_student_would_be_told_the_same(client: httpx.Client) -> None:
     refused = client.post(f"{CALLS}grade", json={"draft": draft, "answer": answer_of(alpha="(")})
     assert refused.status_code == 422
     assert refused.json()["attempt_counted"] is False
+    assert refused.json()["errors"][0]["pointer"] == "/answer/table/rows/0/alpha"
+    misshapen = client.post(f"{CALLS}grade", json={"draft": draft, "answer": {**answer_of(), "seed": {}}})
+    assert [error["pointer"] for error in misshapen.json()["errors"]] == ["/answer/seed"]
 
 
 def test_a_published_version_never_changes(client: httpx.Client) -> None:
