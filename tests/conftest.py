@@ -1,7 +1,8 @@
 """Settings of the property tests, and what several rooms share.
 
 The default run draws the same examples every time, so that it passes or fails for everybody alike.
-Exploring with fresh seeds (`make explore`) is a search for faults; what it finds becomes an example.
+Exploring with fresh seeds (`make explore`) is a long search for faults; what it finds becomes an example. A
+test with numbers of its own takes the smaller one here and the larger one there (`EXPLORE`).
 """
 
 import gc
@@ -16,8 +17,8 @@ from hypothesis.internal.conjecture import providers
 from tests.databases import postgresql_server, without_waiting_for_the_disk
 
 # The machine that runs the tests may be busy: time is measured by the benchmarks, not by tests.
-settings.register_profile("framewise", deadline=None, derandomize=True, database=None)
-settings.register_profile("explore", deadline=None)
+settings.register_profile("framewise", max_examples=40, deadline=None, derandomize=True, database=None)
+settings.register_profile("explore", max_examples=300, deadline=None)
 EXPLORE = bool(os.environ.get("FRAMEWISE_EXPLORE"))
 settings.load_profile("explore" if EXPLORE else "framewise")
 if not EXPLORE:

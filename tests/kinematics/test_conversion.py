@@ -8,7 +8,7 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from kinematics.conversion import Conversion, XScrew, convert, fixed_row, screw_transform
@@ -27,7 +27,6 @@ def pose(conversion, joints):
     return oracle.pose(conversion.table, joints, base, tool)
 
 
-@settings(max_examples=80)
 @given(configured())
 def test_base_times_new_table_times_tool_is_the_old_table(robot):
     table, joints = robot
@@ -58,7 +57,6 @@ def test_a_table_that_is_so_already_stays_as_it_is(table, screw):
     )
 
 
-@settings(max_examples=40)
 @given(configured(min_rows=1, max_rows=5), st.floats(-1, 1), st.floats(-4, 4))
 def test_given_base_and_tool_are_kept(robot, a, alpha):
     table, joints = robot
@@ -114,7 +112,6 @@ def symbolic_tables(draw: st.DrawFn) -> DHTable[Expression]:
     return DHTable(convention=draw(st.sampled_from(Convention)), rows=tuple(rows))
 
 
-@settings(max_examples=60)
 @given(symbolic_tables(), st.data())
 def test_symbols_stay_symbols(table, data):
     converted = convert(table, OTHER[table.convention])

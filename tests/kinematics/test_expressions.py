@@ -6,7 +6,7 @@ import math
 from fractions import Fraction
 
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from kinematics.errors import ParameterError
@@ -67,14 +67,12 @@ def computations(draw, depth=4):
     }[kind]()
 
 
-@settings(max_examples=300)
 @given(computations())
 def test_folding_keeps_the_value(computation):
     expression, value = computation
     assert evaluate(expression, VALUES, JOINTS) == pytest.approx(value, rel=1e-9, abs=1e-9)
 
 
-@settings(max_examples=100)
 @given(computations(), computations())
 def test_sums_and_differences_fold(one, other):
     (a, _), (b, _) = one, other

@@ -10,7 +10,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from kinematics.angles import are_ordinary
@@ -48,7 +48,6 @@ def ways(table, joints, **frames):
     return {"walked": walked, "straight": straight, "batch": batch}
 
 
-@settings(max_examples=150)
 @given(configured(), st.none() | transforms(), st.none() | transforms())
 def test_pose_is_the_product_of_elementary_matrices(robot, base, tool):
     table, joints = robot
@@ -58,7 +57,6 @@ def test_pose_is_the_product_of_elementary_matrices(robot, base, tool):
         np.testing.assert_allclose(pose, expected, rtol=0, atol=tolerance, err_msg=way)
 
 
-@settings(max_examples=60)
 @given(configured(min_rows=1, max_rows=6), st.none() | transforms())
 def test_links_and_frames_are_the_products_of_elementary_matrices(robot, base):
     table, joints = robot
@@ -74,7 +72,6 @@ def test_links_and_frames_are_the_products_of_elementary_matrices(robot, base):
     np.testing.assert_allclose(batch.frames[1], result.frames, rtol=0, atol=tolerance)
 
 
-@settings(max_examples=100)
 @given(configured())
 def test_poses_are_rigid(robot):
     table, joints = robot
@@ -85,7 +82,6 @@ def test_poses_are_rigid(robot):
         assert pose[3].tolist() == [0.0, 0.0, 0.0, 1.0]
 
 
-@settings(max_examples=60)
 @given(configured(min_rows=1), st.data())
 def test_a_chain_is_the_product_of_its_halves(robot, data):
     table, joints = robot
@@ -97,7 +93,6 @@ def test_a_chain_is_the_product_of_its_halves(robot, data):
     np.testing.assert_allclose(whole, split, rtol=0, atol=1e-14 * reach(table, joints))
 
 
-@settings(max_examples=60)
 @given(configured(min_rows=1), transforms(), transforms())
 def test_base_and_tool_are_factors(robot, base, tool):
     table, joints = robot
@@ -108,7 +103,6 @@ def test_base_and_tool_are_factors(robot, base, tool):
     np.testing.assert_allclose(framed.links, plain.links, rtol=0, atol=tolerance)
 
 
-@settings(max_examples=60)
 @given(configured(min_rows=1))
 def test_frames_are_cumulative_products_of_links(robot):
     table, joints = robot
@@ -120,7 +114,6 @@ def test_frames_are_cumulative_products_of_links(robot):
     assert np.array_equal(result.frames[-1], result.transform)
 
 
-@settings(max_examples=60)
 @given(configured(min_rows=1))
 def test_a_reversed_variable_is_the_negative_variable(robot):
     table, joints = robot
@@ -132,7 +125,6 @@ def test_a_reversed_variable_is_the_negative_variable(robot):
     np.testing.assert_allclose(end_pose(turned, negated), expected, atol=1e-14 * reach(table, joints))
 
 
-@settings(max_examples=60)
 @given(tables(), st.lists(st.floats(-3, 3), min_size=2, max_size=4))
 def test_link_transforms_of_several_sets_of_numbers_are_those_of_each(table, joints):
     for row in table.rows:
@@ -144,7 +136,6 @@ def test_link_transforms_of_several_sets_of_numbers_are_those_of_each(table, joi
             np.testing.assert_allclose(found, wanted, rtol=0, atol=1e-12 * reach(table, joints))
 
 
-@settings(max_examples=60)
 @given(tables(min_rows=1, max_rows=4))
 def test_link_transform_is_one_factor(table):
     row = table.rows[0]
@@ -344,7 +335,6 @@ def test_base_and_tool_must_be_rigid(name):
     assert error.value.faults[0].where[0] == name
 
 
-@settings(max_examples=50)
 @given(
     st.recursive(
         st.none() | st.floats() | st.text(max_size=2), lambda s: st.lists(s, max_size=3), max_leaves=8

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from kinematics.errors import JointValueError
@@ -41,7 +41,6 @@ def size(table, joints, *poses):
     return 1.0 + lengths + slides + sum(np.abs(pose[:3, 3]).sum() for pose in poses if pose is not None)
 
 
-@settings(max_examples=80)
 @given(configured(max_rows=6), st.none() | transforms(), st.none() | transforms())
 def test_jacobians_are_derivatives_of_the_pose(robot, base, tool):
     table, joints = robot
@@ -70,7 +69,6 @@ def test_batches_agree_with_single_configurations(table):
             np.testing.assert_allclose(batch[i], jacobian(table, joints[i], frame), atol=1e-14)
 
 
-@settings(max_examples=40)
 @given(configured(min_rows=1, max_rows=6), st.floats(-2, 2))
 def test_a_tool_offset_adds_the_velocity_of_its_lever(robot, length):
     table, joints = robot

@@ -7,7 +7,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import example, given, settings
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from kinematics.errors import PoseError
@@ -59,7 +59,6 @@ def same_rotation(transform, rotation, tolerance=2e-15):
     np.testing.assert_allclose(transform[:3, :3], rotation, rtol=0, atol=tolerance)
 
 
-@settings(max_examples=200)
 @given(unit_quaternions)
 @example((0.0, 0.0, 1.6e-15, -1.0))
 @example((0.0, -1.0, 2e-15, 1e-15))
@@ -71,7 +70,6 @@ def test_quaternions_there_and_back(q):
     assert found.w > 0 or (found.w == 0 and next(x for x in found[1:] if abs(x) > 1e-14) > 0)
 
 
-@settings(max_examples=200)
 @given(angles, angles, angles)
 def test_roll_pitch_yaw_there_and_back(roll, pitch, yaw):
     expected = elementary("z", yaw) @ elementary("y", pitch) @ elementary("x", roll)
@@ -101,7 +99,6 @@ def test_in_gimbal_lock_yaw_is_zero(lock):
     assert found.roll == pytest.approx(0.4 + 0.7 if lock > 0 else 0.4 - 0.7, abs=1e-15)
 
 
-@settings(max_examples=200)
 @given(unit_quaternions, angles)
 def test_axis_and_angle_there_and_back(q, angle):
     axis = np.array(q[1:]) / math.hypot(*q[1:]) if math.hypot(*q[1:]) > 1e-2 else np.array([0.0, 0.6, 0.8])
@@ -144,7 +141,6 @@ def test_the_identity_has_axis_z_and_angle_zero():
     )
 
 
-@settings(max_examples=100)
 @given(st.tuples(*[st.floats(-5, 5)] * 3), angles, angles, angles)
 def test_xyzabc_is_a_translation_and_three_turns(position, a, b, c):
     """Seed 001 eq. 2.5: H = X(x) Y(y) Z(z) A(a) B(b) C(c)."""
@@ -165,7 +161,6 @@ def test_right_angles_leave_zeros_and_ones(a):
     assert np.array_equal(about_z, transform_from_xyzabc([0.0, 0.0, 0.0, a * RIGHT, 0.0, 0.0]))
 
 
-@settings(max_examples=100)
 @given(transforms())
 def test_all_notations_at_once_are_each_of_them(pose):
     notations = pose_notations(pose)
@@ -176,7 +171,6 @@ def test_all_notations_at_once_are_each_of_them(pose):
     assert notations.xyzabc == xyzabc_from_transform(pose)
 
 
-@settings(max_examples=60)
 @given(st.lists(transforms(), min_size=1, max_size=6))
 def test_batches_are_the_single_poses(poses):
     batch = np.array(poses)

@@ -17,6 +17,7 @@ from kinematics.forward import end_pose, end_poses, forward_kinematics
 from kinematics.jacobian import JacobianFrame, jacobian
 from kinematics.screws import pose_of_product, product_of_exponentials, table_of_product
 from kinematics.table import Convention, JointType, bind
+from tests.conftest import EXPLORE
 from tests.kinematics import oracle
 
 ROBOTS = {robot.id: bind_parameters(robot.table, robot.parameters) for robot in catalogue.robots()}
@@ -49,7 +50,7 @@ def draw_joints(data, table):
 
 @EVERY_ROBOT
 @EVERY_CONVENTION
-@settings(max_examples=8)
+@settings(max_examples=16 if EXPLORE else 3)
 @given(st.data())
 def test_poses_are_products_of_elementary_matrices_in_both_conventions(robot_id, convention, data):
     original = ROBOTS[robot_id]
@@ -66,7 +67,7 @@ def test_poses_are_products_of_elementary_matrices_in_both_conventions(robot_id,
 
 @EVERY_ROBOT
 @EVERY_CONVENTION
-@settings(max_examples=4)
+@settings(max_examples=8 if EXPLORE else 2)
 @given(st.data())
 def test_jacobians_are_derivatives_in_both_conventions(robot_id, convention, data):
     table, base, tool = arm(robot_id, convention)

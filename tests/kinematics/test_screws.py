@@ -7,7 +7,7 @@ import math
 import mpmath
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from kinematics.errors import DescriptionError, JointValueError, PoseError
@@ -46,7 +46,6 @@ def series(screw, q):
         return oracle.as_array(total)
 
 
-@settings(max_examples=150)
 @given(vectors, vectors, st.floats(-2, 2))
 def test_exponential_is_the_power_series(linear, angular, q):
     expected = series((linear, angular), q)
@@ -61,7 +60,6 @@ def test_exponential_at_the_edges_of_its_formulas(angle):
     np.testing.assert_allclose(exponential(Screw(*screw), angle), series(screw, angle), rtol=0, atol=2e-15)
 
 
-@settings(max_examples=150)
 @given(vectors, vectors.filter(lambda w: math.hypot(*w) < math.pi))
 def test_logarithm_undoes_the_exponential(linear, angular):
     pose = exponential(Screw(linear, angular), 1.0)
@@ -76,7 +74,6 @@ def test_exponential_undoes_the_logarithm(pose):
     np.testing.assert_allclose(exponential(logarithm(pose), 1.0), pose, atol=1e-13)
 
 
-@settings(max_examples=60)
 @given(configured(max_rows=6), st.none() | transforms(), st.none() | transforms())
 def test_product_of_exponentials_is_the_table(robot, base, tool):
     table, joints = robot

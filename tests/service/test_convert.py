@@ -6,7 +6,7 @@ from typing import Any
 import httpx
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from service.schemas.examples import CYLINDRICAL, PUMA_560
@@ -28,7 +28,6 @@ def pose(client: httpx.Client, table: Any, joints: list[float], **more: Any) -> 
     return np.array(answered(client, FK, {"table": table, "joints": joints, **more})["transform"])
 
 
-@settings(max_examples=60, deadline=None)
 @given(questions(), st.sampled_from(["standard", "modified"]))
 def test_nothing_is_lost_between_conventions(client: httpx.Client, question: dict[str, Any], to: str) -> None:
     table, joints = question["table"], question["joints"]
@@ -39,7 +38,6 @@ def test_nothing_is_lost_between_conventions(client: httpx.Client, question: dic
     np.testing.assert_allclose(moved, oracle.product(oracle.links(table, joints)), atol=1e-11)
 
 
-@settings(max_examples=40, deadline=None)
 @given(questions())
 def test_there_and_back_is_the_same_robot(client: httpx.Client, question: dict[str, Any]) -> None:
     table, joints = question["table"], question["joints"]
@@ -65,7 +63,6 @@ def screw_motion(screw: dict[str, Any], q: float) -> np.ndarray:
     return motion
 
 
-@settings(max_examples=60, deadline=None)
 @given(questions())
 def test_a_product_of_exponentials_is_the_robot(client: httpx.Client, question: dict[str, Any]) -> None:
     table, joints = question["table"], question["joints"]

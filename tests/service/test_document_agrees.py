@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import re
 from itertools import chain, combinations
 from pathlib import Path
@@ -23,11 +22,12 @@ from service.schemas.kinematics.inverse_kinematics import NumericInverseKinemati
 from service.schemas.kinematics.scm import RandomConfigurationRequest
 from service.schemas.kinematics.scm_examples import SCARA
 from service.schemas.kinematics.workspace_request import WorkspaceRequest
+from tests.conftest import EXPLORE
 from tests.document import DOCUMENT
 from tests.drawn_calls import for_each_call
 from tests.service.likely_requests import likely, with_whole_robots
 
-EXAMPLES = int(os.environ.get("SCHEMATHESIS_EXAMPLES", "8"))
+EXAMPLES = 40 if EXPLORE else 5
 
 MESSAGES = Path(__file__).resolve().parents[2] / "service" / "locales" / "en"
 

@@ -53,7 +53,6 @@ def asked(client: httpx.Client, body: dict[str, Any], **headers: str) -> Any:
     return response.json()
 
 
-@settings(max_examples=60, deadline=None)
 @given(questions())
 def test_every_part_agrees_with_elementary_motions(client: httpx.Client, question: dict[str, Any]) -> None:
     answer = asked(client, {**question, "inverse": True})
@@ -85,7 +84,7 @@ def check_orientation(answer: dict[str, Any], transform: np.ndarray) -> None:
     np.testing.assert_allclose(rotation[:3, :3], transform[:3, :3], atol=1e-9)
 
 
-@settings(max_examples=25, deadline=None)
+@settings(max_examples=25)
 @given(questions(), st.integers(0, 2**32 - 1))
 def test_a_batch_is_its_configurations(client: httpx.Client, question: dict[str, Any], seed: int) -> None:
     n = len(question["joints"])

@@ -7,7 +7,7 @@ from typing import Any
 import httpx
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 
 from service.schemas.examples import PUMA_560, TWO_LINKS
 from tests.service import oracle
@@ -42,7 +42,6 @@ def differences(table: dict[str, Any], joints: list[float]) -> np.ndarray:
     return np.array(columns).reshape(-1, 6).T
 
 
-@settings(max_examples=50, deadline=None)
 @given(questions())
 def test_jacobians_are_derivatives_of_the_pose(client: httpx.Client, question: dict[str, Any]) -> None:
     found = asked(client, question)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import re
 from collections.abc import Callable
 from typing import Any
@@ -10,6 +9,7 @@ from typing import Any
 import pytest
 from playwright.sync_api import Page, expect
 
+from tests.conftest import EXPLORE
 from tests.exercises.packaged import table_ids
 from tests.web.conftest import LANGUAGES, OpenPage
 from tests.web.driving import Held
@@ -29,11 +29,10 @@ from tests.web.walking import (
 EXERCISES = sorted(set(table_ids) - {"scara-own-inverse"})
 """All with a table but the one whose frames 0 and N are given: it has no trainer."""
 
-EXPLORE = bool(os.environ.get("FRAMEWISE_EXPLORE"))
 KINDS = ("dmra", "onelink", "puma560", "scara-scm", "ssrms", "stanford", "twolink")
 """A slide, a spare joint, a wrist, parallel axes, either convention; `make explore` walks all."""
 WALKED = EXERCISES if EXPLORE else KINDS
-WALKED_BY_HABIT = EXERCISES if EXPLORE else EXERCISES[::7]
+WALKED_BY_HABIT = EXERCISES if EXPLORE else EXERCISES[::14]
 
 
 def exercise_of(page: Page, web: str, name: str) -> dict[str, Any]:

@@ -23,6 +23,7 @@ from kinematics.expressions import (
     Sum,
     evaluate,
 )
+from tests.conftest import EXPLORE
 
 NAMES = {"L1": 0.7, "a2": 1.9, "beta": 0.4}
 PYTHON = {
@@ -86,7 +87,7 @@ def value_or_refusal(text: str, kind=ParameterKind.LENGTH, unit=AngleUnit.RAD) -
         return None
 
 
-@settings(max_examples=400)
+@settings(max_examples=1000 if EXPLORE else 150)
 @given(text=expressions)
 @example(text="(-((0)/(sin(pi))))**2")  # for Python sin(pi) is no zero
 def test_a_cell_means_what_python_means_by_it(text):
@@ -136,7 +137,7 @@ def printed(node: Expression) -> str:
     raise AssertionError(node)
 
 
-@settings(max_examples=300)
+@settings(max_examples=1000 if EXPLORE else 100)
 @given(text=expressions, kind=st.sampled_from(list(ParameterKind)))
 def test_what_is_printed_reads_the_same(text, kind):
     value = value_or_refusal(text, kind)
@@ -151,7 +152,7 @@ def test_what_is_printed_reads_the_same(text, kind):
         assert found == pytest.approx(value, rel=1e-9, abs=1e-12)
 
 
-@settings(max_examples=600)
+@settings(max_examples=2000 if EXPLORE else 300)
 @given(text=st.text(max_size=60), unit=st.sampled_from(list(AngleUnit)))
 def test_no_text_does_harm(text, unit):
     value_or_refusal(text, ParameterKind.ANGLE, unit)  # a refusal or a value; any other exception fails
@@ -160,7 +161,7 @@ def test_no_text_does_harm(text, unit):
 LIKELY = st.text(alphabet="q1θ2+-*/^()πpi.,°√²₁_ L{}\\fracsn09e$", max_size=40)
 
 
-@settings(max_examples=1500)
+@settings(max_examples=4000 if EXPLORE else 500)
 @given(text=LIKELY, unit=st.sampled_from(list(AngleUnit)), kind=st.sampled_from(list(ParameterKind)))
 def test_no_likely_text_does_harm(text, unit, kind):
     value_or_refusal(text, kind, unit)  # a refusal or a value; any other exception fails

@@ -43,7 +43,6 @@ programs = st.recursive(
 )
 
 
-@settings(max_examples=300)
 @given(st.lists(programs, min_size=1, max_size=5), st.lists(st.integers(-4, 4), min_size=N, max_size=N))
 def test_a_tape_does_what_was_done_to_its_symbols(program, numbers):
     """Small integers and halves: every way of computing is exact, so the results must be equal."""

@@ -1,7 +1,5 @@
 """Many targets: the same answers as one by one."""
 
-import os
-
 import numpy as np
 import pytest
 
@@ -12,12 +10,12 @@ from kinematics.inverse.delicate_blocks import delicate_targets
 from kinematics.inverse.goals import COMPUTED_TOLERANCE, read_goal, tolerances_of_exact
 from kinematics.inverse.methods.wrist_blocks import candidates_of_many
 from kinematics.table import Convention, DHRow, DHTable, JointType
+from tests.conftest import EXPLORE
 from tests.kinematics.inverse.arms import STANFORD, UR5, apart, random_joints
 from tests.kinematics.robots import PUMA560, PUMA560_CRAIG, RX90
 
-TARGETS = int(os.environ.get("FRAMEWISE_TARGETS", "1000"))
-FOLDS = 40 if os.environ.get("FRAMEWISE_EXPLORE") else 6
-ALONE = TARGETS // 80
+TARGETS = 1000
+FOLDS, PRINTED, ALONE = (40, 24, 25) if EXPLORE else (6, 6, 12)
 
 
 @pytest.mark.parametrize("table", [PUMA560, PUMA560_CRAIG], ids=["standard", "modified"])
@@ -116,8 +114,8 @@ def test_poses_as_they_are_printed(decimals):
     """Beside a stretched elbow, where rounding leaves some out of reach."""
     rng = np.random.default_rng(5)
     solver = solver_of(PUMA560)
-    q = np.array([random_joints(rng, PUMA560) for _ in range(12)])
-    q[::2, 2] = np.pi - solver.closed_form.zeros[2] + 10.0 ** rng.uniform(-8, -3, 6)
+    q = np.array([random_joints(rng, PUMA560) for _ in range(PRINTED)])
+    q[::2, 2] = np.pi - solver.closed_form.zeros[2] + 10.0 ** rng.uniform(-8, -3, PRINTED // 2)
     targets = end_poses(PUMA560, q).round(decimals)
     batch = solve_many(solver, targets)
     for i, target in enumerate(targets):

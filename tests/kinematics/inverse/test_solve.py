@@ -1,12 +1,11 @@
 """One target: every solution is one, all are there, and what is not reachable says so."""
 
 import math
-import os
 from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from kinematics.catalogue import robots
@@ -19,6 +18,7 @@ from kinematics.inverse.results import Isolation, Method
 from kinematics.inverse.search import Bounds, search
 from kinematics.jacobian import jacobian
 from kinematics.table import Convention, DHRow, DHTable, JointType
+from tests.conftest import EXPLORE
 from tests.kinematics.inverse.arms import (
     GENERAL,
     STANFORD,
@@ -32,8 +32,7 @@ from tests.kinematics.inverse.arms import (
 from tests.kinematics.robots import PLANAR4, PUMA560, PUMA560_CRAIG, RX90, SCARA_RRPR, numeric
 from tests.kinematics.strategies import tables
 
-POSES = int(os.environ.get("FRAMEWISE_POSES", "6"))
-ARMS = int(os.environ.get("FRAMEWISE_ARMS", "20"))
+POSES, ARMS = (12, 40) if EXPLORE else (3, 10)
 
 CATALOGUE = {robot.id: bind_parameters(robot.table, robot.parameters) for robot in robots()}
 
@@ -154,7 +153,6 @@ def test_slides_much_longer_than_all_offsets(offset, convention):
         assert_solutions(table, target, answer, tolerance=1e-8)
 
 
-@settings(max_examples=60)
 @given(tables(min_rows=1, max_rows=7), st.data())
 def test_any_table_and_any_joints(table, data):
     """Tables full of tiny, huge and parallel things: what is returned for a pose in reach reaches it."""

@@ -12,9 +12,10 @@ from kinematics.forward import end_pose
 from kinematics.inverse import ArmReach, solver_of
 from kinematics.inverse_forms import ConditionKind, InverseReach, inverse_form, joint_values
 from kinematics.table import Convention, JointType
+from tests.conftest import EXPLORE
 from tests.kinematics.inverse.models import MODELS
 
-POSES = 25
+POSES = 50 if EXPLORE else 10
 NO_FORM = {"gen3", "iiwa14", "panda", "ssrms"}
 """Seven joints, and arms whose axes are not taken apart so."""
 

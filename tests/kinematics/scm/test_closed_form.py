@@ -32,6 +32,7 @@ from kinematics.scm import (
     jacobian_numbers_by_differentiation,
 )
 from kinematics.symbolic import same_function
+from tests.conftest import EXPLORE
 
 from .chains import STANFORD, chain_of, loose_chains
 
@@ -80,7 +81,7 @@ def test_inspection_and_differentiation_give_the_same_functions(robot_id, frame)
             assert same_function(entry, derived)
 
 
-@settings(max_examples=25)
+@settings(max_examples=50 if EXPLORE else 10)
 @given(chain=loose_chains(), random=st.randoms(use_true_random=False))
 def test_all_ways_to_a_jacobian_agree_for_any_chain(chain, random):
     numbers = {name: random.uniform(-1, 1) for name in chain.parameters}

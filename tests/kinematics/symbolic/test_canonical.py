@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import cmath
-import os
 import random
 from fractions import Fraction
 
@@ -34,11 +33,12 @@ from kinematics.symbolic import (
     same_function,
 )
 from kinematics.symbolic.roots import LARGEST_PRIME, basis_terms, square_free, square_root_of_prime
+from tests.conftest import EXPLORE
 from tests.kinematics.symbolic.pairs import equal_pair, unequal_pair
 from tests.kinematics.symbolic.rewriting import PARAMETERS, cos, random_expression, root, sin
 from tests.kinematics.symbolic.tables import other_convention, random_table
 
-PAIRS = 200 if os.environ.get("FRAMEWISE_EXPLORE") else 80
+PAIRS = 200 if EXPLORE else 30
 L1, L2, ALPHA = map(Parameter, ("L1", "L2", "alpha"))
 q1, q2 = JointVariable(1), JointVariable(2)
 

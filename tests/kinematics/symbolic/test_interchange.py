@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import random
 import subprocess
 import sys
@@ -25,10 +24,11 @@ from kinematics.expressions import (
 from kinematics.symbolic import ProofStatus, compare, count_operations, from_sympy, to_sympy
 from kinematics.symbolic.closed_form import Workings
 from kinematics.table import Convention
+from tests.conftest import EXPLORE
 from tests.kinematics.symbolic.tables import puma, random_table
 
 X = sympy.Symbol("x")
-TABLES = 1000 if os.environ.get("FRAMEWISE_EXPLORE") else 150
+TABLES = 1000 if EXPLORE else 50
 PROVED = TABLES // 20
 """Tables of which the evaluated form is proved equal, entry by entry."""
 

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from kinematics import end_poses
@@ -58,7 +58,6 @@ def chains(draw):
     return robot(*joints, links=[f"l{i}" for i in range(len(kinds) + 1)]), moving, f"l{len(kinds)}"
 
 
-@settings(max_examples=80, deadline=None)
 @given(chains(), st.sampled_from(Convention))
 def test_nothing_is_lost(chain, convention):
     """Angles within 1e-10 of one another count as the same, so 1e-9; most chains are at rounding."""
@@ -368,7 +367,6 @@ def test_where_the_xml_breaks_is_told():
     assert refusal.value.faults[0].params == {"line": 2, "column": 14}
 
 
-@settings(max_examples=150, deadline=None)
 @given(
     st.text(max_size=60)
     | st.text("<>/robotlinkjnme=\"' 01", max_size=80).map(lambda t: f"<robot>{t}</robot>")

@@ -6,7 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 from defusedxml.ElementTree import fromstring
-from hypothesis import example, given, settings
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from kinematics import catalogue, end_poses
@@ -46,7 +46,6 @@ def test_every_robot_there_and_back(robot_id):
         np.testing.assert_allclose(again, foreign, atol=1e-12 * size, rtol=0)
 
 
-@settings(max_examples=40, deadline=None)
 @example(numeric(Convention.STANDARD, ("revolute", 0.0, 0.0, 1.19e-10, 0.0)), np.eye(4), np.eye(4), 0.001)
 @given(tables(max_rows=7), transforms(), transforms(), st.sampled_from([1.0, 0.001, 0.0254]))
 def test_any_table_has_the_same_poses(table, base, tool, metres):
