@@ -201,11 +201,16 @@ def cause(error: _Refusal) -> _Refusal:
 
 @contextmanager
 def located(*prefix: str | int) -> Iterator[None]:
-    """Place the faults of what is read inside: an object at `prefix` of the request's body."""
+    """Place the faults of what is read inside: an object at `prefix` of the request's body.
+
+    The server's own trouble stands nowhere in the request.
+    """
     try:
         yield
     except KinematicsError as error:
         raise type(error)(fault.within(*prefix) for fault in error.faults) from cause(error)
+    except (BusyError, UnavailableError):
+        raise
     except ServiceError as error:
         if error.part is RequestPart.BODY:
             error.faults = tuple(fault.within(*prefix) for fault in error.faults)

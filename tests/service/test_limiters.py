@@ -18,7 +18,7 @@ from hypothesis import strategies as st
 
 from exercises.instance import Instance, kept_instance
 from service.app import create_app
-from service.http.problems import BusyError
+from service.http.problems import BusyError, busy, located
 from service.settings import Settings
 from service.wire.exercises import exercise_views
 from service.work import fair_queue
@@ -321,3 +321,9 @@ def test_work_of_a_kind_that_takes_little_needs_no_thread(monkeypatch: pytest.Mo
         assert limiter.queue.running == 0
 
     asyncio.run(scene())
+
+
+def test_that_no_slot_is_free_stands_nowhere_in_the_request() -> None:
+    with pytest.raises(BusyError) as refused, located("answer"):
+        raise busy()
+    assert refused.value.faults[0].where == ()
