@@ -75,16 +75,36 @@ _ALLOWED = re.compile(
 
 _RAISED_POINT = re.compile("(?<![\\w.,])0[\u00b7\u22c5\u2219\u2022][0-9]+")
 
+_MINUTES = re.compile(
+    "(?<![\\w.,])([0-9]{1,4})[°\u00ba\u02da] *([0-5]?[0-9](?:\\.[0-9]{1,6})?) *(?:'(?!')|[\u2032\u2019])"
+    " *(?:([0-5]?[0-9](?:\\.[0-9]{1,6})?) *(?:\"|''|[\u2033\u201d]))?"
+)
+_ABOUT = re.compile(" *([~\u2248\u2243\u2245\u223c])(?= *[^ ])")
+
 
 def translated(text: str) -> str:
     """Return the text in the characters that the scanner knows, as many as before.
 
     Raises:
-        CellRefusal: a character has no meaning in a cell; the first such one, with its column.
+        CellRefusal: a character has no meaning in a cell; the first such one, with its column. An angle in
+            degrees and minutes is told in decimals, a number behind ≈ without it.
     """
     raised = _RAISED_POINT.search(text)
     if raised:  # half of something by hand, and no product that anybody writes
         raise CellRefusal("number_malformed", column=raised.start() + 1, text=raised.group())
+    if minutes := _MINUTES.search(text):
+        degrees, *parts = (float(part or 0) for part in minutes.groups())
+        decimal = degrees + parts[0] / 60 + parts[1] / 3600
+        raise CellRefusal(
+            "minutes_in_cell",
+            column=minutes.start() + 1,
+            text=minutes.group().strip(),
+            suggestion=f"{decimal:.10g}°",
+        )
+    if about := _ABOUT.match(text):
+        column, character = about.start(1) + 1, about.group(1)
+        rest = text[about.end() :].strip()
+        raise CellRefusal("about_in_cell", column=column, character=character, suggestion=rest)
     plain = "".join(_TRANSLATED.get(character, character) for character in text)
     if any(ord(character) >= _MATHEMATICAL_LETTERS.start for character in plain):
         plain = "".join(

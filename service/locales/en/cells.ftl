@@ -24,6 +24,8 @@ error-number_out_of_range =
     }
 error-cell_not_finite = A cell holds finite numbers only; NaN and infinity are refused.
 error-decimal_comma = At character { $column }: write a decimal point instead of the comma: { $suggestion }.
+error-minutes_in_cell = At character { $column }: minutes and seconds of arc are not read. In decimals, { $text } is { $suggestion }.
+error-about_in_cell = At character { $column }: a cell says what a value is, without { $character }. Write { $suggestion }.
 
 error-names_run_together = At character { $column }: { $text } runs into what follows. Write a product with *.
 error-name_malformed = At character { $column }: an underscore stands between a letter and its index only, as in L_1.

@@ -24,6 +24,8 @@ error-number_out_of_range =
     }
 error-cell_not_finite = Una celda contiene solo números finitos; NaN e infinito se rechazan.
 error-decimal_comma = En el carácter { $column }: escriba punto decimal en lugar de coma: { $suggestion }.
+error-minutes_in_cell = En el carácter { $column }: no se leen minutos ni segundos de arco. En decimales, { $text } es { $suggestion }.
+error-about_in_cell = En el carácter { $column }: una celda dice cuál es el valor, sin { $character }. Escriba { $suggestion }.
 
 error-names_run_together = En el carácter { $column }: { $text } está pegado a lo que sigue. Escriba el producto con *.
 error-name_malformed = En el carácter { $column }: el guion bajo va solo entre una letra y su índice, como en L_1.

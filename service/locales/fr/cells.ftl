@@ -24,6 +24,8 @@ error-number_out_of_range =
     }
 error-cell_not_finite = Une cellule ne contient que des nombres finis ; NaN et l’infini sont refusés.
 error-decimal_comma = Au caractère { $column } : écrivez un point décimal au lieu de la virgule : { $suggestion }.
+error-minutes_in_cell = Au caractère { $column } : les minutes et secondes d’arc ne sont pas lues. En décimales, { $text } s’écrit { $suggestion }.
+error-about_in_cell = Au caractère { $column } : une cellule donne la valeur elle-même, sans { $character }. Écrivez { $suggestion }.
 
 error-names_run_together = Au caractère { $column } : { $text } est accolé à ce qui suit. Écrivez le produit avec *.
 error-name_malformed = Au caractère { $column } : le tiret bas ne se place qu’entre une lettre et son indice, comme dans L_1.

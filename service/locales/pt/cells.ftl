@@ -24,6 +24,8 @@ error-number_out_of_range =
     }
 error-cell_not_finite = Uma célula contém apenas números finitos; NaN e infinito são recusados.
 error-decimal_comma = No carácter { $column }: escreva ponto decimal em vez de vírgula: { $suggestion }.
+error-minutes_in_cell = No carácter { $column }: não se leem minutos nem segundos de arco. Em decimais, { $text } é { $suggestion }.
+error-about_in_cell = No carácter { $column }: uma célula diz qual é o valor, sem { $character }. Escreva { $suggestion }.
 
 error-names_run_together = No carácter { $column }: { $text } está colado ao que vem a seguir. Escreva o produto com *.
 error-name_malformed = No carácter { $column }: o sublinhado fica apenas entre a letra e o índice, como em L_1.

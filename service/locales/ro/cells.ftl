@@ -24,6 +24,8 @@ error-number_out_of_range =
     }
 error-cell_not_finite = O celulă conține doar numere finite; NaN și infinit sunt respinse.
 error-decimal_comma = La caracterul { $column }: scrieți punct zecimal în loc de virgulă: { $suggestion }.
+error-minutes_in_cell = La caracterul { $column }: minutele și secundele de arc nu se citesc. În zecimale, { $text } este { $suggestion }.
+error-about_in_cell = La caracterul { $column }: o celulă spune care este valoarea, fără { $character }. Scrieți { $suggestion }.
 
 error-names_run_together = La caracterul { $column }: { $text } este lipit de ceea ce urmează. Scrieți produsul cu *.
 error-name_malformed = La caracterul { $column }: liniuța de subliniere stă doar între literă și indice, ca în L_1.

@@ -24,6 +24,8 @@ error-number_out_of_range =
     }
 error-cell_not_finite = Клітинка містить лише скінченні числа; NaN і нескінченність не приймаються.
 error-decimal_comma = Символ { $column }: замість коми пишіть десяткову крапку: { $suggestion }.
+error-minutes_in_cell = Символ { $column }: кутові мінути й секунди не читаються. Десятковим дробом { $text } — це { $suggestion }.
+error-about_in_cell = Символ { $column }: клітинка містить саме значення, без { $character }. Пишіть { $suggestion }.
 
 error-names_run_together = Символ { $column }: { $text } зливається з наступним. Пишіть добуток через *.
 error-name_malformed = Символ { $column }: підкреслення стоїть лише між літерою та її індексом, як у L_1.

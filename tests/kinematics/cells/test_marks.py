@@ -198,3 +198,14 @@ def test_the_nearest_name(typed, meant):
 def test_two_names_as_near_are_no_suggestion():
     assert nearest_name("A2", ("a2", "a_2")) == "a2"
     assert nearest_name("reech", ("reach", "reuch")) is None
+
+
+@pytest.mark.parametrize(
+    ("cell", "decimal"),
+    [("59°30'", "59.5°"), ("q1 - 12º 30′ 36″", "12.51°"), ("7°0.6'", "7.01°"), ("≈ 59.9", "59.9")],
+)
+def test_minutes_of_arc_and_about_are_told_in_decimals(cell, decimal):
+    with pytest.raises(CellError) as refused:
+        read_cell(cell, ParameterKind.ANGLE)
+    (fault,) = refused.value.faults
+    assert fault.params["suggestion"] == decimal
