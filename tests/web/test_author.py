@@ -225,7 +225,8 @@ def test_a_fault_is_told_at_its_field(open_page: OpenPage, watch: Watch) -> None
     expect(title).not_to_have_attribute("aria-invalid", "true")
 
 
-def test_the_exercise_is_tried_as_a_student(open_page: OpenPage) -> None:
+def test_the_exercise_is_tried_as_a_student(open_page: OpenPage, watch: Watch) -> None:
+    watch.allow("422")
     page = open_page("/author")
     kept(page)
     green(page)
@@ -240,6 +241,10 @@ def test_the_exercise_is_tried_as_a_student(open_page: OpenPage) -> None:
         {"joint": "revolute", "theta": "q1", "d": "0", "a": "L1", "alpha": "0"},
         {"joint": "revolute", "theta": "q2", "d": "0", "a": "L2", "alpha": "0"},
     ]
+    refused = [rows[0], {**rows[1], "a": "L2 + ellbow"}]
+    put_table(page, {"convention": "standard", "rows": refused})
+    page.locator("#author-try button[type=submit]").click()
+    expect(page.locator("#author-try .editor-summary:focus")).to_contain_text("ellbow", timeout=PATIENCE)
     put_table(page, {"convention": "standard", "rows": rows})
     page.locator("#author-try button[type=submit]").click()
     expect(page.locator("#verdict .score-ring")).to_have_attribute(

@@ -1,6 +1,6 @@
 /** The exercise tried while it is written: its own tests, right answers, wrong ones, and as a student. */
 
-import { Latest } from "../api.js";
+import { Latest, Problem } from "../api.js";
 import { announce, el, fill } from "../dom.js";
 import { rowsTable } from "../editor/rows-table.js";
 import { language, t } from "../i18n.js";
@@ -198,6 +198,14 @@ export function asStudent(api, store, view) {
       return el("button", { type: "button", onclick: keep, text: t("author-sample-keep") });
     }
 
+    /** Shows a refusal where it points into the answer. @param {unknown} error @param {any} table @returns {boolean} */
+    function shownInPlace(error, table) {
+      const ofAnswer = error instanceof Problem && error.faults.every(({ pointer }) => pointer.startsWith("/answer/"));
+      if (!ofAnswer) return false;
+      const faults = error.faults.map((fault) => ({ ...fault, pointer: fault.pointer.slice("/answer".length) }));
+      return answer.showRefusal(faults, table);
+    }
+
     /** @param {string} [kind] one part alone */
     async function submit(kind) {
       const request = answer.request(kind);
@@ -220,7 +228,7 @@ export function asStudent(api, store, view) {
           kind,
         });
       } catch (error) {
-        fill(problem, problemNotice(error));
+        fill(problem, shownInPlace(error, request.table) ? [] : problemNotice(error));
       } finally {
         answer.busy = false;
       }
