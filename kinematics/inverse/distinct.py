@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from itertools import pairwise
-
 import numpy as np
 from numpy.typing import NDArray
 
@@ -38,16 +36,17 @@ def distinct(arm: Arm, target: Array, joints: Array) -> Array:
     """
     if len(joints) < 2:
         return joints
-    beside = _neighbours(arm, joints)
-    kept: dict[int, None] = {}
-    for i, (neighbours, distances) in enumerate(beside):
-        near = [k for k in neighbours if k in kept]
-        if any(distance <= SAME for k, distance in zip(neighbours, distances, strict=True) if k in kept):
+    apart = differences(joints[:, None], joints[None], arm)
+    distance = np.abs(apart).max(axis=2)
+    kept: list[int] = []
+    for i in range(len(joints)):
+        near = [k for k in kept if distance[i, k] <= DOUBLE_ROOT]
+        if any(distance[i, k] <= SAME for k in near):
             continue
         if near and _between(arm, target, joints[i], joints[near]).any():
             continue
-        kept[i] = None
-    return joints[[*kept]]
+        kept.append(i)
+    return joints[kept]
 
 
 def _between(arm: Arm, target: Array, q: Array, others: Array) -> NDArray[np.bool_]:
@@ -55,24 +54,3 @@ def _between(arm: Arm, target: Array, q: Array, others: Array) -> NDArray[np.boo
     middle = others + 0.5 * differences(np.broadcast_to(q, others.shape), others, arm) * scale
     e = errors_of(arm, arm.frames(middle)[-1], target)
     return np.asarray(np.linalg.norm(e, axis=1) <= UNMOVED)
-
-
-def _neighbours(arm: Arm, joints: Array) -> list[tuple[list[int], list[float]]]:
-    """Of each configuration those before it no farther than a double root, in order, and how far they are.
-
-    One joint after another, of the pairs that all joints before have left: of hundreds of solutions the first
-    two tell most apart.
-    """
-    later, earlier = np.tril_indices(len(joints), -1)
-    distance = np.zeros(len(later))
-    for values, turns in zip(joints.T, arm.revolute.tolist(), strict=True):
-        apart = values[later] - values[earlier]
-        apart = (apart + np.pi) % (2.0 * np.pi) - np.pi if turns else apart / arm.size
-        distance = np.maximum(distance, np.abs(apart))
-        near = distance <= DOUBLE_ROOT
-        later, earlier, distance = later[near], earlier[near], distance[near]
-    starts = np.searchsorted(later, np.arange(len(joints) + 1))
-    return [
-        (earlier[start:end].tolist(), distance[start:end].tolist())
-        for start, end in pairwise(starts.tolist())
-    ]
