@@ -21,15 +21,8 @@ from kinematics.expressions import (
 
 
 def from_tree(tree: Mapping[str, Any]) -> Expression:
-    """Return the expression that a tree stands for, by the description of the format in docs/symbolic.md.
-
-    Raises:
-        ValueError: it is no such tree.
-    """
-    try:
-        return _READERS[tree["type"]](tree)
-    except (KeyError, TypeError, ValueError, ZeroDivisionError) as error:
-        raise ValueError("this is not an expression tree") from error
+    """Return the expression that a tree stands for, by the description of the format in docs/symbolic.md."""
+    return _READERS[tree["type"]](tree)
 
 
 def _all(trees: Sequence[Mapping[str, Any]]) -> tuple[Expression, ...]:
