@@ -30,21 +30,37 @@ _BATCH = 500
 def back_up(store: Store, file: Path) -> int:
     """Write every row to a file, which appears when it is complete; return how many rows there are.
 
+    Nothing takes the place of a pipe or a device, such as /dev/stdout: the rows are written into it.
+
     Raises:
         StorageError: the file cannot be written.
     """
+    try:
+        if file.exists() and not file.is_file():
+            with file.open("wb") as raw:
+                return _compressed(store, raw)
+        return _replaced(store, file)
+    except OSError as error:
+        raise _unreadable(file, error.strerror or "") from error
+
+
+def _replaced(store: Store, file: Path) -> int:
     unfinished = file.with_name(file.name + ".part")
     try:
         descriptor = os.open(unfinished, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600)
-        with os.fdopen(descriptor, "wb") as raw, gzip.open(raw, "wt", encoding="utf-8") as out:
-            count = _write(store, out)
-        with unfinished.open("rb+") as written:
-            os.fsync(written.fileno())
+        with os.fdopen(descriptor, "wb") as raw:
+            count = _compressed(store, raw)
+            raw.flush()
+            os.fsync(raw.fileno())
         unfinished.replace(file)
-    except OSError as error:
+    finally:
         unfinished.unlink(missing_ok=True)
-        raise _unreadable(file, error.strerror or "") from error
     return count
+
+
+def _compressed(store: Store, raw: IO[bytes]) -> int:
+    with gzip.open(raw, "wt", encoding="utf-8") as out:
+        return _write(store, out)
 
 
 def _write(store: Store, out: IO[str]) -> int:

@@ -40,7 +40,8 @@ def opened_store() -> Iterator[Store]:
 def _back_up(options: argparse.Namespace) -> int:
     with opened_store() as store:
         count = back_up(store, options.file)
-        sys.stdout.write(f"{options.file}: {count} rows from {store.location}\n")
+        told = sys.stdout if options.file.is_file() else sys.stderr  # the backup itself may go to the output
+        told.write(f"{options.file}: {count} rows from {store.location}\n")
     return 0
 
 

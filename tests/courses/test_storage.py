@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import os
+import subprocess
 import threading
 from pathlib import Path
 
@@ -127,6 +129,32 @@ def test_a_file_that_is_no_backup_is_refused(store: Store, tmp_path: Path) -> No
     with pytest.raises(StorageError) as caught:
         restore(store, file)
     assert caught.value.code == "backup_unreadable"
+
+
+def test_a_backup_goes_into_a_pipe_and_replaces_none(store: Store, tmp_path: Path) -> None:
+    submitted(store, joined(store), 0.5, answer={"table": {"rows": []}})
+    pipe, received = tmp_path / "pipe", tmp_path / "received.gz"
+    os.mkfifo(pipe)
+    with received.open("wb") as into, subprocess.Popen(["cat", str(pipe)], stdout=into) as reader:
+        written = back_up(store, pipe)
+        reader.wait(timeout=60)
+    assert pipe.is_fifo()
+    copy = open_store("", tmp_path / "copy")
+    assert restore(copy, received) == written > 0
+    copy.close()
+
+
+def test_a_backup_that_cannot_be_finished_leaves_nothing(
+    store: Store, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def full(*_: object) -> int:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr("courses.backup._write", full)
+    with pytest.raises(StorageError) as caught:
+        back_up(store, tmp_path / "backup.gz")
+    assert caught.value.code == "backup_unreadable"
+    assert not list(tmp_path.glob("backup.gz*"))
 
 
 @pytest.mark.parametrize("before", ["0001"])
