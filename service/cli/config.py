@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import argparse
 import json
+import re
 import sys
 
 from pydantic import SecretStr
 
 from service.cli.environment import settings_of_environment
+
+HIDDEN = "********"
 
 
 def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -21,7 +24,7 @@ def _print(_options: argparse.Namespace) -> int:
     settings = settings_of_environment()
     for name in type(settings).model_fields:
         value = getattr(settings, name)
-        shown = "********" if isinstance(value, SecretStr) and value.get_secret_value() else value
+        shown = HIDDEN if isinstance(value, SecretStr) and value.get_secret_value() else value
         sys.stdout.write(f"FRAMEWISE_{name.upper()}={_written(shown)}\n")
     return 0
 
@@ -32,4 +35,10 @@ def _written(value: object) -> str:
         return " ".join(map(str, value))
     if isinstance(value, bool):
         return json.dumps(value)
-    return "" if value is None else str(value)
+    return "" if value is None else _without_password(str(value))
+
+
+def _without_password(address: str) -> str:
+    """What is printed is shown to others: hide the password of an address, wherever it stands."""
+    hidden = re.sub(r"(://[^:/?#]*):.*@", rf"\1:{HIDDEN}@", address)
+    return re.sub(r"([?&](?:ssl)?password=)[^&]*", rf"\1{HIDDEN}", hidden)

@@ -88,6 +88,27 @@ def test_a_setting_that_is_right_is_taken(monkeypatch: pytest.MonkeyPatch, name:
     assert main(["config"]) in (0, None)
 
 
+@pytest.mark.parametrize(
+    "address",
+    [
+        "postgresql://ada:lovelace@host/database",
+        "postgresql://ada:love@lovelace@host/database",
+        "postgresql://ada:/lovelace@host/database",
+        "postgresql://host/database?user=ada&password=lovelace&sslmode=require",
+        "postgresql://host/database?sslpassword=lovelace",
+    ],
+)
+def test_no_password_is_printed(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], address: str
+) -> None:
+    monkeypatch.setenv("FRAMEWISE_DATABASE_URL", address)
+    main(["config"])
+    printed = capsys.readouterr().out
+    assert "lovelace" not in printed
+    assert "FRAMEWISE_DATABASE_URL=postgresql://" in printed
+    assert "host/database" in printed
+
+
 def test_a_port_that_is_taken_ends_the_program() -> None:
     with socket.create_server(("127.0.0.1", 0)) as taken:
         port = str(taken.getsockname()[1])
