@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping, Sequence
 from datetime import datetime, timedelta
+from functools import lru_cache
 from typing import Any, Protocol
 
 from joserfc import jwt
@@ -17,6 +18,11 @@ KEPT_AFTER = timedelta(days=1)
 """An old key stays published so long after its successor signs."""
 BITS = 2048
 """The least that RFC 7518 §3.3 allows for RS256, and what every platform takes."""
+
+PUBLIC = ("kty", "kid", "use", "alg", "n", "e")
+"""Members of a JWK that are no secret (RFC 7518 §6.3.1, RFC 7517 §4)."""
+_KEPT = 4
+"""Private keys that are kept imported: one signs, and its predecessor did."""
 
 
 class SigningKey(Protocol):
@@ -42,8 +48,12 @@ def new_private_key() -> tuple[str, str]:
 
 
 def key_set(keys: Sequence[SigningKey]) -> dict[str, Any]:
-    """Return the public keys (RFC 7517)."""
-    return {"keys": [RSAKey.import_key(json.loads(key.private)).as_dict(private=False) for key in keys]}
+    """Return the public keys (RFC 7517), as they are written in the private ones.
+
+    Anybody may ask for them, and to import a private key takes 40 ms: OpenSSL looks whether it is sound.
+    """
+    written = [json.loads(key.private) for key in keys]
+    return {"keys": [{name: key[name] for name in PUBLIC if name in key} for key in written]}
 
 
 def signing_key(keys: Sequence[SigningKey], now: datetime) -> SigningKey:
@@ -65,4 +75,9 @@ def outdated(keys: Sequence[SigningKey], now: datetime) -> tuple[str, ...]:
 def signed(claims: Mapping[str, Any], key: SigningKey) -> str:
     """Return a JWT of the claims."""
     header = {"alg": ALGORITHM, "typ": "JWT", "kid": key.kid}
-    return jwt.encode(header, dict(claims), RSAKey.import_key(json.loads(key.private)), [ALGORITHM])
+    return jwt.encode(header, dict(claims), _imported(key.private), [ALGORITHM])
+
+
+@lru_cache(maxsize=_KEPT)
+def _imported(private: str) -> RSAKey:
+    return RSAKey.import_key(json.loads(private))

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from collections.abc import Callable
+from typing import Annotated, TypeVar
 
 import orjson
 from fastapi import Path, Request, Response
@@ -13,10 +14,13 @@ from service.http.openapi import problems
 from service.http.problems import NotFoundError, RequestPart
 from service.http.routing import JSON, api_router
 from service.messages import refusal_codes, template
+from service.resources import resources_of
 from service.schemas.base import Wire
 from service.web.api_reference import POLICY, reference_page
+from service.work.limiters import WorkKind
 
 router = api_router("service")
+_Drawn = TypeVar("_Drawn")
 
 
 class Refusal(Wire):
@@ -30,7 +34,7 @@ class Refusal(Wire):
 @router.get("/openapi.json", include_in_schema=False)
 async def openapi_document(request: Request) -> Response:
     """Return the OpenAPI document, with the address under which the caller reached it."""
-    document = request.app.openapi()
+    document = await _drawn(request, request.app.openapi)
     prefix = request.scope.get("root_path", "")
     body = orjson.dumps({**document, "servers": [{"url": prefix or "/"}]})
     return Response(body, media_type=JSON, headers={"Cache-Control": "no-cache"})
@@ -40,7 +44,13 @@ async def openapi_document(request: Request) -> Response:
 async def reference(request: Request) -> Response:
     """Return the same as a page for people."""
     headers = {"Cache-Control": "no-cache", "Content-Security-Policy": POLICY}
-    return Response(reference_page(request.app.openapi()), media_type="text/html", headers=headers)
+    page = await _drawn(request, lambda: reference_page(request.app.openapi()))
+    return Response(page, media_type="text/html", headers=headers)
+
+
+async def _drawn(request: Request, work: Callable[[], _Drawn]) -> _Drawn:
+    """Do work in a thread: the document takes most of a second to derive, once, and the page 20 ms."""
+    return await resources_of(request).limiters[WorkKind.DRAWING].run(work)
 
 
 @router.get("/problems/{code}", responses=problems(404), summary="What a refusal's code means")

@@ -84,7 +84,7 @@ async def issue_receipt(
     token, receipt = await _issued(request, exercise_id, body, resources)
     return IssuedReceipt(
         receipt=token,
-        qr=_picture(token),
+        qr=await resources.limiters[WorkKind.DRAWING].run(partial(_picture, token)),
         points=receipt.points,
         max_points=receipt.max_points,
         issued=receipt.time.isoformat(),
