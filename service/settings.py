@@ -14,6 +14,7 @@ from pydantic import (
     PositiveFloat,
     PositiveInt,
     SecretStr,
+    ValidationInfo,
     field_validator,
     model_validator,
 )
@@ -27,22 +28,35 @@ if TYPE_CHECKING:
 KIB = 1024
 MIB = 1024 * KIB
 
+_PORT = r"(6553[0-5]|655[0-2]\d|65[0-4]\d\d|6[0-4]\d{3}|[1-5]?\d{1,4})"
 _HOST = r"(\*\.)?[A-Za-z0-9-]+(\.[A-Za-z0-9-]+)*"
-_ORIGIN = re.compile(rf"\*|null|https?://({_HOST}|\[[0-9A-Fa-f:.]+\])(:\d{{1,5}})?")
+_ORIGIN = re.compile(rf"\*|null|https?://({_HOST}|\[[0-9A-Fa-f:.]+\])(:{_PORT})?")
 _ANCESTOR = re.compile(
-    rf"'self'|'none'|\*|https?:|(https?://)?({_HOST}|\[[0-9A-Fa-f:.]+\])(:(\d{{1,5}}|\*))?/?"
+    rf"'self'|'none'|\*|https?:|(?!(self|none)$)(https?://)?({_HOST}|\[[0-9A-Fa-f:.]+\])(:({_PORT}|\*))?/?"
 )
+"""A source of a policy; self and none without quotation marks would be hosts of these names."""
 PREFIX = re.compile(r"(/(?!\.{1,2}(/|$))[A-Za-z0-9._~-]+)+")
 """A path under which a proxy may serve: nothing in it needs an escape, or is resolved by who calls."""
-_NAMED = r"([A-Za-z0-9_-]+(\.[A-Za-z0-9_-]+)*|\[[0-9A-Fa-f:.]+\])(:\d{1,5})?"
+_NAMED = rf"([A-Za-z0-9_-]+(\.[A-Za-z0-9_-]+)*|\[[0-9A-Fa-f:.]+\])(:{_PORT})?"
+_LISTENING = re.compile(r"[A-Za-z0-9_-]+(\.[A-Za-z0-9_-]+)*|[0-9A-Fa-f:.]*:[0-9A-Fa-f:.]*(%[A-Za-z0-9._-]+)?")
 _CALLED = re.compile(_NAMED)
 _PLATFORM = re.compile(f"https?://{_NAMED}/?")
 _PUBLIC = re.compile(f"https?://{_NAMED}({PREFIX.pattern})?/?")
+_DATABASE = re.compile(r"postgres(ql)?(\+[a-z0-9]+)?://\S*")
+_COLLECTOR = re.compile(r"https?://[^/\s]+\S*")
+_SECRET_ADDRESSES = {
+    "database_url": (_DATABASE, "postgresql://user:password@host/database"),
+    "traces": (_COLLECTOR, "http://collector:4318/v1/traces"),
+}
 LONGEST_DAYS = 36_500
 """A hundred years: what is kept longer is kept for ever."""
 
 LONGEST_SECONDS = 86_400
 """A day: longer times are no limits, and timers of the system do not take infinity."""
+LARGEST_MEMORY = 1 << 60
+"""Bytes: more than any machine has, and few enough for a limit of the system."""
+LONGEST_NUMBER = 1000
+"""Digits: a few milliseconds to read, and less than Python converts at all (4300)."""
 Seconds = Annotated[float, Field(gt=0, le=LONGEST_SECONDS)]
 Names = Annotated[tuple[str, ...], NoDecode]
 
@@ -117,11 +131,15 @@ class Settings(BaseSettings):
     cell_depth: int = Field(32, ge=1, le=100, description="deepest nesting of an expression, at most 100")
     cell_symbols: PositiveInt = Field(16, description="most different names in a cell")
     exponent_limit: PositiveInt = Field(16, description="largest exponent in a cell, and its denominator")
-    number_digits: PositiveInt = Field(32, description="most digits of a number in a cell")
-    number_smallest: PositiveFloat = Field(
-        5e-324, description="smallest size of a number in a cell that is not 0"
+    number_digits: int = Field(
+        32, ge=1, le=LONGEST_NUMBER, description="most digits of a number in a cell, at most 1000"
     )
-    number_largest: PositiveFloat = Field(1e15, description="largest size of a number in a cell")
+    number_smallest: PositiveFloat = Field(
+        5e-324, allow_inf_nan=False, description="smallest size of a number in a cell that is not 0"
+    )
+    number_largest: PositiveFloat = Field(
+        1e15, allow_inf_nan=False, description="largest size of a number in a cell"
+    )
     fault_limit: PositiveInt = Field(
         50, le=50, description="most faults listed in one problem document, at most 50"
     )
@@ -135,6 +153,7 @@ class Settings(BaseSettings):
     symbolic_memory: int = Field(
         1024 * MIB,
         ge=256 * MIB,
+        le=LARGEST_MEMORY,
         description="memory that one process for closed forms may take, at least 256 MiB [byte]",
     )
 
@@ -228,6 +247,18 @@ class Settings(BaseSettings):
     def _split(cls, value: object) -> object:
         return tuple(value.replace(",", " ").split()) if isinstance(value, str) else value
 
+    @field_validator("data_folder", mode="before")
+    @classmethod
+    def _named_folder(cls, value: object) -> object:
+        if value == "":
+            raise ValueError("a folder is needed, such as data")
+        return value
+
+    @field_validator("host")
+    @classmethod
+    def _listened(cls, value: str) -> str:
+        return _matching(_LISTENING, value, "an address or a name, such as 127.0.0.1; 0.0.0.0 for all")
+
     @field_validator("prefix")
     @classmethod
     def _a_path(cls, value: str) -> str:
@@ -275,6 +306,15 @@ class Settings(BaseSettings):
         return tuple(
             _matching(_CALLED, one, "a host such as lms.example, or lms.example:8443") for one in value
         )
+
+    @field_validator("database_url", "traces")
+    @classmethod
+    def _with_a_password(cls, value: str, info: ValidationInfo) -> str:
+        """Refuse what is no address without repeating it: a password may stand in it."""
+        pattern, example = _SECRET_ADDRESSES[str(info.field_name)]
+        if value and not pattern.fullmatch(value):
+            raise ValueError(f"this is not an address such as {example}")
+        return value
 
     @field_validator("public_url")
     @classmethod

@@ -30,6 +30,7 @@ COMMANDS: Mapping[str, str] = {
     "keys": "api_keys",
     "backup": "backups",
     "restore": "backups",
+    "migrate": "backups",
     "lti": "lti",
     "people": "people",
     "config": "config",

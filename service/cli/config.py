@@ -25,7 +25,8 @@ def _print(_options: argparse.Namespace) -> int:
     for name in type(settings).model_fields:
         value = getattr(settings, name)
         shown = HIDDEN if isinstance(value, SecretStr) and value.get_secret_value() else value
-        sys.stdout.write(f"FRAMEWISE_{name.upper()}={_written(shown)}\n")
+        unset = "# " if value is None else ""
+        sys.stdout.write(f"{unset}FRAMEWISE_{name.upper()}={_written(shown)}\n")
     return 0
 
 

@@ -63,6 +63,19 @@ def test_every_setting_is_explained() -> None:
         ("QUEUE_SECONDS", "inf"),
         ("SHUTDOWN_SECONDS", "99999999999"),
         ("SYMBOLIC_MEMORY", "1048576"),
+        ("SYMBOLIC_MEMORY", "999999999999999999999"),
+        ("NUMBER_DIGITS", "1001"),
+        ("NUMBER_LARGEST", "inf"),
+        ("HOST", ""),
+        ("SECRET", ""),
+        ("HOST", "not a host"),
+        ("FRAME_ANCESTORS", "none"),
+        ("FRAME_ANCESTORS", "self https://a.example"),
+        ("FRAME_ANCESTORS", "https://a.example:65536"),
+        ("CORS_ORIGINS", "https://a.example:99999"),
+        ("DATA_FOLDER", ""),
+        ("DATABASE_URL", "mysql://a/b"),
+        ("TRACES", "collector:4318"),
     ],
 )
 def test_a_setting_that_is_wrong_stops_the_service_and_is_named(
@@ -80,12 +93,35 @@ def test_a_setting_that_is_wrong_stops_the_service_and_is_named(
         ("PUBLIC_URL", "https://a.example:8443/dh/"),
         ("PUBLIC_URL", "http://[::1]:8000"),
         ("LTI_TRUSTED_ORIGINS", "http://127.0.0.1:8080, http://lms_web:8000/"),
-        ("CALLBACK_HOSTS", "lms.example 127.0.0.1:80 [::1]:80"),
+        ("CALLBACK_HOSTS", "lms.example 127.0.0.1:80 [::1]:65535"),
+        ("HOST", "::1"),
+        ("HOST", "fe80::1%eth0"),
+        ("HOST", "localhost"),
+        ("FRAME_ANCESTORS", "'none'"),
+        ("FRAME_ANCESTORS", "https: *.a.example:* selfish.example none.example"),
+        ("DATABASE_URL", "postgresql:///framewise?host=/var/run/postgresql"),
+        ("DATABASE_URL", "postgresql+psycopg://u:p@[::1]:5432/d"),
+        ("TRACES", "http://u:p@collector:4318/v1/traces?x=1"),
+        ("SYMBOLIC_MEMORY", str(1 << 60)),
+        ("NUMBER_DIGITS", "1000"),
+        ("NUMBER_LARGEST", "1e308"),
     ],
 )
 def test_a_setting_that_is_right_is_taken(monkeypatch: pytest.MonkeyPatch, name: str, value: str) -> None:
     monkeypatch.setenv(f"FRAMEWISE_{name}", value)
     assert main(["config"]) in (0, None)
+
+
+def test_what_is_printed_can_be_read_again(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    main(["config"])
+    printed = capsys.readouterr().out
+    for line in printed.splitlines():
+        if not line.startswith("# "):
+            monkeypatch.setenv(*line.split("=", 1))
+    main(["config"])
+    assert capsys.readouterr().out == printed
 
 
 @pytest.mark.parametrize(
@@ -107,6 +143,14 @@ def test_no_password_is_printed(
     assert "lovelace" not in printed
     assert "FRAMEWISE_DATABASE_URL=postgresql://" in printed
     assert "host/database" in printed
+
+
+@pytest.mark.parametrize("name", ["DATABASE_URL", "TRACES"])
+def test_no_password_is_repeated_in_a_refusal(monkeypatch: pytest.MonkeyPatch, name: str) -> None:
+    monkeypatch.setenv(f"FRAMEWISE_{name}", "ftp://ada:lovelace@host/x")
+    with pytest.raises(SystemExit, match=f"FRAMEWISE_{name}") as caught:
+        main(["config"])
+    assert "lovelace" not in str(caught.value)
 
 
 def test_a_port_that_is_taken_ends_the_program() -> None:

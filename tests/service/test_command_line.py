@@ -5,13 +5,14 @@ from __future__ import annotations
 import csv
 import io
 import json
+import re
 import subprocess
 import sys
 from pathlib import Path
 
 import pytest
 
-from service.cli.commands import main
+from service.cli.commands import COMMANDS, main
 from service.receipts.keys import read_keys
 from service.receipts.receipt import issue
 from tests.service.adapters.test_receipts import RECEIPT
@@ -196,3 +197,12 @@ def test_a_service_on_sqlite_does_not_load_what_postgresql_needs(tmp_path: Path)
     loaded = run.stdout.split()
     assert "sqlalchemy.dialects.sqlite" in loaded
     assert "sqlalchemy.dialects.postgresql" not in loaded
+
+
+def test_every_command_is_listed_with_the_module_that_declares_it(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    with pytest.raises(SystemExit):
+        main(["--help"])
+    told = re.findall(r"^ {4}(\w+) ", capsys.readouterr().out, re.MULTILINE)
+    assert set(told) == set(COMMANDS)
