@@ -39,7 +39,7 @@ def back_up(store: Store, file: Path) -> int:
         if file.exists() and not file.is_file():
             with file.open("wb") as raw:
                 return _compressed(store, raw)
-        return _replaced(store, file)
+        return _replaced(store, file.resolve())
     except OSError as error:
         raise _unreadable(file, error.strerror or "") from error
 
@@ -111,6 +111,8 @@ def _check(connection: sa.Connection, head: Any) -> None:
         params = {"found": str(head["revision"]), "known": str(revision)}
         raise StorageError(Fault(code="schema_newer", params=params))
     for table in metadata.sorted_tables:
+        if table is prepared_answer:
+            continue  # a service that has been started on the database has prepared some
         if connection.execute(sa.select(sa.literal(1)).select_from(table).limit(1)).first() is not None:
             raise StorageError(Fault(code="storage_not_empty", params={"table": table.name}))
 

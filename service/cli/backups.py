@@ -9,7 +9,9 @@ from contextlib import contextmanager
 from pathlib import Path
 
 from courses.backup import back_up, restore
+from courses.refusals import StorageError
 from courses.storage import Store, open_store, revision_of
+from kinematics.errors import Fault
 from service.cli.environment import settings_of_environment
 
 
@@ -28,8 +30,14 @@ def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
 
 @contextmanager
 def opened_store() -> Iterator[Store]:
-    """Open the database of the environment's settings."""
+    """Open the database of the environment's settings.
+
+    Raises:
+        StorageError: there is none, as storage is switched off, or it cannot be used.
+    """
     settings = settings_of_environment()
+    if settings.storage == "off":
+        raise StorageError(Fault(code="storage_off"))
     store = open_store(settings.database_url, settings.data_folder)
     try:
         yield store

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import subprocess
 import threading
+from datetime import UTC, datetime
 from pathlib import Path
 
 import psycopg
@@ -16,7 +17,7 @@ from psycopg.errors import AdminShutdown, DeadlockDetected, SerializationFailure
 from sqlalchemy.exc import OperationalError
 
 from courses.backup import back_up, restore
-from courses.records import metadata
+from courses.records import metadata, prepared_answer
 from courses.refusals import StorageError, StorageUnavailableError
 from courses.statistics import class_overview
 from courses.storage import Store, connect, migrate, newest_revision, open_store, revision_of
@@ -155,6 +156,26 @@ def test_a_backup_that_cannot_be_finished_leaves_nothing(
         back_up(store, tmp_path / "backup.gz")
     assert caught.value.code == "backup_unreadable"
     assert not list(tmp_path.glob("backup.gz*"))
+
+
+def test_a_backup_goes_where_a_link_leads(store: Store, tmp_path: Path) -> None:
+    link, file = tmp_path / "latest.gz", tmp_path / "monday.gz"
+    link.symlink_to(file)
+    back_up(store, link)
+    assert link.is_symlink()
+    assert file.is_file()
+
+
+def test_a_backup_is_restored_beside_what_was_only_prepared(store: Store, tmp_path: Path) -> None:
+    submitted(store, joined(store), 0.5, answer={"table": {"rows": []}})
+    written = back_up(store, tmp_path / "backup.gz")
+    copy = open_store("", tmp_path / "copy")
+    with copy.writing() as connection:
+        connection.execute(
+            sa.insert(prepared_answer).values(address="a", content=b"a figure", made=datetime.now(UTC))
+        )
+    assert restore(copy, tmp_path / "backup.gz") == written
+    copy.close()
 
 
 @pytest.mark.parametrize("before", ["0001"])

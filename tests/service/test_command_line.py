@@ -206,3 +206,13 @@ def test_every_command_is_listed_with_the_module_that_declares_it(
         main(["--help"])
     told = re.findall(r"^ {4}(\w+) ", capsys.readouterr().out, re.MULTILINE)
     assert set(told) == set(COMMANDS)
+
+
+def test_without_storage_there_is_nothing_to_back_up(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    monkeypatch.setenv("FRAMEWISE_STORAGE", "off")
+    monkeypatch.setenv("FRAMEWISE_DATA_FOLDER", str(tmp_path / "data"))
+    assert main(["backup", str(tmp_path / "backup.gz")]) == 2
+    assert "storage is switched off" in capsys.readouterr().err
+    assert not list(tmp_path.iterdir())
