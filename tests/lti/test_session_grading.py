@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -38,8 +39,10 @@ WRONG = {"table": {"convention": "standard", "angle_unit": "deg", "rows": [ROW, 
 
 
 @pytest.fixture
-def store(tmp_path: Path) -> Store:
-    return open_store("", tmp_path / "data")
+def store(tmp_path: Path) -> Iterator[Store]:
+    opened = open_store("", tmp_path / "data")
+    yield opened
+    opened.close()
 
 
 @pytest.fixture
