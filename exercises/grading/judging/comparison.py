@@ -55,7 +55,8 @@ class Comparison:
         meant: that at each draw; `submissions` itself where nothing was rounded.
         steps: half a unit of the last place of decimals that stand for themselves, by row and cell.
         by_value: no name stands in the answer.
-        exact: the answer is in names, and nothing in it or in the key is known only to some digits.
+        exact: the answer is in names, and nothing in it or in the key is known only to some digits, but for
+            lengths by which it moves frames to and fro.
     """
 
     reference: SymbolicTable
@@ -215,7 +216,7 @@ def _comparison(
         meant=submissions if typed.table is answer else tuple(meanings),
         steps=typed.steps,
         by_value=not submission.parameters,
-        exact=bool(names) and typed.exact and _is_exact(key),
+        exact=bool(names) and _is_exact(key) and (typed.exact or _stands_for_nothing(typed, key)),
     )
 
 
@@ -259,6 +260,14 @@ def _known(key: SymbolicTable) -> tuple[tuple[Expression, ...], tuple[Expression
 def _is_exact(key: SymbolicTable) -> bool:
     """Whether no angle of the key is a rounded multiple of 15°."""
     return meant(key, AngleUnit.RAD, ()).table is key
+
+
+def _stands_for_nothing(typed: Typed, key: SymbolicTable) -> bool:
+    """Whether the rounded entries of an answer are lengths, and no length of the key is a number.
+
+    They must cancel, to the last digit: no wrong name is right because of them.
+    """
+    return not _known(key)[1] and all(cell not in ANGLES for _, cell in typed.steps)
 
 
 @remembered(lambda key, draw: len(key.rows), longest=USUAL_ROWS, most=1024, few=64)

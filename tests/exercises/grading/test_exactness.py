@@ -8,7 +8,7 @@ from fractions import Fraction
 
 import pytest
 
-from exercises.grading import Policy, ToolRule, grade
+from exercises.grading import BaseRule, Policy, ToolRule, grade
 from exercises.grading.judging.typed import COARSEST_ANGLE, half_steps, meant
 from exercises.instance import generate
 from exercises.written_table import written_table
@@ -46,6 +46,19 @@ def test_a_wrong_name_is_wrong_whatever_was_drawn(change: tuple[int, int, Cell],
         verdicts.append(grade(KEY, wrong, USUAL, values))
     assert not any(verdict.correct for verdict in verdicts)
     assert len({(verdict.score, tuple(codes(verdict))) for verdict in verdicts}) == 1
+
+
+@pytest.mark.parametrize("cell", ["L2 + 0.008", "1.01*L2", "L2 - 0.01*L1"])
+def test_a_wrong_name_is_wrong_beside_a_frame_that_is_moved_to_and_fro(cell: str) -> None:
+    """Decimals that cancel stand for no name and no length of the key: they are no reason either."""
+    key = read("standard", [(0, "L1", 0, "q1"), (0, "L2", 0, "q2")])
+    values = {"L1": 0.5, "L2": 0.4}
+    for last, right in (("L2", True), (cell, False)):
+        rows: Rows = [(0, 0, 0.15, "q1"), (0, "L1", -0.15, 0), (0, last, 0, "q2")]
+        assert grade(key, read("standard", rows), Policy(), values).correct is right
+    rows = [(0, 0, 0.15, "q1"), (0, "L1", -0.14, 0), (0, "L2", 0, "q2")]
+    moved = grade(key, read("standard", rows), Policy(tool=ToolRule.FRAME, base=BaseRule.FRAME), values)
+    assert not moved.correct
 
 
 def test_two_names_exchanged_throughout_are_wrong_for_every_student() -> None:
