@@ -10,7 +10,9 @@ from typing import TypeAlias
 
 from exercises.grading.edits.changes import ROW_CELLS, Change, TableSlip
 from exercises.grading.judging.comparison import Comparison
-from exercises.grading.judging.typed import ANGLES, Place
+from exercises.grading.judging.end_lines import ends_beyond_digits
+from exercises.grading.judging.judgement import share_of
+from exercises.grading.judging.typed import ANGLES, NOTHING_TYPED, Place
 from kinematics.cells import ReadTable
 from kinematics.chain import chain_of_table
 from kinematics.equivalence import Policy
@@ -228,8 +230,14 @@ class Work:
         chains = [chain_of_table(table) for table in tables]
         with self.meter.at_most(WORK_OF_ONE_EDIT):
             found = certify(references, chains, self.policy, effort, self.meter, measured=False)
-            return found is not None
+            return found is not None and not any(map(self._has_an_end_off, references, tables))
         return False
+
+    def _has_an_end_off(self, reference: Reference, table: NumericTable) -> bool:
+        typed_so = len(table.rows) == len(self.comparison.meant_table.rows)
+        steps = self.comparison.steps if typed_so else NOTHING_TYPED
+        share = share_of(self.comparison)
+        return bool(ends_beyond_digits(reference, table, steps, self.policy, share))
 
 
 def _alike(change: Change, own: Draws, keys: Draws) -> Change | None:

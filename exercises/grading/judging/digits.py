@@ -44,7 +44,27 @@ def beyond_digits(
         policy: what the answer is held to.
         share: by which part of itself an invariant may be off.
     """
-    invariants = invariants_of(reference, policy)
+    return not_explained(invariants_of(reference, policy), reference, table, steps, policy, share)
+
+
+def not_explained(
+    invariants: Invariants,
+    reference: Reference,
+    table: NumericTable,
+    steps: Mapping[Place, float],
+    policy: Policy,
+    share: float,
+) -> Invariants | None:
+    """Return those of some invariants that the typed digits do not explain; None if they explain all.
+
+    Args:
+        invariants: of the key.
+        reference: the key.
+        table: the answer, as it was meant, with as many joints.
+        steps: half a unit of the last place of its decimals.
+        policy: what the invariants take as fixed at the ends.
+        share: by which part of itself an invariant may be off.
+    """
     own = invariants.own_sizes[:, 0]
     floor = floors(invariants, reference)
     sizes = invariants.sizes(measured_as_typed(invariants, table, steps, policy))

@@ -6,6 +6,7 @@ from dataclasses import replace
 
 from exercises.grading.judging.comparison import Comparison
 from exercises.grading.judging.digits import PER_CENT, beyond_digits
+from exercises.grading.judging.end_lines import ends_beyond_digits
 from kinematics.chain import chain_of_table
 from kinematics.equivalence import Decision, Kind, Mismatch, Policy, decide_draws
 from kinematics.equivalence.decision import EXACT, convention_fits, mechanism_only
@@ -104,4 +105,11 @@ def _held_to_digits(
             chain = chain_of_table(answer)
             found = mismatches_of(far, prepared_for(key, answer), answer, chain, policy)
             return replace(REFUTED, mismatches=found)
+        ends = ends_beyond_digits(
+            prepared_for(key, answer), answer, comparison.steps, policy, share_of(comparison)
+        )
+        if ends:
+            return Decision(
+                certificate=None, mismatches=tuple(Mismatch(kind=kind) for kind in ends), same_robot=True
+            )
     return decision

@@ -259,3 +259,43 @@ def test_a_length_that_the_exercise_gives_is_exact(typed: Cell) -> None:
     right = read("standard", with_cells(rows, (3, 2, -0.5)))
     assert grade(ssrms.reference, right, ssrms.policy, values).correct
     assert not grade(ssrms.reference, wrong, ssrms.policy, values).correct
+
+
+PLANAR: Rows = [(0, 1, 0, "q1"), (0, 0.1, 0, "q2")]
+AXES = Policy(base=BaseRule.AXIS, tool=ToolRule.AXIS)
+
+
+@pytest.mark.parametrize("policy", [Policy(), AXES], ids=["usual", "axes"])
+@pytest.mark.parametrize(
+    ("cell", "right"),
+    [(0.1, True), (0.1004, True), (0.101, True), (0, True), (0.105, False), (0.004, False), (0.2, False)],
+)
+def test_the_last_axis_is_the_joint_s_or_the_key_s_as_the_digits_say(
+    policy: Policy, cell: float, right: bool
+) -> None:
+    """5 mm are less than the tolerance of an arm of 1.1 m, and far from what 0.105 may stand for."""
+    key, answer = (read("standard", with_cells(PLANAR, (2, 1, value))) for value in (0.1, cell))
+    verdict = grade(key, answer, policy)
+    assert verdict.correct is right
+    if not right:
+        assert {"tool_axis_missed", "length_wrong"} <= set(codes(verdict))
+        assert {edit.row for repair in verdict.repairs for edit in repair.edits} == {2}
+
+
+@pytest.mark.parametrize(("offset", "right"), [(0.1, True), (0.101, True), (0, True), (0.105, False)])
+def test_the_first_axis_is_the_joint_s_or_the_key_s_as_the_digits_say(offset: float, right: bool) -> None:
+    before = [(0, 0.1, 0, 0), (0, 1, 0, "q1"), (0, 0, 0, "q2")]
+    key = read("standard", before)
+    answer = read("standard", [(0, offset, 0, 0), *before[1:]])
+    verdict = grade(key, answer, AXES)
+    assert verdict.correct is right
+    assert ("base_axis_missed" in codes(verdict)) is not right
+
+
+@pytest.mark.parametrize(("twist", "right"), [(0.5, True), (0.504, True), (0, True), (0.51, False)])
+def test_a_slider_s_end_is_parallel_to_it_or_to_the_key_s(twist: float, right: bool) -> None:
+    def table(alpha: float) -> Rows:
+        return [("pi/2", 0, 0, "q1"), (alpha, 0, "q2", 0)]
+
+    verdict = grade(read("standard", table(0.5)), read("standard", table(twist)), Policy())
+    assert verdict.correct is right
