@@ -79,15 +79,20 @@ def _has_no_more_than_zeros(work: Work, standard: _Standard) -> bool:
 
 
 def lost(decision: Decision, work: Work, weights: Weights) -> float:
-    """Return the weight of the facts that are wrong, and of the rules that are not kept."""
+    """Return the weight of the facts that are wrong, and of the rules that are not kept.
+
+    A rule that the right robot does not keep costs at most half of what a table of zeros loses: where the
+    rule `axis` has the second length of two links decide about the tool, the first one is still right.
+    """
     policy, table = work.policy, work.table
-    wrong = _wrong(work, _standard(work.reference, policy, weights))
+    standard = _standard(work.reference, policy, weights)
+    wrong = _wrong(work, standard)
     if decision.same_robot:
         broken = {mismatch.kind for mismatch in decision.mismatches}
         ends = bool(broken & {Kind.BASE, Kind.TOOL})
-        return max(wrong, weights.rule * (len(broken & RULES) + ends))
+        return max(wrong, min(weights.rule, standard.nothing / 2.0) * (len(broken & RULES) + ends))
     rules = _unconfirmed(policy) + (not convention_fits(table.convention, policy.convention))
-    return wrong + weights.rule * (rules)
+    return wrong + weights.rule * rules
 
 
 @lru_cache(maxsize=32)

@@ -280,6 +280,7 @@ def test_the_last_axis_is_the_joint_s_or_the_key_s_as_the_digits_say(
     if not right:
         assert {"tool_axis_missed", "length_wrong"} <= set(codes(verdict))
         assert {edit.row for repair in verdict.repairs for edit in repair.edits} == {2}
+        assert verdict.score == 0.5  # one of its two lengths is right
 
 
 @pytest.mark.parametrize(("offset", "right"), [(0.1, True), (0.101, True), (0, True), (0.105, False)])
