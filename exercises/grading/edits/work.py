@@ -234,6 +234,8 @@ class Work:
         return False
 
     def _has_an_end_off(self, reference: Reference, table: NumericTable) -> bool:
+        if self.comparison.exact:
+            return False
         typed_so = len(table.rows) == len(self.comparison.meant_table.rows)
         steps = self.comparison.steps if typed_so else NOTHING_TYPED
         share = share_of(self.comparison)
