@@ -43,12 +43,28 @@ def numbers(body: bytes, start: int, stop: int) -> list[Any]:
     while begun <= last:
         cut = body.find(sign, begun + PIECE, last)
         end = last if cut < 0 else cut + len(sign) - 1
-        piece = orjson.loads(b"[%b]" % body[begun:end])
+        long = end - begun > 2 * PIECE and len(sign) > 1
+        piece = _ending_in_a_long_row(body, begun, end) if long else orjson.loads(b"[%b]" % body[begun:end])
         if not piece and (found or end < last):
             raise orjson.JSONDecodeError("a comma too many", "", begun)
         found += piece
         begun = end + 1
     return found
+
+
+def _ending_in_a_long_row(body: bytes, begun: int, end: int) -> list[Any]:
+    """The rows between two places, of which the last is longer than a piece and is read in pieces, too.
+
+    Raises:
+        orjson.JSONDecodeError: they are no rows of numbers.
+    """
+    row = body.rfind(b"[", begun, end)
+    stop = body.find(b"]", row, end) + 1
+    before = body[begun:row].rstrip()
+    rows = orjson.loads(b"[%b]" % before[:-1])
+    if row < 0 or not stop or body[stop:end].strip() or (before and not (rows and before.endswith(b","))):
+        raise orjson.JSONDecodeError("no rows of numbers", "", begun)
+    return [*rows, numbers(body, row, stop)]
 
 
 def first_list(body: bytes, names: Iterable[str]) -> tuple[str, int]:

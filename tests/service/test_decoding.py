@@ -213,6 +213,16 @@ INSIDE = (
         b'{"a":[1]},2',
     ),
     *(b"[1] , [2] ,\n[3]", b"1 , 2", b"01,2,3,4", b"1,2,\xff,3"),
+    *(
+        b"[1,2,3,4,5,6,7,8,9]",
+        b"[1], [2] , [1,2,3,4,5,6,7,8,9] ,[3]",
+        b",[1,2,3,4,5,6,7,8,9]",
+        b"[1],,[1,2,3,4,5,6,7,8,9]",
+        b"[1] [1,2,3,4,5,6,7,8,9]",
+        b"[1],[1,2,3,4,,5,6,7,8,9]",
+        b"[[1,2,3,4,5,6,7,8,9],[1]]",
+        b"[1,2,3,4,5,6,7,8,9] 1,[2]",
+    ),
 )
 
 
@@ -242,6 +252,14 @@ def test_a_body_too_long_to_be_read_at_once_means_the_same_or_is_refused_as_such
         monkeypatch.setattr(f"service.http.{module}.AT_ONCE", 0)
     monkeypatch.setattr("service.http.decoding.LONGEST_REST", len(body))
     assert outcome(body) in (whole, [("body_too_large", (), {"limit": 0})])
+
+
+def test_a_row_that_is_too_long_is_read_a_piece_at_a_time(monkeypatch: pytest.MonkeyPatch) -> None:
+    rows = [[0.25], [1] * 500_000, [2]]
+    body = json.dumps({"robot": "puma560", "joints": rows}, separators=(",", ":")).encode()
+    lengths = read_lengths(monkeypatch)
+    assert decode_json(body, BATCH)["joints"] == rows
+    assert max(lengths) < 1.1 * PIECE
 
 
 @pytest.mark.parametrize("place", [0, 100_000, 199_999])
