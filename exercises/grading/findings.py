@@ -27,6 +27,7 @@ _CODE_OF_FACT = {
     "length": "length_wrong",
     "twist": "twist_wrong",
     "offset": "offset_wrong",
+    "angle": "angle_wrong",
     "joint": "joint_type_wrong",
 }
 
@@ -52,10 +53,17 @@ _FACT_OF_CELL = {"a": "length", "alpha": "twist", "joint": "joint"}
 
 
 def _facts_of(change: Change, table: NumericTable) -> frozenset[tuple[int, str]]:
-    """The facts that an edit concerns; zero and direction of a variable belong to the joint."""
+    """The facts that an edit concerns; zero and direction of a variable belong to the joint.
+
+    Of a fixed row both d and θ may be wrong; of any other one of them is the variable.
+    """
     if _is_of_variable(change, table):
         return frozenset((row, "joint") for row, _ in change.places)
-    return frozenset((row, _FACT_OF_CELL.get(cell, "offset")) for row, cell in change.places)
+    fixed = {row for row, given in enumerate(table.rows) if given.joint is JointType.FIXED}
+    return frozenset(
+        (row, "angle" if cell == "theta" and row in fixed else _FACT_OF_CELL.get(cell, "offset"))
+        for row, cell in change.places
+    )
 
 
 def _is_of_variable(change: Change, table: NumericTable) -> bool:
@@ -86,10 +94,10 @@ def link_findings(
     )
     found = []
     for row in range(len(table.rows)):
-        facts = {
-            fact: Finding.WRONG if (row, fact) in wrong and row not in missing else Finding.OK
-            for fact in FACTS
-        }
+        off = set() if row in missing else {fact for at, fact in wrong if at == row}
+        if "angle" in off:
+            off.add("offset")
+        facts = {fact: Finding.WRONG if fact in off else Finding.OK for fact in FACTS}
         if not judged:
             facts = dict.fromkeys(FACTS, Finding.UNKNOWN)
         if level is HelpLevel.ROW and Finding.WRONG in facts.values():
@@ -185,10 +193,9 @@ def _facts(wrong: frozenset[tuple[int, str]], table: NumericTable, level: HelpLe
             yield Feedback(code="row_wrong", row=row + 1, params={"row": row + 1})
         return
     for row, fact in sorted(wrong):
-        code = _CODE_OF_FACT[fact]
-        if fact == "offset" and table.rows[row].joint is not JointType.REVOLUTE:
-            code = "angle_wrong"
-        yield Feedback(code=code, row=row + 1, params={"row": row + 1})
+        if fact == "offset" and table.rows[row].joint is JointType.PRISMATIC:
+            fact = "angle"
+        yield Feedback(code=_CODE_OF_FACT[fact], row=row + 1, params={"row": row + 1})
 
 
 def _about_the_whole(

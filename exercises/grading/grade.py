@@ -20,7 +20,7 @@ from exercises.grading.findings import all_right
 from exercises.grading.judging.certificate_report import certificate_report
 from exercises.grading.judging.comparison import Comparison, compared_by_names, comparisons
 from exercises.grading.judging.frames import explained
-from exercises.grading.judging.judgement import judged
+from exercises.grading.judging.judgement import judged, with_a_telling_draw_first
 from exercises.grading.verdict import Basis, Feedback, HelpLevel, Verdict
 from kinematics.cells import ReadTable
 from kinematics.equivalence import Decision, Policy, prove
@@ -196,13 +196,15 @@ def _decided(
     parameters: tuple[tuple[str, float], ...],
 ) -> Verdict | tuple[Decision, Comparison]:
     """The verdict on a right answer; of a wrong one the decision that says most, and what was compared."""
-    ways = comparisons(reference, submission, dict(parameters))
+    ways: list[Comparison] = []
     decisions: list[Decision] = []
-    for way in ways:
+    for way in comparisons(reference, submission, dict(parameters)):
         decision = judged(way, policy)
         if decision.accepted:
             return _accepted(decision, way, submission)
-        decisions.append(decision)
+        telling = with_a_telling_draw_first(way, policy)
+        decisions.append(decision if telling is way else judged(telling, policy))
+        ways.append(telling)
     best = clearest(decisions, ways, (reference, submission), policy)
     return decisions[best], ways[best]
 

@@ -81,6 +81,22 @@ class Comparison:
             if (names := parameters_in(entry := getattr(row, cell)))
         )
 
+    def with_first(self, draw: int) -> Comparison:
+        """Return the same, with a draw (its number, from 0) moved to the front."""
+        if not draw:
+            return self
+        order = (draw, *(k for k in range(len(self.draws)) if k != draw))
+        references, submissions, meant = (
+            tuple(tables[k] for k in order) for tables in (self.references, self.submissions, self.meant)
+        )
+        return replace(
+            self,
+            draws=tuple(self.draws[k] for k in order),
+            references=references,
+            submissions=submissions,
+            meant=submissions if self.meant is self.submissions else meant,
+        )
+
 
 def comparisons(
     reference: ReadTable, submission: ReadTable, parameters: Mapping[str, float] | None

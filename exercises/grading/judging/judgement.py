@@ -59,15 +59,24 @@ def judged(comparison: Comparison, policy: Policy) -> Decision:
     return IMPRECISE if meant.accepted else meant
 
 
-def _is_refuted(comparison: Comparison, policy: Policy) -> bool:
+def with_a_telling_draw_first(comparison: Comparison, policy: Policy) -> Comparison:
+    """Return a comparison of a wrong answer, with a draw first at which a length or an angle is wrong.
+
+    At another draw two names may have nearly the same value, or one that of a number.
+    """
+    telling = (draw for draw in range(len(comparison.draws)) if _is_refuted(comparison, policy, draw))
+    return comparison.with_first(next(telling, 0))
+
+
+def _is_refuted(comparison: Comparison, policy: Policy, draw: int = 0) -> bool:
     """Whether a length or an angle of an answer is wrong, whatever frames were chosen.
 
     Nothing is searched for then: no certificate stands, and none of the mirror image.
     """
-    key, answer = comparison.references[0], comparison.meant[0]
+    key, answer = comparison.references[draw], comparison.meant[draw]
     if key.joint_types != answer.joint_types or not convention_fits(answer.convention, policy.convention):
         return False
-    return _beyond_digits(comparison, mechanism_only(policy)) is not None
+    return _beyond_digits(comparison, mechanism_only(policy), draw) is not None
 
 
 def _beyond_digits(comparison: Comparison, policy: Policy, draw: int = 0) -> Invariants | None:

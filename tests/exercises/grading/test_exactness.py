@@ -12,9 +12,10 @@ from exercises.grading import BaseRule, Policy, ToolRule, grade
 from exercises.grading.judging.typed import COARSEST_ANGLE, half_steps, meant
 from exercises.instance import generate
 from exercises.written_table import written_table
+from kinematics.catalogue import robots
 from kinematics.cells import AngleUnit, read_table
-from kinematics.expressions import pi_times
-from kinematics.table import JointType
+from kinematics.expressions import ZERO, Number, Parameter, add, pi_times
+from kinematics.table import DHRow, JointType
 from tests.exercises.grading.test_grade import KEY, PUMA, USUAL, VALUES, Rows, codes, numbers, with_cells
 from tests.exercises.grading.written import Cell, read
 from tests.exercises.packaged import exercise
@@ -300,3 +301,21 @@ def test_a_slider_s_end_is_parallel_to_it_or_to_the_key_s(twist: float, right: b
 
     verdict = grade(read("standard", table(0.5)), read("standard", table(twist)), Policy())
     assert verdict.correct is right
+
+
+def test_a_wrong_name_costs_the_same_where_a_drawn_value_is_nearly_that_of_another() -> None:
+    """The answer is also read with d3 as the number it is; at its first draw d5 nearly has that value."""
+    (panda,) = (robot for robot in robots() if robot.id == "panda")
+    key = panda.table
+    third = replace(key.table.rows[2], d=add((Parameter("d5"), Number(Fraction(-3, 10)))))
+    lifted = DHRow(joint=JointType.FIXED, theta=ZERO, d=Number(Fraction(3, 10)), a=ZERO, alpha=ZERO)
+    rows = (*key.table.rows[:2], third, lifted, *key.table.rows[3:])
+    names = {name: kind for name, kind in key.parameters.items() if name != "d3"}
+    answer = replace(key, table=replace(key.table, rows=rows), parameters=names)
+    given = dict(panda.parameters)
+    verdicts = [
+        grade(key, answer, Policy(), {**given, "d3": d3, "d5": d5})
+        for d3, d5 in ((0.632, 0.768), (0.316, 0.384))
+    ]
+    assert len({(verdict.score, tuple(codes(verdict))) for verdict in verdicts}) == 1
+    assert [entry.row for entry in verdicts[0].feedback if entry.code == "offset_wrong"] == [3, 4]

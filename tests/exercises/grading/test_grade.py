@@ -756,3 +756,15 @@ def test_a_last_row_that_the_frame_of_the_tool_needs() -> None:
     assert [edit.code for edit in verdict.repairs[0].edits] == ["fixed_row_missing"]
     told = grade(key, answer, policy, help_level=HelpLevel.ROW)
     assert [entry.row for entry in told.feedback if entry.row] == [7]
+
+
+@pytest.mark.parametrize(
+    ("column", "cell", "code"), [(2, 0.25, "offset_wrong"), (3, "pi/6", "angle_wrong")], ids=["d", "theta"]
+)
+def test_of_a_fixed_row_the_cell_that_is_wrong_is_told(column: int, cell: Cell, code: str) -> None:
+    """No variable stands there: d and θ both are facts of the robot."""
+    rows: Rows = [("pi/2", 0.4, 0, "q1"), ("pi/2", 0.3, 0.2, "pi/4"), (0, 0.1, 0, "q2")]
+    answer = read("standard", with_cells(rows, (2, column, cell)))
+    verdict = grade(read("standard", rows), answer, USUAL)
+    assert [(entry.code, entry.row) for entry in verdict.feedback if entry.row] == [(code, 2)]
+    assert [link.row for link in verdict.links if link.offset is Finding.WRONG] == [2]
