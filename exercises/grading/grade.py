@@ -7,6 +7,7 @@ from dataclasses import replace
 from functools import lru_cache
 
 from exercises.grading.edits.in_common import in_common
+from exercises.grading.edits.repairs import Repaired
 from exercises.grading.explanation import (
     Diagnosis,
     clearest,
@@ -158,8 +159,31 @@ def _diagnosed(
     if shortened is not submission:
         again = _decided(reference, shortened, policy, parameters)
         decided = decided if isinstance(again, Verdict) else again
-    decision, way = decided
-    return diagnosis(decision, way, (reference, shortened), policy, weights), way, kept
+    found = diagnosis(*decided, (reference, shortened), policy, weights)
+    forgotten = _row_left_zero(found.repairs, kept, len(submission.table.rows))
+    if forgotten:
+        filled, with_it = without_idle_rows(submission, but=forgotten)
+        again = _decided(reference, filled, policy, parameters)
+        if not isinstance(again, Verdict):
+            other = diagnosis(*again, (reference, filled), policy, weights)
+            if other.repairs and len(other.repairs[0].changes) == 1:
+                return replace(other, score=found.score), again[1], with_it
+    return found, decided[1], kept
+
+
+def _row_left_zero(repairs: Sequence[Repaired], kept: Sequence[int], rows: int) -> tuple[int, ...]:
+    """The row of zeros, from 0, that stands where a repair puts a fixed row in.
+
+    Args:
+        repairs: of the table without its rows of zeros.
+        kept: the number of each of its rows in the whole table.
+        rows: how many rows that has.
+    """
+    singles = [repair.changes[0] for repair in repairs if len(repair.changes) == 1]
+    for place in (change.places[0][0] for change in singles if change.code == "fixed_row_missing"):
+        start = kept[place - 1] + 1 if place else 0
+        return tuple(range(start, kept[place] if place < len(kept) else rows))[:1]
+    return ()
 
 
 def _row_without_its_variable(

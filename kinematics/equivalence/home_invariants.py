@@ -1,10 +1,13 @@
 """What lies between axes that are no neighbours, where an exercise says at which values the joints stand.
 
 A rule that fixes the zeros of the variables fixes the whole configuration that the figure shows: beside what
-no choice of frames changes, the angles and distances of all its axes, wherever the joints between them are.
+no choice of frames changes, the angles and distances of all its axes, wherever the joints between them are,
+and the lengths along parallel axes past the sliders among them.
 """
 
 from __future__ import annotations
+
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -23,7 +26,7 @@ FARTHEST = 4
 
 @remembered(lambda reference, policy: len(reference.table.rows), longest=USUAL_ROWS, most=1024, few=32)
 def home_invariants_of(reference: Reference, policy: Policy) -> Invariants:
-    """Return the angles and distances between axes that are no neighbours, all variables zero.
+    """Return the angles, distances and offsets between axes that are no neighbours, all variables zero.
 
     None where the policy leaves the zeros of the variables free. Their slacks are what the tolerance of the
     end frame allows.
@@ -36,6 +39,7 @@ def home_invariants_of(reference: Reference, policy: Policy) -> Invariants:
         for i in range(first, last - 1):
             for j in range(i + 2, min(i + FARTHEST, last) + 1):
                 found += _between(i, j, (axes[i], axes[j]), reference.size, policy)
+        found += _past_sliders(axes, first, last, reference.size, policy)
     shapes = tuple(shape for shape, _ in found)
     slacks = np.array([slack for _, slack in found], dtype=np.float64).reshape(-1, 1)
     values = measured(shapes, axis_batch([axes])) if shapes else np.empty((0, 1))
@@ -52,4 +56,33 @@ def _between(
         spanning = (i,) if flat else (i, j)
         slack = (SLACK * policy.tolerance.length + FLOOR) * size / (1.0 if flat else sine)
         found.append((Shape(Measure.DISTANCE, (i, j, *spanning)), slack))
+    return found
+
+
+def _past_sliders(
+    axes: Sequence[Axis], first: int, last: int, size: float, policy: Policy
+) -> list[tuple[Shape, float]]:
+    """Along each run of parallel axes with a slider among them: the distance between its two ends.
+
+    An end is the foot of the common normal with the next axis outside the run; at an end of the chain, a
+    point that the policy fixes.
+    """
+    found: list[tuple[Shape, float]] = []
+    i = first
+    while i <= last:
+        j = i
+        while j < last and norm(cross(axes[i].direction, axes[j + 1].direction)) < PARALLEL:
+            j += 1
+        is_fixed = (i > first or first == 0) and (j < last or last == len(axes) - 1)
+        before, after = max(i - 1, first), min(j + 1, last)
+        sines = [
+            norm(cross(axes[k].direction, axes[i].direction)) for k in (before, after) if not i <= k <= j
+        ]
+        flattest = min(sines, default=1.0)
+        slides = any(axis.prismatic for axis in axes[i : j + 1])
+        ends_slide = any(axes[k].prismatic for k in (before, i, j, after))
+        if is_fixed and slides and not ends_slide and flattest > STEEPEST:
+            slack = (SLACK * policy.tolerance.length + FLOOR) * size / flattest
+            found.append((Shape(Measure.OFFSET, (before, i, j, after)), slack))
+        i = j + 1
     return found

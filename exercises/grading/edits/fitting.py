@@ -108,7 +108,7 @@ def fitting_values(
         for row, cell in unsolved.places:
             place, angular, count = (row, cell), cell in ANGLES, next(each)
             moves = cell == VARIABLE_CELLS.get(tables[unsolved.number].rows[row].joint)
-            if strained := misplaced if moves else facts:
+            if strained := misplaced if moves else facts or misplaced:
                 distant = count == 3 and not angular
                 here = 0.0 if distant else _entry(tables, unsolved, place)
                 middle = column + 2 if distant else own

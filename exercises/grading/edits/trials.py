@@ -141,7 +141,8 @@ def _fits(works: Sequence[Work]) -> list[dict[tuple[int, str], list[float]]]:
         angles, lengths, misplaced = work.off
         for row, cell in _cells(work) if work.has_the_joints() else ():
             moves = cell == VARIABLE_CELLS.get(work.table.rows[row].joint)
-            if misplaced if moves else angles if cell in ANGLES else lengths:
+            of_facts = angles if cell in ANGLES else lengths
+            if misplaced if moves or not (angles or lengths) else of_facts:
                 places.append((row, cell))
             elif not moves and (angles or lengths):
                 found[number][row, cell] = []

@@ -35,3 +35,31 @@ def test_the_zero_of_a_slider_is_no_angle() -> None:
     verdict = grade(read("standard", table("q2")), read("standard", table("q2 + 0.3")), NOTHING_FREE)
     assert [entry.code for entry in verdict.feedback if entry.row] == ["variable_zero_wrong"]
     assert [edit.code for repair in verdict.repairs for edit in repair.edits] == ["d_offset"]
+
+
+SCARA: Rows = [(0, 0, "L0", "q1"), ("pi", "L1", 0, "q2"), (0, 0, "q3", 0), (0, "L2", "L3", "q4")]
+
+
+@pytest.mark.parametrize("row", [1, 4])
+def test_a_length_along_a_slider_is_told_in_its_row(row: int) -> None:
+    """Along parallel axes it may be missing in any row; the zero of the slider is one of them."""
+    rows = list(SCARA)
+    rows[row - 1] = (*SCARA[row - 1][:2], 0, SCARA[row - 1][3])
+    verdict = grade(read("modified", SCARA), read("modified", rows), NOTHING_FREE)
+    told = [(entry.code, entry.row) for entry in verdict.feedback if entry.row]
+    assert {("offset_wrong", row), ("variable_zero_wrong", 3)} <= set(told)
+    assert [(edit.code, edit.row) for edit in verdict.repairs[0].edits] == [("d_missing", row)]
+
+
+@pytest.mark.parametrize(("column", "code"), [(1, "a_missing"), (2, "d_missing")], ids=["a", "d"])
+def test_a_row_of_zeros_is_filled_rather_than_another_added(column: int, code: str) -> None:
+    """Rows of zeros change nothing, and cost nothing; the one that was left unfinished is named."""
+    key: Rows = [(0, 0, "L1", "q1"), ("pi/2", 0, 0, "q2"), (0, 0, 0, 0)]
+    key[2] = (*key[2][:column], "L2", *key[2][column + 1 :])
+    unfinished = read("modified", [*key[:2], (0, 0, 0, 0)])
+    verdict = grade(read("modified", key), unfinished, NOTHING_FREE)
+    assert [(edit.code, edit.row) for edit in verdict.repairs[0].edits] == [(code, 3)]
+    assert (column == 1) is ({entry.row for entry in verdict.feedback if entry.row} == {3})
+    left_out = grade(read("modified", key), read("modified", key[:2]), NOTHING_FREE)
+    assert [(edit.code, edit.row) for edit in left_out.repairs[0].edits] == [("fixed_row_missing", 3)]
+    assert left_out.score == verdict.score

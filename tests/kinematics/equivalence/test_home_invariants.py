@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from random import Random
 
@@ -13,8 +14,9 @@ from kinematics.equivalence.batches import axes_of_tables
 from kinematics.equivalence.decision import EXACT
 from kinematics.equivalence.home_invariants import home_invariants_of
 from kinematics.equivalence.invariants import invariants_of
+from kinematics.equivalence.measures import Measure
 from kinematics.equivalence.reference import prepared
-from kinematics.table import DHTable, JointType, NumericTable
+from kinematics.table import Convention, DHRow, DHTable, JointType, NumericTable
 from tests.kinematics.equivalence.campaign import catalogue, references
 from tests.kinematics.equivalence.generators import random_valid_table
 
@@ -72,3 +74,23 @@ def test_every_pair_of_axes_that_are_no_neighbours_has_an_angle(base: BaseRule, 
     last = 7 if tool in (ToolRule.POINT, ToolRule.FRAME) else 6
     found = {shape.axes[:2] for shape in home_invariants_of(reference, policy).shapes if shape.is_angle}
     assert found == {(i, j) for i in range(first, last) for j in range(i + 2, last + 1) if j - i <= 4}
+
+
+def test_along_parallel_axes_a_slider_has_a_place_where_its_zero_is_fixed() -> None:
+    """From the base's origin to the tool's: 0.5 up, turned over by 180°, then 0.1 down."""
+    row = DHRow(joint=JointType.REVOLUTE, theta=0.0, d=0.0, a=0.0, alpha=0.0)
+    rows = (
+        replace(row, d=0.5),
+        replace(row, a=0.3, alpha=math.pi),
+        replace(row, joint=JointType.PRISMATIC),
+        replace(row, a=0.2, d=0.1),
+    )
+    reference = prepared(DHTable(convention=Convention.MODIFIED, rows=rows))
+    frames = replace(STRICT, base=BaseRule.FRAME, tool=ToolRule.FRAME)
+    found = home_invariants_of(reference, frames)
+    (place,) = (i for i, shape in enumerate(found.shapes) if shape.measure is Measure.OFFSET)
+    assert found.shapes[place].axes == (0, 0, 5, 5)
+    assert found.values[place, 0] == pytest.approx(0.5 - 0.1)
+    for one_end in (replace(frames, base=BaseRule.AXIS), replace(frames, tool=ToolRule.AXIS)):
+        shapes = home_invariants_of(reference, one_end).shapes
+        assert all(shape.measure is not Measure.OFFSET for shape in shapes)
