@@ -21,7 +21,7 @@ from exercises.grading.findings import all_right
 from exercises.grading.judging.certificate_report import certificate_report
 from exercises.grading.judging.comparison import Comparison, compared_by_names, comparisons
 from exercises.grading.judging.frames import explained
-from exercises.grading.judging.judgement import judged, with_a_telling_draw_first
+from exercises.grading.judging.judgement import REFUTED, judged, with_a_telling_draw_first
 from exercises.grading.verdict import Basis, Feedback, HelpLevel, Verdict
 from kinematics.cells import ReadTable
 from kinematics.equivalence import Decision, Policy, prove
@@ -226,7 +226,7 @@ def _decided(
         decision = judged(way, policy)
         if decision.accepted:
             return _accepted(decision, way, submission)
-        telling = with_a_telling_draw_first(way, policy)
+        telling = way if decision is REFUTED else with_a_telling_draw_first(way, policy)
         decisions.append(decision if telling is way else judged(telling, policy))
         ways.append(telling)
     best = clearest(decisions, ways, (reference, submission), policy)

@@ -41,6 +41,8 @@ def judged(comparison: Comparison, policy: Policy) -> Decision:
 
     What is wrong is looked for in the answer as it was meant; so no 1.57 is taken for a mistake.
     """
+    if _is_refuted(comparison, policy):
+        return REFUTED
     strict = policy_of(comparison, policy)
     typed_exactly = comparison.meant is comparison.submissions
     if strict is not policy:
@@ -48,8 +50,6 @@ def judged(comparison: Comparison, policy: Policy) -> Decision:
         if typed_exactly or not meant.accepted:
             return meant
         return _or_imprecise(decide_draws(comparison.references, comparison.submissions, policy))
-    if _is_refuted(comparison, policy):
-        return REFUTED
     typed = decide_draws(comparison.references, comparison.submissions, policy)
     if typed.certificate is not None:
         return _held_to_digits(comparison, typed, typed.certificate, policy)
@@ -62,9 +62,10 @@ def judged(comparison: Comparison, policy: Policy) -> Decision:
 def with_a_telling_draw_first(comparison: Comparison, policy: Policy) -> Comparison:
     """Return a comparison of a wrong answer, with a draw first at which a length or an angle is wrong.
 
-    At another draw two names may have nearly the same value, or one that of a number.
+    At another draw two names may have nearly the same value, or one that of a number. It is for answers that
+    the first draw has not refuted.
     """
-    telling = (draw for draw in range(len(comparison.draws)) if _is_refuted(comparison, policy, draw))
+    telling = (draw for draw in range(1, len(comparison.draws)) if _is_refuted(comparison, policy, draw))
     return comparison.with_first(next(telling, 0))
 
 
@@ -87,7 +88,7 @@ def _beyond_digits(comparison: Comparison, policy: Policy, draw: int = 0) -> Inv
 
 def diagnosed(comparison: Comparison, policy: Policy) -> Decision:
     """Return what does not fit in an answer of which a length or an angle is wrong."""
-    answer = comparison.meant[0]
+    policy, answer = policy_of(comparison, policy), comparison.meant[0]
     chain = chain_of_table(answer)
     reference = prepared(comparison.references[0]).beside(chain)
     found = diagnose(reference, answer, chain, policy)
