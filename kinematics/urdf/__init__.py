@@ -8,10 +8,12 @@ writing   a DH table to XML text
 
 from kinematics.urdf.document import MAX_CHARACTERS
 from kinematics.urdf.table_reading import UrdfChain, UrdfRobot, chain_from_urdf, table_from_urdf
-from kinematics.urdf.writing import WrittenUrdf, check_joint_names, urdf_from_table
+from kinematics.urdf.writing import BASE_LINK, TIP_LINK, WrittenUrdf, check_joint_names, urdf_from_table
 
 __all__ = [
+    "BASE_LINK",
     "MAX_CHARACTERS",
+    "TIP_LINK",
     "UrdfChain",
     "UrdfRobot",
     "WrittenUrdf",

@@ -60,6 +60,8 @@ def urdf_from_table(
     tool: ArrayLike | None = None,
     limits: JointLimits | None = None,
     joint_names: Sequence[str] | None = None,
+    base_link: str = BASE_LINK,
+    tip_link: str = TIP_LINK,
     metres_per_unit: float = 1.0,
 ) -> WrittenUrdf:
     """Return a URDF that has the pose base · A_1 ⋯ A_N · tool between its first and its last link.
@@ -71,23 +73,31 @@ def urdf_from_table(
         tool: (4, 4) pose of the last link in frame N; the identity if left out.
         limits: (lowest, highest) of joint 1 … n [rad, or the table's length unit], None where there is none.
         joint_names: names of joint 1 … n; joint_1 … joint_n if left out.
+        base_link: name of the first link.
+        tip_link: name of the last link. A link between them that would be called like one of the two has an
+            underscore more in its name.
         metres_per_unit: length of the table's unit [m].
 
     Raises:
-        DescriptionError: a name that is empty or holds control characters, at ("name",) or ("joint_names",
-            i); names of the wrong number, or one of them twice, at ("joint_names",); or a length that no
-            reader takes, at ("rows", i), ("limits", i), ("base",) or ("tool",).
+        DescriptionError: a name that is empty or holds control characters, at ("name",), ("base_link",),
+            ("tip_link",) or ("joint_names", i); names of the wrong number, or one of them twice, at
+            ("joint_names",); both links of one name, at ("tip_link",); or a length that no reader takes, at
+            ("rows", i), ("limits", i), ("base",) or ("tool",).
         JointValueError: limits of the wrong number, or reversed.
         TableError: an entry of the table is NaN or infinite.
         PoseError: base or tool is not a rigid transform.
     """
     names = joint_names or [f"joint_{i}" for i in range(1, table.n_joints + 1)]
-    _check_name(name, ("name",))
+    for text, where in ((name, "name"), (base_link, "base_link"), (tip_link, "tip_link")):
+        _check_name(text, (where,))
+    if base_link == tip_link:
+        raise DescriptionError(Fault(code="urdf_links_alike", where=("tip_link",), params={"link": tip_link}))
     check_joint_names(names, table.n_joints)
     box = read_limits(limits, [joint is JointType.REVOLUTE for joint in table.joint_types])
-    writer = _UrdfWriter(metres_per_unit, names)
-    if base is not None:
-        writer.fixed("base", check_transform(base, where=("base",)))
+    writer = _UrdfWriter(metres_per_unit, names, base_link, tip_link)
+    before = np.eye(4) if base is None else check_transform(base, where=("base",))
+    if not np.array_equal(before, np.eye(4)):
+        writer.fixed("base", before)
     bounds = list(zip(box.low.tolist(), box.high.tolist(), strict=True))
     _write_rows(writer, table, bounds)
     end = np.eye(4) if tool is None else check_transform(tool, where=("tool",))
@@ -103,8 +113,8 @@ def urdf_from_table(
     ]
     return WrittenUrdf(
         text="\n".join(lines),
-        base_link=BASE_LINK,
-        tip_link=TIP_LINK,
+        base_link=base_link,
+        tip_link=tip_link,
         assumed_limits=tuple(writer.assumed),
     )
 
@@ -127,22 +137,29 @@ class _UrdfWriter:
     `behind` is what is constant since the last one, `where` what is being written.
     """
 
-    def __init__(self, metres_per_unit: float, names: Sequence[str]) -> None:
+    def __init__(self, metres_per_unit: float, names: Sequence[str], base_link: str, tip_link: str) -> None:
         self.where: tuple[str | int, ...] = ("base",)
-        self.lines = [f'  <link name="{BASE_LINK}"/>']
+        self.lines = [f'  <link name="{html.escape(base_link)}"/>']
         self.behind: Transform = np.eye(4)
         self.assumed: list[int] = []
         self._metres = metres_per_unit
         self._names = names
-        self._link = BASE_LINK
+        self._link, self._tip = base_link, tip_link
+        self._taken = (base_link, tip_link)
 
     def fixed(self, name: str, pose: Transform) -> None:
         """A fixed joint and its link."""
-        self._joint(f"fixed_{name}", "fixed", name, pose, ())
+        self._joint(f"fixed_{name}", "fixed", self._free(name), pose, ())
 
     def last(self, pose: Transform) -> None:
         """The fixed joint to the last link."""
-        self._joint("fixed_tool", "fixed", TIP_LINK, pose, ())
+        self._joint("fixed_tool", "fixed", self._tip, pose, ())
+
+    def _free(self, link: str) -> str:
+        """The name of a link between the first and the last, made to differ from theirs."""
+        while link in self._taken:
+            link += "_"
+        return link
 
     def moving(
         self, number: int, joint: JointType, sign: int, pose: Transform, bounds: tuple[float, float]
@@ -164,7 +181,7 @@ class _UrdfWriter:
                 for bound in bounds
             )
             details.append(f'<limit lower="{low}" upper="{high}" effort="1" velocity="1"/>')
-        self._joint(self._names[number - 1], kind, f"link_{number}", pose, details)
+        self._joint(self._names[number - 1], kind, self._free(f"link_{number}"), pose, details)
 
     def _joint(self, name: str, kind: str, child: str, pose: Transform, details: Sequence[str]) -> None:
         origin = self.behind @ pose
@@ -173,10 +190,10 @@ class _UrdfWriter:
         xyz = [value * self._metres for value in origin[:3, 3].tolist()]
         self._check(xyz, self.where)
         self.lines += [
-            f'  <link name="{child}"/>',
+            f'  <link name="{html.escape(child)}"/>',
             f'  <joint name="{html.escape(name)}" type="{kind}">',
-            f'    <parent link="{self._link}"/>',
-            f'    <child link="{child}"/>',
+            f'    <parent link="{html.escape(self._link)}"/>',
+            f'    <child link="{html.escape(child)}"/>',
             f'    <origin xyz="{" ".join(map(_text, xyz))}" rpy="{" ".join(map(_text, rpy))}"/>',
             *(f"    {detail}" for detail in details),
             "  </joint>",

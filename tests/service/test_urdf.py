@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 import httpx
@@ -113,3 +114,30 @@ def test_a_chain_to_every_form(client: httpx.Client, to: str) -> None:
 )
 def test_what_is_refused(client: httpx.Client, body: dict[str, Any], code: str, pointer: str) -> None:
     check_problem(client.post(PATH, json=body), 422, code, pointer)
+
+
+def test_names_survive_the_way_through_a_table(client: httpx.Client) -> None:
+    chain = {"urdf": TURNING_ARM, "base_link": "floor", "tip_link": "hand"}
+    table = answered(client, PATH, {**chain, "to": "modified"})
+    named = {key: table[key] for key in ("name", "base_link", "tip_link", "joint_names")}
+    assert named == {
+        "name": "turning_arm",
+        "base_link": "floor",
+        "tip_link": "hand",
+        "joint_names": ["turn", "lift"],
+    }
+    robot = {key: table[key] for key in ("table", "base", "tool", "limits")}
+    written = answered(client, PATH, {**robot, **named, "to": "urdf"})
+    assert (written["base_link"], written["tip_link"]) == ("floor", "hand")
+    again = answered(client, PATH, {"urdf": written["urdf"], "to": "modified"})
+    assert {key: again[key] for key in named} == named
+    assert answered(client, PATH, {**chain, "to": "urdf"})["tip_link"] == "hand"
+
+
+def test_links_between_the_ends_get_other_names(client: httpx.Client) -> None:
+    body = {"table": PUMA_560, "to": "urdf", "base_link": "link_2", "tip_link": "link_2_"}
+    links = re.findall('<link name="([^"]+)"', answered(client, PATH, body)["urdf"])
+    assert links == ["link_2", "link_1", "link_2__", "link_3", "link_4", "link_5", "link_6", "link_2_"]
+    check_problem(
+        client.post(PATH, json={**body, "tip_link": "link_2"}), 422, "urdf_links_alike", "/tip_link"
+    )

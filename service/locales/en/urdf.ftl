@@ -13,6 +13,7 @@ error-urdf_name_invalid = A robot’s name is one line of visible characters.
 error-urdf_joint_incomplete = Joint “{ $joint }” lacks <{ $element } link="…"/>.
 error-urdf_link_missing = Joint “{ $joint }” names the link “{ $link }”, which the description does not have.
 error-urdf_link_unknown = The description has no link “{ $link }”; it has { $known }.
+error-urdf_links_alike = The first link and the last one need different names; both were “{ $link }”.
 error-urdf_two_parents = Link “{ $link }” is the child of two joints, “{ $first }” and “{ $second }”. Each link has one parent.
 error-urdf_ring = The links form a loop through “{ $link }”. A description is a tree.
 error-urdf_base_needed = { $count } links have no parent. Name one of them as base_link: { $links }.

@@ -13,6 +13,7 @@ error-urdf_name_invalid = El nombre de un robot es una línea de caracteres visi
 error-urdf_joint_incomplete = A la articulación «{ $joint }» le falta <{ $element } link="…"/>.
 error-urdf_link_missing = La articulación «{ $joint }» nombra el eslabón «{ $link }», que la descripción no tiene.
 error-urdf_link_unknown = La descripción no tiene el eslabón «{ $link }»; tiene { $known }.
+error-urdf_links_alike = El primer eslabón y el último necesitan nombres distintos; ambos eran «{ $link }».
 error-urdf_two_parents = El eslabón «{ $link }» es hijo de dos articulaciones, «{ $first }» y «{ $second }». Cada eslabón tiene un solo padre.
 error-urdf_ring = Los eslabones forman un bucle que pasa por «{ $link }». Una descripción es un árbol.
 error-urdf_base_needed = Eslabones sin padre: { $count }. Indique uno como base_link: { $links }.

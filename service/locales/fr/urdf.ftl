@@ -13,6 +13,7 @@ error-urdf_name_invalid = Le nom d’un robot est une ligne de caractères visib
 error-urdf_joint_incomplete = Il manque <{ $element } link="…"/> à l’articulation « { $joint } ».
 error-urdf_link_missing = L’articulation « { $joint } » nomme le segment « { $link } », que la description n’a pas.
 error-urdf_link_unknown = La description n’a pas de segment « { $link } » ; elle a { $known }.
+error-urdf_links_alike = Le premier segment et le dernier doivent porter des noms différents ; tous deux étaient « { $link } ».
 error-urdf_two_parents = Le segment « { $link } » est l’enfant de deux articulations, « { $first } » et « { $second } ». Chaque segment a un seul parent.
 error-urdf_ring = Les segments forment une boucle passant par « { $link } ». Une description est un arbre.
 error-urdf_base_needed = Segments sans parent : { $count }. Indiquez-en un comme base_link : { $links }.

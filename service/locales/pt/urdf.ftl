@@ -13,6 +13,7 @@ error-urdf_name_invalid = O nome de um robô é uma linha de caracteres visívei
 error-urdf_joint_incomplete = Falta <{ $element } link="…"/> à junta “{ $joint }”.
 error-urdf_link_missing = A junta “{ $joint }” nomeia o elo “{ $link }”, que a descrição não tem.
 error-urdf_link_unknown = A descrição não tem o elo “{ $link }”; tem { $known }.
+error-urdf_links_alike = O primeiro elo e o último precisam de nomes diferentes; ambos eram “{ $link }”.
 error-urdf_two_parents = O elo “{ $link }” é filho de duas juntas, “{ $first }” e “{ $second }”. Cada elo tem um só pai.
 error-urdf_ring = Os elos formam um ciclo que passa por “{ $link }”. Uma descrição é uma árvore.
 error-urdf_base_needed = Elos sem pai: { $count }. Indique um como base_link: { $links }.

@@ -13,6 +13,7 @@ error-urdf_name_invalid = Numele unui robot este un rând de caractere vizibile.
 error-urdf_joint_incomplete = Cuplei „{ $joint }” îi lipsește <{ $element } link="…"/>.
 error-urdf_link_missing = Cupla „{ $joint }” numește elementul „{ $link }”, pe care descrierea nu îl are.
 error-urdf_link_unknown = Descrierea nu are elementul „{ $link }”; are { $known }.
+error-urdf_links_alike = Primul element și ultimul au nevoie de nume diferite; ambele erau „{ $link }”.
 error-urdf_two_parents = Elementul „{ $link }” este copilul a două cuple, „{ $first }” și „{ $second }”. Fiecare element are un singur părinte.
 error-urdf_ring = Elementele formează o buclă prin „{ $link }”. O descriere este un arbore.
 error-urdf_base_needed = Elemente fără părinte: { $count }. Indicați unul ca base_link: { $links }.

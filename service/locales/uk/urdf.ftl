@@ -13,6 +13,7 @@ error-urdf_name_invalid = Ім’я робота — один рядок вид�
 error-urdf_joint_incomplete = Зчленуванню «{ $joint }» бракує <{ $element } link="…"/>.
 error-urdf_link_missing = Зчленування «{ $joint }» називає ланку «{ $link }», якої в описі немає.
 error-urdf_link_unknown = В описі немає ланки «{ $link }»; є { $known }.
+error-urdf_links_alike = Перша й остання ланки мають мати різні назви; обидві були «{ $link }».
 error-urdf_two_parents = Ланка «{ $link }» є нащадком двох зчленувань, «{ $first }» і «{ $second }». Кожна ланка має одного предка.
 error-urdf_ring = Ланки утворюють замкнений цикл через «{ $link }». Опис має бути деревом.
 error-urdf_base_needed = Ланок без предка: { $count }. Укажіть одну як base_link: { $links }.

@@ -56,6 +56,7 @@ class ScrewProduct(Wire):
 
 
 SOURCES = ("poe", "robot", "scm", "table", "urdf")
+_NO_URDF = {"not": {"const": "urdf"}}
 OPTIONS_OF_ROWS = ("base", "tool", "parameters")
 """Options of the sources that are written in rows of cells."""
 
@@ -65,11 +66,11 @@ class ConvertRequest(Wire):
 
     model_config = forbidding(
         *not_one_of(*SOURCES),
-        *(together(name, without=["urdf"]) for name in ("base_link", "tip_link")),
+        *(together(name, without=["urdf"], to=_NO_URDF) for name in ("base_link", "tip_link")),
         *(together(name, source) for name in OPTIONS_OF_ROWS for source in ("urdf", "poe")),
         together("angle_unit", without=["urdf", "poe"]),
         together("verify", without=["scm"]),
-        together("name", to={"not": {"const": Target.URDF}}),
+        together("name", to=_NO_URDF),
     )
 
     to: Annotated[Target, Field(strict=False)] = Field(
@@ -86,12 +87,16 @@ class ConvertRequest(Wire):
         description="a URDF description, XML; one serial chain of it is taken",
     )
     base_link: str | None = Field(
-        None, max_length=200, description="of a URDF: the first link of the chain; the root if left out"
+        None,
+        max_length=200,
+        description="of a URDF: the first link of the chain; the root if left out. To URDF from anything "
+        "else: its name; base_link if left out",
     )
     tip_link: str | None = Field(
         None,
         max_length=200,
-        description="of a URDF: the last link of the chain; needed where the description branches",
+        description="of a URDF: the last link of the chain; needed where the description branches. To URDF "
+        "from anything else: its name; tool0 if left out",
     )
     base: PoseInput | None = Field(None, description="what stands before a table, a listed robot or a chain")
     tool: PoseInput | None = Field(None, description="what stands behind a table, a listed robot or a chain")
@@ -129,8 +134,7 @@ class ConvertRequest(Wire):
     @model_validator(mode="after")
     def _no_idle_option(self) -> Self:
         idle = {
-            "base_link": self.urdf is None,
-            "tip_link": self.urdf is None,
+            **dict.fromkeys(("base_link", "tip_link"), self.urdf is None and self.to is not Target.URDF),
             **dict.fromkeys(OPTIONS_OF_ROWS, self.urdf is not None or self.poe is not None),
             "angle_unit": self.urdf is None and self.poe is None,
             "verify": self.scm is None,
@@ -152,16 +156,19 @@ MatrixOfCells: TypeAlias = Annotated[
 ]
 
 
-class JointsAnswer(Units):
-    """Names and limits of the joints, beside a description that has no place for them."""
+class NamedAnswer(Units):
+    """Names, and limits of the joints, beside a description that has no place for them."""
 
+    name: str | None = Field(None, description="the robot's name, if the source has one")
+    base_link: str | None = Field(None, description="the name of the first link, if the source has one")
+    tip_link: str | None = Field(None, description="the name of the last link, if the source has one")
     joint_names: list[str] | None = Field(None, description="the names of joint 1 … n, if the source has any")
     limits: list[Range | None] | None = Field(
         None, description="[least, greatest] of each joint, if any are known; null where there is none"
     )
 
 
-class TableAnswer(JointsAnswer):
+class TableAnswer(NamedAnswer):
     """base · (this table) · tool is the described robot, for every q."""
 
     table: AnsweredTable
@@ -183,7 +190,7 @@ class ScrewModel(GivenScrew):
     joint: JointType
 
 
-class ProductAnswer(JointsAnswer):
+class ProductAnswer(NamedAnswer):
     """T(q) = exp([S_1] q_1) ⋯ exp([S_n] q_n) · home, q in radians and in the length unit."""
 
     screws: list[ScrewModel] = Field(description="S_1 … S_n at q = 0, in the axes of the world")
@@ -202,7 +209,7 @@ class UrdfAnswer(Units):
     )
 
 
-class ScmAnswer(JointsAnswer):
+class ScmAnswer(NamedAnswer):
     """base · (the chain's pose) is the described robot, for every q."""
 
     scm: ScmChainModel = Field(

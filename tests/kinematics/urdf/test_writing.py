@@ -100,7 +100,9 @@ def test_right_angles_and_zeros_are_exact():
 
 
 def test_fixed_rows_are_fixed_joints():
-    found = elements(urdf_from_table(PRISMATIC_ENDS, base=np.eye(4), tool=np.eye(4)).text)
+    lifted = np.eye(4)
+    lifted[2, 3] = 0.1
+    found = elements(urdf_from_table(PRISMATIC_ENDS, base=lifted, tool=np.eye(4)).text)
     kinds = [joint.get("type") for joint in found.values()]
     assert list(found) == ["fixed_base", "joint_1", "fixed_row_2", "joint_2", "joint_3", "fixed_tool"]
     assert kinds == ["fixed", "prismatic", "fixed", "continuous", "prismatic", "fixed"]

@@ -38,6 +38,7 @@ class RobotDescription:
         spellings: how a person wrote the constant entries.
         variable_cells: how a person wrote the cells with the joint variables, by joint number.
         name: the robot's name, if it has one.
+        base_link, tip_link: the names of its first and its last link, if the source has any.
         joint_names: the names of joint 1 … n, if the source has any.
         limits: [lowest, highest] of joint 1 … n in the units of the table, if the source has any.
     """
@@ -49,6 +50,8 @@ class RobotDescription:
     spellings: Spellings = field(default_factory=dict)
     variable_cells: Mapping[int, WireCell] = field(default_factory=dict)
     name: str | None = None
+    base_link: str | None = None
+    tip_link: str | None = None
     joint_names: tuple[str, ...] | None = None
     limits: Ranges | None = None
 
@@ -94,10 +97,13 @@ class RobotDescription:
         )
 
     @property
-    def joints(self) -> dict[str, list[Any] | None]:
-        """The names and limits of the joints as every answer that is not a URDF gives them."""
+    def names_and_limits(self) -> dict[str, Any]:
+        """The names, and the limits of the joints, as every answer that is not a URDF gives them."""
         limits = self.limits
         return {
+            "name": self.name,
+            "base_link": self.base_link,
+            "tip_link": self.tip_link,
             "joint_names": None if self.joint_names is None else list(self.joint_names),
             "limits": None if limits is None else [None if pair is None else list(pair) for pair in limits],
         }

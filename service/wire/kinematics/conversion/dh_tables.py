@@ -107,7 +107,7 @@ def table_answer(robot: RobotDescription, request: ConvertRequest) -> TableAnswe
         tool_row=tool_row,
         base_rows=_rows(base, base_row, convention, robot.read.angle_unit),
         tool_rows=_rows(tool, tool_row, convention, robot.read.angle_unit),
-        **robot.joints,
+        **robot.names_and_limits,
     )
 
 

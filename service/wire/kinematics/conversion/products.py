@@ -76,5 +76,5 @@ def product_answer(robot: RobotDescription, request: ConvertRequest) -> ProductA
         length_unit=robot.read.length_unit.value,
         screws=screws,
         home=product.home.tolist(),
-        **robot.joints,
+        **robot.names_and_limits,
     )

@@ -80,7 +80,9 @@ def scm_answer(robot: RobotDescription, request: ConvertRequest) -> ScmAnswer:
         }
     )
     check = Verification.OFF if verify(chain) else Verification.STRICT
-    return ScmAnswer.model_validate({"scm": written, "base": base, "verify": check, **robot.joints, **units})
+    return ScmAnswer.model_validate(
+        {"scm": written, "base": base, "verify": check, **robot.names_and_limits, **units}
+    )
 
 
 def _placement(placement: Placement, writer: TableWriter) -> dict[str, WireCell]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from kinematics.cells import AngleUnit, LengthUnit, ReadTable
 from kinematics.frames.exactness import exact_table
 from kinematics.table import Convention, JointType
-from kinematics.urdf import table_from_urdf, urdf_from_table
+from kinematics.urdf import BASE_LINK, TIP_LINK, table_from_urdf, urdf_from_table
 from service.http.problems import located
 from service.schemas.kinematics.conversion import ConvertRequest, Target, UrdfAnswer
 from service.schemas.kinematics.joint_limits import domain_limits
@@ -39,13 +39,19 @@ def described_urdf(request: ConvertRequest, _settings: Settings) -> RobotDescrip
         read=read,
         base=robot.base,
         tool=robot.tool,
-        name=robot.name if robot.name.strip() and robot.name.isprintable() else None,
+        name=_printable(robot.name),
+        base_link=_printable(robot.base_link),
+        tip_link=_printable(robot.tip_link),
         joint_names=robot.joints,
         limits=[
             None if pair is None else [_bound(bound, unit if turns else AngleUnit.RAD) for bound in pair]
             for pair, turns in zip(robot.limits, turning, strict=True)
         ],
     )
+
+
+def _printable(name: str) -> str | None:
+    return name if name.strip() and name.isprintable() else None
 
 
 def _bound(bound: float | None, unit: AngleUnit) -> float | None:
@@ -70,6 +76,8 @@ def urdf_answer(robot: RobotDescription, request: ConvertRequest) -> UrdfAnswer:
             tool=robot.tool,
             limits=limits,
             joint_names=robot.joint_names,
+            base_link=robot.base_link or request.base_link or BASE_LINK,
+            tip_link=robot.tip_link or request.tip_link or TIP_LINK,
             metres_per_unit=float(robot.read.length_unit.metres_per_unit),
         )
     return UrdfAnswer(
