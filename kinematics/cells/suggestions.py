@@ -10,6 +10,10 @@ from kinematics.cells.scanner import canonical_name
 _CONFUSED = str.maketrans("oOlI", "0011")
 """Letters that are taken for digits: O for 0, l and I for 1."""
 _DIGITS = re.compile(r"[0-9]+")
+_RATE = re.compile(
+    r"d(?:theta|th)_?([0-9]+)|(?:q|theta|th)_?(?:dot|p)_?([0-9]+)|(?:q|theta|th)_?([0-9]+)_?(?:dot|p)"
+)
+"""What a joint's rate is called elsewhere: dtheta1, qdot1, q1_dot, qp1."""
 
 
 def nearest_name(name: str, known: Collection[str]) -> str | None:
@@ -17,7 +21,7 @@ def nearest_name(name: str, known: Collection[str]) -> str | None:
 
     Names are the same but for case or underscores (A2 for a2, F_x for fx), for letters that look like digits
     (L0 for LO), or for one letter left out, put in, changed or exchanged with its neighbour; their numbers
-    agree.
+    agree. Or both are the rate of one joint (q1_dot for dq1).
 
     Args:
         name: what was typed, in any spelling that a cell may have.
@@ -27,7 +31,7 @@ def nearest_name(name: str, known: Collection[str]) -> str | None:
     names = {canonical_name(candidate) or candidate for candidate in known}
     if typed in names:
         return typed
-    for same in (_ignoring_case, _looking_alike, _one_slip_apart):
+    for same in (_ignoring_case, _looking_alike, _one_rate, _one_slip_apart):
         found = {candidate for candidate in names if same(typed, candidate)}
         if found:
             return found.pop() if len(found) == 1 else None
@@ -40,6 +44,11 @@ def _ignoring_case(a: str, b: str) -> bool:
 
 def _looking_alike(a: str, b: str) -> bool:
     return a.translate(_CONFUSED).lower() == b.translate(_CONFUSED).lower()
+
+
+def _one_rate(a: str, b: str) -> bool:
+    found = _RATE.fullmatch(a.lower())
+    return found is not None and b == f"dq{next(filter(None, found.groups()))}"
 
 
 def _one_slip_apart(a: str, b: str) -> bool:

@@ -209,3 +209,10 @@ def test_minutes_of_arc_and_about_are_told_in_decimals(cell, decimal):
         read_cell(cell, ParameterKind.ANGLE)
     (fault,) = refused.value.faults
     assert fault.params["suggestion"] == decimal
+
+
+@pytest.mark.parametrize("typed", ["q1_dot", "qdot1", "q_dot1", "qp1", "dtheta1", "dth_1", "theta1_dot"])
+def test_a_rate_by_another_name(typed):
+    known = ("dq1", "dq2", "L1", "q1x")
+    assert nearest_name(typed, known) == "dq1"
+    assert nearest_name(typed, ("L1", "L2", "dq2")) is None
