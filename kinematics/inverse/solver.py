@@ -205,8 +205,14 @@ class Solver:
         """The result of a search: solutions within the limits, outside them, or the nearest pose."""
         goal = goal._replace(tolerance=max(goal.tolerance, SEARCHED))
         known = self._by_closed_form(goal)
-        method = Method.SEARCH if known is None else Method.CLOSED_FORM
-        outside = 0 if known is None else len(components_of(self.arm, goal.pose, known, goal.tolerance))
+        method, outside = Method.SEARCH, 0
+        if known is not None:
+            method = Method.CLOSED_FORM
+            parts = components_of(self.arm, goal.pose, known, goal.tolerance)
+            answer = self._answer_of(parts, goal, method)
+            if answer is not None:  # of a target that was rounded by a little more than it shows
+                return answer
+            outside = len(parts)
         freely = None
         if not outside and not (self.arm.spare and self.box.limited):
             freely = self._search(goal, Bounds.IGNORED)
