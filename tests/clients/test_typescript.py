@@ -49,6 +49,19 @@ def tools() -> Path:
     return TOOLS / "node_modules"
 
 
+@pytest.fixture(scope="module")
+def project(tools: Path, tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder for programs, with the types of the document in `schema.d.ts`."""
+    folder = tmp_path_factory.mktemp("client")
+    (folder / "openapi.json").write_text(json.dumps(DOCUMENT))
+    (folder / "node_modules").symlink_to(tools)
+    (folder / "package.json").write_text('{"type": "module"}')
+    (folder / "tsconfig.json").write_text((TOOLS / "tsconfig.json").read_text())
+    made = run(tools / ".bin/openapi-typescript", "openapi.json", "-o", "schema.d.ts", folder=folder)
+    assert made.returncode == 0, made.stdout + made.stderr
+    return folder
+
+
 def program(address: str) -> str:
     """A program that makes every call of the document with its examples, and tells the statuses."""
     lines = [
@@ -73,40 +86,24 @@ def program(address: str) -> str:
     return "\n".join([*lines, "console.log(JSON.stringify(statuses));", ""])
 
 
-def test_every_call_is_typed_compiled_and_made(tools: Path, base_url: str, tmp_path: Path) -> None:
-    (tmp_path / "openapi.json").write_text(json.dumps(DOCUMENT))
-    (tmp_path / "node_modules").symlink_to(tools)
-    (tmp_path / "package.json").write_text('{"type": "module"}')
-    (tmp_path / "tsconfig.json").write_text((TOOLS / "tsconfig.json").read_text())
-    (tmp_path / "program.ts").write_text(program(base_url))
-    made = run(tools / ".bin/openapi-typescript", "openapi.json", "-o", "schema.d.ts", folder=tmp_path)
-    assert made.returncode == 0, made.stdout + made.stderr
-    compiled = run(tools / ".bin/tsc", "-p", ".", folder=tmp_path)
+def test_every_call_is_typed_compiled_and_made(tools: Path, project: Path, base_url: str) -> None:
+    (project / "program.ts").write_text(program(base_url))
+    compiled = run(tools / ".bin/tsc", "-p", ".", folder=project)
     assert compiled.returncode == 0, compiled.stdout
-    ran = run("node", "program.js", folder=tmp_path)
+    ran = run("node", "program.js", folder=project)
     assert ran.returncode == 0, ran.stderr
     statuses = json.loads(ran.stdout)
     assert len(statuses) == len(calls())
     assert {status for _, status in statuses} == {200}
 
 
-def test_a_wrong_body_does_not_compile(tools: Path, tmp_path: Path) -> None:
-    (tmp_path / "openapi.json").write_text(json.dumps(DOCUMENT))
-    (tmp_path / "node_modules").symlink_to(tools)
-    (tmp_path / "package.json").write_text('{"type": "module"}')
-    (tmp_path / "tsconfig.json").write_text((TOOLS / "tsconfig.json").read_text())
-    (tmp_path / "program.ts").write_text(
+def test_a_wrong_body_does_not_compile(tools: Path, project: Path) -> None:
+    (project / "program.ts").write_text(
         'import createClient from "openapi-fetch";\nimport type { paths } from "./schema.js";\n'
         'const client = createClient<paths>({ baseUrl: "" });\n'
         'await client.POST("/api/v1/forward-kinematics", { body: { robot: 560, joints: [0] } });\n'
     )
-    assert (
-        run(
-            tools / ".bin/openapi-typescript", "openapi.json", "-o", "schema.d.ts", folder=tmp_path
-        ).returncode
-        == 0
-    )
-    compiled = run(tools / ".bin/tsc", "-p", ".", "--noEmit", folder=tmp_path)
+    compiled = run(tools / ".bin/tsc", "-p", ".", "--noEmit", folder=project)
     assert compiled.returncode != 0
     assert "number" in compiled.stdout
     assert "string" in compiled.stdout
