@@ -240,3 +240,25 @@ def assert_accessible(axe: str) -> Callable[[Page], None]:
         ]
 
     return check
+
+
+SIZES = ((320, 600), (1280, 900))
+"""A small phone's and a desktop's window."""
+
+
+@pytest.fixture
+def assert_accessible_at_both_sizes(
+    assert_accessible: Callable[[Page], None],
+) -> Callable[[Page], None]:
+    """Fails with axe-core's findings in a small window and in a large one, and where a page is wider than it.
+
+    A page that is resized is laid out as one that is opened so; opening it again would take longer than this.
+    """
+
+    def check(page: Page) -> None:
+        for width, height in SIZES:
+            page.set_viewport_size({"width": width, "height": height})
+            assert_accessible(page)
+            assert page.evaluate("document.documentElement.scrollWidth <= window.innerWidth"), width
+
+    return check

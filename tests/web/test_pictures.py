@@ -183,9 +183,7 @@ def test_the_lesson_moves_its_frames_and_is_reached_from_the_terms(
     assert "lesson-" not in page.locator("main").inner_text()
 
 
-@pytest.mark.parametrize("width", [320, 1280])
-def test_the_lesson_is_accessible(open_page: OpenPage, assert_accessible: Any, width: int) -> None:
-    page = open_page("/lesson", width=width)
+def test_the_lesson_is_accessible(open_page: OpenPage, assert_accessible_at_both_sizes: Any) -> None:
+    page = open_page("/lesson")
     expect(page.locator("#two-axes robot-scene")).to_be_visible()
-    assert_accessible(page)
-    assert page.evaluate("document.documentElement.scrollWidth <= window.innerWidth")
+    assert_accessible_at_both_sizes(page)

@@ -320,16 +320,14 @@ def test_what_was_typed_is_there_after_reload(open_page: OpenPage) -> None:
     expect(page.get_by_label(re.compile(r"^Row 3, d"))).to_have_value("2*(")
 
 
-@pytest.mark.parametrize("width", [320, 1280])
 def test_accessible_with_everything_open(
-    open_page: OpenPage, assert_accessible: Callable[[Page], None], width: int
+    open_page: OpenPage, assert_accessible_at_both_sizes: Callable[[Page], None]
 ) -> None:
-    page = open_page("/playground", width=width, height=600 if width == 320 else 900)
+    page = open_page("/playground")
     shown_robot(page)
     page.evaluate("for (const each of document.querySelectorAll('details')) each.open = true")
     expect(page.locator(".named dd").first).to_be_visible()
-    assert_accessible(page)
-    assert page.evaluate("document.documentElement.scrollWidth <= window.innerWidth")
+    assert_accessible_at_both_sizes(page)
 
 
 def test_an_answer_that_was_overtaken_is_not_shown(open_page: OpenPage) -> None:
@@ -609,11 +607,10 @@ def test_tables_whose_names_have_different_values_are_not_compared(open_page: Op
     expect(tool).to_contain_text("different values for a2")
 
 
-@pytest.mark.parametrize("width", [320, 1280])
 def test_more_about_a_robot_is_accessible(
-    open_page: OpenPage, assert_accessible: Callable[[Page], None], width: int
+    open_page: OpenPage, assert_accessible_at_both_sizes: Callable[[Page], None]
 ) -> None:
-    page = open_page("/playground", width=width)
+    page = open_page("/playground")
     shown_robot(page)
     page.get_by_label("Robot from the catalogue").select_option("scara")
     expect(page.locator("joint-sliders .joint-name")).to_have_count(4)
@@ -621,5 +618,4 @@ def test_more_about_a_robot_is_accessible(
     for heading in ("Orientation in every notation", "Equations of motion", "Find the mistake"):
         expect(more(page, heading).locator(".scroller").last).to_be_visible()
     expect(more(page, "Inverse kinematics in symbols").locator(".katex").first).to_be_visible()
-    assert_accessible(page)
-    assert page.evaluate("document.documentElement.scrollWidth <= window.innerWidth")
+    assert_accessible_at_both_sizes(page)
