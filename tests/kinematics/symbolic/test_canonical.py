@@ -232,3 +232,13 @@ def test_square_free_parts() -> None:
             product *= prime
         assert product == value
         assert not certain or all(map(sympy.isprime, primes))
+
+
+@pytest.mark.parametrize(("sign", "turn"), [(1, 1), (-1, 5)])
+def test_a_root_of_a_root_is_denested_where_its_rational_part_is_small(sign: int, turn: int) -> None:
+    """cos 15° = √(1/2 + √3/4) = (√6 + √2)/4, and cos 75° with minus."""
+    inner = add((number("0.5"), multiply((number(sign), number("0.25"), root(3)))))
+    nested = power(inner, Fraction(1, 2))
+    assert compare(nested, call(Function.COS, pi_times(Fraction(turn, 12)))) is ProofStatus.PROVED
+    quarter = add((root(6), multiply((number(sign), root(2)))))
+    assert compare(nested, multiply((number("0.25"), quarter))) is ProofStatus.PROVED

@@ -124,3 +124,12 @@ def test_a_copy_leaves_its_original_as_it_was():
     assert copy.read(multiply((d3, cos(q2), alpha))) is not None
     assert copy.read(add((L, sin(q1)))) == known
     assert reader.degrees(known) == {q1: 1}
+
+
+@pytest.mark.parametrize(("last", "fits"), [(61, True), (63, False)])
+def test_an_exponent_beyond_its_field_is_not_read(last, fits):
+    """Of cⁿ s² = cⁿ − cⁿ⁺² the second term may leave the field alone: it holds exponents below 2048."""
+    reader = PolynomialReader()
+    factors = [reader.read(power(cos(q1), n)) for n in (*[64] * 31, last)]
+    sine = reader.read(sin(q1))
+    assert (reader.product([*factors, sine, sine]) is not None) is fits
