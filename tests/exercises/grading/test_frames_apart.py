@@ -1,0 +1,63 @@
+"""What is told of two frames apart, by turning and moving one of them by hand."""
+
+from __future__ import annotations
+
+import math
+
+import pytest
+
+from exercises.grading.judging.frames import _apart, _Noticed
+from kinematics.se3 import Motion, compose, rotation_about, translation
+
+NOTICED = _Noticed(angle=0.01, length=0.5)
+X, Y, Z = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
+ORIGIN = (0.0, 0.0, 0.0)
+
+
+def about(axis: tuple[float, float, float], degrees: float) -> Motion:
+    angle = math.radians(degrees)
+    return rotation_about(ORIGIN, axis, math.cos(angle), math.sin(angle))
+
+
+STAYS = translation(ORIGIN)
+
+
+@pytest.mark.parametrize(
+    ("motion", "told"),
+    [
+        (STAYS, []),
+        # 0.01 rad is 0.573 degrees
+        (about(X, 0.5), []),
+        (about(X, 0.65), ["frame_elsewhere"]),
+        (about(Y, 0.5), []),
+        (about(Y, -0.65), ["frame_elsewhere"]),
+        (about(X, 180.0), ["axis_reversed"]),
+        (about(Y, 180.0), ["axis_reversed", "x_turned"]),
+        (about(Z, 0.5), []),
+        (about(Z, -0.65), ["x_turned"]),
+        (translation((0.3, 0.39, 0.0)), []),
+        (translation((0.3, -0.41, 0.0)), ["axis_moved"]),
+        (translation((0.0, 0.0, 0.49)), []),
+        (translation((0.0, 0.0, -0.51)), ["origin_slid"]),
+        # the axis elsewhere: how far along it then means nothing
+        (translation((0.6, 0.0, 0.6)), ["axis_moved"]),
+        (compose(translation((0.0, 0.6, 0.0)), about(Z, 90.0)), ["x_turned", "axis_moved"]),
+    ],
+)
+def test_what_is_told_of_frames_apart(motion: Motion, told: list[str]) -> None:
+    assert [said.code for said in _apart(motion, 3, 2, NOTICED)] == told
+
+
+def test_a_reversed_axis_of_no_joint_is_an_end() -> None:
+    (said,) = _apart(about(X, 180.0), 3, None, NOTICED)
+    assert (said.code, said.row, said.params) == ("end_axis_reversed", 3, {"frame": 3})
+    (said,) = _apart(about(X, 180.0), 0, 1, NOTICED)
+    assert (said.code, said.row, said.params) == ("axis_reversed", None, {"frame": 0, "joint": 1})
+
+
+@pytest.mark.parametrize(
+    ("turned", "degrees"), [(90.0, 90), (-90.0, 90), (30.04, 30), (30.06, 30.1), (30.26, 30.3), (29.97, 30)]
+)
+def test_a_turn_is_told_in_whole_degrees_or_tenths(turned: float, degrees: float) -> None:
+    (said,) = _apart(about(Z, turned), 3, 2, NOTICED)
+    assert (said.code, said.params) == ("x_turned", {"frame": 3, "degrees": degrees})
