@@ -61,3 +61,12 @@ def test_a_reversed_axis_of_no_joint_is_an_end() -> None:
 def test_a_turn_is_told_in_whole_degrees_or_tenths(turned: float, degrees: float) -> None:
     (said,) = _apart(about(Z, turned), 3, 2, NOTICED)
     assert (said.code, said.params) == ("x_turned", {"frame": 3, "degrees": degrees})
+
+
+def test_whole_degrees_are_a_whole_number() -> None:
+    (said,) = _apart(about(Z, 90.04), 3, 2, NOTICED)
+    assert repr(said.params["degrees"]) == "90"
+
+
+def test_an_end_that_is_hardly_turned_is_not_reversed() -> None:
+    assert not list(_apart(about(X, 0.5), 3, None, NOTICED))
