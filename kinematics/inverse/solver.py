@@ -32,6 +32,7 @@ from kinematics.inverse.self_motions.families import Follower
 from kinematics.inverse.self_motions.isolation import told_apart
 from kinematics.inverse.self_motions.membership import Component
 from kinematics.inverse.self_motions.ranges import families_within
+from kinematics.inverse.valleys import low_points
 from kinematics.se3 import Transform
 from kinematics.table import NumericTable
 
@@ -134,7 +135,14 @@ class Solver:
     def _by_closed_form(self, goal: Goal) -> Array | None:
         """Solutions by the closed form, if it has an answer for this target."""
         candidates = None if self.closed_form is None else self.closed_form.candidates(goal.pose)
-        return None if candidates is None else solutions_of(self.arm, candidates, goal.pose, goal.tolerance)
+        if candidates is None:
+            return None
+        arm, target, tolerance = self.arm, goal.pose, goal.tolerance
+        found = solutions_of(arm, candidates, target, tolerance)
+        if len(found) and not arm.spare:
+            beyond = solutions_of(arm, low_points(arm, target, found, tolerance), target, tolerance)
+            found = np.concatenate((found, beyond)) if len(beyond) else found
+        return found
 
     def _answer(
         self, joints: Array, goal: Goal, method: Method, outside: int = 0

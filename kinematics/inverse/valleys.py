@@ -32,6 +32,18 @@ LEVEL = 1e-6
 LONGEST = 0.3
 """Longest step [rad, or parts of the size]."""
 
+NARROW = 1e-4
+"""A direction with a singular value up to this is walked along: the Jacobian hardly sees it."""
+
+STRIDE = 0.1
+"""Length of a step of a walk [rad, or parts of the size]."""
+
+STRIDES = 64
+"""Steps to either side: a full turn."""
+
+LEFT = 1e-3
+"""An error [rad, and parts of the size] with which a walk has left its valley."""
+
 
 def along_valleys(arm: Arm, target: Array, joints: Array) -> Array:
     """The least errors near configurations, by Newton's method with the second derivatives of the error.
@@ -128,3 +140,49 @@ def _gradient(arm: Arm, target: Array, x: Array) -> tuple[Array, float]:
     """Gradient of half the squared error at x, (n,), and that."""
     e, J = errors_and_jacobians(arm, x[None], target)
     return -J[0].T @ e[0], 0.5 * float(e[0] @ e[0])
+
+
+def low_points(arm: Arm, target: Array, joints: Array, tolerance: float) -> Array:
+    """Return where else along their valleys the error of solutions is small again, (k, n); close to it.
+
+    With a wrist's centre all but on the axis of a shoulder, or an elbow folded, arms nearly move while the
+    tool stands still, and two solutions lie at the ends of such a way. They are nearly one root of the
+    equations that solve the arm, of which rounding may leave only one.
+
+    Args:
+        arm: the arm.
+        target: (4, 4).
+        joints: (m, n) solutions.
+        tolerance: distance [m] and angle [rad] of solutions; where no more separates them they are joined.
+    """
+    x = joints / arm.units
+    _, J = errors_and_jacobians(arm, x, target)
+    _, values, Vt = np.linalg.svd(J, full_matrices=False)
+    # flatter still, no error on the way would tell two solutions apart
+    narrow = (values[:, -1] <= NARROW) & (values[:, -1] > tolerance)
+    along = np.concatenate((Vt[narrow, -1], -Vt[narrow, -1]))
+    x = np.concatenate((x[narrow], x[narrow]))
+    found = [x[:0]]
+    before, last, highest = np.zeros(len(x)), np.zeros(len(x)), np.zeros(len(x))
+    for _ in range(STRIDES):
+        if not len(x):
+            break
+        here, ahead, error = _along(arm, target, x + STRIDE * along, along)
+        low = (last < before) & (last <= error) & (highest > 2.0 * tolerance)
+        found.append(x[low])
+        inside = (error <= LEFT) & ~low
+        x, along, before, last = here[inside], ahead[inside], last[inside], error[inside]
+        highest = np.maximum(highest[inside], last)
+    return np.asarray(np.concatenate(found) * arm.units)
+
+
+def _along(arm: Arm, target: Array, x: Array, along: Array) -> tuple[Array, Array, Array]:
+    """Step across valleys to their floors: where that is, the way on, and the errors there."""
+    for _ in range(ACROSS):
+        e, J = errors_and_jacobians(arm, x, target)
+        U, values, Vt = np.linalg.svd(J, full_matrices=False)
+        inverse = np.where(values > NARROW, 1.0 / np.maximum(values, NARROW), 0.0)
+        inverse[:, -1] = 0.0
+        x = x + np.einsum("mkn,mk,mik,mi->mn", Vt, inverse, U, e)
+    ahead = Vt[:, -1] * np.where((Vt[:, -1] * along).sum(axis=1) < 0.0, -1.0, 1.0)[:, None]
+    return x, ahead, np.asarray(np.linalg.norm(e, axis=1))
