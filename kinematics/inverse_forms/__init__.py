@@ -4,7 +4,8 @@ derivation     how an arm is taken apart, and which joint follows from what
 signed_axes    axes at right angles, in symbols
 planar_joints  joints that move in a plane
 axis_turns     turns about axes through one point
-steps          what is written down: equations, branch signs, conditions
+steps          what is written down: equations, branch signs, conditions, singular cases
+singular_cases the equations of a singular case
 outer_frames   equations for the pose of the tool in the world
 radicands      radicands that rounding has made negative
 branches       the numbers of each branch
@@ -12,20 +13,26 @@ branches       the numbers of each branch
 
 from kinematics.inverse_forms.branches import joint_values
 from kinematics.inverse_forms.derivation import inverse_form
+from kinematics.inverse_forms.singular_cases import form_of_case
 from kinematics.inverse_forms.steps import (
     ConditionKind,
     InverseCondition,
     InverseForm,
+    InverseQuantity,
     InverseReach,
     InverseStep,
+    SingularCase,
 )
 
 __all__ = [
     "ConditionKind",
     "InverseCondition",
     "InverseForm",
+    "InverseQuantity",
     "InverseReach",
     "InverseStep",
+    "SingularCase",
+    "form_of_case",
     "inverse_form",
     "joint_values",
 ]

@@ -18,12 +18,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from functools import partial
 from itertools import pairwise
 
 from kinematics.errors import Fault, TableError
 from kinematics.expressions import ZERO, Expression, Function, Parameter, add, negate
-from kinematics.inverse_forms.axis_turns import Writing, write_turns
+from kinematics.inverse_forms.axis_turns import Turn, turn_of_joint, write_turns
 from kinematics.inverse_forms.planar_joints import JointPlane, place_point, place_pose
 from kinematics.inverse_forms.signed_axes import (
     Axis,
@@ -48,10 +47,12 @@ from kinematics.inverse_forms.steps import (
     InverseCondition,
     InverseDerivation,
     InverseForm,
+    InverseQuantity,
     InverseReach,
     atan2,
     determined,
     fulfilled,
+    less_angle,
     reachable,
     root,
     square,
@@ -212,7 +213,8 @@ class _Writer:
         target = self.target
         if target != tuple(map(Parameter, self.position)):
             target = tuple(  # type: ignore[assignment]
-                write.let(f"w_{axis}", entry) for axis, entry in zip("xyz", target, strict=True)
+                write.let(f"w_{axis}", entry, InverseQuantity.WRIST_POINT)
+                for axis, entry in zip("xyz", target, strict=True)
             )
         N: Sequence[Vector] = self.R
         if parts.lead is not None:
@@ -256,37 +258,56 @@ class _Writer:
         write, f, e = self.write, self.parts.plane.f, joint.axis
         k = cross(e, f)
         off = minus(target, joint.point)
-        X, Y = write.let("x", along(f, off)), write.let("y", along(k, off))
+        X, Y = (
+            write.let(name, along(axis, off), InverseQuantity.TURNED_POINT)
+            for name, axis in (("x", f), ("y", k))
+        )
         D = along(k, minus(self.parts.point, joint.point))
         sign = write.sign()
         if D == ZERO:
             theta = write.joint(joint, atan2(times(sign, Y), times(sign, X)), determined(X, Y), branch=sign)
+            write.free(joint, X, Y)
             c, s = circular(Function.COS, theta), circular(Function.SIN, theta)
-            rho = write.let("rho", add((times(c, X), times(s, Y))))
-        else:
+            rho = write.let("rho", add((times(c, X), times(s, Y))), InverseQuantity.RADIUS)
+        else:  # X² + Y² is D² at least: θ is determined
             radicand = add((square(X), square(Y), negate(square(D))))
-            rho = write.let("rho", times(sign, root(radicand)), reachable(radicand))
-            theta = write.joint(
-                joint, add((atan2(Y, X), negate(atan2(D, rho)))), determined(X, Y), branch=sign
-            )
+            rho = write.let("rho", times(sign, root(radicand)), InverseQuantity.RADIUS, reachable(radicand))
+            theta = write.joint(joint, less_angle(atan2(Y, X), D, rho), branch=sign)
         seen = plus(scaled(f, rho), plus(scaled(k, D), scaled(e, along(e, off))))
         return plus(joint.point, seen), theta
 
     def _by_pose(self, N: Sequence[Vector], target: Vector) -> bool:
         """Write down three planar joints and the tail, the turn of the plane first."""
-        parts, write = self.parts, self.write
-        axes = (parts.plane.h, *(joint.axis for joint in parts.tail))
-        turn: list[Expression] = []
+        parts, write, plane = self.parts, self.write, self.parts.plane
+        turning = [joint for joint in parts.planar if joint.turns]
+        angle = plane.turn_of(parts.planar)
+        offset = add(signed(plane.sense(joint), joint.offset) for joint in turning)
+        only = turning[0] if len(turning) == 1 else None
+        noted: list[Expression] = []
 
         def note(
-            angle: Expression, *conditions: InverseCondition, branch: Expression | None = None
+            value: Expression, *conditions: InverseCondition, branch: Expression | None = None
         ) -> Expression:
-            turn.append(write.let("phi", angle, *conditions))
-            return turn[0]
+            if only is None:
+                turn = write.let(
+                    "phi", value, InverseQuantity.PLANE_TURN, *conditions, branch=branch, meaning=angle
+                )
+            else:
+                write.joint(only, value, *conditions, branch=branch, sense=plane.sense(only))
+                turn = angle
+            noted.append(turn)
+            return turn
 
-        writings: list[Writing] = [note, *(partial(write.joint, joint) for joint in parts.tail)]
-        return write_turns(write, axes, N, writings) and place_pose(
-            write, parts.plane, parts.planar, parts.point, parts.plane.point(target), turn[0]
+        first = Turn(
+            axis=plane.h,
+            joint=0 if only is None else only.number,
+            variables=add((angle, negate(offset))),
+            offset=offset,
+            writing=note,
+        )
+        turns = [first, *(turn_of_joint(write, joint) for joint in parts.tail)]
+        return write_turns(write, turns, N) and place_pose(
+            write, plane, parts.planar, parts.point, plane.point(target), noted[0]
         )
 
     def _tail(self, N: Sequence[Vector]) -> bool:
@@ -295,8 +316,7 @@ class _Writer:
         if not parts.tail:
             return True
         N = _turned_back(N, parts.plane.h, parts.plane.turn_of(parts.planar))
-        writings = [partial(write.joint, joint) for joint in parts.tail]
-        return write_turns(write, [joint.axis for joint in parts.tail], N, writings)
+        return write_turns(write, [turn_of_joint(write, joint) for joint in parts.tail], N)
 
 
 def _turned_back(N: Sequence[Vector], axis: Axis, angle: Expression) -> list[Vector]:

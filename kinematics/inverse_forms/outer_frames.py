@@ -7,7 +7,7 @@ from dataclasses import replace
 from itertools import chain
 
 from kinematics.expressions import Expression, Parameter, add, multiply, negate, walk
-from kinematics.inverse_forms.steps import InverseForm, InverseStep
+from kinematics.inverse_forms.steps import InverseForm, InverseQuantity, InverseStep
 
 Matrix = Sequence[Sequence[Expression]]
 
@@ -46,7 +46,11 @@ def with_base_and_tool(
     values = dict(zip(chain(*form.rotation, form.position), chain(*R, p), strict=True))
     written = (*(step.value for step in form.steps), *form.zeros)
     needed = {node.name for value in written for node in walk(value) if isinstance(node, Parameter)}
-    first = [InverseStep(name=name, value=value) for name, value in values.items() if name in needed]
+    first = [
+        InverseStep(name=name, value=value, quantity=InverseQuantity.TARGET)
+        for name, value in values.items()
+        if name in needed
+    ]
     return replace(form, steps=(*first, *form.steps), rotation=rotation, position=position)
 
 

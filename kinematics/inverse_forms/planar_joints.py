@@ -26,9 +26,11 @@ from kinematics.inverse_forms.signed_axes import (
 )
 from kinematics.inverse_forms.steps import (
     InverseDerivation,
+    InverseQuantity,
     atan2,
     determined,
     halved,
+    less_angle,
     over,
     reachable,
     root,
@@ -124,19 +126,22 @@ def place_pose(
     target: Point,
     turn: Expression,
 ) -> bool:
-    """Write down three joints that bring a point to its place and turn the plane by an angle."""
+    """Write down three joints that bring a point to its place and turn the plane by an angle.
+
+    Where the last alone turns, its equation is that of the angle, and has been written.
+    """
     *others, last = joints
     if not last.turns:
         return False
     lever = _from(plane.point(start), plane.point(last.point))
     if lever != (ZERO, ZERO):
         c, s = circular(Function.COS, turn), circular(Function.SIN, turn)
-        reach = _from(target, _turned(c, s, lever))
-        target = write.let("u", reach[0]), write.let("v", reach[1])
+        target = _from(target, _turned(c, s, lever))
     if not place_point(write, plane, others, last.point, target):
         return False
-    rest = add((turn, negate(plane.turn_of(others))))
-    write.joint(last, rest, sense=plane.sense(last))
+    if any(joint.turns for joint in others):
+        rest = add((turn, negate(plane.turn_of(others))))
+        write.joint(last, rest, sense=plane.sense(last))
     return True
 
 
@@ -150,7 +155,8 @@ def _two_turns(
 ) -> None:
     """By the law of cosines: with U from the first axis, L between the axes, F from the second."""
     a, b = plane.point(first.point), plane.point(second.point)
-    U, L, F = _named(write, "u", "v", _from(target, a)), _from(b, a), _from(start, b)
+    U = _named(write, "u", "v", _from(target, a), InverseQuantity.PLANE_POINT)
+    L, F = _from(b, a), _from(start, b)
     (lx, ly), (fx, fy) = L, F
     squares = [square(U[0]), square(U[1]), *(negate(square(x)) for x in (lx, ly, fx, fy))]
     half = halved(add(squares))
@@ -161,11 +167,12 @@ def _two_turns(
     else:
         A = add((times(lx, fx), times(ly, fy)))
         B = add((times(ly, fx), negate(times(lx, fy))))
-        equation = write.let("A", A), write.let("B", B), half
+        coefficients = _named(write, "A", "B", (A, B), InverseQuantity.COEFFICIENT)
+        equation = *coefficients, half
     phi = _circular_root(write, *equation, second, plane.sense(second))
     c, s = circular(Function.COS, phi), circular(Function.SIN, phi)
     x, y = _turned(c, s, F)
-    W = _named(write, "k_x", "k_y", (add((lx, x)), add((ly, y))))
+    W = _named(write, "k_x", "k_y", (add((lx, x)), add((ly, y))), InverseQuantity.ARM_POINT)
     _turn_onto(write, plane, first, W, U)
 
 
@@ -173,8 +180,9 @@ def _turn_onto(
     write: InverseDerivation, plane: JointPlane, joint: SignedJoint, start: Point, target: Point
 ) -> None:
     """Write down the joint that turns one direction onto another; both are seen from its axis."""
-    angle = add((atan2(target[1], target[0]), negate(atan2(start[1], start[0]))))
+    angle = less_angle(atan2(target[1], target[0]), start[1], start[0])
     write.joint(joint, angle, determined(*target), sense=plane.sense(joint))
+    write.free(joint, *target)
 
 
 def _turn_and_slide(
@@ -185,17 +193,30 @@ def _turn_and_slide(
     start: Point,
     target: Point,
 ) -> None:
-    """|U|² = (k + d)² + m², the slide's way d counted from where the point is nearest to the axis."""
+    """|U|² = (k + d)² + m²: the slide's way d, and k + d counted from where the point is nearest to the axis.
+
+    Where m = 0, the point is on the line of the slide through the axis, on the side that the sign tells.
+    """
     a = plane.point(first.point)
-    U, W = _named(write, "u", "v", _from(target, a)), _from(start, a)
+    U = _named(write, "u", "v", _from(target, a), InverseQuantity.PLANE_POINT)
+    W = _from(start, a)
     way = plane.way(second)
     k, m = _component(way, W), _component((-way[1], way[0]), W)
     sign = write.sign()
     radicand = add((square(U[0]), square(U[1]), negate(square(m))))
     length = add((times(sign, root(radicand)), negate(k)))
+    if m == ZERO:
+        write.joint(second, length, branch=sign)
+        along_way, aside = _component(way, U), _component((-way[1], way[0]), U)
+        angle = atan2(times(sign, aside), times(sign, along_way))
+        write.joint(first, angle, determined(*U), sense=plane.sense(first))
+        write.free(first, *U)
+        return
+    # |U| is |m| at least: the turn is determined
     d = write.joint(second, length, reachable(radicand), branch=sign)
     W = add((W[0], signed(way[0], d))), add((W[1], signed(way[1], d)))
-    _turn_onto(write, plane, first, W, U)
+    angle = less_angle(atan2(U[1], U[0]), W[1], W[0])
+    write.joint(first, angle, sense=plane.sense(first))
 
 
 def _slide_and_turn(
@@ -228,24 +249,27 @@ def _circular_root(
 ) -> Expression:
     """Write down φ with a cos φ + b sin φ = d; returned is φ in terms of the joint's variable."""
     sign = write.sign()
+    cosine = circular(Function.COS, joint.angle)
+    sine = signed(sense, circular(Function.SIN, joint.angle))
     if b == ZERO:
-        c = write.let("K", over(d, a))
+        c = write.let("K", over(d, a), InverseQuantity.CIRCULAR, meaning=cosine)
         radicand: Expression = Sum((ONE, negate(square(c))))
         angle = atan2(times(sign, root(radicand)), c)
     elif a == ZERO:
-        s = write.let("K", over(d, b))
+        s = write.let("K", over(d, b), InverseQuantity.CIRCULAR, meaning=sine)
         radicand = Sum((ONE, negate(square(s))))
         angle = atan2(s, times(sign, root(radicand)))
     else:
-        d = write.let("K", d)
+        meaning = add((times(a, cosine), times(b, sine)))
+        d = write.let("K", d, InverseQuantity.CIRCULAR, meaning=meaning)
         radicand = add((square(a), square(b), negate(square(d))))
         angle = add((atan2(b, a), atan2(times(sign, root(radicand)), d)))
     theta = write.joint(joint, angle, reachable(radicand), branch=sign, sense=sense)
     return theta if sense > 0 else negate(theta)
 
 
-def _named(write: InverseDerivation, x: str, y: str, point: Point) -> Point:
-    return write.let(x, point[0]), write.let(y, point[1])
+def _named(write: InverseDerivation, x: str, y: str, point: Point, quantity: InverseQuantity) -> Point:
+    return write.let(x, point[0], quantity), write.let(y, point[1], quantity)
 
 
 def _from(point: Point, other: Point) -> Point:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import StrEnum
 from fractions import Fraction
 from itertools import chain, count
@@ -55,6 +55,53 @@ class InverseCondition:
     value: Expression
 
 
+class InverseQuantity(StrEnum):
+    """What an intermediate is.
+
+    TARGET: an entry of the target, seen from frame 0. WRIST_POINT: place of the point that the joints at the
+    hand cannot move. TURNED_POINT: that point across the first axis, before this turns. RADIUS: its way from
+    the first axis in the plane that turns with this. PLANE_POINT: where joints that move in a plane have to
+    bring it, from the first axis among them. PLANE_TURN: the sum of the angles of parallel joints.
+    COEFFICIENT: A, B of A cos θ + B sin θ = K. CIRCULAR: K, a sine or cosine or the sum of both. ARM_POINT:
+    the point as the first of two joints at θ = 0 would place it. HAND_AXIS: the last axis, seen from before
+    the first of three turns.
+    """
+
+    TARGET = "target"
+    WRIST_POINT = "wrist_point"
+    TURNED_POINT = "turned_point"
+    RADIUS = "radius"
+    PLANE_POINT = "plane_point"
+    PLANE_TURN = "plane_turn"
+    COEFFICIENT = "coefficient"
+    CIRCULAR = "circular"
+    ARM_POINT = "arm_point"
+    HAND_AXIS = "hand_axis"
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class SingularCase:
+    """What holds in place of some equations where an angle is not determined.
+
+    Attributes:
+        free: numbers of joints, one of which may be chosen; the equations are for the first.
+        conditions: what is 0 in this case, and on which branches the case is.
+        joint: number of the joint that is at a singular value, or 0 if the target alone decides.
+        at: this value.
+        combination: the sum or difference of joint variables that is determined; None if none is.
+        value: what it is.
+        steps: equations that replace those of the same names. That of the free joint is left out.
+    """
+
+    free: tuple[int, ...]
+    conditions: tuple[InverseCondition, ...]
+    joint: int = 0
+    at: Expression | None = None
+    combination: Expression | None = None
+    value: Expression | None = None
+    steps: tuple[InverseStep, ...] = ()
+
+
 @dataclass(frozen=True, kw_only=True, slots=True)
 class InverseStep:
     """One equation.
@@ -65,6 +112,9 @@ class InverseStep:
         value: in the entries of the target, the lengths, branch signs, and what was defined before.
         branch: the sign that it introduces, or nothing.
         conditions: what has to hold.
+        quantity: what the intermediate is.
+        meaning: what it is in the joint variables, if they say so in few words: a sum of angles, a cosine.
+        singular: the cases in which the condition `determined` does not hold.
     """
 
     name: str
@@ -72,6 +122,9 @@ class InverseStep:
     value: Expression
     branch: str = ""
     conditions: tuple[InverseCondition, ...] = ()
+    quantity: InverseQuantity | None = None
+    meaning: Expression | None = None
+    singular: tuple[SingularCase, ...] = ()
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -100,6 +153,11 @@ class InverseForm:
         every = chain(*(step.conditions for step in self.steps), self.conditions)
         return tuple(one.value for one in every if one.kind is ConditionKind.FULFILLED)
 
+    @property
+    def singular_cases(self) -> tuple[SingularCase, ...]:
+        """The singular cases of all equations, in their order."""
+        return tuple(chain.from_iterable(step.singular for step in self.steps))
+
 
 class InverseDerivation:
     """Writes down equations, each name once.
@@ -122,12 +180,29 @@ class InverseDerivation:
         self._taken.add(fresh)
         return fresh
 
-    def let(self, name: str, value: Expression, *conditions: InverseCondition) -> Expression:
+    def let(
+        self,
+        name: str,
+        value: Expression,
+        quantity: InverseQuantity,
+        *conditions: InverseCondition,
+        branch: Expression | None = None,
+        meaning: Expression | None = None,
+    ) -> Expression:
         """Return a name for a value; a value that is a number or a name already is left alone."""
         if not conditions and isinstance(value, Number | Parameter):
             return value
         name = self.fresh(name)
-        self.steps.append(InverseStep(name=name, value=value, conditions=conditions))
+        self.steps.append(
+            InverseStep(
+                name=name,
+                value=value,
+                branch=_name_of(branch),
+                conditions=conditions,
+                quantity=quantity,
+                meaning=meaning,
+            )
+        )
         return Parameter(name)
 
     def sign(self) -> Expression:
@@ -145,13 +220,28 @@ class InverseDerivation:
     ) -> Expression:
         """Write down q = sense·value - offset; returned is θ, or the way of a slide."""
         value = add((value if sense > 0 else negate(value), negate(joint.offset)))
-        sign = branch.name if isinstance(branch, Parameter) else ""
         self.steps.append(
             InverseStep(
-                name=f"q{joint.number}", joint=joint.number, value=value, branch=sign, conditions=conditions
+                name=f"q{joint.number}",
+                joint=joint.number,
+                value=value,
+                branch=_name_of(branch),
+                conditions=conditions,
             )
         )
         return joint.angle if joint.turns else JointVariable(joint.number)
+
+    def singular(self, *cases: SingularCase) -> None:
+        """Add the cases in which the last equation does not determine its angle."""
+        self.steps[-1] = replace(self.steps[-1], singular=cases)
+
+    def free(self, joint: SignedJoint, *values: Expression) -> None:
+        """Add to the equation of a joint that it may be chosen where some values are 0."""
+        self.singular(SingularCase(free=(joint.number,), conditions=tuple(map(fulfilled, values))))
+
+
+def _name_of(sign: Expression | None) -> str:
+    return sign.name if isinstance(sign, Parameter) else ""
 
 
 def reachable(value: Expression) -> InverseCondition:
@@ -192,6 +282,13 @@ def atan2(y: Expression, x: Expression) -> Expression:
     if y == ZERO and isinstance(x, Number) and x.value > 0:
         return ZERO
     return call(Function.ATAN2, y, x)
+
+
+def less_angle(angle: Expression, y: Expression, x: Expression) -> Expression:
+    """Return angle - atan2(y, x), as angle + atan2(-y, x) where y has a minus sign before it."""
+    if positive(y) != y:
+        return add((angle, atan2(negate(y), x)))
+    return add((angle, negate(atan2(y, x))))
 
 
 def times(*factors: Expression) -> Expression:
