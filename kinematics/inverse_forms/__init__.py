@@ -6,6 +6,7 @@ planar_joints  joints that move in a plane
 axis_turns     turns about axes through one point
 steps          what is written down: equations, branch signs, conditions, singular cases
 singular_cases the equations of a singular case
+formulas       what the equations are made of
 outer_frames   equations for the pose of the tool in the world
 radicands      radicands that rounding has made negative
 branches       the numbers of each branch

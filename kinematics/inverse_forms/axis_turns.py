@@ -20,6 +20,11 @@ from itertools import pairwise
 from typing import TypeAlias
 
 from kinematics.expressions import ONE, Expression, Function, JointVariable, add, negate, number, pi_times
+from kinematics.inverse_forms.formulas import (
+    atan2,
+    product_with,
+    times,
+)
 from kinematics.inverse_forms.signed_axes import (
     Axis,
     SignedJoint,
@@ -35,11 +40,8 @@ from kinematics.inverse_forms.steps import (
     InverseQuantity,
     InverseStep,
     SingularCase,
-    atan2,
     determined,
     fulfilled,
-    product_with,
-    times,
 )
 
 Writing: TypeAlias = Callable[..., Expression]

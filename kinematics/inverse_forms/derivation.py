@@ -23,6 +23,13 @@ from itertools import pairwise
 from kinematics.errors import Fault, TableError
 from kinematics.expressions import ZERO, Expression, Function, Parameter, add, negate
 from kinematics.inverse_forms.axis_turns import Turn, turn_of_joint, write_turns
+from kinematics.inverse_forms.formulas import (
+    atan2,
+    less_angle,
+    root,
+    square,
+    times,
+)
 from kinematics.inverse_forms.planar_joints import JointPlane, place_point, place_pose
 from kinematics.inverse_forms.signed_axes import (
     Axis,
@@ -49,14 +56,9 @@ from kinematics.inverse_forms.steps import (
     InverseForm,
     InverseQuantity,
     InverseReach,
-    atan2,
     determined,
     fulfilled,
-    less_angle,
     reachable,
-    root,
-    square,
-    times,
 )
 from kinematics.table import SymbolicTable, table_parameters
 

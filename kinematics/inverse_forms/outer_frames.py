@@ -44,7 +44,7 @@ def with_base_and_tool(
         R = _product(back, R)
         p = [add(multiply(pair) for pair in zip(row, off, strict=True)) for row in back]
     values = dict(zip(chain(*form.rotation, form.position), chain(*R, p), strict=True))
-    written = (*(step.value for step in form.steps), *form.zeros)
+    written = (*(step.value for step in form.steps), *form.zeros, *form.case_values)
     needed = {node.name for value in written for node in walk(value) if isinstance(node, Parameter)}
     first = [
         InverseStep(name=name, value=value, quantity=InverseQuantity.TARGET)

@@ -14,6 +14,15 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 from kinematics.expressions import ONE, ZERO, Expression, Function, Sum, add, negate
+from kinematics.inverse_forms.formulas import (
+    atan2,
+    halved,
+    less_angle,
+    over,
+    root,
+    square,
+    times,
+)
 from kinematics.inverse_forms.signed_axes import (
     Axis,
     SignedJoint,
@@ -27,15 +36,8 @@ from kinematics.inverse_forms.signed_axes import (
 from kinematics.inverse_forms.steps import (
     InverseDerivation,
     InverseQuantity,
-    atan2,
     determined,
-    halved,
-    less_angle,
-    over,
     reachable,
-    root,
-    square,
-    times,
 )
 
 Point: TypeAlias = tuple[Expression, Expression]

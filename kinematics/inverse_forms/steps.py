@@ -2,27 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from enum import StrEnum
-from fractions import Fraction
 from itertools import chain, count
 
-from kinematics.expressions import (
-    ZERO,
-    Expression,
-    Function,
-    JointVariable,
-    Number,
-    Parameter,
-    Product,
-    add,
-    call,
-    multiply,
-    negate,
-    power,
-)
-from kinematics.inverse_forms.signed_axes import Axis, SignedJoint, Vector, along
+from kinematics.expressions import Expression, JointVariable, Number, Parameter, add, negate
+from kinematics.inverse_forms.formulas import square
+from kinematics.inverse_forms.signed_axes import SignedJoint
 
 ROTATION_NAMES = tuple(tuple(f"r{i}{j}" for j in (1, 2, 3)) for i in (1, 2, 3))
 POSITION_NAMES = ("p_x", "p_y", "p_z")
@@ -101,6 +88,12 @@ class SingularCase:
     value: Expression | None = None
     steps: tuple[InverseStep, ...] = ()
 
+    @property
+    def values(self) -> tuple[Expression, ...]:
+        """All expressions of the case."""
+        own = (value for value in (self.at, self.combination, self.value) if value is not None)
+        return (*own, *(one.value for one in self.conditions), *(step.value for step in self.steps))
+
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class InverseStep:
@@ -157,6 +150,11 @@ class InverseForm:
     def singular_cases(self) -> tuple[SingularCase, ...]:
         """The singular cases of all equations, in their order."""
         return tuple(chain.from_iterable(step.singular for step in self.steps))
+
+    @property
+    def case_values(self) -> tuple[Expression, ...]:
+        """What stands in the equations and conditions of all singular cases."""
+        return tuple(chain.from_iterable(case.values for case in self.singular_cases))
 
 
 class InverseDerivation:
@@ -259,55 +257,3 @@ def determined(*values: Expression) -> InverseCondition:
     (first, *more) = values
     value = add(square(each) for each in values) if more else first
     return InverseCondition(kind=ConditionKind.DETERMINED, value=value)
-
-
-def square(value: Expression) -> Expression:
-    """Return value², a sum left together and a minus sign left out."""
-    return power(positive(value), 2)
-
-
-def positive(value: Expression) -> Expression:
-    """Return the value or its opposite, whichever has no minus sign before it."""
-    head = value.factors[0] if isinstance(value, Product) else value
-    return negate(value) if isinstance(head, Number) and head.value < 0 else value
-
-
-def root(value: Expression) -> Expression:
-    """Return √value."""
-    return call(Function.SQRT, value)
-
-
-def atan2(y: Expression, x: Expression) -> Expression:
-    """Return the angle of (x, y); 0 where y is 0 and x a positive number."""
-    if y == ZERO and isinstance(x, Number) and x.value > 0:
-        return ZERO
-    return call(Function.ATAN2, y, x)
-
-
-def less_angle(angle: Expression, y: Expression, x: Expression) -> Expression:
-    """Return angle - atan2(y, x), as angle + atan2(-y, x) where y has a minus sign before it."""
-    if positive(y) != y:
-        return add((angle, atan2(negate(y), x)))
-    return add((angle, negate(atan2(y, x))))
-
-
-def times(*factors: Expression) -> Expression:
-    """Return the product."""
-    return multiply(factors)
-
-
-def over(value: Expression, divisor: Expression) -> Expression:
-    """Return the quotient, a minus sign of the divisor before it."""
-    quotient = multiply((value, power(positive(divisor), -1)))
-    return quotient if positive(divisor) == divisor else negate(quotient)
-
-
-def halved(value: Expression) -> Expression:
-    """Return the value / 2."""
-    return multiply((Number(Fraction(1, 2)), value))
-
-
-def product_with(matrix: Sequence[Vector], axis: Axis) -> Vector:
-    """Return a matrix, given by its rows, times an axis."""
-    x, y, z = (along(axis, row) for row in matrix)
-    return x, y, z

@@ -100,6 +100,45 @@ def test_every_branch_brings_the_tool_to_the_target(client: httpx.Client, robot:
         assert (off[:3, 3] if answer["target"]["reach"] == "position" else off).max() < 1e-12
 
 
+def by_name(answer: dict[str, Any]) -> dict[str, dict[str, Any]]:
+    return {equation["name"]: equation for equation in answer["equations"]}
+
+
+def test_a_ur_arm_says_what_is_free_where_its_wrist_is_straight(client: httpx.Client) -> None:
+    answer = asked(client, robot="ur5", notation="short", formats=["text", "latex"])
+    assert answer["branches"] == ["sigma1", "sigma2", "sigma3"]
+    phi = by_name(answer)["phi"]
+    assert (phi["quantity"], phi["meaning"]["text"], phi["branch"]) == (
+        "plane_turn",
+        "q2 + q3 + q4",
+        "sigma2",
+    )
+    straight, turned_over = phi["singular"]
+    assert (straight["joint"], straight["at"]["text"], straight["free"]) == (5, "0", [6])
+    assert (turned_over["joint"], turned_over["at"]["text"], turned_over["free"]) == (5, "pi", [6])
+    assert straight["combination"]["text"] == "q2 + q3 + q4 + q6"
+    assert turned_over["combination"]["text"] == "q2 + q3 + q4 - q6"
+    assert straight["value"] == turned_over["value"]
+    assert [one["text"] for one in straight["conditions"]] == ["m_x", "m_y", "m_z - 1"]
+    assert [(one["name"], one.get("joint")) for one in straight["equations"]] == [("q5", 5), ("phi", None)]
+    assert straight["equations"][0]["latex"] == "q_{5}=0"
+    assert answer["symbols"]["c234"] == "cos(q2 + q3 + q4)"
+
+
+def test_cases_are_for_the_tool_in_the_world(client: httpx.Client) -> None:
+    """What only a singular case needs of the target is written down, too."""
+    base = [[0, -1, 0, 0.1], [1, 0, 0, -0.2], [0, 0, 1, 0.3], [0, 0, 0, 1]]
+    answer = asked(client, robot="stanford", base=base, formats=["text"])
+    named = by_name(answer)
+    cases = [case for equation in answer["equations"] for case in equation["singular"]]
+    assert {case.get("joint") for case in cases} == {None, 5}
+    defined = set(named) | {"t11", "t_x"}
+    for case in cases:
+        held = " ".join(one["text"] for one in [*case["conditions"], *case["equations"]])
+        assert {f"r{i}{j}" for i in "123" for j in "123" if f"r{i}{j}" in held} <= defined
+    assert named["r12"]["quantity"] == "target"
+
+
 def test_only_an_arm_that_cannot_have_every_pose_comes_with_its_misfit(client: httpx.Client) -> None:
     formats = ["c", "python"]
     assert "misfit_code" not in asked(client, robot="puma560", formats=formats)

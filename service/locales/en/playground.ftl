@@ -142,7 +142,8 @@ playground-more = More about this robot
 playground-more-inverse = Inverse kinematics in symbols
 playground-more-inverse-hint = One joint after another. Each sign is a choice of 1 or −1; angles are in radians. A robot with six joints may take a while.
 playground-condition-reachable = This branch exists only where this is 0 or more:
-playground-condition-determined = Where this is 0 the joint is free (a singularity):
+playground-condition-determined = Where this is 0 the angle is not determined (a singularity):
+playground-singular-choice = There { $joints } may be chosen, and this is determined:
 playground-condition-fulfilled = The target is reached only if this is 0:
 playground-more-singularities = Singularities
 playground-more-singularities-hint = One configuration from each family. Type conditions, one per line, such as sin(q5) or q3 = 0, to have them checked.

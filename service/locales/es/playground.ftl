@@ -142,7 +142,8 @@ playground-more = Más sobre este robot
 playground-more-inverse = Cinemática inversa en símbolos
 playground-more-inverse-hint = Una articulación tras otra. Cada signo es una elección entre 1 y −1; los ángulos están en radianes. Un robot de seis articulaciones puede tardar.
 playground-condition-reachable = Esta rama solo existe donde esto es 0 o más:
-playground-condition-determined = Donde esto es 0 la articulación es libre (una singularidad):
+playground-condition-determined = Donde esto es 0 el ángulo no está determinado (una singularidad):
+playground-singular-choice = Allí se puede elegir { $joints } y queda determinado esto:
 playground-condition-fulfilled = El objetivo solo se alcanza si esto es 0:
 playground-more-singularities = Singularidades
 playground-more-singularities-hint = Una configuración de cada familia. Escriba condiciones, una por línea, como sin(q5) o q3 = 0, para que se evalúen.

@@ -142,7 +142,8 @@ playground-more = En savoir plus sur ce robot
 playground-more-inverse = Cinématique inverse en symboles
 playground-more-inverse-hint = Une articulation après l’autre. Chaque signe vaut 1 ou −1, au choix ; les angles sont en radians. Un robot à six articulations peut prendre du temps.
 playground-condition-reachable = Cette branche n’existe que si ceci est positif ou nul :
-playground-condition-determined = Là où ceci est nul, l’articulation est libre (une singularité) :
+playground-condition-determined = Là où ceci est nul, l’angle n’est pas déterminé (une singularité) :
+playground-singular-choice = Là, on peut choisir { $joints }, et ceci est déterminé :
 playground-condition-fulfilled = La cible n’est atteinte que si ceci est nul :
 playground-more-singularities = Singularités
 playground-more-singularities-hint = Une configuration de chaque famille. Saisissez des conditions, une par ligne, comme sin(q5) ou q3 = 0, pour les faire juger.

@@ -142,7 +142,8 @@ playground-more = Mais sobre este robô
 playground-more-inverse = Cinemática inversa em símbolos
 playground-more-inverse-hint = Uma junta após outra. Cada sinal é uma escolha entre 1 e −1; os ângulos estão em radianos. Um robô de seis juntas pode demorar.
 playground-condition-reachable = Este ramo só existe onde isto é 0 ou mais:
-playground-condition-determined = Onde isto é 0 a junta é livre (uma singularidade):
+playground-condition-determined = Onde isto é 0 o ângulo não está determinado (uma singularidade):
+playground-singular-choice = Aí pode escolher-se { $joints } e isto fica determinado:
 playground-condition-fulfilled = O alvo só é alcançado se isto for 0:
 playground-more-singularities = Singularidades
 playground-more-singularities-hint = Uma configuração de cada família. Escreva condições, uma por linha, como sin(q5) ou q3 = 0, para serem avaliadas.

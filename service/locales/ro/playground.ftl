@@ -143,7 +143,8 @@ playground-more = Mai multe despre acest robot
 playground-more-inverse = Cinematica inversă în simboluri
 playground-more-inverse-hint = O cuplă după alta. Fiecare semn este o alegere între 1 și −1; unghiurile sunt în radiani. Un robot cu șase cuple poate dura.
 playground-condition-reachable = Această ramură există doar unde aceasta este 0 sau mai mult:
-playground-condition-determined = Unde aceasta este 0 cupla este liberă (o singularitate):
+playground-condition-determined = Unde aceasta este 0 unghiul nu este determinat (o singularitate):
+playground-singular-choice = Acolo { $joints } se poate alege, iar aceasta este determinată:
 playground-condition-fulfilled = Ținta este atinsă doar dacă aceasta este 0:
 playground-more-singularities = Singularități
 playground-more-singularities-hint = O configurație din fiecare familie. Scrieți condiții, una pe rând, precum sin(q5) sau q3 = 0, pentru a fi judecate.

@@ -144,7 +144,8 @@ playground-more = Більше про цього робота
 playground-more-inverse = Обернена кінематика в символах
 playground-more-inverse-hint = Одне зчленування за одним. Кожен знак — вибір 1 або −1; кути в радіанах. Робот із шістьма зчленуваннями може потребувати часу.
 playground-condition-reachable = Ця гілка існує лише там, де це 0 або більше:
-playground-condition-determined = Де це 0, зчленування вільне (сингулярність):
+playground-condition-determined = Де це 0, кут не визначено (сингулярність):
+playground-singular-choice = Там можна вибрати { $joints }, і визначено ось що:
 playground-condition-fulfilled = Ціль досяжна, лише якщо це 0:
 playground-more-singularities = Сингулярності
 playground-more-singularities-hint = По одній конфігурації з кожної родини. Введіть умови, по одній у рядку, як-от sin(q5) чи q3 = 0, щоб їх перевірити.

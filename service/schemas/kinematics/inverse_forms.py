@@ -6,7 +6,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import ConfigDict, Discriminator, Field, Tag
 
-from kinematics.inverse_forms import ConditionKind, InverseReach
+from kinematics.inverse_forms import ConditionKind, InverseQuantity, InverseReach
 from kinematics.printing import Notation
 from kinematics.printing.formats import EquationFormat
 from service.http.validation import CHOICE
@@ -67,13 +67,41 @@ class InverseConditionModel(WrittenValue):
     )
 
 
-class InverseEquation(WrittenValue):
-    """One equation: a joint variable, or an intermediate that later ones hold."""
+class InverseDefinition(WrittenValue):
+    """What is defined, and as what."""
 
     name: str = Field(description="what is defined")
     joint: int | None = Field(None, description="number of the joint whose variable it is")
+
+
+class SingularCaseModel(Wire):
+    """A case in which an equation does not determine its angle."""
+
+    conditions: list[WrittenValue] = Field(description="what is 0 in this case")
+    joint: int | None = Field(None, description="number of the joint that is at a singular value")
+    at: WrittenValue | None = Field(None, description="this value")
+    free: list[int] = Field(description="numbers of joints, one of which may be chosen")
+    combination: WrittenValue | None = Field(
+        None, description="the sum or difference of joint variables that is determined"
+    )
+    value: WrittenValue | None = Field(None, description="what the combination is, up to full turns")
+    equations: list[InverseDefinition] = Field(
+        description="with the first of `free` chosen, these replace the equations of the same names"
+    )
+
+
+class InverseEquation(InverseDefinition):
+    """One equation: a joint variable, or an intermediate that later ones hold."""
+
+    quantity: InverseQuantity | None = Field(None, description="what the intermediate is")
+    meaning: WrittenValue | None = Field(
+        None, description="the intermediate in the joint variables: a sum of angles, a cosine"
+    )
     branch: str | None = Field(None, description="the sign that it introduces: another solution")
     conditions: list[InverseConditionModel] = Field(description="what has to hold")
+    singular: list[SingularCaseModel] = Field(
+        description="the cases in which a condition `determined` does not hold"
+    )
 
 
 class InverseTargetNames(Wire):

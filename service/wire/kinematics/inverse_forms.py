@@ -9,7 +9,13 @@ from typing import Any
 
 from kinematics.errors import Fault, FormSizeError
 from kinematics.expressions import ZERO, Expression, JointVariable, Parameter, walk
-from kinematics.inverse_forms import InverseCondition, InverseForm, inverse_form
+from kinematics.inverse_forms import (
+    InverseCondition,
+    InverseForm,
+    InverseStep,
+    SingularCase,
+    inverse_form,
+)
 from kinematics.inverse_forms.outer_frames import with_base_and_tool
 from kinematics.inverse_forms.signed_axes import Vector
 from kinematics.printing import LIMIT, Notation
@@ -69,7 +75,8 @@ def written_inverse(task: InverseFormTask) -> bytes:
         form = inverse_form(task.table, task.variables, _tip(task.tool))
     form = with_base_and_tool(form, task.base, task.tool, (*parameters, *task.variables))
     expressions = [*(step.value for step in form.steps), *_values_of(form)]
-    if count_operations(expressions) > LIMIT:
+    printed = [*expressions, *form.case_values, *(step.meaning for step in form.steps if step.meaning)]
+    if count_operations(printed) > LIMIT:
         raise FormSizeError(Fault(code="closed_form_too_large", params={"limit": LIMIT}))
     names = Names(
         notation=task.notation,
@@ -81,9 +88,7 @@ def written_inverse(task: InverseFormTask) -> bytes:
     arguments = _arguments(form, expressions, parameters)
     sources = [chosen for chosen in task.formats if chosen.is_source]
 
-    def conditions(some: Iterable[InverseCondition]) -> list[dict[str, Any]]:
-        return [{"kind": one.kind, **printer.value(one.value, task.formats)} for one in some]
-
+    written = _Written(printer, task.formats)
     answer: dict[str, Any] = {
         **task.head,
         "target": {
@@ -94,14 +99,16 @@ def written_inverse(task: InverseFormTask) -> bytes:
         "branches": list(form.branches),
         "equations": [
             {
-                **printer.equation(equation, task.formats),
-                "joint": step.joint or None,
+                **written.definition(step),
+                "quantity": step.quantity,
+                "meaning": written.value(step.meaning),
                 "branch": step.branch or None,
-                "conditions": conditions(step.conditions),
+                "conditions": written.conditions(step.conditions),
+                "singular": [written.case(case) for case in step.singular],
             }
-            for equation, step in zip(equations, form.steps, strict=True)
+            for step in form.steps
         ],
-        "conditions": conditions(form.conditions),
+        "conditions": written.conditions(form.conditions),
         "arguments": arguments,
     }
     if sources:
@@ -113,8 +120,37 @@ def written_inverse(task: InverseFormTask) -> bytes:
                 one.value: source_of(equations, arguments, zeros, one, MISFIT) for one in sources
             }
     if task.notation is Notation.SHORT:
-        answer["symbols"] = symbols_of(names, expressions)
+        answer["symbols"] = symbols_of(names, printed)
     return SymbolicInverseAnswer(**answer).model_dump_json(by_alias=True, exclude_none=True).encode()
+
+
+@dataclass(frozen=True, slots=True)
+class _Written:
+    """What stands in an answer, in the formats that were asked for."""
+
+    printer: EquationPrinter
+    formats: Sequence[EquationFormat]
+
+    def value(self, expression: Expression | None) -> dict[str, Any] | None:
+        return None if expression is None else self.printer.value(expression, self.formats)
+
+    def definition(self, step: InverseStep) -> dict[str, Any]:
+        equation = NamedValue(step.name, step.joint, step.value)
+        return {**self.printer.equation(equation, self.formats), "joint": step.joint or None}
+
+    def conditions(self, some: Iterable[InverseCondition]) -> list[dict[str, Any]]:
+        return [{"kind": one.kind, **self.printer.value(one.value, self.formats)} for one in some]
+
+    def case(self, case: SingularCase) -> dict[str, Any]:
+        return {
+            "conditions": [self.value(one.value) for one in case.conditions],
+            "joint": case.joint or None,
+            "at": self.value(case.at),
+            "free": list(case.free),
+            "combination": self.value(case.combination),
+            "value": self.value(case.value),
+            "equations": [self.definition(step) for step in case.steps],
+        }
 
 
 def _tip(tool: Sequence[Sequence[Expression]] | None) -> Vector:

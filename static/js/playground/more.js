@@ -124,18 +124,30 @@ function tool(entry, outer) {
 const symbolic = ({ table }) => ({ table, form: "symbolic", notation: "short" });
 
 /** @param {any} answer */
-function inverseForms({ equations, conditions, code }) {
+function inverseForms({ equations, conditions, code, variables }) {
   const latex = equations.map((/** @type {any} */ equation) => equation.latex).join(" \\\\\n");
   const condition = (/** @type {any} */ { kind, latex: source }) =>
     el("li", {}, `${t(`playground-condition-${kind}`)} `, formula(source, { display: false }));
-  const lines = equations.map((/** @type {any} */ equation) =>
-    el("div", {}, formula(equation.latex), el("ul", { class: "plain-list hint" }, equation.conditions.map(condition))),
-  );
+  const lines = equations.map((/** @type {any} */ { latex: source, meaning, conditions: own, singular }) => {
+    const whole = meaning ? `${source}\\quad (=${meaning.latex})` : source;
+    const hints = [...own.map(condition), ...singular.filter(determines).map(choice(variables))];
+    return el("div", {}, formula(whole), el("ul", { class: "plain-list hint" }, hints));
+  });
   const name = t("playground-more-inverse");
   const block = closedForm(name, { ...code, latex });
   fill(/** @type {Element} */ (block.querySelector(".scroller")), ...lines);
   return [block, ...(conditions.length ? [el("ul", { class: "plain-list" }, conditions.map(condition))] : [])];
 }
+
+/** Whether a singular case leaves a sum of angles determined. @param {any} singularCase */
+const determines = ({ combination }) => combination !== undefined;
+
+/** What may be chosen in a singular case, and what is determined there. @param {string[]} variables */
+const choice = (variables) => (/** @type {any} */ { free, combination, value, equations: [at] }) => {
+  const joints = free.map((/** @type {number} */ joint) => variables[joint - 1]).join(" / ");
+  const source = `${at.latex}:\\quad ${combination.latex}=${value.latex}`;
+  return el("li", {}, `${t("playground-singular-choice", { joints })} `, formula(source, { display: false }));
+};
 
 /** @param {Context} context @returns {Fields} */
 function conditionFields({ again }) {
