@@ -619,3 +619,14 @@ def test_more_about_a_robot_is_accessible(
         expect(more(page, heading).locator(".scroller").last).to_be_visible()
     expect(more(page, "Inverse kinematics in symbols").locator(".katex").first).to_be_visible()
     assert_accessible_at_both_sizes(page)
+
+
+def test_inverse_kinematics_in_symbols_says_what_is_free_in_a_singular_case(open_page: OpenPage) -> None:
+    page = open_page("/playground")
+    shown_robot(page)
+    page.get_by_label("Robot from the catalogue").select_option("ur5")
+    expect(page.locator("joint-sliders .joint-name")).to_have_count(6)
+    shown_robot(page)
+    choices = more(page, "Inverse kinematics in symbols").get_by_text("q6 may be chosen")
+    expect(choices).to_have_count(2)
+    expect(choices.first.locator(".katex")).to_be_visible()

@@ -143,11 +143,13 @@ function inverseForms({ equations, conditions, code, variables }) {
 const determines = ({ combination }) => combination !== undefined;
 
 /** What may be chosen in a singular case, and what is determined there. @param {string[]} variables */
-const choice = (variables) => (/** @type {any} */ { free, combination, value, equations: [at] }) => {
-  const joints = free.map((/** @type {number} */ joint) => variables[joint - 1]).join(" / ");
-  const source = `${at.latex}:\\quad ${combination.latex}=${value.latex}`;
-  return el("li", {}, `${t("playground-singular-choice", { joints })} `, formula(source, { display: false }));
-};
+const choice =
+  (variables) =>
+  (/** @type {any} */ { free, combination, value, equations: [at] }) => {
+    const joints = free.map((/** @type {number} */ joint) => variables[joint - 1]).join(" / ");
+    const source = `${at.latex}:\\quad ${combination.latex}=${value.latex}`;
+    return el("li", {}, `${t("playground-singular-choice", { joints })} `, formula(source, { display: false }));
+  };
 
 /** @param {Context} context @returns {Fields} */
 function conditionFields({ again }) {
