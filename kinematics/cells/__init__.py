@@ -27,7 +27,7 @@ from kinematics.cells.binding import bind_parameters, in_length_unit, parameter_
 from kinematics.cells.entries import read_cell
 from kinematics.cells.limits import DEFAULT, Limits
 from kinematics.cells.scanner import canonical_name
-from kinematics.cells.suggestions import nearest_name
+from kinematics.cells.suggestions import nearest_name, rate_in_marks
 from kinematics.cells.table_reader import read_table
 from kinematics.cells.tables import Cell, RawRow, RawTable, ReadTable
 from kinematics.cells.units import AngleUnit, LengthUnit, ParameterKind
@@ -47,6 +47,7 @@ __all__ = [
     "in_length_unit",
     "nearest_name",
     "parameter_values",
+    "rate_in_marks",
     "read_cell",
     "read_table",
 ]

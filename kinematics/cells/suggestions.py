@@ -14,6 +14,14 @@ _RATE = re.compile(
     r"d(?:theta|th)_?([0-9]+)|(?:q|theta|th)_?(?:dot|p)_?([0-9]+)|(?:q|theta|th)_?([0-9]+)_?(?:dot|p)"
 )
 """What a joint's rate is called elsewhere: dtheta1, qdot1, q1_dot, qp1."""
+_MARKED_RATE = re.compile(
+    r"(?<![A-Za-z0-9_])(?:"
+    r"d ?(?:q|θ|ϑ|theta|th)_?([0-9]+) ?/ ?dt(?![A-Za-z0-9_])"
+    r"|d ?[θϑ]_?([0-9]+)(?![0-9_])"
+    r"|(?:q|θ|ϑ|theta|th)_?([0-9]+) ?['’′](?!['’′])"
+    r")"
+)
+"""A joint's rate in marks that no cell has: dq1/dt, dθ1, q1'; two primes are its acceleration."""
 
 
 def nearest_name(name: str, known: Collection[str]) -> str | None:
@@ -35,6 +43,24 @@ def nearest_name(name: str, known: Collection[str]) -> str | None:
         found = {candidate for candidate in names if same(typed, candidate)}
         if found:
             return found.pop() if len(found) == 1 else None
+    return None
+
+
+def rate_in_marks(text: str, known: Collection[str]) -> tuple[str, str] | None:
+    """Return the first joint rate in a cell that is in marks of calculus, as typed and as it is named here.
+
+    None where there is none, where its name means nothing, or where d or dt is a name of its own.
+
+    Args:
+        text: the cell: dq1/dt, dθ1 and q1' all stand for dq1.
+        known: the names that mean something.
+    """
+    if not {"d", "dt"}.isdisjoint(known):
+        return None
+    for found in _MARKED_RATE.finditer(text):
+        name = f"dq{next(filter(None, found.groups()))}"
+        if name in known:
+            return found[0], name
     return None
 
 

@@ -42,7 +42,7 @@ EXERCISES = codes_of("exercises.ftl") - {"answer_empty", "source_form", "exercis
 """What a definition or an answer to an exercise means depends on the exercise."""
 ROBOTS = {  # what there is of a robot: its joints, rows, parameters, links
     *("parameter_missing", "parameter_name_invalid", "joint_variable_unknown", "joint_variable_in_number"),
-    "name_without_value",
+    *("name_without_value", "rate_in_marks"),
     "table_too_many_rows",
     *("joints_wrong_length", "limits_wrong_length", "joint_row_length", "motion_row_count"),
     *("links_count", "links_missing", "screw_count", "frames_too_many", "frame_unknown"),

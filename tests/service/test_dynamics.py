@@ -243,6 +243,16 @@ def test_equations_that_cannot_be_read(
     assert check_problem(response, 422, code)["pointer"] == pointer
 
 
+@pytest.mark.parametrize(("typed", "meant"), [("dq1/dt", "dq1"), ("dθ2", "dq2"), ("q1'", "dq1")])
+def test_a_rate_in_marks_of_calculus_is_told_by_its_name(
+    client: httpx.Client, typed: str, meant: str
+) -> None:
+    response = client.post(CHECK, json={**ASKED, "h": [f"m2*L1*{typed}", 0]}, timeout=120)
+    problem = check_problem(response, 422, "rate_in_marks")
+    assert problem["pointer"] == "/h/0"
+    assert problem["detail"] == f"{typed} is no name here. Did you mean the joint rate {meant}?"
+
+
 def test_a_student_writes_some_of_the_equations(client: httpx.Client) -> None:
     """In the exercise link i's frame lies at its near end: r and L mean what the figure shows."""
     answer = {

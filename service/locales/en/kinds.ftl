@@ -109,6 +109,7 @@ error-name_without_value = The name { $name } has no value here.{ $found ->
     [0] {""}
    *[one] {" "}Did you mean { $close }?
 } Known are { $known }.
+error-rate_in_marks = { $text } is no name here. Did you mean the joint rate { $suggestion }?
 error-expected_not_rotation =
     The expected matrix is not a rotation: { $property ->
         [unit_columns] a column is not of length 1.

@@ -109,6 +109,7 @@ error-name_without_value = El nombre { $name } no tiene valor aquí.{ $found ->
     [0] {""}
    *[one] {" "}¿Quería decir { $close }?
 } Se conocen { $known }.
+error-rate_in_marks = { $text } no es un nombre aquí. ¿Quería decir la velocidad articular { $suggestion }?
 error-expected_not_rotation =
     La matriz esperada no es una rotación: { $property ->
         [unit_columns] una columna no tiene longitud 1.

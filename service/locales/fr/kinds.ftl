@@ -109,6 +109,7 @@ error-name_without_value = Le nom { $name } n’a pas de valeur ici.{ $found ->
     [0] {""}
    *[one] {" "}Vouliez-vous dire { $close } ?
 } On connaît { $known }.
+error-rate_in_marks = { $text } n’est pas un nom ici. Vouliez-vous dire la vitesse articulaire { $suggestion } ?
 error-expected_not_rotation =
     La matrice attendue n’est pas une rotation : { $property ->
         [unit_columns] une colonne n’est pas de longueur 1.

@@ -109,6 +109,7 @@ error-name_without_value = O nome { $name } não tem valor aqui.{ $found ->
     [0] {""}
    *[one] {" "}Queria dizer { $close }?
 } Conhecem-se { $known }.
+error-rate_in_marks = { $text } não é um nome aqui. Queria dizer a velocidade da junta { $suggestion }?
 error-expected_not_rotation =
     A matriz esperada não é uma rotação: { $property ->
         [unit_columns] uma coluna não tem comprimento 1.

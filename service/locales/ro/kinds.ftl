@@ -109,6 +109,7 @@ error-name_without_value = Numele { $name } nu are valoare aici.{ $found ->
     [0] {""}
    *[one] {" "}Ați vrut să scrieți { $close }?
 } Se cunosc { $known }.
+error-rate_in_marks = { $text } nu este un nume aici. Ați vrut să scrieți viteza articulară { $suggestion }?
 error-expected_not_rotation =
     Matricea așteptată nu este o rotație: { $property ->
         [unit_columns] o coloană nu are lungimea 1.

@@ -109,6 +109,7 @@ error-name_without_value = Для { $name } тут не задано значе�
     [0] {""}
    *[one] {" "}Можливо, ви мали на увазі { $close }?
 } Відомі { $known }.
+error-rate_in_marks = { $text } тут не є назвою. Можливо, ви мали на увазі швидкість зчленування { $suggestion }?
 error-expected_not_rotation =
     Очікувана матриця не є поворотом: { $property ->
         [unit_columns] довжина стовпця не дорівнює 1.

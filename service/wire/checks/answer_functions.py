@@ -9,7 +9,7 @@ from typing import Any
 from exercises.parts.cells.exactness import roundings
 from exercises.parts.cells.matrix_cells import read_functions
 from kinematics.answers.left_open import Rounded
-from kinematics.cells import AngleUnit, ParameterKind, ReadTable, nearest_name
+from kinematics.cells import AngleUnit, ParameterKind, ReadTable, nearest_name, rate_in_marks
 from kinematics.cells.meaning import CellMeaning
 from kinematics.errors import CellError, Fault, JointValueError, ParamValue
 from kinematics.expressions import Expression
@@ -44,7 +44,12 @@ def read_row(
     """
     check_count(cells, expected, where)
     types = robot.table.joint_types if variables else ()
-    read = read_functions(cells, types, robot.angle_unit, where)
+    read = [
+        _with_rate_named(cell, entry, known, (*where, k))
+        for k, (cell, entry) in enumerate(
+            zip(cells, read_functions(cells, types, robot.angle_unit, where), strict=True)
+        )
+    ]
     return known_functions(read, known, [(*where, k) for k in range(len(cells))])
 
 
@@ -98,6 +103,18 @@ def known_functions(
     if faults:
         raise CellError(faults)
     return tuple(entry.expression for entry in functions)
+
+
+def _with_rate_named(
+    cell: Any, entry: CellMeaning | Fault, known: Collection[str], where: Where
+) -> CellMeaning | Fault:
+    """What was read or, if it is wrong and the cell has a rate in marks of calculus, how that is written."""
+    wrong = isinstance(entry, Fault) or entry.kinds.keys() - set(known)
+    found = rate_in_marks(cell, known) if wrong and isinstance(cell, str) else None
+    if found is None:
+        return entry
+    typed, name = found
+    return Fault(code="rate_in_marks", where=where, params={"text": typed, "suggestion": name})
 
 
 def _without_value(name: str, known: Collection[str], where: Where) -> Fault:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from kinematics.cells import AngleUnit, ParameterKind, nearest_name, read_cell
+from kinematics.cells import AngleUnit, ParameterKind, nearest_name, rate_in_marks, read_cell
 from kinematics.cells.refusals import CellRefusal
 from kinematics.cells.scanner import scan
 from kinematics.errors import CellError
@@ -216,3 +216,21 @@ def test_a_rate_by_another_name(typed):
     known = ("dq1", "dq2", "L1", "q1x")
     assert nearest_name(typed, known) == "dq1"
     assert nearest_name(typed, ("L1", "L2", "dq2")) is None
+
+
+@pytest.mark.parametrize(
+    "typed", ["dq1/dt", "dq_1 / dt", "dθ1", "dθ_1/dt", "dtheta1/dt", "q1'", "θ1’", "q_1′", "theta1'"]
+)
+def test_a_rate_in_marks_of_calculus(typed):
+    assert rate_in_marks(f"2*m2*{typed} + L1", ("L1", "dq1", "dq2")) == (typed, "dq1")
+    assert rate_in_marks(f"2*m2*{typed} + L1", ("L1", "dq2")) is None
+
+
+@pytest.mark.parametrize("cell", ["dq1", "q1''", "q1", "dq1/dtx", "dq1*dq2", "add1/dt", "xq1'"])
+def test_no_rate_in_marks(cell):
+    assert rate_in_marks(cell, ("dq1", "dq2")) is None
+
+
+def test_a_name_d_or_dt_is_no_mark():
+    assert rate_in_marks("dθ1", ("d", "dq1")) is None
+    assert rate_in_marks("dq1/dt", ("dt", "dq1")) is None
