@@ -32,7 +32,7 @@ from kinematics.inverse.self_motions.families import Follower
 from kinematics.inverse.self_motions.isolation import told_apart
 from kinematics.inverse.self_motions.membership import Component
 from kinematics.inverse.self_motions.ranges import families_within
-from kinematics.inverse.valleys import low_points
+from kinematics.inverse.valleys import in_valleys, low_points
 from kinematics.se3 import Transform
 from kinematics.table import NumericTable
 
@@ -85,7 +85,8 @@ class Solver:
     def solve_directly(self, target: ArrayLike, tolerance: float | None = None) -> InverseKinematics | None:
         """What the closed form alone says, never long; None if it has no solution within the limits.
 
-        None, too, where solutions may be of families, which would have to be followed.
+        None, too, where solutions may be of families, or others at the ends of valleys: both would have to be
+        followed.
 
         Arguments and refusals are those of `solve`.
         """
@@ -93,8 +94,8 @@ class Solver:
         answer = self._at_once(goal)
         if answer is not None:
             return answer
-        found = self._by_closed_form(goal)
-        if found is None:
+        found = self._roots(goal)
+        if found is None or in_valleys(self.arm, goal.pose, found, goal.tolerance).any():
             return None
         alone, delicate = told_apart(self.arm, goal.pose, found, goal.tolerance)
         parts = [Component(found[i]) for i in alone]
@@ -132,17 +133,18 @@ class Solver:
         within = [one._replace(joints=tuple(q)) for one, q, fit in moved if fit]
         return sorted(within, key=lambda one: sum(map(abs, one.joints)))
 
-    def _by_closed_form(self, goal: Goal) -> Array | None:
+    def _roots(self, goal: Goal) -> Array | None:
         """Solutions by the closed form, if it has an answer for this target."""
         candidates = None if self.closed_form is None else self.closed_form.candidates(goal.pose)
-        if candidates is None:
-            return None
-        arm, target, tolerance = self.arm, goal.pose, goal.tolerance
-        found = solutions_of(arm, candidates, target, tolerance)
-        if len(found) and not arm.spare:
-            beyond = solutions_of(arm, low_points(arm, target, found, tolerance), target, tolerance)
-            found = np.concatenate((found, beyond)) if len(beyond) else found
-        return found
+        return None if candidates is None else solutions_of(self.arm, candidates, goal.pose, goal.tolerance)
+
+    def _by_closed_form(self, goal: Goal) -> Array | None:
+        """The same, with those that rounding has left out at the other ends of valleys."""
+        found = self._roots(goal)
+        if found is None or not len(found) or self.arm.spare:
+            return found
+        ends = low_points(self.arm, goal.pose, found, goal.tolerance)
+        return np.concatenate((found, solutions_of(self.arm, ends, goal.pose, goal.tolerance)))
 
     def _answer(
         self, joints: Array, goal: Goal, method: Method, outside: int = 0

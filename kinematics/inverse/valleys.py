@@ -7,6 +7,7 @@ squares: beside a fold what the Gauss–Newton method leaves out is what counts.
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
 from kinematics.inverse.arm import Arm, Array
 from kinematics.inverse.residuals import errors_and_jacobians
@@ -142,6 +143,18 @@ def _gradient(arm: Arm, target: Array, x: Array) -> tuple[Array, float]:
     return -J[0].T @ e[0], 0.5 * float(e[0] @ e[0])
 
 
+def in_valleys(arm: Arm, target: Array, joints: Array, tolerance: float) -> NDArray[np.bool_]:
+    """Return at which solutions `low_points` walks, (m,); arguments are its own."""
+    _, J = errors_and_jacobians(arm, joints / arm.units, target)
+    _, values, _ = np.linalg.svd(J, full_matrices=False)
+    return _is_narrow(values, tolerance)
+
+
+def _is_narrow(values: Array, tolerance: float) -> NDArray[np.bool_]:
+    """Whether the least singular value is small; if smaller still, no error tells two solutions apart."""
+    return np.asarray((values[:, -1] <= NARROW) & (values[:, -1] > tolerance))
+
+
 def low_points(arm: Arm, target: Array, joints: Array, tolerance: float) -> Array:
     """Return where else along their valleys the error of solutions is small again, (k, n); close to it.
 
@@ -158,8 +171,7 @@ def low_points(arm: Arm, target: Array, joints: Array, tolerance: float) -> Arra
     x = joints / arm.units
     _, J = errors_and_jacobians(arm, x, target)
     _, values, Vt = np.linalg.svd(J, full_matrices=False)
-    # flatter still, no error on the way would tell two solutions apart
-    narrow = (values[:, -1] <= NARROW) & (values[:, -1] > tolerance)
+    narrow = _is_narrow(values, tolerance)
     along = np.concatenate((Vt[narrow, -1], -Vt[narrow, -1]))
     x = np.concatenate((x[narrow], x[narrow]))
     found = [x[:0]]
