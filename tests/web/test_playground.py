@@ -11,7 +11,7 @@ import pytest
 from playwright.sync_api import Locator, Page, Request, expect
 
 from tests.web.conftest import LANGUAGES, OpenPage, Watch
-from tests.web.driving import Held
+from tests.web.driving import Held, put_table, rows
 
 STANFORD_ALPHAS = ["0", "-90", "90", "0", "-90", "90"]
 
@@ -386,6 +386,30 @@ def test_the_limits_of_a_urdf_come_with_its_table(open_page: OpenPage) -> None:
     with page.expect_request("**/workspace") as asked:
         opened(page, "Workspace")
     assert [57.295779513] in [[round(limit[1], 9)] for limit in asked.value.post_data_json["limits"] if limit]
+    expect(page.locator(".plot-drawing svg")).to_be_visible()
+
+
+@pytest.mark.parametrize(
+    "written",
+    ["θ1 0.2 0 0", "θ1 0 0.3 0\nθ2 0 0.2 0", "θ1 0 0.001 0\nP 0 d2 0 0"],
+    ids=["a tip on the first axis", "a tip at one height", "a narrow column"],
+)
+def test_a_section_is_drawn_however_narrow_it_is(open_page: OpenPage, written: str) -> None:
+    page = open_page("/playground")
+    shown_robot(page)
+    put_table(page, {"convention": "standard", "rows": rows("standard", written)})
+    joints = len(written.splitlines())
+    expect(page.locator("joint-sliders .joint-line")).to_have_count(joints)
+    opened(page, "Workspace")
+    if "P" in written:
+        opened(page, "Joint limits")
+        page.get_by_label("Least value of q2 in m").fill("0")
+        page.get_by_label("Greatest value of q2 in m").fill("2")
+    section = page.get_by_role("img", name="Section")
+    expect(section).to_be_visible()
+    box = section.bounding_box()
+    assert box is not None
+    assert 0.3 < box["height"] / box["width"] < 2.5
 
 
 def without_webgl(page: Page) -> None:

@@ -13,6 +13,8 @@ const SAMPLES = 4000;
 const BANDS = 12;
 /** Of the drawing [px]: a section is twice as high as wide. */
 const WIDEST = 380;
+/** Below it [m], what a tip moves is rounding. */
+const NOTHING = 1e-9;
 
 /** @param {import("../api.js").Api} api @param {import("./tool.js").Picture} picture */
 export function workspaceTool(api, picture) {
@@ -58,13 +60,14 @@ function report(answer) {
 function section({ section: places, outer_radius: outer }, unit) {
   const radius = `${t("playground-section-radius")} [${unit}]`;
   const height = `${t("playground-section-height")} [${unit}]`;
+  const domains = shownDomains(places, outer.axis);
   return figure(
     t("playground-section"),
     (plot, width) => ({
       width: Math.min(width, WIDEST),
       marginBottom: 42,
-      x: { label: radius, labelOffset: 38, domain: [0, outer.axis * 1.02] },
-      y: { label: height, grid: true },
+      x: { label: radius, labelOffset: 38, domain: domains.radius },
+      y: { label: height, grid: true, domain: domains.height },
       aspectRatio: 1,
       marks: [
         plot.dot(places, {
@@ -83,6 +86,20 @@ function section({ section: places, outer_radius: outer }, unit) {
       rows: bands(places),
     },
   );
+}
+
+/**
+ * What the axes of a section show, at equal scales: between half and twice as high as wide, even where the tip stays
+ * on the first axis, at one height, or at one point.
+ * @param {[number, number][]} places @param {number} outer the greatest radius
+ */
+function shownDomains(places, outer) {
+  const heights = places.map(([, height]) => height);
+  const [low, high] = [Math.min(...heights), Math.max(...heights)];
+  const reach = Math.max(outer * 1.02, (high - low) / 2);
+  const radius = reach > NOTHING ? reach : 1;
+  const missing = Math.max(0, radius / 2 - (high - low)) / 2;
+  return { radius: [0, radius], height: [low - missing, high + missing] };
 }
 
 /** The least and the greatest radius in each band of height. @param {[number, number][]} places @returns {(string | number)[][]} */
