@@ -1,6 +1,7 @@
 """Inverse kinematics in symbols, as books print it.
 
-derivation     how an arm is taken apart, and which joint follows from what
+derivation     which joint follows from what
+parts          how an arm is taken apart
 signed_axes    axes at right angles, in symbols
 planar_joints  joints that move in a plane
 axis_turns     turns about axes through one point

@@ -3,11 +3,13 @@
 Arms whose axes are at right angles are taken apart as a lecturer does. At the hand up to three turns about
 axes through one point w, which they cannot move. Before them joints that move in a plane with normal h: two,
 which place w, or three with parallel axes, which turn the hand about h as well. Before these, or among them,
-one joint more: a turn across h, to which w keeps the distance that it has along h, or a slide along h.
+one joint more: a turn across h, to which w keeps the distance that it has along h, or a slide along h. The
+turn across h may also stand behind two planar joints: then it alone lifts w along h.
 
     planar arms, SCARA, cylindrical arms    planar joints, a slide along h
     PUMA, IRB 140, the Stanford arm         a turn, two planar joints, a wrist
     SCORBOT, Universal Robots               a turn, three planar joints, one or two turns
+    two parallel axes, an elbow across      two planar joints, a turn, a wrist
     one joint, a wrist, pan and tilt        no planar joints; a slide or none, and the turns at the hand
 
 Source: J. J. Craig, Introduction to robotics, 3rd ed. (2005) ch. 4; R. P. Paul, Robot manipulators (1981)
@@ -16,9 +18,7 @@ ch. 3.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
-from itertools import pairwise
+from collections.abc import Sequence
 
 from kinematics.errors import Fault, TableError
 from kinematics.expressions import ZERO, Expression, Function, Parameter, add, negate
@@ -30,7 +30,8 @@ from kinematics.inverse_forms.formulas import (
     square,
     times,
 )
-from kinematics.inverse_forms.planar_joints import JointPlane, place_point, place_pose
+from kinematics.inverse_forms.parts import Parts, partitions
+from kinematics.inverse_forms.planar_joints import circular_root, place_point, place_pose
 from kinematics.inverse_forms.signed_axes import (
     Axis,
     SignedArm,
@@ -39,9 +40,7 @@ from kinematics.inverse_forms.signed_axes import (
     along,
     circular,
     cross,
-    dot,
     minus,
-    opposite,
     plus,
     scaled,
     signed,
@@ -62,9 +61,7 @@ from kinematics.inverse_forms.steps import (
 )
 from kinematics.table import SymbolicTable, table_parameters
 
-LONGEST_TAIL = 3
 MOST_JOINTS = 6
-_UNIT: tuple[Axis, ...] = ((1, 0, 0), (0, 1, 0), (0, 0, 1))
 
 
 def inverse_form(
@@ -85,109 +82,17 @@ def inverse_form(
     """
     arm = signed_arm_of(table, tip)
     if arm is not None and 1 <= len(arm.joints) <= MOST_JOINTS:
-        for parts in _partitions(arm):
+        for parts in partitions(arm):
             form = _Writer(arm, parts, (*table_parameters(table), *taken)).form()
             if form is not None:
                 return form
     raise TableError(Fault(code="inverse_form_unknown", where=("rows",)))
 
 
-@dataclass(frozen=True, kw_only=True, slots=True)
-class _Parts:
-    """An arm taken apart.
-
-    Attributes:
-        lead: the joint that turns across the plane, or None.
-        slide: the joint that slides along the plane's normal, or None.
-        planar: two or three joints that move in the plane; or none, and the tail is all but a slide.
-        tail: the turns at the hand.
-        plane: the plane.
-        point: the point that the tail leaves alone.
-    """
-
-    lead: SignedJoint | None
-    slide: SignedJoint | None
-    planar: tuple[SignedJoint, ...]
-    tail: tuple[SignedJoint, ...]
-    plane: JointPlane
-    point: Vector
-
-
-def _partitions(arm: SignedArm) -> Iterator[_Parts]:
-    """The ways to take an arm apart."""
-    n = len(arm.joints)
-    for size in (3, 2, 0):
-        for length in range(min(LONGEST_TAIL, n - size), -1, -1):
-            head, tail = arm.joints[: n - length], arm.joints[n - length :]
-            if len(head) - size > 1 or (size == 3 and length == LONGEST_TAIL):
-                continue
-            point = _point_left_alone(tail, arm.end)
-            if point is None:
-                continue
-            for h in _UNIT:
-                parts = _parts(head, tail, size, h, point)
-                if parts is not None:
-                    yield parts
-
-
-def _parts(
-    head: Sequence[SignedJoint], tail: Sequence[SignedJoint], size: int, h: Axis, point: Vector
-) -> _Parts | None:
-    plane = JointPlane(h, cross(h, _across(h)))
-    planar = tuple(joint for joint in head if plane.moves_in(joint))
-    others = [joint for joint in head if not plane.moves_in(joint)]
-    if len(planar) != size or len(others) > 1 or (not any(joint.turns for joint in planar) and size == 3):
-        return None
-    senses = [plane.sense(joint) for joint in planar if joint.turns]
-    if senses and senses[0] < 0:
-        h = opposite(h)
-    lead = slide = None
-    if others:
-        (other,) = others
-        if other.turns and other is head[0] and planar:
-            lead = other
-        elif not other.turns:
-            slide = other
-        else:
-            return None
-    f = _upright(cross(h, lead.axis if lead else _across(h)))
-    plane = JointPlane(h, f)
-    return _Parts(lead=lead, slide=slide, planar=planar, tail=tuple(tail), plane=plane, point=point)
-
-
-def _upright(axis: Axis) -> Axis:
-    """The axis or its opposite, whichever is x, y or z."""
-    return axis if axis in _UNIT else opposite(axis)
-
-
-def _across(h: Axis) -> Axis:
-    """The axis with cross(h, it) = x, y, z in turn: coordinates x, y of h = z."""
-    i = next(i for i in range(3) if h[i])
-    return tuple(-int(k == (i + 2) % 3) for k in range(3))  # type: ignore[return-value]
-
-
-def _point_left_alone(tail: Sequence[SignedJoint], end: Vector) -> Vector | None:
-    """The point of all axes of the tail that is nearest to the hand; of no axis the hand itself."""
-    if not all(joint.turns for joint in tail):
-        return None
-    if any(dot(one.axis, other.axis) for one, other in pairwise(tail)):
-        return None
-    known: list[Expression | None] = [None, None, None]
-    for joint in tail:
-        for i in range(3):
-            if joint.axis[i]:
-                continue
-            if known[i] is not None and add((known[i], negate(joint.point[i]))) != ZERO:  # type: ignore[arg-type]
-                return None
-            known[i] = joint.point[i]
-    x, y, z = (end[i] if known[i] is None else known[i] for i in range(3))
-    return x, y, z  # type: ignore[return-value]
-
-
 class _Writer:
     """Writes the equations of an arm that has been taken apart."""
 
-    def __init__(self, arm: SignedArm, parts: _Parts, parameters: Sequence[str]) -> None:
+    def __init__(self, arm: SignedArm, parts: Parts, parameters: Sequence[str]) -> None:
         self.arm, self.parts = arm, parts
         joints = [f"q{joint.number}" for joint in arm.joints]
         self.write = InverseDerivation((*parameters, *joints))
@@ -230,9 +135,19 @@ class _Writer:
         elif not parts.planar:
             written = self._tail(N)
         else:
-            written = place_point(
-                write, parts.plane, parts.planar, parts.point, parts.plane.point(target)
-            ) and self._tail(N)
+            start = self._tilted(parts.tilt, target) if parts.tilt else parts.point
+            written = (
+                start is not None
+                and place_point(
+                    write,
+                    parts.plane,
+                    parts.planar,
+                    start,
+                    parts.plane.point(target),
+                    varying=parts.tilt is not None,
+                )
+                and self._tail(N)
+            )
         if not written:
             return None
         return InverseForm(
@@ -247,7 +162,7 @@ class _Writer:
     def _level(self, target: Vector) -> list[InverseCondition]:
         """The target lies in the plane of all joints; without joints in a plane, where the arm leaves it."""
         parts = self.parts
-        axes = [] if parts.lead or parts.slide else [parts.plane.h]
+        axes = [] if parts.lead or parts.slide or parts.tilt else [parts.plane.h]
         if not parts.planar:
             axes += [parts.plane.f, parts.plane.g]
         return [fulfilled(along(axis, minus(target, parts.point))) for axis in axes]
@@ -277,6 +192,21 @@ class _Writer:
             theta = write.joint(joint, less_angle(atan2(Y, X), D, rho), branch=sign)
         seen = plus(scaled(f, rho), plus(scaled(k, D), scaled(e, along(e, off))))
         return plus(joint.point, seen), theta
+
+    def _tilted(self, joint: SignedJoint, target: Vector) -> Vector | None:
+        """Write down the turn behind a plane; returned is where it puts the point, or None if it lifts none.
+
+        F from the joint's axis e to the point is lifted to (h·F) cos θ + (h × e)·F sin θ along h.
+        """
+        write, plane, e = self.write, self.parts.plane, joint.axis
+        F = minus(self.parts.point, joint.point)
+        a, b = along(plane.h, F), along(cross(plane.h, e), F)
+        if a == b == ZERO:
+            return None
+        theta = circular_root(write, a, b, along(plane.h, minus(target, joint.point)), joint)
+        F = turned(e, circular(Function.COS, theta), circular(Function.SIN, theta), F)
+        way = write.let("l", along(plane.f, F), InverseQuantity.ARM_POINT)
+        return plus(joint.point, plus(scaled(plane.f, way), scaled(e, along(e, F))))
 
     def _by_pose(self, N: Sequence[Vector], target: Vector) -> bool:
         """Write down three planar joints and the tail, the turn of the plane first."""
@@ -318,6 +248,8 @@ class _Writer:
         if not parts.tail:
             return True
         N = _turned_back(N, parts.plane.h, parts.plane.turn_of(parts.planar))
+        if parts.tilt is not None:
+            N = _turned_back(N, parts.tilt.axis, parts.tilt.angle)
         return write_turns(write, [turn_of_joint(write, joint) for joint in parts.tail], N)
 
 

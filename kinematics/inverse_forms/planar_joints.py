@@ -85,7 +85,13 @@ class JointPlane:
 
 
 def place_point(
-    write: InverseDerivation, plane: JointPlane, joints: Sequence[SignedJoint], start: Vector, target: Point
+    write: InverseDerivation,
+    plane: JointPlane,
+    joints: Sequence[SignedJoint],
+    start: Vector,
+    target: Point,
+    *,
+    varying: bool = False,
 ) -> bool:
     """Write down two joints that bring a point of the plane to its place.
 
@@ -95,6 +101,7 @@ def place_point(
         joints: two.
         start: the point at θ = 0.
         target: its place, coordinates in the plane.
+        varying: whether other joints move the start, possibly onto the axis of one of these.
 
     Returns:
         Whether there is a form for these joints: there is none where the second cannot move the point, two
@@ -106,11 +113,11 @@ def place_point(
     if first.turns and second.turns:
         if plane.point(first.point) == plane.point(second.point):
             return False
-        _two_turns(write, plane, first, second, plane.point(start), target)
+        _two_turns(write, plane, first, second, plane.point(start), target, varying=varying)
     elif first.turns:
-        _turn_and_slide(write, plane, first, second, plane.point(start), target)
+        _turn_and_slide(write, plane, first, second, plane.point(start), target, varying=varying)
     elif second.turns:
-        _slide_and_turn(write, plane, first, second, plane.point(start), target)
+        _slide_and_turn(write, plane, first, second, plane.point(start), target, varying=varying)
     elif dot(first.axis, second.axis) == 0:
         off = _from(target, plane.point(start))
         for joint in joints:
@@ -154,6 +161,8 @@ def _two_turns(
     second: SignedJoint,
     start: Point,
     target: Point,
+    *,
+    varying: bool,
 ) -> None:
     """By the law of cosines: with U from the first axis, L between the axes, F from the second."""
     a, b = plane.point(first.point), plane.point(second.point)
@@ -171,7 +180,7 @@ def _two_turns(
         B = add((times(ly, fx), negate(times(lx, fy))))
         coefficients = _named(write, "A", "B", (A, B), InverseQuantity.COEFFICIENT)
         equation = *coefficients, half
-    phi = _circular_root(write, *equation, second, plane.sense(second))
+    phi = circular_root(write, *equation, second, plane.sense(second), varying=varying)
     c, s = circular(Function.COS, phi), circular(Function.SIN, phi)
     x, y = _turned(c, s, F)
     W = _named(write, "k_x", "k_y", (add((lx, x)), add((ly, y))), InverseQuantity.ARM_POINT)
@@ -194,6 +203,8 @@ def _turn_and_slide(
     second: SignedJoint,
     start: Point,
     target: Point,
+    *,
+    varying: bool,
 ) -> None:
     """|U|² = (k + d)² + m²: the slide's way d, and k + d counted from where the point is nearest to the axis.
 
@@ -214,11 +225,13 @@ def _turn_and_slide(
         write.joint(first, angle, determined(*U), sense=plane.sense(first))
         write.free(first, *U)
         return
-    # |U| is |m| at least: the turn is determined
     d = write.joint(second, length, reachable(radicand), branch=sign)
     W = add((W[0], signed(way[0], d))), add((W[1], signed(way[1], d)))
-    angle = less_angle(atan2(U[1], U[0]), W[1], W[0])
-    write.joint(first, angle, sense=plane.sense(first))
+    if varying:
+        _turn_onto(write, plane, first, W, U)
+    else:  # |U| is |m| at least: the turn is determined
+        angle = less_angle(atan2(U[1], U[0]), W[1], W[0])
+        write.joint(first, angle, sense=plane.sense(first))
 
 
 def _slide_and_turn(
@@ -228,28 +241,50 @@ def _slide_and_turn(
     second: SignedJoint,
     start: Point,
     target: Point,
+    *,
+    varying: bool,
 ) -> None:
     """The turn from what is across the slide, the slide from what is along it."""
     b = plane.point(second.point)
     U, F = _from(target, b), _from(start, b)
     way = plane.way(first)
     aside = (-way[1], way[0])
-    phi = _circular_root(
+    phi = circular_root(
         write,
         _component(aside, F),
         _component(aside, (negate(F[1]), F[0])),
         _component(aside, U),
         second,
         plane.sense(second),
+        varying=varying,
     )
     c, s = circular(Function.COS, phi), circular(Function.SIN, phi)
     write.joint(first, _component(way, _from(U, _turned(c, s, F))))
 
 
-def _circular_root(
-    write: InverseDerivation, a: Expression, b: Expression, d: Expression, joint: SignedJoint, sense: int
+def circular_root(
+    write: InverseDerivation,
+    a: Expression,
+    b: Expression,
+    d: Expression,
+    joint: SignedJoint,
+    sense: int = 1,
+    *,
+    varying: bool = False,
 ) -> Expression:
-    """Write down φ with a cos φ + b sin φ = d; returned is φ in terms of the joint's variable."""
+    """Write down φ with a cos φ + b sin φ = d; returned is φ in terms of the joint's variable.
+
+    Args:
+        write: where to.
+        a: the coefficient of the cosine.
+        b: that of the sine.
+        d: what the sum is to be.
+        joint: turns by φ or -φ.
+        sense: 1 or -1.
+        varying: whether a and b may both be 0 on some targets.
+    """
+    coefficients = [value for value in (a, b) if value != ZERO]
+    singular = (*coefficients, d)
     sign = write.sign()
     cosine = circular(Function.COS, joint.angle)
     sine = signed(sense, circular(Function.SIN, joint.angle))
@@ -266,7 +301,10 @@ def _circular_root(
         d = write.let("K", d, InverseQuantity.CIRCULAR, meaning=meaning)
         radicand = add((square(a), square(b), negate(square(d))))
         angle = add((atan2(b, a), atan2(times(sign, root(radicand)), d)))
-    theta = write.joint(joint, angle, reachable(radicand), branch=sign, sense=sense)
+    conditions = [reachable(radicand), *([determined(*coefficients)] if varying else [])]
+    theta = write.joint(joint, angle, *conditions, branch=sign, sense=sense)
+    if varying:
+        write.free(joint, *singular)
     return theta if sense > 0 else negate(theta)
 
 

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 
-from kinematics.expressions import Parameter, walk
+from kinematics.expressions import Expression, Parameter, walk
 from kinematics.inverse_forms.steps import InverseForm, InverseStep, SingularCase
 
 
@@ -33,10 +34,29 @@ def form_of_case(form: InverseForm, case: SingularCase, chosen: str) -> InverseF
             steps.extend(case.steps)
         elif step.name not in replaced:
             steps.append(step)
-    written = {node.name for step in steps for node in walk(step.value) if isinstance(node, Parameter)}
+    conditions = (*case.conditions, *form.conditions)
+    steps, held = _needed(steps, {name for one in conditions for name in _names_in(one.value)})
     return replace(
         form,
         steps=tuple(steps),
-        branches=tuple(sign for sign in form.branches if sign in written),
-        conditions=(*case.conditions, *form.conditions),
+        branches=tuple(sign for sign in form.branches if sign in held),
+        conditions=conditions,
     )
+
+
+def _needed(steps: Sequence[InverseStep], held: set[str]) -> tuple[list[InverseStep], set[str]]:
+    """The steps of joints, and those whose names are held; and all names that are held then.
+
+    What the case leaves out may have no value: a quotient by what is 0.
+    """
+    kept: list[InverseStep] = []
+    for step in reversed(steps):
+        if step.joint or step.name in held:
+            kept.append(step)
+            values = (step.value, *(one.value for one in step.conditions))
+            held = held | {name for value in values for name in _names_in(value)}
+    return kept[::-1], held
+
+
+def _names_in(value: Expression) -> set[str]:
+    return {node.name for node in walk(value) if isinstance(node, Parameter)}

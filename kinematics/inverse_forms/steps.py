@@ -50,8 +50,8 @@ class InverseQuantity(StrEnum):
     the first axis in the plane that turns with this. PLANE_POINT: where joints that move in a plane have to
     bring it, from the first axis among them. PLANE_TURN: the sum of the angles of parallel joints.
     COEFFICIENT: A, B of A cos θ + B sin θ = K. CIRCULAR: K, a sine or cosine or the sum of both. ARM_POINT:
-    the point as the first of two joints at θ = 0 would place it. HAND_AXIS: the last axis, seen from before
-    the first of three turns.
+    the point as the first of two joints at θ = 0 would place it, or how far out an elbow brings it.
+    HAND_AXIS: the last axis, seen from before the first of three turns.
     """
 
     TARGET = "target"

@@ -179,6 +179,22 @@ def test_on_its_axis_the_first_joint_is_free(rows, given, place):
     assert not arm.solutions(form, target, chosen=1.0)
 
 
+def test_an_elbow_that_brings_the_wrist_onto_an_axis_leaves_that_joint_free():
+    arm = Arm(
+        ARMS["two parallel axes, an elbow across, a wrist"], a1=0.5, a2=0.3, a3=0.2, d1=0.4, d4=0.6, d6=0.1
+    )
+    (case,) = (case for case in arm.form.singular_cases if case.free == (2,))
+    form = form_of_case(arm.form, case, "chosen")
+    folded = math.atan2(0.6, 0.2) + math.acos(-0.3 / math.hypot(0.2, 0.6))  # a2 + a3 c3 + d4 s3 = 0
+    target = end_pose(arm.table, [0.3, -0.8, folded, 0.5, 0.7, 0.2])
+    for chosen in (-2.0, 0.0, 1.0):
+        solutions = arm.solutions(form, target, chosen=chosen)
+        assert solutions
+        for joints in solutions:
+            assert joints[1] == chosen
+            assert np.abs(end_pose(arm.table, joints) - target).max() < 1e-9
+
+
 def test_a_case_of_other_equations_is_none():
     case = SingularCase(free=(1,), conditions=())
     with pytest.raises(ValueError, match="no case"):
