@@ -1,4 +1,4 @@
-"""The examples of the pages on URDF and the workspace print what they say."""
+"""The examples of the pages on inverse kinematics, URDF and the workspace print what they say."""
 
 import doctest
 from pathlib import Path
@@ -8,7 +8,7 @@ import pytest
 DOCS = Path(__file__).parents[2] / "docs"
 
 
-@pytest.mark.parametrize("page", ["urdf.md", "workspace.md"])
+@pytest.mark.parametrize("page", ["inverse-kinematics.md", "urdf.md", "workspace.md"])
 def test_every_example_of_the_page(page):
     found = doctest.testfile(str(DOCS / page), module_relative=False)
     assert (found.failed, found.attempted > 3) == (0, True)
