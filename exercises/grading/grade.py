@@ -180,10 +180,12 @@ def _row_left_zero(repairs: Sequence[Repaired], kept: Sequence[int], rows: int) 
         rows: how many rows that has.
     """
     singles = [repair.changes[0] for repair in repairs if len(repair.changes) == 1]
-    for place in (change.places[0][0] for change in singles if change.code == "fixed_row_missing"):
-        start = kept[place - 1] + 1 if place else 0
-        return tuple(range(start, kept[place] if place < len(kept) else rows))[:1]
-    return ()
+    missing = next((change for change in singles if change.code == "fixed_row_missing"), None)
+    if missing is None:
+        return ()
+    place = missing.places[0][0]
+    start = kept[place - 1] + 1 if place else 0
+    return tuple(range(start, kept[place] if place < len(kept) else rows))[:1]
 
 
 def _row_without_its_variable(

@@ -9,9 +9,7 @@ from __future__ import annotations
 from fractions import Fraction
 
 from kinematics.expressions import ZERO, Call, Expression, Function, Number, Product, Sum, add, call, multiply
-from kinematics.inverse_forms.formulas import (
-    positive,
-)
+from kinematics.inverse_forms.formulas import positive
 
 ROUNDING = Fraction(1, 10**9)
 """Part of what is subtracted in a radicand by which rounding may leave it below 0."""

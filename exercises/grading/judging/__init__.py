@@ -1,6 +1,7 @@
 """Is it right? From a table as it was typed to whether it is the key's robot: see `judgement`.
 
 typed          how exactly an entry was typed, and what a rounded one stands for
+ways           whether an answer is in names, in numbers, or in both
 comparison     key and answer in numbers
 name_values    the values at which they are compared
 named_numbers  numbers that stand for names

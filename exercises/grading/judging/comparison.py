@@ -7,9 +7,11 @@ instead, or in numbers here and names there.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
+from itertools import islice
+from typing import NamedTuple
 
 from exercises.grading.judging.name_values import (
     Values,
@@ -19,11 +21,11 @@ from exercises.grading.judging.name_values import (
     values_of,
     with_values,
 )
-from exercises.grading.judging.named_numbers import with_names
 from exercises.grading.judging.typed import ANGLES, Place, Typed, meant
-from kinematics.cells import AngleUnit, ParameterKind, ReadTable, in_length_unit
+from exercises.grading.judging.ways import ways_of
+from kinematics.cells import AngleUnit, ReadTable, in_length_unit
 from kinematics.errors import Fault, ParameterError
-from kinematics.expressions import ZERO, Expression, Number, parameters_in
+from kinematics.expressions import ZERO, Expression, parameters_in
 from kinematics.remembering import USUAL_ROWS, remembered
 from kinematics.table import CELLS, DHTable, NumericTable, SymbolicTable, bind
 
@@ -31,12 +33,24 @@ from kinematics.table import CELLS, DHTable, NumericTable, SymbolicTable, bind
 DRAWS = 3
 # Tables with roots may have values at few draws.
 ATTEMPTS = 60
-
-
-WAYS_REMEMBERED = 32
-"""Answers at hand, with the ways in which each may be meant."""
 LARGEST_ENTRY = 1e70
 """Volumes and fourth powers of lengths are computed, and sums of them over all rows: doubles end at 1e308."""
+
+
+class Drawn(NamedTuple):
+    """Two tables at one draw of their parameters.
+
+    Attributes:
+        values: of the parameters that are drawn [rad, or the submission's length unit].
+        reference: the key.
+        submission: the answer as it was typed.
+        meant: the answer as it was meant; the same object where nothing was rounded.
+    """
+
+    values: Mapping[str, float]
+    reference: NumericTable
+    submission: NumericTable
+    meant: NumericTable
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -46,13 +60,9 @@ class Comparison:
     Attributes:
         reference: the key, exact, with the values of those parameters that are not drawn.
         submission: the answer, likewise.
-        draws: values of the parameters that are left [rad, or the submission's length unit]; one empty draw
-            if none is.
-        references: the key at each draw.
-        submissions: the answer at each draw.
+        drawn: both tables at draws of the parameters that are left; a single one if none is left.
         in_names: some parameter is drawn.
         meant_table: the answer with rounded entries replaced by what they stand for, exact.
-        meant: that at each draw; `submissions` itself where nothing was rounded.
         steps: half a unit of the last place of decimals that stand for themselves, by row and cell.
         by_value: no name stands in the answer.
         exact: the answer is in names, and nothing in it or in the key is known only to some digits, but for
@@ -61,12 +71,9 @@ class Comparison:
 
     reference: SymbolicTable
     submission: SymbolicTable
-    draws: tuple[Mapping[str, float], ...]
-    references: tuple[NumericTable, ...]
-    submissions: tuple[NumericTable, ...]
+    drawn: tuple[Drawn, ...]
     in_names: bool
     meant_table: SymbolicTable
-    meant: tuple[NumericTable, ...]
     steps: Mapping[Place, float]
     exact: bool
     by_value: bool
@@ -81,21 +88,35 @@ class Comparison:
             if (names := parameters_in(entry := getattr(row, cell)))
         )
 
+    @cached_property
+    def draws(self) -> tuple[Mapping[str, float], ...]:
+        """The values of each draw."""
+        return tuple(drawn.values for drawn in self.drawn)
+
+    @cached_property
+    def references(self) -> tuple[NumericTable, ...]:
+        """The key at each draw."""
+        return tuple(drawn.reference for drawn in self.drawn)
+
+    @cached_property
+    def submissions(self) -> tuple[NumericTable, ...]:
+        """The answer at each draw, as it was typed."""
+        return tuple(drawn.submission for drawn in self.drawn)
+
+    @cached_property
+    def meant(self) -> tuple[NumericTable, ...]:
+        """The answer at each draw, as it was meant."""
+        return tuple(drawn.meant for drawn in self.drawn)
+
+    @property
+    def typed_exactly(self) -> bool:
+        """Whether no entry was rounded."""
+        return self.drawn[0].meant is self.drawn[0].submission
+
     def with_first(self, draw: int) -> Comparison:
         """Return the same, with a draw (its number, from 0) moved to the front."""
-        if not draw:
-            return self
-        order = (draw, *(k for k in range(len(self.draws)) if k != draw))
-        references, submissions, meant = (
-            tuple(tables[k] for k in order) for tables in (self.references, self.submissions, self.meant)
-        )
-        return replace(
-            self,
-            draws=tuple(self.draws[k] for k in order),
-            references=references,
-            submissions=submissions,
-            meant=submissions if self.meant is self.submissions else meant,
-        )
+        first = self.drawn[draw]
+        return replace(self, drawn=(first, *(drawn for drawn in self.drawn if drawn is not first)))
 
 
 def comparisons(
@@ -119,7 +140,7 @@ def comparisons(
     values = values_of(reference, submission, parameters or {}, typical_length(key.table))
     found = [
         comparison
-        for answer, fixed in _ways_of(reference, submission, tuple((parameters or {}).items()))
+        for answer, fixed in ways_of(reference, submission, tuple((parameters or {}).items()))
         if (comparison := _comparison(key, answer, fixed, values)) is not None
     ]
     if not found:
@@ -136,7 +157,7 @@ def compared_by_names(reference: ReadTable, submission: ReadTable, parameters: M
     Args and raises as in `comparisons`.
     """
     values_of(reference, submission, parameters, 1.0)
-    ways = _ways_of(reference, submission, tuple(parameters.items()))
+    ways = ways_of(reference, submission, tuple(parameters.items()))
     always = has_a_value_always(reference.table) and has_a_value_always(submission.table)
     return always and ways == ((submission, frozenset()),)
 
@@ -152,47 +173,6 @@ def _in_unit_of(reference: ReadTable, submission: ReadTable) -> ReadTable:
     return _converted(reference, submission.length_unit.value)
 
 
-@lru_cache(maxsize=WAYS_REMEMBERED)
-def _ways_of(
-    reference: ReadTable, submission: ReadTable, parameters: tuple[tuple[str, float], ...]
-) -> tuple[tuple[ReadTable, frozenset[str]], ...]:
-    """The ways of `_ways` with values that are known to be numbers; asked for twice of every answer."""
-    return tuple(_ways(reference, submission, values_of(reference, submission, dict(parameters), 1.0)))
-
-
-def _ways(
-    reference: ReadTable, submission: ReadTable, values: Values
-) -> Iterator[tuple[ReadTable, frozenset[str]]]:
-    """The answer, and the parameters that are put in by value.
-
-    What is in names is decided by the names: values are put in only for names that the answer does not use,
-    and only if it has numbers that may stand for them. Where a name and its value both stand in the answer,
-    the value is taken for the name.
-    """
-    asked, used = set(reference.parameters), set(submission.parameters)
-    unnamed = asked - used
-    if used or not asked or not asked <= set(values.given):
-        yield submission, frozenset()
-    known = set(values.given)
-    if unnamed and unnamed <= known and (not used or _has_numbers(submission.table, values, unnamed)):
-        yield submission, frozenset(unnamed)
-    if not asked and used and used <= known:
-        yield submission, frozenset(used)
-    if used:
-        for named in with_names(submission, values):
-            yield named, frozenset()
-
-
-def _has_numbers(table: SymbolicTable, values: Values, names: Iterable[str]) -> bool:
-    """Whether numbers stand where each of some names might: lengths for lengths, angles for angles."""
-    lengths = any(
-        isinstance(entry := getattr(row, cell), Number) and entry.value
-        for row in table.rows
-        for cell in ("a", "d")
-    )
-    return lengths or all(values.kinds[name] is ParameterKind.ANGLE for name in names)
-
-
 def _comparison(
     reference: ReadTable, submission: ReadTable, fixed: frozenset[str], values: Values
 ) -> Comparison | None:
@@ -202,38 +182,33 @@ def _comparison(
         return None
     names = sorted(set(values.kinds) - fixed)
     typed = _meant(key, answer, submission, values, in_names=bool(names))
-    draws: list[Mapping[str, float]] = []
-    keys: list[NumericTable] = []
-    answers: list[NumericTable] = []
-    meanings: list[NumericTable] = []
-    for attempt in range(ATTEMPTS if names else 1):
-        draw = {name: drawn_value(name, attempt, values) for name in names}
-        try:
-            bound = _bound(key, tuple(draw.items())), _within_bounds(bind(answer, draw))
-            meanings.append(bound[1] if typed.table is answer else _within_bounds(bind(typed.table, draw)))
-        except ParameterError:
-            continue
-        draws.append(draw)
-        keys.append(bound[0])
-        answers.append(bound[1])
-        if len(draws) == DRAWS:
-            break
-    if not draws:
+    drawn = tuple(islice(_drawn(key, answer, typed, names, values), DRAWS if names else 1))
+    if not drawn:
         return None
-    submissions = tuple(answers)
     return Comparison(
         reference=key,
         submission=answer,
-        draws=tuple(draws),
-        references=tuple(keys),
-        submissions=submissions,
+        drawn=drawn,
         in_names=bool(names),
         meant_table=typed.table,
-        meant=submissions if typed.table is answer else tuple(meanings),
         steps=typed.steps,
         by_value=not submission.parameters,
         exact=bool(names) and _is_exact(key) and (typed.exact or _stands_for_nothing(typed, key)),
     )
+
+
+def _drawn(
+    key: SymbolicTable, answer: SymbolicTable, typed: Typed, names: Sequence[str], values: Values
+) -> Iterator[Drawn]:
+    """The draws at which both tables have values."""
+    for attempt in range(ATTEMPTS if names else 1):
+        draw = {name: drawn_value(name, attempt, values) for name in names}
+        try:
+            bound = _bound(key, tuple(draw.items())), _within_bounds(bind(answer, draw))
+            as_meant = bound[1] if typed.table is answer else _within_bounds(bind(typed.table, draw))
+        except ParameterError:
+            continue
+        yield Drawn(draw, *bound, as_meant)
 
 
 def _meant(

@@ -44,7 +44,7 @@ def judged(comparison: Comparison, policy: Policy) -> Decision:
     if _is_refuted(comparison, policy):
         return REFUTED
     strict = policy_of(comparison, policy)
-    typed_exactly = comparison.meant is comparison.submissions
+    typed_exactly = comparison.typed_exactly
     if strict is not policy:
         meant = decide_draws(comparison.references, comparison.meant, strict)
         if typed_exactly or not meant.accepted:
