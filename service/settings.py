@@ -100,6 +100,13 @@ class Settings(BaseSettings):
         le=LONGEST_SECONDS,
         description="time for requests to finish when the server is told to stop [s]",
     )
+    keep_alive_seconds: int = Field(
+        75,
+        ge=1,
+        le=LONGEST_SECONDS,
+        description="time a connection may be idle before the server closes it [s]; longer than a proxy "
+        "keeps its own (nginx and AWS: 60 s), or a request may meet a connection that is being closed",
+    )
     prefix: str = Field("", description="path under which a reverse proxy serves this, such as /dh")
     trusted_proxies: Names = Field(
         ("127.0.0.1",),

@@ -23,7 +23,7 @@ def running(settings: Settings) -> Iterator[str]:
         create_app(settings),
         log_level="warning",
         lifespan="on",
-        **server_options(settings.shutdown_seconds),
+        **server_options(settings),
     )
     server = uvicorn.Server(config)
     thread = threading.Thread(target=server.run, kwargs={"sockets": [listener]}, daemon=True)

@@ -38,7 +38,7 @@ def _serve(options: argparse.Namespace) -> int:
         "host": settings.host if options.host is None else options.host,
         "port": settings.port if options.port is None else options.port,
         "log_config": log_configuration(settings),
-        **server_options(settings.shutdown_seconds),
+        **server_options(settings),
     }
     workers = settings.workers if options.workers is None else options.workers
     if workers > 1:

@@ -15,12 +15,14 @@ from typing import Any
 import httptools
 from uvicorn.protocols.http.httptools_impl import HttpToolsProtocol
 
+from service.settings import Settings
+
 HEAD_BYTES = 64 * 1024
 """Longest head of a request: enough for an npy question in the address and every cookie of a portal."""
 HEAD_FIELDS = 128
 """Most header fields: browsers send twenty, chains of proxies add as many."""
 HEAD_SECONDS = 10.0
-"""How long a head may take to arrive, from the first byte or from the opening of the connection."""
+"""How long a head may take to arrive, from its first byte or from the opening of the connection."""
 UNREAD_SECONDS = 30.0
 """How long a caller may leave its answer unread once the buffers are full."""
 RESERVED_DESCRIPTORS = 96
@@ -64,6 +66,8 @@ class BoundedConnection(HttpToolsProtocol):
         self._held_bytes += len(data)
         self._heard_at = self.loop.time()
         super().data_received(data)
+        if self._is_idle and self._held_bytes and self._head_timer is None:
+            self._await_head()  # the rest of it
         if self._held_bytes > HEAD_BYTES:
             self._refuse_head()
 
@@ -98,14 +102,15 @@ class BoundedConnection(HttpToolsProtocol):
             self._await_head()
 
     def on_response_complete(self) -> None:
-        """Wait for the next request."""
+        """Rest until the next request begins, or uvicorn closes what was idle for too long."""
         super().on_response_complete()
         if self.transport.is_closing() or not self.cycle.response_complete:
             return
         if self.cycle.more_body:  # a rest that nobody reads may come, but not for ever
             self._head_timer = self.loop.call_later(HEAD_SECONDS, self.transport.close)
         else:
-            self._await_head()
+            self._stop_timers()
+            self._is_idle = True
 
     def pause_writing(self) -> None:
         """Give the caller so long to read."""
@@ -153,7 +158,7 @@ class BoundedConnection(HttpToolsProtocol):
             super().send_400_response(msg)
 
 
-def server_options(shutdown_seconds: int) -> dict[str, Any]:
+def server_options(settings: Settings) -> dict[str, Any]:
     """Return what uvicorn is told besides address and processes."""
     return {
         "http": BoundedConnection,
@@ -161,5 +166,6 @@ def server_options(shutdown_seconds: int) -> dict[str, Any]:
         "proxy_headers": False,  # the outermost layer reads them, with the proxy's own address still at hand
         "server_header": False,
         "access_log": False,  # ours knows times and request ids
-        "timeout_graceful_shutdown": shutdown_seconds,
+        "timeout_keep_alive": settings.keep_alive_seconds,
+        "timeout_graceful_shutdown": settings.shutdown_seconds,
     }

@@ -27,7 +27,7 @@ ROUNDS = 5
 """Collections of the youngest after which those that outlived one are looked at again: 10 000 at most."""
 OLD_ROUNDS = 4
 """Collections of those after which what outlived two is looked at, and put aside: 50 000 at most, 30 ms."""
-LOOK_SECONDS = 0.05
+LOOK_SECONDS = 0.1
 """Time between two looks at what is new [s]: what is made in it is looked at in some milliseconds."""
 LOOKS = 4
 """Looks after which what is left is put aside: what a request held meanwhile is gone, nearly always."""

@@ -110,6 +110,27 @@ def test_a_slow_head_is_given_up(base_url: str, monkeypatch: pytest.MonkeyPatch)
         assert received(slow) == b""
 
 
+def test_a_connection_rests_between_requests_longer_than_a_head_may_take(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr("service.http.connections.HEAD_SECONDS", 0.2)
+    request = b"GET /livez HTTP/1.1\r\nHost: here\r\n\r\n"
+    with running(Settings()) as url, connected(url) as connection:
+        connection.sendall(request)
+        assert connection.recv(65536).startswith(b"HTTP/1.1 200 ")
+        time.sleep(0.6)
+        connection.sendall(request)
+        assert connection.recv(65536).startswith(b"HTTP/1.1 200 ")
+        connection.sendall(request[:9])
+        assert received(connection) == b""
+
+
+def test_a_connection_that_rests_for_too_long_is_closed() -> None:
+    with running(Settings(keep_alive_seconds=1)) as url, connected(url) as connection:
+        connection.sendall(b"GET /livez HTTP/1.1\r\nHost: here\r\n\r\n")
+        assert received(connection).startswith(b"HTTP/1.1 200 ")
+
+
 def test_a_slow_body_is_refused_with_the_time_it_had() -> None:
     with running(Settings(read_seconds=0.2)) as url, connected(url) as slow:
         slow.sendall(b"POST /api/v1/jacobian HTTP/1.1\r\nHost: here\r\nContent-Length: 90\r\n"
