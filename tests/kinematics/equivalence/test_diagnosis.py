@@ -59,6 +59,13 @@ def test_a_slider_that_is_turned_turns_what_comes_behind_it() -> None:
     assert 0.2 < second.angle < 0.3
 
 
+def test_a_slider_that_is_tilted_and_turned_is_told_both() -> None:
+    tilted = changed(SLIDERS, 3, alpha=SLIDERS.rows[2].alpha + 0.2)
+    twist, offset = told(SLIDERS, tilted, 4, "theta", 0.4)
+    assert (twist.kind, twist.row, offset.kind, offset.row) == (Kind.TWIST, 2, Kind.OFFSET, 3)
+    assert (twist.angle, offset.angle) == pytest.approx((0.2, 0.4))
+
+
 CROSSED = standard(
     (R, HALF, 0.4, 0.2, 0),
     (R, HALF, 0.3, 0.25, 0),
