@@ -109,8 +109,10 @@ def mismatches_of(
         joint, kind = shape.axes[1], _KIND_OF_MEASURE[shape.measure]
         if joint > last:
             joint, kind = last, Kind.TOOL
-        elif shape.axes[0] == 0 and kind is not Kind.OFFSET:
-            kind = Kind.BASE
+        elif shape.axes[0] == 0 and (kind is not Kind.OFFSET or shape.axes[2] == 0):
+            joint, kind = max(joint, 1), Kind.BASE
+        elif joint == 0:  # along z_0, which is parallel to the first joint's axis
+            joint = 1
         angle, length = (apart, 0.0) if shape.is_angle else (0.0, apart)
         found.append(_placed(Mismatch(kind=kind, joint=joint, angle=angle, length=length), table))
     return tuple(found)

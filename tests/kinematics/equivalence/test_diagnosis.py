@@ -66,6 +66,13 @@ def test_a_slider_that_is_tilted_and_turned_is_told_both() -> None:
     assert (twist.angle, offset.angle) == pytest.approx((0.2, 0.4))
 
 
+def test_a_missed_tool_is_told_of_the_last_joint() -> None:
+    wrong = changed(SLIDERS, 5, d=0.5)
+    (mismatch,) = diagnose(prepared(SLIDERS), wrong, chain_of_table(wrong), Policy(tool=ToolRule.POINT))
+    assert (mismatch.kind, mismatch.joint, mismatch.row) == (Kind.TOOL, 5, 4)
+    assert mismatch.length == pytest.approx(0.3)
+
+
 CROSSED = standard(
     (R, HALF, 0.4, 0.2, 0),
     (R, HALF, 0.3, 0.25, 0),

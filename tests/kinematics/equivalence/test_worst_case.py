@@ -11,9 +11,11 @@ import pytest
 
 from kinematics.chain import chain_of_table
 from kinematics.equivalence import Policy, Tolerance, ToolRule, decide
+from kinematics.equivalence.certificates import CertificateCandidate
 from kinematics.equivalence.reference import prepared
 from kinematics.equivalence.verification import residual
 from kinematics.equivalence.worst_case import worst_case
+from kinematics.se3 import IDENTITY
 from kinematics.table import DHTable, NumericTable
 from tests.kinematics.equivalence.campaign import MARGIN, catalogue, size_beside, wrong_tables
 from tests.kinematics.equivalence.evaluation import evaluated
@@ -55,6 +57,18 @@ def test_random_configurations_are_no_worse() -> None:
     beyond = residual(elsewhere, chain, candidate)
     assert sampled.length < beyond.length <= worst.length
     assert sampled.angle < beyond.angle <= worst.angle
+
+
+@pytest.mark.parametrize("theta", [0.0, 0.07, 0.15, 0.19])
+def test_the_worst_angle_is_found_between_those_that_are_tried(theta: float) -> None:
+    """Two axes are parallel but for e: the tip of the second link, of length b, moves by 2 b sin(e/2)."""
+    e, a, b = 0.01, 0.3, 0.4
+    key = standard((R, 0, a, 0, 0), (R, 0, b, 0, theta))
+    wrong = standard((R, e, a, 0, 0), (R, 0, b, 0, theta))
+    candidate = CertificateCandidate(signs=(1, 1), offsets=(0.0, 0.0), base=IDENTITY, tool=IDENTITY)
+    found = worst_case(prepared(key), chain_of_table(wrong), candidate).residual
+    assert found.angle == pytest.approx(e)
+    assert found.length * prepared(key).size == pytest.approx(2.0 * b * math.sin(e / 2.0), rel=2e-4)
 
 
 @pytest.mark.parametrize("seed", range(20))

@@ -1,0 +1,123 @@
+"""What no choice of frames changes: the same strains in every unit, angles about sliders, and what is off."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from random import Random
+
+import numpy as np
+import pytest
+
+from kinematics.chain import Axis, chain_of_table
+from kinematics.equivalence import BaseRule, Kind, Policy, ToolRule, ZeroRule
+from kinematics.equivalence.batches import axis_batch
+from kinematics.equivalence.diagnosis import mismatches_of
+from kinematics.equivalence.home_invariants import home_invariants_of
+from kinematics.equivalence.invariants import axes_of, invariants_of
+from kinematics.equivalence.measures import Measure, Shape, measured
+from kinematics.equivalence.reference import prepared
+from kinematics.se3 import Vector
+from kinematics.table import DHTable, NumericTable
+from tests.kinematics.equivalence.tables import HALF, F, P, R, changed, modified, standard
+
+FREE = Policy(tool=ToolRule.FREE)
+FIXED = Policy(base=BaseRule.FRAME, tool=ToolRule.FRAME, zero=ZeroRule.FIGURE)
+ARM = standard(
+    (R, HALF, 0.1, 0.4, 0.2), (R, 0, 0.5, 0.05, 0.4), (R, -0.7, 0.3, 0.1, 0.3), (R, HALF, 0.02, 0.45, 0.1)
+)
+# Two joints across a column that lifts, before and behind it.
+COLUMN = standard(
+    (R, HALF, 0.1, 0.3, 0.2),
+    (R, 0, 0.4, 0.2, 0.3),
+    (P, 0, 0.05, 0.1, 0.1),
+    (R, HALF, 0.3, 0.15, 0.2),
+    (R, 0.6, 0.1, 0.2, 0.1),
+)
+
+
+def scaled(table: NumericTable, factor: float) -> NumericTable:
+    rows = tuple(replace(row, a=row.a * factor, d=row.d * factor) for row in table.rows)
+    return DHTable(convention=table.convention, rows=rows)
+
+
+def strains(key: NumericTable, table: NumericTable, policy: Policy) -> list[float]:
+    reference = prepared(key)
+    invariants = invariants_of(reference, policy).beside(home_invariants_of(reference, policy))
+    axes = axis_batch([axes_of(chain_of_table(table), policy)])
+    return [float(strain) for strain in invariants.strains(invariants.measured(axes))[:, 0]]
+
+
+@pytest.mark.parametrize("unit", [1e-3, 1e3])
+@pytest.mark.parametrize("key", [ARM, COLUMN], ids=["arm", "column"])
+@pytest.mark.parametrize("policy", [FREE, FIXED], ids=["free", "fixed"])
+def test_strains_do_not_depend_on_the_unit(key: NumericTable, unit: float, policy: Policy) -> None:
+    wrong = changed(changed(key, 2, a=key.rows[1].a + 0.2), 4, alpha=key.rows[3].alpha + 0.1)
+    found = strains(key, wrong, policy)
+    assert max(found) > 1.0
+    np.testing.assert_allclose(
+        strains(scaled(key, unit), scaled(wrong, unit), policy), found, rtol=1e-6, atol=1e-6
+    )
+
+
+@pytest.mark.parametrize("row", [2, 3, 4])
+def test_a_length_along_a_column_shows_behind_it(row: int) -> None:
+    """Where the configuration of the figure is fixed, a wrong d shows between what lies before and behind."""
+    wrong = changed(COLUMN, row, d=COLUMN.rows[row - 1].d + 0.2)
+    reference = prepared(COLUMN)
+    invariants = home_invariants_of(reference, FIXED)
+    axes = axis_batch([axes_of(chain_of_table(wrong), FIXED)])
+    apart = np.abs(invariants.sizes(invariants.measured(axes)) - invariants.own_sizes)[:, 0]
+    (offset,) = [k for k, shape in enumerate(invariants.shapes) if shape.measure is Measure.OFFSET]
+    assert invariants.shapes[offset].axes == (1, 2, 4, 5)
+    assert apart[offset] == pytest.approx(0.2)
+
+
+def unit_vector(rng: Random) -> Vector:
+    x, y, z = (rng.gauss(0.0, 1.0) for _ in range(3))
+    size = math.hypot(x, y, z)
+    return x / size, y / size, z / size
+
+
+@pytest.mark.parametrize("number", range(20))
+def test_a_turn_about_a_slider_is_the_angle_of_two_planes(number: int) -> None:
+    """The planes hold the slider's direction, and that of the axis before it or behind it."""
+    rng = Random(f"turn {number}")
+    before, slider, after = (unit_vector(rng) for _ in range(3))
+    origin = (0.0, 0.0, 0.0)
+    axes = [Axis(False, before, origin), Axis(True, slider, origin), Axis(False, after, origin)]
+    (found,) = measured((Shape(Measure.TURN, (0, 1, 2)),), axis_batch([axes]))[:, 0]
+    one, other = np.cross(slider, before), np.cross(slider, after)
+    cosine = abs(float(one @ other)) / float(np.linalg.norm(one) * np.linalg.norm(other))
+    assert found == pytest.approx(math.acos(cosine), abs=1e-7)
+
+
+@pytest.mark.parametrize(
+    ("row", "cell", "kind", "joint"),
+    [(1, "d", Kind.OFFSET, 1), (1, "a", Kind.LENGTH, 2), (3, "alpha", Kind.TWIST, 4), (4, "a", Kind.TOOL, 4)],
+)
+def test_invariants_that_are_off_say_what_is(row: int, cell: str, kind: Kind, joint: int) -> None:
+    fixed = Policy(base=BaseRule.FRAME, tool=ToolRule.FRAME)
+    wrong = changed(ARM, row, **{cell: getattr(ARM.rows[row - 1], cell) + 0.2})
+    reference, chain = prepared(ARM), chain_of_table(wrong)
+    told = mismatches_of(invariants_of(reference, fixed), reference, wrong, chain, fixed)
+    off = [mismatch for mismatch in told if max(mismatch.angle, mismatch.length) > 1e-6]
+    assert (kind, joint) in [(mismatch.kind, mismatch.joint) for mismatch in off]
+
+
+FIXED_FIRST = modified(
+    (F, 0.4, 0.1, 0.3, 0.2), (R, HALF, 0.1, 0.2, 0.3), (R, 0.5, 0.3, 0.2, 0.1), (R, -0.7, 0.3, 0.2, 0.1)
+)
+
+
+@pytest.mark.parametrize("row", range(1, 5))
+@pytest.mark.parametrize("cell", ["alpha", "a", "d"])
+def test_what_is_off_along_the_first_z_is_the_base_or_the_first_joint(row: int, cell: str) -> None:
+    fixed = Policy(base=BaseRule.FRAME, tool=ToolRule.FRAME)
+    wrong = changed(FIXED_FIRST, row, **{cell: getattr(FIXED_FIRST.rows[row - 1], cell) + 0.15})
+    reference, chain = prepared(FIXED_FIRST), chain_of_table(wrong)
+    told = mismatches_of(invariants_of(reference, fixed), reference, wrong, chain, fixed)
+    off = [mismatch for mismatch in told if max(mismatch.angle, mismatch.length) > 1e-6]
+    assert {mismatch.joint for mismatch in off} == {max(row - 1, 1)}
+    assert {mismatch.row for mismatch in off} == {max(row - 1, 1)}
+    assert (row == 1) <= (Kind.BASE in {mismatch.kind for mismatch in off})

@@ -1,0 +1,52 @@
+"""Work is counted: what costs more on a machine costs more of it, and what is used up is used up."""
+
+from __future__ import annotations
+
+import pytest
+
+from kinematics.equivalence.meter import (
+    MOST_ROWS_OF_A_ROBOT,
+    OVERDRAFT,
+    Meter,
+    WorkExhaustedError,
+    per_batch,
+    per_certificate,
+)
+
+
+def test_every_row_beyond_those_of_a_robot_costs_each_table_more() -> None:
+    def of_a_table(rows: int) -> float:
+        return (per_batch(2000, rows, 12) - per_batch(1000, rows, 12)) / 1000
+
+    assert of_a_table(MOST_ROWS_OF_A_ROBOT) - of_a_table(6) < 1.0
+    assert of_a_table(MOST_ROWS_OF_A_ROBOT + 40) - of_a_table(MOST_ROWS_OF_A_ROBOT) > 20.0
+
+
+def test_only_arms_of_many_joints_make_a_certificate_dearer() -> None:
+    assert per_certificate(2) == per_certificate(7) < per_certificate(8) < per_certificate(9)
+
+
+def test_what_is_used_up_ends_the_search() -> None:
+    meter = Meter(10)
+    meter.charge(OVERDRAFT)
+    with pytest.raises(WorkExhaustedError):
+        meter.charge(1)
+
+
+def test_a_step_far_beyond_what_is_left_is_not_begun() -> None:
+    meter = Meter(10)
+    with pytest.raises(WorkExhaustedError):
+        meter.charge(OVERDRAFT + 11)
+    assert meter.left == 10
+
+
+def test_a_step_with_a_limit_leaves_the_rest() -> None:
+    meter = Meter(1000)
+    with meter.at_most(300):
+        meter.charge(100)
+        meter.charge(100)
+    assert meter.left == 800
+    with meter.at_most(300):
+        for _ in range(1000):
+            meter.charge(100)
+    assert meter.left == 500
