@@ -18,11 +18,14 @@ SLIDER_FIRST = standard((P, HALF, 0.1, 0, 0), (R, -HALF, 0.2, 0.1, 0), (R, 0, 0.
 ROBOTS = {"puma": PUMA, "rx90": RX90, "scara": SCARA, "first": SLIDER_FIRST, "last": SLIDER_LAST}
 
 
+@pytest.mark.parametrize("rule", [ToolRule.FREE, ToolRule.AXIS])
 @pytest.mark.parametrize("seed", range(4))
 @pytest.mark.parametrize("key", ROBOTS.values(), ids=ROBOTS.keys())
-def test_what_the_first_and_the_last_joint_can_do_is_in_their_offsets(key: NumericTable, seed: int) -> None:
+def test_what_the_first_and_the_last_joint_can_do_is_in_their_offsets(
+    key: NumericTable, seed: int, rule: ToolRule
+) -> None:
     table = random_valid_table(key, Random(f"{seed}"), dummies=0.0)
-    certificate = decide(key, table, Policy(tool=ToolRule.FREE)).certificate
+    certificate = decide(key, table, Policy(tool=rule)).certificate
     assert certificate is not None
     (candidate,) = certificate.draws
     chain = chain_of_table(key)
