@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from typing import NamedTuple
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -19,6 +22,10 @@ NEARER = 0.01
 ASTRAY = 0.01
 """A walk ends where less than this part of the way to its end lies in directions that it may take."""
 
+HALVINGS = 8
+"""How often a step is halved to see whether it jumped. What it may jump across is as wide as tolerances leave
+it, hundredths of a step of WALK and less: other steps are caught by their middle alone."""
+
 
 def leads(follower: Follower, starts: Array, ends: Array, blind: float) -> NDArray[np.bool_]:
     """Return whether steps along blind directions, corrected across them, lead from solutions to others.
@@ -34,6 +41,7 @@ def leads(follower: Follower, starts: Array, ends: Array, blind: float) -> NDArr
     """
     arrived = np.zeros(len(starts), dtype=bool)
     x, longest, going = starts.copy(), np.full(len(starts), WALK), np.arange(len(starts))
+    taken: list[_Steps] = []
     for _ in range(MOST_STEPS):
         way = follower.back_to(ends[going], x[going])
         left = np.linalg.norm(way, axis=1)
@@ -56,10 +64,51 @@ def leads(follower: Follower, starts: Array, ends: Array, blind: float) -> NDArr
         nearer = np.linalg.norm(follower.back_to(ends[going], there), axis=1) <= left - NEARER * step
         moved = near & nearer & are_solutions(e, follower.arm, follower.tolerance)
         moved[moved] = _keeps(follower, x[going[moved]], aim[moved], across[moved])
+        taken.append(_Steps(going[moved], x[going[moved]], there[moved], across[moved]))
         x[going[moved]] = there[moved]
         longest[going] = np.where(moved, np.minimum(2.0 * step, WALK), 0.5 * step)
         going = going[longest[going] >= SHORTEST_WALK]
+    if arrived.any() and not follower.arm.spare:
+        arrived[_jumped(follower, taken, arrived)] = False
     return arrived
+
+
+class _Steps(NamedTuple):
+    """Steps of walks side by side: whose each is, (k,), from where and to where, (k, n), and across what."""
+
+    walk: NDArray[np.intp]
+    start: Array
+    end: Array
+    across: Array
+
+    def of(self, some: NDArray[np.bool_]) -> _Steps:
+        """Return those of some of the walks."""
+        these = some[self.walk]
+        return _Steps(self.walk[these], self.start[these], self.end[these], self.across[these])
+
+
+def _jumped(follower: Follower, taken: Sequence[_Steps], arrived: NDArray[np.bool_]) -> NDArray[np.intp]:
+    """The walks among those that arrived of which a step jumped to another family.
+
+    Two families with the hand the one way and the other, half a turn of the wrist apart, may come as near to
+    each other as their ends are wide. Between points of one family the middle is on it, however near they
+    are; a step over a gap is halved, the half with the wider gap next, until its middle is in the gap.
+    """
+    if not taken:
+        return np.empty(0, dtype=np.intp)
+    asked = [steps.of(arrived) for steps in taken]
+    walk = np.concatenate([steps.walk for steps in asked])
+    low = np.concatenate([steps.start for steps in asked])
+    high = np.concatenate([steps.end for steps in asked])
+    across = np.concatenate([steps.across for steps in asked])
+    jumped = np.zeros(len(walk), dtype=bool)
+    for _ in range(HALVINGS):
+        follower.count(len(walk))
+        middle, e, _ = corrected_across(follower.arm, follower.target, 0.5 * (low + high), across)
+        jumped |= ~are_solutions(e, follower.arm, follower.tolerance)
+        upper = np.linalg.norm(high - middle, axis=1) > np.linalg.norm(middle - low, axis=1)
+        low, high = np.where(upper[:, None], middle, low), np.where(upper[:, None], high, middle)
+    return np.unique(walk[jumped])
 
 
 def _keeps(follower: Follower, x: Array, aim: Array, across: Array) -> NDArray[np.bool_]:

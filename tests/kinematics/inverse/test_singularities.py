@@ -68,6 +68,35 @@ def test_the_configuration_that_made_the_pose_is_found(name, seed, number):
     assert is_among(solver, goal, q, known)
 
 
+@pytest.mark.parametrize(
+    ("q", "decimals"),
+    [
+        ((1.57094991611, -0.00012180409, 1.57089434617, -1.57166849544, 3.14181582881, -3.14121651403), 7),
+        (
+            (
+                1.5707936188608,
+                2.7646494e-6,
+                1.5707957199994,
+                1.5707939151014,
+                8.630652993e-6,
+                3.1415947395355,
+            ),
+            12,
+        ),
+    ],
+)
+def test_of_families_with_the_wrist_turned_over_none_is_lost(q, decimals):
+    """Shoulder and wrist are singular: the families end as near to each other as the tolerance is wide."""
+    solver, q = solver_of(PUMA560), np.array(q)
+    target = np.round(end_pose(PUMA560, q), decimals)
+    answer = solver.solve(target, None)
+    known = np.array([s.joints for s in answer.solutions])
+    goal = read_goal(target, None, where=())._replace(tolerance=answer.tolerance)
+    turned_over = q + np.array((0.0, 0.0, 0.0, np.pi, -2.0 * q[4], np.pi))
+    for way in (q, turned_over):
+        assert is_among(solver, goal, way, known)
+
+
 @pytest.mark.parametrize("decimals", [17, 12, 9, 8, 7, 6])
 def test_a_wrist_in_line_is_six_solutions_and_a_family(decimals):
     target = np.round(end_pose(PUMA560, WRIST_IN_LINE), decimals)
