@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -11,7 +12,7 @@ from numpy.typing import NDArray
 from kinematics.inverse.arm import Arm, Array
 from kinematics.inverse.distinct import SAME, differences
 from kinematics.inverse.self_motions.families import FamilyPath, Follower, nearest_on
-from kinematics.inverse.self_motions.isolation import fold_length, lost_value
+from kinematics.inverse.self_motions.isolation import ACROSS_A_FOLD, fold_length, lost_value
 from kinematics.inverse.self_motions.walks import leads
 
 BESIDE = 1e-3
@@ -58,6 +59,7 @@ class Membership:
         """
         self._arm, self._follower = arm, follower
         self._long = fold_length(tolerance)
+        self._tolerance = tolerance
         self._blind = lost_value(tolerance)
         self._beside = max(BESIDE, 20.0 * tolerance)
 
@@ -95,10 +97,24 @@ class Membership:
             inside[near] = True
             return np.asarray(inside)
         inside[near] = self._follower.joined_each(np.broadcast_to(x, apart[near].shape), x + apart[near])
+        if not component.dimension:
+            short = ACROSS_A_FOLD * math.sqrt(self._tolerance)
+            beside = np.flatnonzero(~inside & (farthest <= short))
+            inside[beside] = self._are_blind(np.vstack((component.joints, joints[beside])))[1:]
         outside = np.flatnonzero(~inside)
         if component.dimension > min(self._arm.spare, 1) and len(outside):
             inside[outside] = self._led(joints[outside], self._places(component, joints[outside]))
         return np.asarray(inside)
+
+    def _are_blind(self, joints: Array) -> NDArray[np.bool_]:
+        """Which of (m, n) solutions are singular to within the tolerance, if the first one is; else none.
+
+        Of two roots beside a fold, whose curvature is 1/8 or more, that is so only nearer than 16 tolerances:
+        what is farther apart is one piece of a family, met twice at the edge of the tolerance.
+        """
+        values = np.linalg.svd(self._follower.jacobians(joints / self._arm.units), compute_uv=False)[:, -1]
+        blind = values <= self._tolerance
+        return np.asarray(blind & blind[0])
 
     def _places(self, component: Component, joints: Array) -> Array:
         """(k, m, n) members of a family, in units, to which ways from (m, n) solutions are looked for."""

@@ -97,6 +97,32 @@ def test_of_families_with_the_wrist_turned_over_none_is_lost(q, decimals):
         assert is_among(solver, goal, way, known)
 
 
+@pytest.mark.parametrize(
+    ("q", "decimals"),
+    [
+        (
+            (-5.499793881205594e-10, 1.570796327069842, 1.570796327186894,
+             5.620864238913555e-10, 3.1415926535361645, 3.1415926539763785),
+            11,
+        ),
+        (
+            (-1.6539344970339172, 1.4486948187107451, 2.7510225284790746,
+             -0.8858073557381132, -8.851513924675997e-11, -0.929895850508064),
+            17,
+        ),
+    ],
+)  # fmt: skip
+def test_a_piece_at_the_edge_of_the_tolerance_is_one_answer(q, decimals):
+    """Met from two families, at points 1e-6 apart, it was two isolated solutions, and there were twelve."""
+    solver, q = solver_of(UR5), np.array(q)
+    target = np.round(end_pose(UR5, q), decimals)
+    answer = solver.solve(target, None)
+    assert sum(solution.family is None for solution in answer.solutions) <= 8
+    known = np.array([s.joints for s in answer.solutions])
+    goal = read_goal(target, None, where=())._replace(tolerance=answer.tolerance)
+    assert is_among(solver, goal, q, known)
+
+
 @pytest.mark.parametrize("decimals", [17, 12, 9, 8, 7, 6])
 def test_a_wrist_in_line_is_six_solutions_and_a_family(decimals):
     target = np.round(end_pose(PUMA560, WRIST_IN_LINE), decimals)
