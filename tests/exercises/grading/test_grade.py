@@ -300,7 +300,10 @@ def test_degrees_in_a_table_in_radians_are_told_before_another_angle(degrees: in
 def test_a_missing_row() -> None:
     short = [PUMA[0], *[(*row[:3], f"q{k}") for k, row in enumerate(PUMA[2:], 2)]]
     verdict = grade(KEY, read("standard", short), USUAL, VALUES)
-    assert ("row_missing", 2) in [(r.edits[0].code, r.edits[0].row) for r in verdict.repairs]
+    (missing,) = [
+        r.edits[0] for r in verdict.repairs if (r.edits[0].code, r.edits[0].row) == ("row_missing", 2)
+    ]
+    assert (missing.params["place"], missing.params["after"]) == (2, 1)
     assert "joint_count_wrong" in codes(verdict)
     assert verdict.links[-1].row == 2
     assert verdict.links[-1].joint is Finding.MISSING

@@ -95,6 +95,8 @@ def test_rules_that_are_not_kept_are_facts_as_well() -> None:
         ([(2, 3, "-q2 + pi/2")], 2),
         ([(2, 1, 0)], 1),
         ([(2, 1, 0), (4, 3, "q4 + pi/2")], 3),
+        ([(6, 1, 0.1)], 1),
+        ([(6, 1, 0.1), (2, 3, "q2 + pi/2")], 2),
     ]:
         answer = read("standard", with_cells(PUMA, *cells))  # type: ignore[arg-type]
         assert grade(KEY, answer, STRICT, VALUES).score == mark(lost, OF_PUMA + 2)
@@ -124,10 +126,10 @@ def test_what_the_arithmetic_may_do_to_lengths_grows_with_the_robot() -> None:
     assert ratio.tolist() == np.where(invariants.angular[:, 0], 1.0, 1024.0).tolist()
 
 
-@pytest.mark.parametrize(("unit", "typed"), [("m", 350.0), ("mm", 0.35)])
+@pytest.mark.parametrize(("unit", "typed"), [("m", 350.0), ("mm", 0.35), ("cm", 0.35)])
 def test_one_length_in_another_unit_is_one_slip(unit: str, typed: float) -> None:
     """Too long by a thousand, or too short."""
-    scale = {"m": 1.0, "mm": 1000.0}[unit]
+    scale = {"m": 1.0, "cm": 100.0, "mm": 1000.0}[unit]
     rows = [
         tuple(cell * scale if isinstance(cell, float) and k in (1, 2) else cell for k, cell in enumerate(row))
         for row in numbers(PUMA)
