@@ -19,6 +19,9 @@ from service.resources import resources_of
 from service.settings import Settings
 from service.web.shell import NAVIGATION, Page, render
 
+PAGE_LEVEL = 3
+"""Of gzip: a page of 10 kB takes half the time of level 6, and is 7 % longer."""
+
 
 def content_security_policy(
     settings: Settings,
@@ -170,4 +173,4 @@ def _has(tag: str, asked: str) -> bool:
 
 @lru_cache(maxsize=128)
 def _compressed(body: bytes) -> bytes:
-    return gzip.compress(body, 6, mtime=0)
+    return gzip.compress(body, PAGE_LEVEL, mtime=0)

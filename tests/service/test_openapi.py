@@ -209,6 +209,11 @@ def named_shapes() -> dict[str, Any]:
     return DOCUMENT["components"]["schemas"]
 
 
+def test_an_answer_to_a_draft_is_described_as_one_to_an_exercise() -> None:
+    answer = named_shapes()["TryRequest"]["properties"]["answer"]
+    assert answer["$ref"] == "#/components/schemas/ExerciseAnswer"
+
+
 def test_generators_can_digest_the_document() -> None:
     """Unique titles, no null as a default, no shape named like a generator's own, short ids of operations."""
     titles = [shape["title"] for shape in named_shapes().values() if "title" in shape]

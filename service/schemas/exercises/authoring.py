@@ -5,8 +5,9 @@ from __future__ import annotations
 from base64 import b64decode
 from typing import Annotated, Any
 
-from pydantic import Field, PlainValidator, WithJsonSchema
-from pydantic_core import PydanticCustomError
+from pydantic import BaseModel, Field, GetJsonSchemaHandler, PlainValidator, WithJsonSchema
+from pydantic.json_schema import JsonSchemaValue
+from pydantic_core import CoreSchema, PydanticCustomError
 
 from exercises.authoring.admission import PolicyAdmission
 from exercises.authoring.draft import ID_PATTERN, LONGEST_ID, ExerciseDraft
@@ -15,7 +16,7 @@ from exercises.authoring.trials import MOST_ANSWERS
 from exercises.selftest.rehearsal import RehearsedAnswer
 from service.schemas.base import WHOLE, Vector3, Wire
 from service.schemas.derived import model_of
-from service.schemas.exercises.exercises import ExerciseModel
+from service.schemas.exercises.exercises import ExerciseAnswer, ExerciseModel
 
 Languages = Annotated[dict[str, str], Field(max_length=64)]
 
@@ -86,10 +87,22 @@ class RightAnswersRequest(DraftRequest):
     count: Annotated[int, Field(ge=1, le=MOST_ANSWERS), WHOLE] = Field(10, description="how many")
 
 
+class _DescribedBy:
+    """Described by a model that it is checked with only when the rest of the request is known to be right."""
+
+    def __init__(self, model: type[BaseModel]) -> None:
+        self._model = model
+
+    def __get_pydantic_json_schema__(self, _: CoreSchema, handler: GetJsonSchemaHandler) -> JsonSchemaValue:
+        return handler(self._model.__pydantic_core_schema__)
+
+
 class TryRequest(DraftRequest):
     """A draft, and an answer as a student would hand it in."""
 
-    answer: dict[str, Any] = Field(description="as for POST /exercises/{id}/grade")
+    answer: Annotated[dict[str, Any], _DescribedBy(ExerciseAnswer)] = Field(
+        description="as for POST /exercises/{id}/grade"
+    )
 
 
 def _decoded(value: object) -> bytes:
