@@ -115,6 +115,8 @@ class Comparison:
 
     def with_first(self, draw: int) -> Comparison:
         """Return the same, with a draw (its number, from 0) moved to the front."""
+        if not draw:
+            return self
         first = self.drawn[draw]
         return replace(self, drawn=(first, *(drawn for drawn in self.drawn if drawn is not first)))
 

@@ -22,7 +22,7 @@ def ways_of(
     """Return the tables that an answer may stand for, each with the parameters that are put in by value.
 
     Args:
-        reference: the key, in the answer's unit.
+        reference: the key.
         submission: the answer.
         parameters: the values that the exercise gives its parameters.
 
