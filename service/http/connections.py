@@ -110,7 +110,7 @@ class BoundedConnection(HttpToolsProtocol):
             self._head_timer = self.loop.call_later(HEAD_SECONDS, self.transport.close)
         else:
             self._stop_timers()
-            self._is_idle = True
+            self._is_idle, self._heard_at = True, self.loop.time()
 
     def pause_writing(self) -> None:
         """Give the caller so long to read."""

@@ -100,7 +100,8 @@ class Membership:
         if not component.dimension:
             short = ACROSS_A_FOLD * math.sqrt(self._tolerance)
             beside = np.flatnonzero(~inside & (farthest <= short))
-            inside[beside] = self._are_blind(np.vstack((component.joints, joints[beside])))[1:]
+            if len(beside):
+                inside[beside] = self._are_blind(np.vstack((component.joints, joints[beside])))[1:]
         outside = np.flatnonzero(~inside)
         if component.dimension > min(self._arm.spare, 1) and len(outside):
             inside[outside] = self._led(joints[outside], self._places(component, joints[outside]))
