@@ -11,22 +11,27 @@ import numpy as np
 
 from exercises.grading.edits.changes import Change, Extent
 from exercises.grading.edits.repairs import Repaired
-from exercises.grading.edits.work import Work
-from exercises.grading.facts import Facts, Weights, fixed_ends
+from exercises.grading.edits.work import WORK_OF_ONE_EDIT, Work
+from exercises.grading.facts import Facts, Floats, Weights, fixed_ends
 from exercises.grading.judging.digits import measured_as_typed, tightened
 from kinematics.chain import Axis, chain_of_table
 from kinematics.equivalence import Decision, DirectionRule, Kind, Policy, ZeroRule
-from kinematics.equivalence.decision import convention_fits
+from kinematics.equivalence.decision import certify, convention_fits
 from kinematics.equivalence.invariants import axes_of
-from kinematics.equivalence.reference import Reference
+from kinematics.equivalence.meter import Meter
+from kinematics.equivalence.reference import Reference, prepared
+from kinematics.equivalence.search import Effort
 from kinematics.remembering import USUAL_ROWS, remembered
 from kinematics.se3 import ORIGIN, Z_AXIS
+from kinematics.table import Convention, JointType, NumericTable
 
 HIGHEST_PARTIAL = 0.95
 """What a wrong answer earns at the most."""
 DECIMALS = 2
 """What is shown of a score."""
 RULES = frozenset({Kind.ZERO, Kind.DIRECTION, Kind.CONVENTION})
+CELL = 1.0
+"""What a slip in a cell costs, in facts of weight 1."""
 SAME = 1e-9
 SIGNS = frozenset({"alpha_sign", "a_sign", "d_sign", "variable_sign"})
 
@@ -35,7 +40,8 @@ def score_of(decision: Decision, repairs: Sequence[Repaired], work: Work, weight
     """Return the partial credit of a wrong answer, in [0, 0.95].
 
     The facts that the answer has wrong, over those that a table of zeros has wrong, taken from 1. Where one
-    named slip explains everything, the answer loses no more than that costs.
+    named slip explains everything, the answer loses no more than that costs; nor where its robot is the key's
+    but for one twist, which among sliders takes lengths with it; one edit undoes it in some frames only.
 
     Args:
         decision: what was decided.
@@ -52,6 +58,8 @@ def score_of(decision: Decision, repairs: Sequence[Repaired], work: Work, weight
     off = max(weights.sign, lost(decision, work, weights))
     if slip is not None:
         off = min(off, _cost(slip, weights, nothing))
+    if off > CELL and _has_one_other_twist(work):
+        off = CELL
     return round(min(max(1.0 - off / nothing, 0.0), HIGHEST_PARTIAL), DECIMALS)
 
 
@@ -63,12 +71,53 @@ def _cost(change: Change, weights: Weights, nothing: float) -> float:
     """
     if change.code in SIGNS:
         return weights.sign
-    cost = {Extent.CELL: 1.0, Extent.ROW: weights.row, Extent.TABLE: weights.table}[change.extent]
+    cost = {Extent.CELL: CELL, Extent.ROW: weights.row, Extent.TABLE: weights.table}[change.extent]
     return min(cost, nothing / 2.0) if _is_throughout(change) else cost
 
 
 def _is_throughout(change: Change) -> bool:
     return change.extent is Extent.TABLE or change.code == "parameters_swapped"
+
+
+def _has_one_other_twist(work: Work) -> bool:
+    """Whether the key is the answer's robot if one of its twists is another."""
+    table, answer = work.reference.table, chain_of_table(work.table)
+    if not work.has_the_joints():
+        return False
+    ours, theirs = (_cosines(chain.axes) for chain in (work.reference.chain, answer))
+    other = np.flatnonzero(np.abs(np.abs(ours) - np.abs(theirs)) > work.policy.tolerance.angle)
+    if len(other) != 1:
+        return False
+    joints = [i for i, row in enumerate(table.rows) if row.joint is not JointType.FIXED]
+    before, behind = joints[other[0]], joints[other[0] + 1]
+    between = (
+        range(before, behind) if table.convention is Convention.STANDARD else range(before + 1, behind + 1)
+    )
+    angle = float(np.arccos(np.clip(theirs[other[0]], -1.0, 1.0)))
+    others = [
+        _twisted(table, row, alpha)
+        for row in between
+        for alpha in (angle, -angle, np.pi - angle, angle - np.pi)
+    ]
+    meter = Meter(WORK_OF_ONE_EDIT)
+    with meter.at_most(WORK_OF_ONE_EDIT):
+        return any(
+            certify((prepared(other),), (answer,), work.policy, Effort.PLAIN, meter, measured=False)
+            for other in others
+        )
+    return False
+
+
+def _cosines(axes: Sequence[Axis]) -> Floats:
+    """(n - 1,) the cosines of the angles between neighbouring axes."""
+    directions = np.array([axis.direction for axis in axes])
+    return np.asarray((directions[:-1] * directions[1:]).sum(axis=1), dtype=np.float64)
+
+
+def _twisted(table: NumericTable, row: int, alpha: float) -> NumericTable:
+    rows = list(table.rows)
+    rows[row] = replace(rows[row], alpha=alpha)
+    return replace(table, rows=tuple(rows))
 
 
 def _has_no_more_than_zeros(work: Work, standard: _Standard) -> bool:

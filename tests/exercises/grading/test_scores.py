@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from random import Random
 
 import numpy as np
 import pytest
@@ -11,6 +12,8 @@ from exercises.grading import ConventionRule, DirectionRule, Policy, ToolRule, Z
 from exercises.grading.judging.digits import floors
 from kinematics.equivalence.invariants import invariants_of
 from kinematics.equivalence.reference import prepared
+from kinematics.table import Convention, NumericTable
+from tests.exercises.grading.campaign import drawn_by_hand
 from tests.exercises.grading.test_grade import (
     KEY,
     MISTAKES,
@@ -23,9 +26,10 @@ from tests.exercises.grading.test_grade import (
     numbers,
     with_cells,
 )
-from tests.exercises.grading.written import Cell, read
+from tests.exercises.grading.written import Cell, read, written
 from tests.kinematics.equivalence import tables
 from tests.kinematics.equivalence.test_refinement import scaled
+from tests.kinematics.robots import numeric
 
 OF_PUMA = 9
 """α of rows 1, 3, 4 and 5, a2, a3, d3, d4, and the offset along axis 5: along parallel axes there is none."""
@@ -157,3 +161,27 @@ def test_zeros_of_a_small_arm_earn_nothing_under_strict_rules(rows: Rows, policy
         assert grade(key, answer, policy, {"L1": 0.5}).score == 0.0
     turned = read("modified", with_cells(rows, (1, 3, "-q1")))
     assert grade(key, turned, policy, {"L1": 0.5}).score > 0.3
+
+
+@pytest.mark.parametrize("convention", Convention)
+@pytest.mark.parametrize("twist", [0.6, -1.3])
+def test_one_other_twist_costs_one_fact_in_whatever_frames(convention: Convention, twist: float) -> None:
+    """A slider between parallel axes: where it leans, their distance means something else.
+
+    In frames of the answer's own no single edit need undo that.
+    """
+    ones = ("revolute", np.pi / 2, 0.0, 0.4, 0.0), ("revolute", 0.0, 0.5, 0.3, 0.0)
+    slider = ("prismatic", 0.0, 0.3, 0.0, 0.4), ("revolute", 0.9, 0.2, 0.0, 0.0)
+    key, policy = numeric(convention, *ones, *slider, *ones), Policy(tool=ToolRule.FREE)
+    leaning = _with_twist(key, 2 if convention is Convention.MODIFIED else 1, twist)
+    drawn = [table for seed in range(6) if (table := drawn_by_hand(leaning, Random(seed)))]
+    scores = {grade(written(key), written(table), policy).score for table in drawn}
+    worse = {grade(written(key), written(_with_twist(table, 4, 0.4)), policy).score for table in drawn}
+    assert len(scores) == 1
+    assert max(worse) < min(scores)
+
+
+def _with_twist(table: NumericTable, row: int, more: float) -> NumericTable:
+    rows = list(table.rows)
+    rows[row] = replace(rows[row], alpha=rows[row].alpha + more)
+    return replace(table, rows=tuple(rows))
