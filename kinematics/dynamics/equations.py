@@ -117,8 +117,8 @@ class Derivation:
     @cached_property
     def gravity(self) -> Matrix:
         """g(q)."""
-        slopes = [self._table.derivative(self._potential, joint) for joint in self._joints]
-        return tuple((self._table.expression(self._table.nested(slope)),) for slope in slopes)
+        gradient = [self._table.derivative(self._potential, joint) for joint in self._joints]
+        return tuple((self._table.expression(self._table.nested(part)),) for part in gradient)
 
     @cached_property
     def coriolis(self) -> Matrix:
@@ -150,10 +150,10 @@ class Derivation:
         M_ik does not depend on q_j for j ≤ i, k: there c_ijk = −c_kji.
         """
         table, joints = self._table, self._joints
-        slopes = {(*pair, k): table.derivative(m, k) for pair, m in self._masses.items() for k in joints}
+        derivatives = {(*pair, k): table.derivative(m, k) for pair, m in self._masses.items() for k in joints}
 
-        def slope(i: int, j: int, k: int) -> Waves:
-            return slopes[min(i, j), max(i, j), k]
+        def derivative(i: int, j: int, k: int) -> Waves:
+            return derivatives[min(i, j), max(i, j), k]
 
         found: dict[tuple[int, int, int], Nested] = {}
         for i in joints:
@@ -161,7 +161,7 @@ class Derivation:
                 if k < i:
                     found[i, j, k] = table.negative(found[k, j, i])
                 else:
-                    parts = (1, slope(i, j, k)), (1, slope(i, k, j)), (-1, slope(j, k, i))
+                    parts = (1, derivative(i, j, k)), (1, derivative(i, k, j)), (-1, derivative(j, k, i))
                     found[i, j, k] = table.nested(combined(parts), _HALF)
         return found
 

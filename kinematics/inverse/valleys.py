@@ -122,8 +122,8 @@ def least_error(arm: Arm, target: Array, joints: Array, low: Array, high: Array)
     for _ in range(STEPS):
         free = ~(((x <= low) & (g > 0.0)) | ((x >= high) & (g < 0.0)))
         sides = A_LITTLE * np.eye(len(x))[free]
-        slopes = [_gradient(arm, target, x + side)[0] - _gradient(arm, target, x - side)[0] for side in sides]
-        H = np.array(slopes).reshape(-1, len(x))[:, free] / (2.0 * A_LITTLE)
+        rows = [_gradient(arm, target, x + side)[0] - _gradient(arm, target, x - side)[0] for side in sides]
+        H = np.array(rows).reshape(-1, len(x))[:, free] / (2.0 * A_LITTLE)
         values, V = np.linalg.eigh(0.5 * (H + H.T))
         steep = values > LEVEL * np.abs(values).max(initial=0.0)
         step = V @ np.where(steep, (V.T @ g[free]) / np.where(steep, values, 1.0), 0.0)

@@ -202,7 +202,7 @@ def _polished(
     q, place = joints, _places(table, joints[None], tool)[0]
     value = float(one.values(place[None])[0])
     for _ in range(NEWTON_STEPS):
-        gradient, hessian = _slopes(table, goal, q, place)
+        gradient, hessian = _derivatives(table, goal, q, place)
         at_low, at_high = q <= spans[:, 0], q >= spans[:, 1]
         free = ~((at_low & (gradient <= 0.0)) | (at_high & (gradient >= 0.0)))
         if not free.any():
@@ -226,7 +226,7 @@ def _polished(
     return Summit(value, q, place)
 
 
-def _slopes(table: NumericTable, goal: ReachGoal, q: Array, place: Array) -> tuple[Array, Array]:
+def _derivatives(table: NumericTable, goal: ReachGoal, q: Array, place: Array) -> tuple[Array, Array]:
     """Gradient (n,) and Hessian (n, n) of a goal with respect to the joints.
 
     ∂p/∂q_i = z_i × (p − p_i), and ∂²p/∂q_i∂q_j = z_i × ∂p/∂q_j for i ≤ j; of a sliding joint z_i, and 0.

@@ -82,16 +82,16 @@ class _Surface:
         frames = self.arm.frames(x * self.arm.units)
         J = self.whole.jacobians(frames) * self.arm.units
         place, along = frames[-1, :, :3, 3], J[:, :3] * self.arm.size
-        errors, slopes = [], []
+        errors, jacobians = [], []
         if self.conditions.plane is not None:
             point, normal = self.conditions.plane
             errors.append(((place - point) @ normal)[:, None] / self.arm.size)
-            slopes.append((normal @ J[:, :3])[:, None])
+            jacobians.append((normal @ J[:, :3])[:, None])
         if self.conditions.pose is not None:
             turning = J if self.arm.reach is ArmReach.POSE else self.arm.jacobians(frames) * self.arm.units
             errors.append(-errors_of(self.arm, frames[-1], self.conditions.pose)[:, 3:])
-            slopes.append(turning[:, 3:])
-        return place, along, np.concatenate(errors, axis=1), np.concatenate(slopes, axis=1)
+            jacobians.append(turning[:, 3:])
+        return place, along, np.concatenate(errors, axis=1), np.concatenate(jacobians, axis=1)
 
     def brought(self, x: Array, steps: int) -> tuple[Array, Array]:
         """Configurations after Gauss–Newton steps onto the set, and the size of their errors (m,)."""
@@ -238,10 +238,10 @@ def _bending(surface: _Surface, goal: Goals, x: Array, pull: Array, free: Array)
     """Hessian of f + pull·c in the free joints, by central differences of its gradient."""
     columns = np.flatnonzero(free)
     shifts = _DIFFERENCE * np.eye(len(x))[columns]
-    slopes = []
+    gradients = []
     for sign in (1.0, -1.0):
         place, along, _, C = surface.seen(x + sign * shifts)
         many = Goals(*(np.repeat(part, len(columns), axis=0) for part in (goal.origin, goal.W, goal.c)))
-        slopes.append((_gradients(many, place, along) + pull @ C)[:, columns])
-    H = (slopes[0] - slopes[1]) / (2.0 * _DIFFERENCE)
+        gradients.append((_gradients(many, place, along) + pull @ C)[:, columns])
+    H = (gradients[0] - gradients[1]) / (2.0 * _DIFFERENCE)
     return np.asarray(0.5 * (H + H.T))

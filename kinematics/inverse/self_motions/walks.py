@@ -64,11 +64,12 @@ def leads(follower: Follower, starts: Array, ends: Array, blind: float) -> NDArr
         nearer = np.linalg.norm(follower.back_to(ends[going], there), axis=1) <= left - NEARER * step
         moved = near & nearer & are_solutions(e, follower.arm, follower.tolerance)
         moved[moved] = _keeps(follower, x[going[moved]], aim[moved], across[moved])
-        taken.append(_Steps(going[moved], x[going[moved]], there[moved], across[moved]))
+        if not follower.arm.spare:
+            taken.append(_Steps(going[moved], x[going[moved]], there[moved], across[moved]))
         x[going[moved]] = there[moved]
         longest[going] = np.where(moved, np.minimum(2.0 * step, WALK), 0.5 * step)
         going = going[longest[going] >= SHORTEST_WALK]
-    if arrived.any() and not follower.arm.spare:
+    if taken and arrived.any():
         arrived[_jumped(follower, taken, arrived)] = False
     return arrived
 
@@ -94,8 +95,6 @@ def _jumped(follower: Follower, taken: Sequence[_Steps], arrived: NDArray[np.boo
     each other as their ends are wide. Between points of one family the middle is on it, however near they
     are; a step over a gap is halved, the half with the wider gap next, until its middle is in the gap.
     """
-    if not taken:
-        return np.empty(0, dtype=np.intp)
     asked = [steps.of(arrived) for steps in taken]
     walk = np.concatenate([steps.walk for steps in asked])
     low = np.concatenate([steps.start for steps in asked])
