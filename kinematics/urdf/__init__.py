@@ -8,7 +8,14 @@ writing   a DH table to XML text
 
 from kinematics.urdf.document import MAX_CHARACTERS
 from kinematics.urdf.table_reading import UrdfChain, UrdfRobot, chain_from_urdf, table_from_urdf
-from kinematics.urdf.writing import BASE_LINK, TIP_LINK, WrittenUrdf, check_joint_names, urdf_from_table
+from kinematics.urdf.writing import (
+    BASE_LINK,
+    TIP_LINK,
+    WrittenUrdf,
+    check_joint_names,
+    check_link_names,
+    urdf_from_table,
+)
 
 __all__ = [
     "BASE_LINK",
@@ -19,6 +26,7 @@ __all__ = [
     "WrittenUrdf",
     "chain_from_urdf",
     "check_joint_names",
+    "check_link_names",
     "table_from_urdf",
     "urdf_from_table",
 ]

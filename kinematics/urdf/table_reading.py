@@ -44,6 +44,7 @@ class UrdfRobot:
         base: (4, 4) pose of frame 0 in the base link.
         tool: (4, 4) pose of the tip link in frame N.
         joints: names of joint 1 … n.
+        links: names of the links that these carry.
         limits: (lowest, highest) of joint 1 … n [rad, or m]; None where there is none.
         base_link: name of the first link.
         tip_link: name of the last link.
@@ -54,6 +55,7 @@ class UrdfRobot:
     base: Transform
     tool: Transform
     joints: tuple[str, ...]
+    links: tuple[str, ...]
     limits: tuple[Bounds | None, ...]
     base_link: str
     tip_link: str
@@ -99,6 +101,7 @@ def table_from_urdf(
         base=assigned.base,
         tool=assigned.tool,
         joints=described.joints,
+        links=described.links,
         limits=described.limits,
         base_link=described.base_link,
         tip_link=described.tip_link,
@@ -113,6 +116,7 @@ class UrdfChain:
         name: the robot's name in the description.
         chain: the axes and the home pose of the tip link; the links of the description are carried along.
         joints: names of joint 1 … n.
+        links: names of the links that these carry.
         limits: (lowest, highest) of joint 1 … n [rad, or m]; None where there is none.
         base_link: name of the first link.
         tip_link: name of the last link.
@@ -121,6 +125,7 @@ class UrdfChain:
     name: str
     chain: Chain
     joints: tuple[str, ...]
+    links: tuple[str, ...]
     limits: tuple[Bounds | None, ...]
     base_link: str
     tip_link: str
@@ -139,7 +144,8 @@ def chain_from_urdf(text: str, *, base_link: str | None = None, tip_link: str | 
     """
     document = read_document(text)
     steps = serial_chain(document, base_link, tip_link)
-    moving = [step.joint for step in steps if step.moves]
+    movements = [step for step in steps if step.moves]
+    moving = [step.joint for step in movements]
     if len(moving) > MAX_AXES:
         raise refused("urdf_too_many_joints", count=len(moving), limit=MAX_AXES)
     first, last = steps[0], steps[-1]
@@ -147,6 +153,7 @@ def chain_from_urdf(text: str, *, base_link: str | None = None, tip_link: str | 
         name=document.name,
         chain=_chain(steps),
         joints=tuple(joint.name for joint in moving),
+        links=tuple(step.joint.parent if step.upwards else step.joint.child for step in movements),
         limits=tuple(joint.limits() for joint in moving),
         base_link=first.joint.child if first.upwards else first.joint.parent,
         tip_link=last.joint.parent if last.upwards else last.joint.child,

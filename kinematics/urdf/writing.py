@@ -13,6 +13,7 @@ import math
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -29,6 +30,8 @@ BASE_LINK = "base_link"
 TIP_LINK = "tool0"
 UNLIMITED = 1e16
 """A limit that stands for none [rad, or m]: URDF knows no sliding joint without two of them."""
+STILL = 1e-12
+"""What the arithmetic leaves of frames that are one: entries of a pose."""
 
 _NOTE = "Kinematics alone: no masses, no shapes. Effort and velocity of every limit are placeholders."
 _UNKNOWN = "A limit of 1e+16 stands for none."
@@ -60,6 +63,7 @@ def urdf_from_table(
     tool: ArrayLike | None = None,
     limits: JointLimits | None = None,
     joint_names: Sequence[str] | None = None,
+    link_names: Sequence[str] | None = None,
     base_link: str = BASE_LINK,
     tip_link: str = TIP_LINK,
     metres_per_unit: float = 1.0,
@@ -73,16 +77,18 @@ def urdf_from_table(
         tool: (4, 4) pose of the last link in frame N; the identity if left out.
         limits: (lowest, highest) of joint 1 … n [rad, or the table's length unit], None where there is none.
         joint_names: names of joint 1 … n; joint_1 … joint_n if left out.
+        link_names: names of the links that joint 1 … n carry; link_1 … link_n if left out. The last of them
+            may be `tip_link`, where nothing constant is behind the last joint.
         base_link: name of the first link.
-        tip_link: name of the last link. A link between them that would be called like one of the two has an
-            underscore more in its name.
+        tip_link: name of the last link. A link between them that would be called like one of the two, or
+            like another one, has an underscore more in its name.
         metres_per_unit: length of the table's unit [m].
 
     Raises:
         DescriptionError: a name that is empty or holds control characters, at ("name",), ("base_link",),
-            ("tip_link",) or ("joint_names", i); names of the wrong number, or one of them twice, at
-            ("joint_names",); both links of one name, at ("tip_link",); or a length that no reader takes, at
-            ("rows", i), ("limits", i), ("base",) or ("tool",).
+            ("tip_link",), ("joint_names", i) or ("link_names", i); names of the wrong number, or one of them
+            twice, at ("joint_names",) or ("link_names",); both ends of one name, at ("tip_link",); or a
+            length that no reader takes, at ("rows", i), ("limits", i), ("base",) or ("tool",).
         JointValueError: limits of the wrong number, or reversed.
         TableError: an entry of the table is NaN or infinite.
         PoseError: base or tool is not a rigid transform.
@@ -93,8 +99,10 @@ def urdf_from_table(
     if base_link == tip_link:
         raise DescriptionError(Fault(code="urdf_links_alike", where=("tip_link",), params={"link": tip_link}))
     check_joint_names(names, table.n_joints)
+    links = link_names or [f"link_{i}" for i in range(1, table.n_joints + 1)]
+    check_link_names(links, table.n_joints)
     box = read_limits(limits, [joint is JointType.REVOLUTE for joint in table.joint_types])
-    writer = _UrdfWriter(metres_per_unit, names, base_link, tip_link)
+    writer = _UrdfWriter(metres_per_unit, names, links, (base_link, tip_link))
     before = np.eye(4) if base is None else check_transform(base, where=("base",))
     if not np.array_equal(before, np.eye(4)):
         writer.fixed("base", before)
@@ -107,7 +115,7 @@ def urdf_from_table(
         '<?xml version="1.0"?>',
         f'<robot name="{html.escape(name)}">',
         f"  <!-- {_NOTE} -->",
-        *writer.lines,
+        *writer.written(),
         "</robot>",
         "",
     ]
@@ -131,35 +139,46 @@ def _write_rows(writer: _UrdfWriter, table: NumericTable, bounds: Sequence[tuple
         writer.behind = behind
 
 
-class _UrdfWriter:
-    """Writes joint after joint.
+class _Joint(NamedTuple):
+    """A joint and the link that it carries; `pose` is in the link of the joint before."""
 
-    `behind` is what is constant since the last one, `where` what is being written.
+    name: str
+    kind: str
+    link: str
+    pose: Transform
+    details: Sequence[str]
+
+
+class _UrdfWriter:
+    """Notes joint after joint, then writes them.
+
+    `behind` is what is constant since the last one, `where` what is being noted.
     """
 
-    def __init__(self, metres_per_unit: float, names: Sequence[str], base_link: str, tip_link: str) -> None:
+    def __init__(
+        self, metres_per_unit: float, names: Sequence[str], links: Sequence[str], ends: tuple[str, str]
+    ) -> None:
         self.where: tuple[str | int, ...] = ("base",)
-        self.lines = [f'  <link name="{html.escape(base_link)}"/>']
         self.behind: Transform = np.eye(4)
         self.assumed: list[int] = []
+        self._joints: list[_Joint] = []
         self._metres = metres_per_unit
-        self._names = names
-        self._link, self._tip = base_link, tip_link
-        self._taken = (base_link, tip_link)
+        self._names, self._links = names, links
+        self._base, self._tip = ends
+        self._taken = {*ends, *links}
 
     def fixed(self, name: str, pose: Transform) -> None:
         """A fixed joint and its link."""
-        self._joint(f"fixed_{name}", "fixed", self._free(name), pose, ())
+        self._note(f"fixed_{name}", "fixed", self._free(name), pose, ())
 
     def last(self, pose: Transform) -> None:
-        """The fixed joint to the last link."""
-        self._joint("fixed_tool", "fixed", self._tip, pose, ())
-
-    def _free(self, link: str) -> str:
-        """The name of a link between the first and the last, made to differ from theirs."""
-        while link in self._taken:
-            link += "_"
-        return link
+        """The fixed joint to the last link, unless that link is the one of the last joint."""
+        joint = self._joints[-1] if self._joints else None
+        still = np.abs(self.behind @ pose - np.eye(4)).max() <= STILL
+        if joint and joint.kind != "fixed" and self._links[-1] == self._tip and still:
+            self._joints[-1] = joint._replace(link=self._tip)
+        else:
+            self._note("fixed_tool", "fixed", self._tip, pose, ())
 
     def moving(
         self, number: int, joint: JointType, sign: int, pose: Transform, bounds: tuple[float, float]
@@ -181,24 +200,41 @@ class _UrdfWriter:
                 for bound in bounds
             )
             details.append(f'<limit lower="{low}" upper="{high}" effort="1" velocity="1"/>')
-        self._joint(self._names[number - 1], kind, self._free(f"link_{number}"), pose, details)
+        link = self._links[number - 1]
+        link = self._free(link) if link in (self._base, self._tip) else link
+        self._note(self._names[number - 1], kind, link, pose, details)
 
-    def _joint(self, name: str, kind: str, child: str, pose: Transform, details: Sequence[str]) -> None:
+    def written(self) -> list[str]:
+        """Return the lines of all links and joints."""
+        lines = [f'  <link name="{html.escape(self._base)}"/>']
+        for parent, joint in zip(
+            (self._base, *(joint.link for joint in self._joints)), self._joints, strict=False
+        ):
+            rpy = rpy_from_transform(joint.pose)
+            xyz = [value * self._metres for value in joint.pose[:3, 3].tolist()]
+            lines += [
+                f'  <link name="{html.escape(joint.link)}"/>',
+                f'  <joint name="{html.escape(joint.name)}" type="{joint.kind}">',
+                f'    <parent link="{html.escape(parent)}"/>',
+                f'    <child link="{html.escape(joint.link)}"/>',
+                f'    <origin xyz="{" ".join(map(_text, xyz))}" rpy="{" ".join(map(_text, rpy))}"/>',
+                *(f"    {detail}" for detail in joint.details),
+                "  </joint>",
+            ]
+        return lines
+
+    def _free(self, link: str) -> str:
+        """The name of a link made to differ from those of all others."""
+        while link in self._taken:
+            link += "_"
+        self._taken.add(link)
+        return link
+
+    def _note(self, name: str, kind: str, link: str, pose: Transform, details: Sequence[str]) -> None:
         origin = self.behind @ pose
         self.behind = np.eye(4)
-        rpy = rpy_from_transform(origin)
-        xyz = [value * self._metres for value in origin[:3, 3].tolist()]
-        self._check(xyz, self.where)
-        self.lines += [
-            f'  <link name="{html.escape(child)}"/>',
-            f'  <joint name="{html.escape(name)}" type="{kind}">',
-            f'    <parent link="{html.escape(self._link)}"/>',
-            f'    <child link="{html.escape(child)}"/>',
-            f'    <origin xyz="{" ".join(map(_text, xyz))}" rpy="{" ".join(map(_text, rpy))}"/>',
-            *(f"    {detail}" for detail in details),
-            "  </joint>",
-        ]
-        self._link = child
+        self._check([value * self._metres for value in origin[:3, 3].tolist()], self.where)
+        self._joints.append(_Joint(name, kind, link, origin, details))
 
     def _check(self, lengths: Sequence[float], where: tuple[str | int, ...]) -> None:
         """Make sure that a reader takes these lengths [m]."""
@@ -219,6 +255,19 @@ def check_joint_names(names: Sequence[str], count: int) -> None:
         raise DescriptionError(Fault(code="urdf_joint_names", where=("joint_names",), params=params))
     for i, name in enumerate(names):
         _check_name(name, ("joint_names", i))
+
+
+def check_link_names(names: Sequence[str], count: int) -> None:
+    """Make sure that there is a name for the link of each joint, and none of them twice.
+
+    Raises:
+        DescriptionError: names that do not fit, at ("link_names",) or ("link_names", i).
+    """
+    if len(names) != count or len(set(names)) != count:
+        params = {"expected": count, "given": len(names)}
+        raise DescriptionError(Fault(code="urdf_link_names", where=("link_names",), params=params))
+    for i, name in enumerate(names):
+        _check_name(name, ("link_names", i))
 
 
 def _check_name(name: str, where: tuple[str | int, ...]) -> None:

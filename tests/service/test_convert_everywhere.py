@@ -220,6 +220,8 @@ def test_sums_of_offsets_are_cells_that_are_read_back(
         ),
         ({"table": PUMA_560, "base": [[2, 0, 0, 0], *BASE[1:]]}, "pose_not_orthonormal", "/base"),
         ({"table": PUMA_560, "joint_names": ["a"]}, "urdf_joint_names", "/joint_names"),
+        ({"table": PUMA_560, "link_names": [*"abcdee"]}, "urdf_link_names", "/link_names"),
+        ({"table": PUMA_560, "link_names": [*"abcde", "\n"]}, "urdf_name_invalid", "/link_names/5"),
         ({"table": PUMA_560, "limits": [None]}, "limits_wrong_length", "/limits"),
         ({"table": PUMA_560, "angle_unit": "deg"}, "option_idle", ""),
         ({"urdf": "<robot/>", "base": BASE}, "option_idle", ""),

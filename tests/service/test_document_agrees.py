@@ -47,7 +47,8 @@ ROBOTS = {  # what there is of a robot: its joints, rows, parameters, links
     *("joints_wrong_length", "limits_wrong_length", "joint_row_length", "motion_row_count"),
     *("links_count", "links_missing", "screw_count", "frames_too_many", "frame_unknown"),
     *("slide_without_limits", "tree_after_unknown", "scm_no_variable", "scm_too_many_joints"),
-    *("urdf_not_xml", "urdf_joint_names", "robot_unknown", "not_plantable", "not_singular"),
+    *("urdf_not_xml", "urdf_joint_names", "urdf_link_names"),
+    *("robot_unknown", "not_plantable", "not_singular"),
     *("inverse_form_unknown", "inverse_joint_count", "form_too_large", "archive_not_zip"),
 }
 GEOMETRY = {  # four rows of four numbers are seldom a pose, zeros point nowhere, and angles lock

@@ -119,12 +119,13 @@ def test_what_is_refused(client: httpx.Client, body: dict[str, Any], code: str, 
 def test_names_survive_the_way_through_a_table(client: httpx.Client) -> None:
     chain = {"urdf": TURNING_ARM, "base_link": "floor", "tip_link": "hand"}
     table = answered(client, PATH, {**chain, "to": "modified"})
-    named = {key: table[key] for key in ("name", "base_link", "tip_link", "joint_names")}
+    named = {key: table[key] for key in ("name", "base_link", "tip_link", "joint_names", "link_names")}
     assert named == {
         "name": "turning_arm",
         "base_link": "floor",
         "tip_link": "hand",
         "joint_names": ["turn", "lift"],
+        "link_names": ["post", "arm"],
     }
     robot = {key: table[key] for key in ("table", "base", "tool", "limits")}
     written = answered(client, PATH, {**robot, **named, "to": "urdf"})

@@ -30,6 +30,7 @@ error-urdf_element_twice = Cupla „{ $joint }” are mai multe elemente <{ $ele
 error-urdf_two_orientations = Cupla „{ $joint }” își dă orientarea de două ori, prin rpy și prin quat_xyzw. Lăsați doar una.
 error-urdf_quaternion_zero = Cuaternionul cuplei „{ $joint }” este 0 0 0 0, ceea ce nu este o orientare.
 error-urdf_joint_names = Un robot cu { $expected } cuple primește tot atâtea nume, toate diferite și niciunul fixed_base, fixed_tool sau fixed_row_…; s-au dat { $given }.
+error-urdf_link_names = Un robot cu { $expected } cuple primește tot atâtea nume de elemente (link), unul pentru ce poartă fiecare cuplă, toate diferite; s-au dat { $given }.
 error-urdf_axis_zero = Axa cuplei „{ $joint }” este 0 0 0 și nu are direcție.
 error-urdf_limits_reversed = Limita inferioară a cuplei „{ $joint }” este mai mare decât cea superioară.
 error-urdf_numbers_malformed = Cupla „{ $joint }”: { $attribute } din <{ $element }> primește { $count ->

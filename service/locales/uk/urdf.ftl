@@ -30,6 +30,7 @@ error-urdf_element_twice = Зчленування «{ $joint }» має кіль
 error-urdf_two_orientations = Зчленування «{ $joint }» задає орієнтацію двічі: через rpy і через quat_xyzw. Залиште щось одне.
 error-urdf_quaternion_zero = Кватерніон зчленування «{ $joint }» — 0 0 0 0, це не орієнтація.
 error-urdf_joint_names = Назв зчленувань має бути стільки ж, скільки зчленувань у робота: { $expected }, усі різні, і жодна не fixed_base, fixed_tool чи fixed_row_…; задано: { $given }.
+error-urdf_link_names = Назв ланок має бути стільки ж, скільки зчленувань у робота: { $expected }, по одній на те, що несе кожне зчленування, і всі різні; задано: { $given }.
 error-urdf_axis_zero = Вісь зчленування «{ $joint }» — 0 0 0, вона не має напряму.
 error-urdf_limits_reversed = Нижня межа зчленування «{ $joint }» більша за верхню.
 error-urdf_numbers_malformed = Зчленування «{ $joint }»: { $attribute } у <{ $element }> приймає скінченні числа через пропуск (кількість: { $count }), не більші за { $limit }.

@@ -111,6 +111,11 @@ class ConvertRequest(Wire):
     joint_names: list[Annotated[str, Field(min_length=1, max_length=200)]] | None = Field(
         None, max_length=64, description="names of joint 1 … n; left out, those of the source if it has any"
     )
+    link_names: list[Annotated[str, Field(min_length=1, max_length=200)]] | None = Field(
+        None,
+        max_length=64,
+        description="names of the links that joint 1 … n carry; left out, those of the source if it has any",
+    )
     limits: JointRanges | None = Field(
         None,
         description="[least, greatest] of each joint in the table's units, null where there is "
@@ -163,6 +168,9 @@ class NamedAnswer(Units):
     base_link: str | None = Field(None, description="the name of the first link, if the source has one")
     tip_link: str | None = Field(None, description="the name of the last link, if the source has one")
     joint_names: list[str] | None = Field(None, description="the names of joint 1 … n, if the source has any")
+    link_names: list[str] | None = Field(
+        None, description="the names of the links that joint 1 … n carry, if the source has any"
+    )
     limits: list[Range | None] | None = Field(
         None, description="[least, greatest] of each joint, if any are known; null where there is none"
     )

@@ -1,6 +1,7 @@
 """A table as URDF has the table's poses in a foreign library."""
 
 import math
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -152,6 +153,37 @@ def test_names_and_limits_survive():
     joints = random_joints(table, 4)
     one, two = (end_poses(r.table, joints, base=r.base, tool=r.tool) for r in (first, again))
     np.testing.assert_allclose(one, two, atol=1e-14)
+
+
+def test_links_keep_their_names():
+    """The last joint carries the tip, as long as nothing constant comes to stand behind it."""
+    links = ["boom", "row_2", "flange"]
+    rows = [(kind, 0.3, 0.2, 0.1, 0.0) for kind in ("revolute", "prismatic", "revolute")]
+    table = numeric(Convention.MODIFIED, rows[0], ("fixed", 0.1, 0.2, 0.3, 0.4), *rows[1:])
+    first = urdf_from_table(table, link_names=links, tip_link="flange")
+    assert re.findall('<link name="([^"]+)"', first.text) == [
+        "base_link",
+        "boom",
+        "row_2_",
+        "row_2",
+        "flange",
+    ]
+    back = table_from_urdf(first.text, Convention.MODIFIED)
+    assert back.links == tuple(links)
+    behind = np.eye(4)
+    behind[0, 3] = 0.5
+    apart = urdf_from_table(table, link_names=links, tip_link="flange", tool=behind).text
+    assert re.findall('<link name="([^"]+)"', apart)[-2:] == ["flange_", "flange"]
+    upwards = table_from_urdf(first.text, Convention.STANDARD, base_link="flange", tip_link="base_link")
+    assert upwards.links == ("row_2", "row_2_", "base_link")
+
+
+@pytest.mark.parametrize("names", [["a"], ["a", "a"]])
+def test_link_names_that_do_not_fit(names):
+    table = numeric(Convention.MODIFIED, *[("revolute", 0.3, 0.2, 0.1, 0.0)] * 2)
+    with pytest.raises(DescriptionError) as refusal:
+        urdf_from_table(table, link_names=names)
+    assert refusal.value.code == "urdf_link_names"
 
 
 @pytest.mark.parametrize("names", [["a"], ["a", "a"], ["a", "fixed_tool"], ["fixed_row_2", "b"]])

@@ -49,5 +49,5 @@ def converted(request: ConvertRequest, settings: Settings) -> ConvertAnswer:
     source = next(name for name in SOURCES if getattr(request, name) is not None)
     robot = SOURCES[source](request, settings)
     robot = robot.between(*base_and_tool(request, robot.angle))
-    robot = robot.with_joints(request.joint_names, request.limits)
+    robot = robot.with_joints(request.joint_names, request.link_names, request.limits)
     return TARGETS[request.to](robot, request)

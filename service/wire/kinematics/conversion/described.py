@@ -14,7 +14,7 @@ from kinematics.cells import AngleUnit, ReadTable
 from kinematics.inverse.limits import read_limits
 from kinematics.se3 import Transform, check_transform
 from kinematics.table import JointType
-from kinematics.urdf import check_joint_names
+from kinematics.urdf import check_joint_names, check_link_names
 from service.schemas.kinematics.joint_limits import domain_limits
 from service.wire.kinematics.prepared_robots import joint_units
 from service.wire.kinematics.written_tables import Spellings, WireCell
@@ -40,6 +40,7 @@ class RobotDescription:
         name: the robot's name, if it has one.
         base_link, tip_link: the names of its first and its last link, if the source has any.
         joint_names: the names of joint 1 … n, if the source has any.
+        link_names: the names of the links that these carry, if the source has any.
         limits: [lowest, highest] of joint 1 … n in the units of the table, if the source has any.
     """
 
@@ -53,6 +54,7 @@ class RobotDescription:
     base_link: str | None = None
     tip_link: str | None = None
     joint_names: tuple[str, ...] | None = None
+    link_names: tuple[str, ...] | None = None
     limits: Ranges | None = None
 
     @property
@@ -77,22 +79,27 @@ class RobotDescription:
         )
         return replace(self, base=before @ self.base, tool=self.tool @ behind)
 
-    def with_joints(self, names: Sequence[str] | None, limits: Ranges | None) -> RobotDescription:
+    def with_joints(
+        self, names: Sequence[str] | None, links: Sequence[str] | None, limits: Ranges | None
+    ) -> RobotDescription:
         """Return the robot with these names and limits of its joints, or its own where they are left out.
 
         Raises:
-            DescriptionError: names that do not fit, at ("joint_names",).
+            DescriptionError: names that do not fit, at ("joint_names",) or ("link_names",).
             JointValueError: limits of the wrong number, or reversed.
         """
         types = self.read.table.joint_types
         if names is not None:
             check_joint_names(names, len(types))
+        if links is not None:
+            check_link_names(links, len(types))
         if limits is not None:
             turns = [kind is JointType.REVOLUTE for kind in types]
             read_limits(domain_limits(limits, self.joint_units), turns)
         return replace(
             self,
             joint_names=self.joint_names if names is None else tuple(names),
+            link_names=self.link_names if links is None else tuple(links),
             limits=self.limits if limits is None else limits,
         )
 
@@ -105,5 +112,6 @@ class RobotDescription:
             "base_link": self.base_link,
             "tip_link": self.tip_link,
             "joint_names": None if self.joint_names is None else list(self.joint_names),
+            "link_names": None if self.link_names is None else list(self.link_names),
             "limits": None if limits is None else [None if pair is None else list(pair) for pair in limits],
         }

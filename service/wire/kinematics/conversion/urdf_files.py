@@ -43,6 +43,7 @@ def described_urdf(request: ConvertRequest, _settings: Settings) -> RobotDescrip
         base_link=_printable(robot.base_link),
         tip_link=_printable(robot.tip_link),
         joint_names=robot.joints,
+        link_names=robot.links if all(map(_printable, robot.links)) else None,
         limits=[
             None if pair is None else [_bound(bound, unit if turns else AngleUnit.RAD) for bound in pair]
             for pair, turns in zip(robot.limits, turning, strict=True)
@@ -76,6 +77,7 @@ def urdf_answer(robot: RobotDescription, request: ConvertRequest) -> UrdfAnswer:
             tool=robot.tool,
             limits=limits,
             joint_names=robot.joint_names,
+            link_names=robot.link_names,
             base_link=robot.base_link or request.base_link or BASE_LINK,
             tip_link=robot.tip_link or request.tip_link or TIP_LINK,
             metres_per_unit=float(robot.read.length_unit.metres_per_unit),
