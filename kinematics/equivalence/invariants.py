@@ -1,9 +1,10 @@
 """Facts of a chain that no choice of frames changes, measured of many tables at once.
 
 Between neighbouring axes the angle and the distance (sliders between them disregarded); along a run of
-parallel axes the distance between the common normals before and after; about a slider the angle between its
-neighbours. Their sizes are necessary for equivalence, not sufficient; with their signs, and each axis turned
-round as it suits best (`exercises.grading.facts`), hardly anything wrong is left.
+parallel axes the distance between the common normals before and after, or, where sliders move the axis there
+in a plane, the points in which that plane meets the run; about a slider the angle between its neighbours.
+Their sizes are necessary for equivalence, not sufficient; with their signs, and each axis turned round as it
+suits best (`exercises.grading.facts`), hardly anything wrong is left.
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,7 +25,7 @@ from kinematics.equivalence.measures import PARALLEL, Gauge, Measure, Shape, gau
 from kinematics.equivalence.policy import BaseRule, Policy, ToolRule
 from kinematics.equivalence.reference import Reference
 from kinematics.remembering import USUAL_ROWS, remembered
-from kinematics.se3 import ORIGIN, Z_AXIS, Vector, cross, norm, position, unit, z_axis
+from kinematics.se3 import ORIGIN, Z_AXIS, Vector, cross, dot, norm, position, unit, z_axis
 
 # In units of the tolerance of the end frame: the rounded entries of six joints may all add up in one
 # invariant.
@@ -197,28 +199,64 @@ def _along(axes: Sequence[Axis], i: int, last: int, size: float, policy: Policy)
     A point that the policy fixes is its own foot at its end of the run.
     """
     here = axes[i]
-    before = max(i - 1, 0)
-    sine = norm(cross(axes[before].direction, here.direction)) if i else 1.0
-    if sine < STEEPEST:
+    if i and norm(cross(axes[i - 1].direction, here.direction)) < STEEPEST:
         return []
     if here.prismatic:
-        return _about(axes, i, sine, policy) if i else []
+        return _about(axes, i, policy) if i else []
     j = i
     while j < last and not axes[j + 1].prismatic and _parallel(axes[j + 1], here):
         j += 1
-    after = min(j + 1, last)
-    while after < last and axes[after].prismatic and _parallel(axes[after], axes[after + 1]):
-        after += 1
-    other = norm(cross(axes[after].direction, here.direction)) if j < last else 1.0
-    if other < STEEPEST or axes[after].prismatic or axes[before].prismatic:
-        return []
     if j == last and last != len(axes) - 1:
         return []
-    slack = (SLACK * policy.tolerance.length + FLOOR) * size / min(sine, other)
-    return [(Shape(Measure.OFFSET, (before, i, j, after)), slack)]
+    first = 0 if policy.base in (BaseRule.ORIGIN, BaseRule.FRAME) else 1
+    start = _end_of_run(axes, i, range(i - 1, first - 1, -1))
+    end = _end_of_run(axes, j, range(j + 1, last + 1))
+    if start is None or end is None:
+        return []
+    slides = start.slider != i or end.slider != j
+    shape = (start.axis, i, j, end.axis, *((start.slider, end.slider) if slides else ()))
+    slack = (SLACK * policy.tolerance.length + FLOOR) * size / min(start.steepness, end.steepness)
+    return [(Shape(Measure.OFFSET, shape), slack)]
 
 
-def _about(axes: Sequence[Axis], i: int, sine: float, policy: Policy) -> list[tuple[Shape, float]]:
+class _End(NamedTuple):
+    """What an offset is measured from, at one end of a run of parallel axes.
+
+    Attributes:
+        axis: the next axis beyond the end that is no slider; the one at the end, if there is none.
+        slider: the one between that moves the other axis in a plane; the axis at the end, if none does.
+        steepness: of the run to that plane, or to the other axis.
+    """
+
+    axis: int
+    slider: int
+    steepness: float
+
+
+def _end_of_run(axes: Sequence[Axis], k: int, beyond: Sequence[int]) -> _End | None:
+    """The end of a run at axis k; None if what lies beyond it leaves no offset."""
+    if not beyond:
+        return _End(k, k, 1.0)
+    next_turning = next((i for i in beyond if not axes[i].prismatic), None)
+    if next_turning is None:
+        return None
+    sliders = range(k, next_turning, 1 if next_turning > k else -1)[1:]
+    spanning, _ = _spanning(axes, (next_turning, *sliders))
+    if len(spanning) == 1:
+        slider, steepness = k, norm(cross(axes[next_turning].direction, axes[k].direction))
+    else:
+        slider = spanning[1]
+        normal = cross(axes[next_turning].direction, axes[slider].direction)
+        steepness = abs(dot(normal, axes[k].direction))
+    return (
+        _End(next_turning, slider, steepness)
+        if len(spanning) < DIMENSIONS and steepness >= STEEPEST
+        else None
+    )
+
+
+def _about(axes: Sequence[Axis], i: int, policy: Policy) -> list[tuple[Shape, float]]:
+    sine = norm(cross(axes[i - 1].direction, axes[i].direction))
     other = norm(cross(axes[i].direction, axes[i + 1].direction))
     if other < STEEPEST:
         return []

@@ -18,6 +18,8 @@ Places = NDArray[np.intp]
 # A sine, and below: the arithmetic leaves 1e-16, and what is nearer to parallel has its normal hundreds of
 # thousands of robots away.
 PARALLEL = 1e-7
+PLAIN_OFFSET = 4
+"""Of how many axes an offset is without sliders."""
 
 _NEXT, _LAST = np.array((1, 2, 0)), np.array((2, 0, 1))
 
@@ -40,7 +42,9 @@ class Shape(NamedTuple):
         measure: what.
         axes: the numbers of the axes among those of `axes_of`: of an angle both; of a distance both, and
             those whose directions are disregarded; of an offset the axis before, the first and the last of
-            the run, and the axis after; of a turn the axis before, the slider, and the axis after.
+            the run, and the axis after; then, if sliders between move the axis before or after in a plane,
+            one of them at either end, or the axis of the run where there is none; of a turn the axis before,
+            the slider, and the axis after.
     """
 
     measure: Measure
@@ -73,7 +77,7 @@ class Gauge:
         angles: places of the angles, and numbers of their pairs.
         normals: places of the distances along common normals, and numbers of their pairs.
         offsets: places of the offsets, and numbers of the pairs (first, before) and (last, after).
-        others: of what has no sign its places, and (axes, how many) the axes' numbers, by measure and how
+        others: of the rest its places, and (axes, how many) the axes' numbers, by measure and how
             many axes each has.
     """
 
@@ -105,11 +109,11 @@ def gauge_of(shapes: tuple[Shape, ...]) -> Gauge:
         if shape.measure is Measure.ANGLE:
             angles[0].append(place)
             angles[1].append(pair(axes[0], axes[1]))
-        elif shape.measure is Measure.OFFSET:
+        elif shape.measure is Measure.OFFSET and len(axes) == PLAIN_OFFSET:
             offsets[0].append(place)
             offsets[1].append(pair(axes[1], axes[0]))
             offsets[2].append(pair(axes[2], axes[3]))
-        elif shape.reverses:
+        elif shape.reverses and shape.measure is Measure.DISTANCE:
             normals[0].append(place)
             normals[1].append(pair(axes[0], axes[1]))
         else:
@@ -142,8 +146,11 @@ def measured(shapes: tuple[Shape, ...], axes: AxisBatch) -> Floats:
     if gauge.pairs.size:
         _along_normals(gauge, axes, found)
     for (measure, _), (places, numbers) in gauge.others.items():
-        how = _turns if measure is Measure.TURN else _distances
-        found[places] = how(axes.directions[numbers], axes.points[numbers])
+        if measure is Measure.OFFSET:
+            found[places] = _offsets_past_sliders(numbers, axes.directions[numbers], axes.points[numbers])
+        else:
+            how = _turns if measure is Measure.TURN else _distances
+            found[places] = how(axes.directions[numbers], axes.points[numbers])
     return found
 
 
@@ -205,6 +212,25 @@ def _distances(directions: Floats, points: Floats) -> Floats:
     steep = sine > PARALLEL
     beside = np.abs(_dots(normal, gap)) / np.where(steep, sine, 1.0)
     return np.where(steep, beside, _norms(across))
+
+
+def _offsets_past_sliders(numbers: Places, directions: Floats, points: Floats) -> Floats:
+    """The distance along a run between the planes in which sliders move the axes before and after it.
+
+    The plane of an axis z through p and a slider s has the normal n = z × s, and meets the run's axis u
+    through o at o + u n·(p - o) / n·u; without a slider, s is the common normal u × z.
+    """
+    feet = []
+    for beyond, own, slider in ((0, 1, 4), (3, 2, 5)):
+        z, run = directions[beyond], directions[own]
+        slides = (numbers[slider] != numbers[own])[:, None, None]
+        normal = _crosses(z, np.where(slides, directions[slider], _crosses(run, z)))
+        across = _dots(normal, run)
+        steep = np.abs(across) > PARALLEL * PARALLEL
+        gap = points[beyond] - points[own]
+        feet.append(np.where(steep, _dots(normal, gap) / np.where(steep, across, 1.0), 0.0))
+    run = points[2] - points[1] + feet[1][:, None] * directions[2]
+    return _dots(directions[1], run) - feet[0]
 
 
 def _turns(directions: Floats, _: Floats) -> Floats:

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.equivalence.batches import Floats, Variation, axes_of_tables, cells_of_tables
-from kinematics.equivalence.measures import PARALLEL, Measure, Shape, measured
+from kinematics.equivalence.measures import PARALLEL, PLAIN_OFFSET, Measure, Shape, measured
 from kinematics.equivalence.policy import Policy
 from kinematics.remembering import USUAL_INVARIANTS, remembered
 from kinematics.table import NumericTable
@@ -94,6 +94,8 @@ def _seen(shapes: tuple[Shape, ...], joints: int) -> _Seen | None:
         if min(axes) < 1 or max(axes) > joints or measure is Measure.TURN:
             return None
         if measure is Measure.OFFSET:
+            if len(axes) != PLAIN_OFFSET:
+                return None
             before, first, last, after = (axis - 1 for axis in axes)
             if before != first - 1 or after != last + 1:
                 return None

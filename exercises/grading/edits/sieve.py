@@ -18,7 +18,7 @@ from exercises.grading.edits.changes import Change
 from exercises.grading.edits.work import Work
 from exercises.grading.judging.typed import Place
 from kinematics.equivalence.invariants import Invariants
-from kinematics.equivalence.measures import Measure, Shape
+from kinematics.equivalence.measures import PLAIN_OFFSET, Measure, Shape
 from kinematics.remembering import USUAL_ROWS, remembered
 from kinematics.table import Convention, JointType, NumericRow, NumericTable
 
@@ -252,13 +252,13 @@ def _places(
         found.append(FactPlace(number, column, rows, links, places))
 
     for number, (measure, axes) in enumerate(shapes):
-        if measure is Measure.OFFSET:
+        if measure is Measure.OFFSET and len(axes) == PLAIN_OFFSET:
             before, first, last, after = axes
             links = [link(k, k + 1) for k in range(first, last)]
             inside = tuple(row for row in links if row is not None)
             if len(inside) == len(links) and None not in (link(before, first), link(last, after)):
                 keep(number, "d", tuple(rows[first - 1 : last]), inside)
-        elif measure is not Measure.TURN and (row := link(*axes[:2])) is not None:
+        elif measure in (Measure.ANGLE, Measure.DISTANCE) and (row := link(*axes[:2])) is not None:
             if measure is Measure.ANGLE:
                 keep(number, "alpha", (row,))
             elif len(axes) == 3 or set(axes[2:]) == set(axes[:2]):

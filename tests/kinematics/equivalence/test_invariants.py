@@ -19,6 +19,7 @@ from kinematics.equivalence.measures import Measure, Shape, measured
 from kinematics.equivalence.reference import prepared
 from kinematics.se3 import Vector
 from kinematics.table import DHTable, NumericTable
+from tests.kinematics.equivalence.generators import random_valid_table
 from tests.kinematics.equivalence.tables import HALF, F, P, R, changed, modified, standard
 
 FREE = Policy(tool=ToolRule.FREE)
@@ -121,3 +122,48 @@ def test_what_is_off_along_the_first_z_is_the_base_or_the_first_joint(row: int, 
     assert {mismatch.joint for mismatch in off} == {max(row - 1, 1)}
     assert {mismatch.row for mismatch in off} == {max(row - 1, 1)}
     assert (row == 1) <= (Kind.BASE in {mismatch.kind for mismatch in off})
+
+
+ELBOW, WRIST = (R, 1.2, 0.1, 0.4, 0.2), (R, 0.9, 0.1, 0.3, 0.2)
+SLIDES: dict[str, tuple[NumericTable, tuple[int, ...]]] = {
+    "behind": (
+        standard(ELBOW, (R, 1.0, 0.05, 0.1, 0.3), (P, 1.1, 0.2, 0.15, 0.8), WRIST),
+        (1, 2, 2, 4, 2, 3),
+    ),
+    "before": (
+        standard(ELBOW, (P, 1.0, 0.05, 0.1, 0.9), (R, 1.1, 0.2, 0.15, 0.8), WRIST),
+        (1, 3, 3, 4, 2, 3),
+    ),
+    "both": (
+        standard(ELBOW, (P, 1.0, 0.05, 0.1, 0.9), (R, 1.1, 0.2, 0.15, 0.8), (P, 0.8, 0.1, 0.1, 0.7), WRIST),
+        (1, 3, 3, 5, 2, 4),
+    ),
+    "before a run": (
+        standard(ELBOW, (P, 1.0, 0.05, 0.1, 0.9), (R, 0, 0.2, 0.15, 0.8), (R, 0.8, 0.1, 0.1, 0.7), WRIST),
+        (1, 3, 4, 5, 2, 4),
+    ),
+    "along the axis before": (
+        standard(ELBOW, (R, 0, 0.2, 0.1, 0.3), (P, 0.9, 0.05, 0.1, 0.9), (R, 1.1, 0.2, 0.15, 0.8), WRIST),
+        (2, 4, 4, 5),
+    ),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("way", SLIDES)
+def test_an_offset_past_sliders_is_the_same_in_all_frames(way: str) -> None:
+    """Where sliders move an axis in a plane, that plane meets the run in one point."""
+    key, axes = SLIDES[way]
+    invariants = invariants_of(prepared(key), FREE)
+    place = invariants.shapes.index(Shape(Measure.OFFSET, axes))
+    others = [random_valid_table(key, Random(f"{way} {seed}")) for seed in range(8)]
+    found = invariants.measured(axis_batch([axes_of(chain_of_table(table), FREE) for table in others]))
+    np.testing.assert_allclose(np.abs(found[place]), abs(invariants.values[place, 0]), rtol=1e-9, atol=1e-9)
+    longer = changed(key, axes[1], d=key.rows[axes[1] - 1].d + 0.125)
+    further = invariants.measured(axis_batch([axes_of(chain_of_table(longer), FREE)]))[place, 0]
+    assert further - invariants.values[place, 0] == pytest.approx(0.125)
+
+
+def test_sliders_that_take_an_axis_anywhere_leave_no_offset() -> None:
+    slides = (P, 1.1, 0.2, 0.15, 0.8), (P, 0.8, 0.1, 0.1, 0.7)
+    key = standard(ELBOW, (R, 1.0, 0.05, 0.1, 0.3), *slides, WRIST)
+    assert not any(shape.measure is Measure.OFFSET for shape in invariants_of(prepared(key), FREE).shapes)

@@ -1,0 +1,37 @@
+"""A length along an axis past a slider is held to its digits, and counts, like any other."""
+
+from __future__ import annotations
+
+from random import Random
+
+import pytest
+
+from exercises.grading import Policy, ToolRule, grade
+from kinematics.equivalence.reference import prepared
+from kinematics.table import NumericTable
+from tests.exercises.grading.written import written
+from tests.kinematics.equivalence.generators import random_valid_table
+from tests.kinematics.equivalence.tables import P, R, changed, standard
+
+ELBOW, WRIST = (R, 1.234567, 0.1, 0.4, 0.2345678), (R, 0.912345, 0.1, 0.3, 0.2345678)
+TURNS, SLIDES = (R, 1.034567, 0.05, 0.15, 0.345678), (P, 1.123456, 0.2, 0.15, 0.812345)
+KEYS = {
+    "behind": (standard(ELBOW, TURNS, SLIDES, WRIST), 2),
+    "before": (standard(ELBOW, SLIDES, TURNS, WRIST), 3),
+    "both": (standard(ELBOW, SLIDES, TURNS, (P, 0.8765432, 0.1, 0.1, 0.712345), WRIST), 3),
+}
+FREE = Policy(tool=ToolRule.FREE)
+
+
+@pytest.mark.parametrize(("key", "row"), KEYS.values(), ids=KEYS)
+def test_what_the_pose_would_not_show_is_wrong_in_all_frames(key: NumericTable, row: int) -> None:
+    wrong = changed(key, row, d=key.rows[row - 1].d + 0.01 * prepared(key).size)
+    verdicts = [grade(written(key), written(drawn(wrong, seed)), FREE) for seed in range(6)]
+    assert not any(verdict.correct for verdict in verdicts)
+    assert len({verdict.score for verdict in verdicts}) == 1
+    right = [grade(written(key), written(drawn(key, seed)), FREE) for seed in range(6)]
+    assert all(verdict.correct for verdict in right)
+
+
+def drawn(table: NumericTable, seed: int) -> NumericTable:
+    return random_valid_table(table, Random(seed))
