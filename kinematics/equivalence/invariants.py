@@ -202,7 +202,7 @@ def _along(axes: Sequence[Axis], i: int, last: int, size: float, policy: Policy)
     if i and norm(cross(axes[i - 1].direction, here.direction)) < STEEPEST:
         return []
     if here.prismatic:
-        return _about(axes, i, policy) if i else []
+        return _about(axes, i, last, policy) if i else []
     j = i
     while j < last and not axes[j + 1].prismatic and _parallel(axes[j + 1], here):
         j += 1
@@ -255,13 +255,16 @@ def _end_of_run(axes: Sequence[Axis], k: int, beyond: Sequence[int]) -> _End | N
     )
 
 
-def _about(axes: Sequence[Axis], i: int, policy: Policy) -> list[tuple[Shape, float]]:
-    sine = norm(cross(axes[i - 1].direction, axes[i].direction))
-    other = norm(cross(axes[i].direction, axes[i + 1].direction))
+def _about(axes: Sequence[Axis], i: int, last: int, policy: Policy) -> list[tuple[Shape, float]]:
+    """About the run of parallel sliders that begins with axis i."""
+    after = i + 1
+    while after < last and axes[after].prismatic and _parallel(axes[after], axes[i]):
+        after += 1
+    sine, other = (norm(cross(axes[k].direction, axes[i].direction)) for k in (i - 1, after))
     if other < STEEPEST:
         return []
     slack = SLACK * policy.tolerance.angle / (sine * other) + FLOOR
-    return [(Shape(Measure.TURN, (i - 1, i, i + 1)), slack)]
+    return [(Shape(Measure.TURN, (i - 1, i, after)), slack)]
 
 
 def _parallel(one: Axis, other: Axis) -> bool:

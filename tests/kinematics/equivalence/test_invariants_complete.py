@@ -1,0 +1,112 @@
+"""The invariants are as many as there are numbers of a robot that no choice of frames changes.
+
+The screws S_1 … S_n of a chain stand for its robot, but for motions of the base, ad_ξ S_i of all of them,
+and for offsets of its variables, which carry the screws behind a joint along: ad_{S_j} S_i, i > j. What cells
+change beside that, at first order, is the robot; the invariants must see all of it.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import replace
+from itertools import product
+from random import Random
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from kinematics.chain import chain_of_table
+from kinematics.equivalence import Policy, ToolRule
+from kinematics.equivalence.batches import axis_batch
+from kinematics.equivalence.invariants import axes_of, invariants_of
+from kinematics.equivalence.measures import Measure, Shape
+from kinematics.equivalence.reference import prepared
+from kinematics.table import NumericTable
+from tests.kinematics.equivalence.tables import P, R, standard
+
+FREE = Policy(tool=ToolRule.FREE)
+STEP = 1e-6
+INDEPENDENT = 1e-5
+"""Singular values above this are not those of differences that should be zero."""
+TWISTS = {"skew": (None,), "some parallel": (0.0, None), "also at right angles": (0.0, math.pi / 2, None)}
+"""What twists are drawn from; None: at random."""
+UNSEEN = {"RRPPRR"}
+"""Two sliders that span a plane: the offsets along the axes before and behind them show as one sum only."""
+
+
+def arms(joints: int, twists: str) -> Iterator[tuple[str, NumericTable]]:
+    for types in product((R, P), repeat=joints):
+        name = "".join("R" if kind is R else "P" for kind in types)
+        rng = Random(f"{name} {twists}")
+        rows = []
+        for kind in types:
+            twist = rng.choice(TWISTS[twists])
+            alpha = rng.choice((-1, 1)) * rng.uniform(0.5, 1.2) if twist is None else twist
+            rows.append((kind, alpha, *(rng.uniform(0.2, 0.6) for _ in range(2)), rng.uniform(0.4, 1.2)))
+        yield name, standard(*rows)
+
+
+def screws(table: NumericTable) -> NDArray[np.float64]:
+    """(n, 6) direction and moment of every axis; of a slider, zero and its direction."""
+    found = []
+    for axis in chain_of_table(table).axes:
+        z, p = np.array(axis.direction), np.array(axis.point)
+        found.append(np.concatenate((np.zeros(3), z) if axis.prismatic else (z, np.cross(p, z))))
+    return np.array(found)
+
+
+def ad(one: NDArray[np.float64], other: NDArray[np.float64]) -> NDArray[np.float64]:
+    """The Lie bracket of two screws."""
+    w, v = one[:3], one[3:]
+    return np.concatenate((np.cross(w, other[:3]), np.cross(w, other[3:]) + np.cross(v, other[:3])))
+
+
+def changes_of_frames(S: NDArray[np.float64]) -> NDArray[np.float64]:
+    """(6 + n, 6 n) what motions of the base and offsets of variables do to the screws."""
+    moved = [[ad(xi, s) for s in S] for xi in np.eye(6)]
+    carried = [[ad(s, other) if i > j else np.zeros(6) for i, other in enumerate(S)] for j, s in enumerate(S)]
+    return np.array([*moved, *carried]).reshape(6 + len(S), -1)
+
+
+def changed(table: NumericTable, row: int, cell: str, by: float) -> NumericTable:
+    rows = list(table.rows)
+    rows[row] = replace(rows[row], **{cell: getattr(rows[row], cell) + by})
+    return replace(table, rows=tuple(rows))
+
+
+def rank(vectors: NDArray[np.float64]) -> int:
+    return int(np.linalg.matrix_rank(vectors, tol=INDEPENDENT))
+
+
+@pytest.mark.parametrize("twists", TWISTS)
+@pytest.mark.parametrize("joints", [2, 3, 4, 5, 6])
+def test_nothing_that_no_choice_of_frames_changes_is_unseen(joints: int, twists: str) -> None:
+    unseen = {}
+    for name, key in arms(joints, twists):
+        invariants = invariants_of(prepared(key), FREE)
+        cells = [
+            (i, cell)
+            for i, row in enumerate(key.rows)
+            for cell in ("theta", "d", "a", "alpha")
+            if cell != "alpha" or row.alpha  # whether axes are parallel is seen, but not at first order
+        ]
+        sides = [[changed(key, *cell, by) for cell in cells] for by in (STEP, -STEP)]
+        on, back = ([screws(table).ravel() for table in side] for side in sides)
+        frames = changes_of_frames(screws(key))
+        both = np.concatenate((frames, (np.array(on) - np.array(back)) / (2.0 * STEP)))
+        axes = axis_batch([axes_of(chain_of_table(table), FREE) for side in sides for table in side])
+        measured = invariants.measured(axes)
+        seen = (measured[:, : len(cells)] - measured[:, len(cells) :]) / (2.0 * STEP)
+        missing = rank(both) - rank(frames) - rank(seen)
+        if missing:
+            unseen[name] = missing
+    assert not unseen.keys() - UNSEEN
+
+
+def test_sliders_side_by_side_are_turned_about_as_one() -> None:
+    key = standard(
+        (R, 1.0, 0.2, 0.3, 0.4), (P, 0.0, 0.2, 0.3, 0.5), (P, 0.7, 0.2, 0.3, 0.4), (R, 0.9, 0.2, 0.3, 0.4)
+    )
+    assert Shape(Measure.TURN, (1, 2, 4)) in invariants_of(prepared(key), FREE).shapes
