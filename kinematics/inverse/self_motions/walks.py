@@ -22,9 +22,9 @@ NEARER = 0.01
 ASTRAY = 0.01
 """A walk ends where less than this part of the way to its end lies in directions that it may take."""
 
-HALVINGS = 8
-"""How often a step is halved to see whether it jumped. What it may jump across is as wide as tolerances leave
-it, hundredths of a step of WALK and less: other steps are caught by their middle alone."""
+HALVINGS = 14
+"""How often a step is halved to see whether it jumped: what lies between the ends of two families is as wide
+as the square root of a tolerance, 1e-5 and more, and WALK halved so often is that."""
 
 
 def leads(follower: Follower, starts: Array, ends: Array, blind: float) -> NDArray[np.bool_]:
@@ -46,7 +46,11 @@ def leads(follower: Follower, starts: Array, ends: Array, blind: float) -> NDArr
         way = follower.back_to(ends[going], x[going])
         left = np.linalg.norm(way, axis=1)
         close = left <= FIRST_STEP
-        arrived[going[close]] = follower.joined_each(x[going[close]], x[going[close]] + way[close])
+        last, end = x[going[close]], x[going[close]] + way[close]
+        arrived[going[close]] = follower.joined_each(last, end)
+        if not follower.arm.spare:
+            across = np.eye(len(x[0])) - _unseen(follower, last, blind)
+            taken.append(_Steps(going[close], last, end, across))
         going, way, left = going[~close], way[~close], left[~close]
         unseen = _unseen(follower, x[going], blind)
         along = (unseen @ way[:, :, None])[:, :, 0]
@@ -69,7 +73,7 @@ def leads(follower: Follower, starts: Array, ends: Array, blind: float) -> NDArr
         x[going[moved]] = there[moved]
         longest[going] = np.where(moved, np.minimum(2.0 * step, WALK), 0.5 * step)
         going = going[longest[going] >= SHORTEST_WALK]
-    if taken and arrived.any():
+    if arrived.any() and not follower.arm.spare:
         arrived[_jumped(follower, taken, arrived)] = False
     return arrived
 

@@ -231,6 +231,18 @@ def test_a_walk_does_not_step_over_what_parts_two_solutions():
     assert not leads(follower, q[None], other[None], follower.lost)[0]
 
 
+@pytest.mark.parametrize("decimals", [9, 10, 17])
+@pytest.mark.parametrize("side", [1, -1])
+@pytest.mark.parametrize("shoulder", [0.0, math.pi])
+def test_the_last_step_of_a_walk_does_not_lead_to_the_wrist_turned_over(shoulder, side, decimals):
+    """A Stanford arm upright, its wrist in line: families on either side of q_4 = 0 end 1e-3 apart."""
+    q = [math.pi, shoulder + 2.6e-8, -0.1699, -side * RIGHT, math.pi + side * 5e-8, 0.4]
+    solver, goal, answer = asked("stanford", q, decimals)
+    assert has(solver, goal, np.asarray(q), answer)
+    twin = [*q[:3], q[3] + math.pi, -q[4], q[5] + math.pi]
+    assert has(solver, goal, np.asarray(twin), answer)
+
+
 def test_a_path_does_not_change_over_to_a_family_that_it_all_but_crosses():
     """A Sawyer's axes at right angles but for 1e-4 rad: four loops, two of them 2e-4 from each other.
 
