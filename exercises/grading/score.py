@@ -41,7 +41,7 @@ def score_of(decision: Decision, repairs: Sequence[Repaired], work: Work, weight
 
     The facts that the answer has wrong, over those that a table of zeros has wrong, taken from 1. Where one
     named slip explains everything, the answer loses no more than that costs; nor where its robot is the key's
-    but for one twist, which among sliders takes lengths with it; one edit undoes it in some frames only.
+    but for one twist: among sliders it takes lengths with it, and one edit undoes it in some frames only.
 
     Args:
         decision: what was decided.
@@ -110,7 +110,7 @@ def _has_one_other_twist(work: Work) -> bool:
 
 def _cosines(axes: Sequence[Axis]) -> Floats:
     """(n - 1,) the cosines of the angles between neighbouring axes."""
-    directions = np.array([axis.direction for axis in axes])
+    directions = np.array([axis.direction for axis in axes]).reshape(-1, 3)
     return np.asarray((directions[:-1] * directions[1:]).sum(axis=1), dtype=np.float64)
 
 

@@ -248,11 +248,9 @@ def _end_of_run(axes: Sequence[Axis], k: int, beyond: Sequence[int]) -> _End | N
         slider = spanning[1]
         normal = cross(axes[next_turning].direction, axes[slider].direction)
         steepness = abs(dot(normal, axes[k].direction))
-    return (
-        _End(next_turning, slider, steepness)
-        if len(spanning) < DIMENSIONS and steepness >= STEEPEST
-        else None
-    )
+    if len(spanning) == DIMENSIONS or steepness < STEEPEST:
+        return None
+    return _End(next_turning, slider, steepness)
 
 
 def _about(axes: Sequence[Axis], i: int, last: int, policy: Policy) -> list[tuple[Shape, float]]:
