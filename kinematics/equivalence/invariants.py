@@ -33,8 +33,9 @@ SLACK = 6.0
 # A share of the robot, and [rad]: the arithmetic leaves 1e-9 of it where axes are steep enough to be
 # measured at all.
 FLOOR = 1e-7
-# A sine: between flatter axes, offsets are levered up by more than fifty and say nothing.
-STEEPEST = 0.02
+# A sine: between flatter axes, offsets are levered up by more than two hundred. From fifty on they say
+# nothing of a pose within the tolerance, but exact numbers are still the key's or not.
+STEEPEST = 0.005
 # Directions that span space leave no distance.
 DIMENSIONS = 3
 

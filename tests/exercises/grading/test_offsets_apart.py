@@ -1,4 +1,4 @@
-"""A length along an axis past a slider is held to its digits, and counts, like any other."""
+"""A length along an axis past a slider, or between all but parallel axes, is held to its digits, too."""
 
 from __future__ import annotations
 
@@ -31,6 +31,16 @@ def test_what_the_pose_would_not_show_is_wrong_in_all_frames(key: NumericTable, 
     assert len({verdict.score for verdict in verdicts}) == 1
     right = [grade(written(key), written(drawn(key, seed)), FREE) for seed in range(6)]
     assert all(verdict.correct for verdict in right)
+
+
+@pytest.mark.parametrize("sine", [0.015, 0.008])
+def test_offsets_along_axes_that_are_all_but_parallel_are_two(sine: float) -> None:
+    """What is moved from one to the other shows in poses by its hundredth."""
+    between = (R, sine, 0.31, 0.2, 0.4), (R, 1.1, 0.17, 0.3, 0.3)
+    key = standard(ELBOW, *between, WRIST)
+    moved = changed(changed(key, 2, d=0.2 + 0.1), 3, d=0.3 - 0.1)
+    assert not grade(written(key), written(moved), FREE).correct
+    assert grade(written(key), written(drawn(key, 1)), FREE).correct
 
 
 def drawn(table: NumericTable, seed: int) -> NumericTable:
