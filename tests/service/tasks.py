@@ -60,3 +60,35 @@ def doubled_in_time(numbers: list[int], seconds: float) -> list[int]:
         return 2 * number
 
     return each_in_time(double_or_stay, numbers, seconds)
+
+
+def doubled_whatever_is_caught(numbers: list[int], seconds: float, goes_on: bool) -> list[int]:
+    """Double numbers; a negative one takes long, in code that catches what it can, as libraries do.
+
+    NumPy's norm, for one, turns whatever is raised while it reads `axis` into a `TypeError`.
+    """
+
+    def double_or_catch(number: int) -> int:
+        try:
+            while number < 0:
+                pass
+        except Exception as error:
+            raise TypeError("axis") from error
+        except BaseException:
+            if goes_on:
+                return 0
+            raise ValueError("caught") from None
+        return 2 * number
+
+    return each_in_time(double_or_catch, numbers, seconds)
+
+
+def refused_in_time(numbers: list[int], seconds: float) -> list[int]:
+    """Refuse the second number, in good time."""
+
+    def double_or_refuse(number: int) -> int:
+        if number == 2:
+            refuse()
+        return 2 * number
+
+    return each_in_time(double_or_refuse, numbers, seconds)

@@ -26,12 +26,14 @@ from tests.service.tasks import (
     crash,
     double,
     doubled_in_time,
+    doubled_whatever_is_caught,
     endless,
     greedy,
     imported,
     noted,
     pid,
     refuse,
+    refused_in_time,
 )
 
 KILLS = int(os.environ.get("KILLS", "0"))
@@ -80,6 +82,28 @@ def test_of_a_list_of_tasks_what_was_done_in_time_is_kept() -> None:
             assert await pool.run(Lane.SLOW, doubled_in_time, [-1], 0.3) == []
             assert await pool.run(Lane.SLOW, doubled_in_time, [1, 2, 3], 0.3) == [2, 4, 6]
             assert await pool.run(Lane.SLOW, pid) == process
+
+    run(test)
+
+
+@pytest.mark.parametrize("goes_on", [False, True])
+def test_time_is_over_whatever_a_library_catches(goes_on: bool) -> None:
+    async def test() -> None:
+        async with workers(symbolic_seconds=30.0) as pool:
+            process = await pool.run(Lane.SLOW, pid)
+            for _ in range(3):
+                numbers = [1, 2, -1, 3]
+                assert await pool.run(Lane.SLOW, doubled_whatever_is_caught, numbers, 0.1, goes_on) == [2, 4]
+            assert await pool.run(Lane.SLOW, pid) == process
+
+    run(test)
+
+
+def test_what_is_refused_in_time_is_refused() -> None:
+    async def test() -> None:
+        async with workers(symbolic_seconds=30.0) as pool:
+            with pytest.raises(FormSizeError):
+                await pool.run(Lane.SLOW, refused_in_time, [1, 2, 3], 0.3)
 
     run(test)
 
