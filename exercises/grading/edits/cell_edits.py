@@ -181,14 +181,14 @@ def _story(work: Work, row: int, cell: str, value: float) -> str:
     as_typed = min(scale, digits + SAME * work.reference.size)
     if abs(value) <= scale:
         return f"{cell}_not_zero"
-    if abs(here) <= as_typed:
-        return f"{cell}_missing"
-    if abs(value + here) <= as_typed:
-        return f"{cell}_sign"
     for power in (1000.0, 100.0, 10.0):
         for ratio in (power, 1.0 / power):
             if abs(abs(here) - abs(value) * ratio) <= 1e-6 * abs(here):
                 return "cell_length_unit"
+    if abs(here) <= as_typed:
+        return f"{cell}_missing"
+    if abs(value + here) <= as_typed:
+        return f"{cell}_sign"
     if _is_a_name(work, row, cell) and _is_some_name(work, value):
         return "cell_parameter"
     return f"{cell}_value"

@@ -80,3 +80,41 @@ def test_what_mistakes_cost() -> None:
     assert 1.0 > sign > length > two > three > 0.0
     assert sign > missing
     assert score([(0, 0, 0, f"q{k}") for k in range(1, 7)]) == 0.0
+
+
+@pytest.mark.parametrize(
+    "changes",
+    [
+        [(2, 1, "d4"), (4, 2, "a2")],
+        [(2, 1, "d4")],
+        [(4, 2, "a2"), (5, 0, "pi/4")],
+    ],
+)
+def test_what_is_told_of_names_does_not_depend_on_values_that_are_equal(
+    changes: list[tuple[int, int, str]],
+) -> None:
+    answer = read("standard", with_cells(PUMA, *changes))
+    apart, equal = (grade(KEY, answer, USUAL, {**VALUES, "d4": d4}) for d4 in (0.35, VALUES["a2"]))
+    assert not equal.correct
+    assert (equal.score, equal.links, equal.feedback, equal.repairs) == (
+        apart.score,
+        apart.links,
+        apart.feedback,
+        apart.repairs,
+    )
+
+
+def test_a_slip_among_rounded_numbers_is_mended() -> None:
+    """Of two decimals, 0.02 for 0.0203 is off by more than a per cent, and right."""
+    rounded: Rows = [
+        (90, 0, 0, "q1"),
+        (0, 0.43, 0, "q2"),
+        (-90, 0.02, 0.15, "q3"),
+        (90, 0, 0.35, "q4"),
+        (-90, 0, 0, "q5"),
+        (0, 0, 0, "q6"),
+    ]
+    assert grade(KEY, read("standard", rounded, "deg"), USUAL, VALUES).correct
+    verdict = grade(KEY, read("standard", with_cells(rounded, (5, 0, -60)), "deg"), USUAL, VALUES)
+    (repair,) = verdict.repairs
+    assert [(edit.code, edit.row) for edit in repair.edits] == [("alpha_value", 5)]
