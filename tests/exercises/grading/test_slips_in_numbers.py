@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from exercises.grading import Verdict, grade
+from exercises.grading import Policy, ToolRule, Verdict, grade
 from exercises.grading.judging.name_values import FREE_ATTEMPTS, Values, drawn_value
 from exercises.grading.judging.typed import meant_in_radians
 from kinematics.cells.binding import ParameterKind
@@ -55,3 +55,41 @@ def test_a_joint_too_many_of_a_short_arm(rows: int) -> None:
     values = {name: names[name] for name in ("L1", "L2")[:rows]}
     found = repairs(grade(read("standard", key), read("standard", more), USUAL, values))
     assert [("row_extra", rows + 1)] in found
+
+
+@pytest.mark.parametrize("lengths", [("L", "x", "M"), ("x", "x", "M"), ("L", "L", "x")])
+def test_a_name_that_the_key_does_not_know(lengths: tuple[str, str, str]) -> None:
+    """Also where every name of the key stands somewhere: two links are of one length."""
+    key = read("standard", [(0, "L", 0, "q1"), (0, "L", 0, "q2"), (0, "M", 0, "q3")])
+    answer = read("standard", [(0, length, 0, f"q{i}") for i, length in enumerate(lengths, 1)])
+    verdict = grade(key, answer, Policy(tool=ToolRule.POINT), {"L": 0.5, "M": 0.3})
+    assert repairs(verdict)[0] == [("parameter_misnamed", None)]
+
+
+UR: Rows = [
+    ("pi/2", 0, "d1", "q1"),
+    (0, "a2", 0, "q2"),
+    (0, "a3", 0, "q3"),
+    ("pi/2", 0, "d4", "q4"),
+    ("-pi/2", 0, "d5", "q5"),
+    (0, 0, "d6", "q6"),
+]
+UR_VALUES = {"d1": 0.0892, "a2": -0.425, "a3": -0.3922, "d4": 0.1091, "d5": 0.0947, "d6": 0.0823}
+
+
+@pytest.mark.parametrize(
+    ("changes", "score"),
+    [
+        ([(2, 0, "pi/2")], 0.86),
+        ([(2, 0, "pi/2"), (4, 2, 0)], 0.62),
+        ([(2, 0, "pi/2"), (5, 0, "pi/4")], 0.48),
+        ([(3, 0, "pi/2"), (2, 1, 0)], 0.48),
+        ([(2, 0, "pi/2"), (3, 0, "pi/2")], 0.39),
+    ],
+)
+def test_what_a_twist_among_parallel_axes_takes_with_it(
+    changes: list[tuple[int, int, Cell]], score: float
+) -> None:
+    """Of a UR, the one offset along three parallel axes is none where two of them are not parallel."""
+    answer = read("standard", with_cells(UR, *changes))
+    assert grade(read("standard", UR), answer, USUAL, UR_VALUES).score == score
