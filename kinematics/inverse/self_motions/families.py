@@ -20,7 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.inverse.arm import Arm, Array
-from kinematics.inverse.residuals import are_solutions
+from kinematics.inverse.residuals import are_solutions, errors_and_jacobians
 from kinematics.inverse.self_motions.corrections import corrected, corrected_across
 
 FIRST_STEP = 0.02
@@ -164,7 +164,10 @@ class Follower:
         return [one if ok else None for one, ok in zip(moved, there.tolist(), strict=True)]
 
     def joined(self, x: Array, other: Array) -> bool:
-        """Return whether the straight way between two solutions, corrected across it, keeps the target."""
+        """Return whether the straight way between two solutions keeps the target, corrected across or not.
+
+        Where the arm is singular twice, a correction may lead far off along the other direction.
+        """
         return bool(self.joined_each(x[None], other[None])[0])
 
     def joined_each(self, x: Array, others: Array) -> NDArray[np.bool_]:
@@ -181,8 +184,12 @@ class Follower:
             start, (ways / np.maximum(lengths, TOGETHER)[:, None])[asked][:, None]
         )
         near = np.linalg.norm(between - start, axis=1) <= 0.5 * lengths[asked]
+        off = ~(near & are_solutions(e, self.arm, self.tolerance))
+        if off.any():
+            straight, _ = errors_and_jacobians(self.arm, start[off], self.target)
+            off[off] = ~are_solutions(straight, self.arm, self.tolerance)
         kept = np.ones(len(x), dtype=bool)
-        kept[asked[~(near & are_solutions(e, self.arm, self.tolerance))]] = False
+        kept[asked[off]] = False
         return kept
 
     def path(self, x: Array, direction: Array, held: Array) -> FamilyPath:

@@ -243,6 +243,21 @@ def test_the_last_step_of_a_walk_does_not_lead_to_the_wrist_turned_over(shoulder
     assert has(solver, goal, np.asarray(twin), answer)
 
 
+def test_roots_that_the_tolerance_joins_are_one_where_the_arm_is_singular_twice():
+    """A UR10 stretched but for 4e-4 rad, its wrist as near in line: the rounded pose is out of reach by 1e-8.
+
+    From each root the search ends elsewhere on the bottom of one valley, which bends across both directions
+    that the Jacobian hardly sees.
+    """
+    q = [-1.571301403942, 0.000442482748, -0.000445098513, 1.571168119182, 3.142038360705, -1.570915108085]
+    solver, goal, answer = asked("catalogue ur10", q, 7)
+    assert has(solver, goal, np.asarray(q), answer)
+    assert answer.complete
+    found = np.array([s.joints for s in answer.solutions])
+    assert len(found) == 7
+    assert (np.abs(found[:, 1]) < 0.1).sum() == 1
+
+
 def test_a_path_does_not_change_over_to_a_family_that_it_all_but_crosses():
     """A Sawyer's axes at right angles but for 1e-4 rad: four loops, two of them 2e-4 from each other.
 
