@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+import math
+from dataclasses import replace
 from random import Random
 
 import pytest
 
-from kinematics.chain import chain_of_table
+from kinematics.chain import Axis, Chain, chain_of_table
 from kinematics.equivalence import Policy, Tolerance, ToolRule, decide
 from kinematics.equivalence.bounds import surely_apart, upper_bound
+from kinematics.equivalence.certificates import CertificateCandidate
 from kinematics.equivalence.decision import certify
 from kinematics.equivalence.reference import prepared
 from kinematics.equivalence.search import Effort
 from kinematics.equivalence.worst_case import worst_case
+from kinematics.se3 import IDENTITY, along, perpendicular, rotate, rotation_about
 from tests.kinematics.equivalence.generators import random_robot, random_valid_table, rounded
 from tests.kinematics.equivalence.tables import PUMA, changed
 
@@ -63,3 +67,28 @@ def test_an_axis_aslant_or_beside_its_place_is_apart() -> None:
     assert surely_apart(reference, chain_of_table(aslant), tolerance)
     longer = changed(PUMA, 2, a=PUMA.rows[1].a + 0.1)
     assert surely_apart(reference, chain_of_table(longer), tolerance)
+
+
+@pytest.mark.parametrize("joint", range(6))
+def test_one_axis_beside_its_place_or_aslant_is_all_of_the_bound(joint: int) -> None:
+    """‖exp([A] q) x − exp([B] q) x‖: twice the distance of the axes, or twice their angle, of rotations."""
+    reference = prepared(PUMA)
+    chain = reference.chain
+    alike = CertificateCandidate(signs=(1,) * 6, offsets=(0.0,) * 6, base=IDENTITY, tool=IDENTITY)
+
+    def with_axis(other: Axis) -> Chain:
+        return replace(chain, axes=(*chain.axes[:joint], other, *chain.axes[joint + 1 :]))
+
+    assert upper_bound(reference, chain, alike) == pytest.approx((0.0, 0.0), abs=1e-12)
+    axis, aside = chain.axes[joint], perpendicular(chain.axes[joint].direction)
+    beside = with_axis(replace(axis, point=along(axis.point, 0.01, aside)))
+    bound = upper_bound(reference, beside, alike)
+    assert bound.angle == pytest.approx(0.0, abs=1e-12)
+    assert bound.length * reference.size == pytest.approx(0.02)
+    turned = rotate(rotation_about(axis.point, aside, math.cos(0.01), math.sin(0.01)), axis.direction)
+    aslant = with_axis(replace(axis, direction=turned))
+    bound = upper_bound(reference, aslant, alike)
+    worst = worst_case(reference, aslant, alike).residual
+    assert bound.angle == pytest.approx(0.02)
+    assert worst.angle == pytest.approx(0.02, rel=1e-3)
+    assert worst.length <= bound.length + 1e-12
