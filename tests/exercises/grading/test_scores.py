@@ -8,7 +8,8 @@ from random import Random
 import numpy as np
 import pytest
 
-from exercises.grading import ConventionRule, DirectionRule, Policy, ToolRule, ZeroRule, grade
+from exercises.grading import ConventionRule, DirectionRule, HelpLevel, Policy, ToolRule, ZeroRule, grade
+from exercises.grading.facts import Weights
 from exercises.grading.judging.digits import floors
 from kinematics.equivalence.invariants import invariants_of
 from kinematics.equivalence.reference import prepared
@@ -185,3 +186,17 @@ def _with_twist(table: NumericTable, row: int, more: float) -> NumericTable:
     rows = list(table.rows)
     rows[row] = replace(rows[row], alpha=rows[row].alpha + more)
     return replace(table, rows=tuple(rows))
+
+
+@pytest.mark.parametrize(
+    ("weights", "of"), [(Weights(length=3.0), 13), (Weights(offset=3.0), 15)], ids=["length", "offset"]
+)
+def test_lengths_and_offsets_have_weights_of_their_own(weights: Weights, of: int) -> None:
+    """Of the PUMA two of the nine facts are lengths, three are offsets."""
+    for cells, weight in (
+        (((2, 1, 0), (3, 1, 0)), weights.length),
+        (((3, 2, 0), (4, 2, 0)), weights.offset),
+    ):
+        answer = read("standard", with_cells(PUMA, *cells))
+        verdict = grade(KEY, answer, USUAL, VALUES, HelpLevel.REPAIR, weights)
+        assert verdict.score == mark(2 * weight, of)

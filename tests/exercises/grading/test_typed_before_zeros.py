@@ -160,7 +160,15 @@ def test_a_row_left_out_beside_a_row_of_zeros_is_missing() -> None:
 @pytest.mark.parametrize("zero", list(ZeroRule))
 @pytest.mark.parametrize("convention", ["standard", "modified"])
 @pytest.mark.parametrize(
-    "last", [(90, 0, 0.25, 0), (-90, 0.15, 0.25, 180), (30, 0.1, -0.2, 40), (0, 0, 0.3, 90)]
+    "last",
+    [
+        (90, 0, 0.25, 0),
+        (-90, 0.15, 0.25, 180),
+        (30, 0.1, -0.2, 40),
+        (0, 0, 0.3, 90),
+        (30, 0, 0, 40),
+        (50, 0, 0.3, 0),
+    ],
 )
 def test_a_forgotten_last_row_with_an_offset(
     convention: str, last: tuple[float, ...], zero: ZeroRule
