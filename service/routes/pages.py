@@ -5,6 +5,7 @@ from __future__ import annotations
 from urllib.parse import urlencode
 
 from fastapi import APIRouter, Request, Response
+from fastapi.responses import RedirectResponse
 
 from exercises.definition import Exercise
 from exercises.errors import AnswerError, UnknownExerciseError
@@ -64,6 +65,13 @@ CONNECT = Page(name="connect", title="connect-title", rooms=("platforms",), dept
 async def home(request: ApiRequest) -> Response:
     """Return the list of exercises."""
     return page_response(request, HOME)
+
+
+@router.get("/exercises")
+async def exercises_page(request: ApiRequest) -> Response:
+    """Lead to the list of exercises, which is the first page."""
+    query = request.url.query
+    return RedirectResponse(f"./{query and '?'}{query}", 308)
 
 
 @router.get("/exercises/{exercise_id}")

@@ -6,8 +6,11 @@ import gzip
 import hashlib
 from collections.abc import Mapping
 from functools import lru_cache
+from pathlib import PurePosixPath
+from urllib.parse import quote
 
 from fastapi import Request, Response
+from fastapi.responses import RedirectResponse
 
 from exercises.access import Tool
 from service.http.languages import language_for
@@ -120,8 +123,11 @@ def _rooms_open(request: Request, off: frozenset[Tool]) -> list[str]:
 
 
 def missing_page(request: Request) -> Response:
-    """Return the page that says that there is no such page, whatever its address."""
-    depth = path_of(request.scope).count("/") - 1
+    """Return the page that says that there is no such page; an address that ends in a slash leads on."""
+    path, query = path_of(request.scope), request.url.query
+    if (name := PurePosixPath(path).name) and path.endswith(f"/{name}/"):
+        return RedirectResponse(f"../{quote(name)}{query and '?'}{query}", 308)
+    depth = path.count("/") - 1
     return page_response(request, Page(name="missing", title="form-missing-title", depth=depth), status=404)
 
 

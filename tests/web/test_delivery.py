@@ -90,6 +90,32 @@ def test_a_page_that_does_not_exist_says_so_in_the_readers_language(client: http
     assert answer.headers["content-type"].startswith("text/html")
 
 
+@pytest.mark.parametrize(
+    ("typed", "meant"),
+    [
+        ("/exercises", "/"),
+        ("/exercises/", "/"),
+        ("/exercises/puma560/?seed=a%26b&lang=pt", "/exercises/puma560"),
+        ("/lesson/", "/lesson"),
+        ("/nowhere/%C3%A9/", "/nowhere/%C3%A9"),
+    ],
+)
+@pytest.mark.parametrize("prefix", ["", "/a/b"])
+def test_a_slash_too_many_is_taken_off(prefix: str, typed: str, meant: str) -> None:
+    with running(Settings(prefix=prefix)) as origin, httpx.Client(follow_redirects=True) as browser:
+        answer = browser.get(origin + prefix + typed, headers={"Accept": "text/html"})
+    assert str(answer.url).partition("?")[0] == origin + prefix + meant
+    assert answer.url.query.decode() == typed.partition("?")[2]
+    assert answer.status_code == (404 if "nowhere" in typed else 200)
+    assert {step.status_code for step in answer.history} == {308}
+    assert not any(":" in step.headers["location"] for step in answer.history)
+
+
+@pytest.mark.parametrize("path", ["/exercises/puma560//", "/api/v1/exercises/"])
+def test_other_addresses_are_not_guessed(client: httpx.Client, path: str) -> None:
+    assert client.get(path, headers={"Accept": "text/html"}).status_code == 404
+
+
 def test_every_address_of_every_page_leads_somewhere(client: httpx.Client) -> None:
     seen = set()
     for path in ("/", "/exercises/puma560", "/playground", "/trainer/puma560"):
