@@ -40,8 +40,13 @@ def person_in(store: Store, course_id: int, key: str) -> None:
             raise unknown_record("person")
 
 
-def export_person(store: Store, key: str) -> dict[str, Any]:
+def export_person(store: Store, key: str, course_id: int | None = None) -> dict[str, Any]:
     """Return everything that is stored about one person, as JSON.
+
+    Args:
+        store: the database.
+        key: the person's pseudonym.
+        course_id: the course that is asked about; None: all of them.
 
     Raises:
         UnknownRecordError: there is no such person.
@@ -52,16 +57,23 @@ def export_person(store: Store, key: str) -> dict[str, Any]:
             raise unknown_record("person")
         found: dict[str, Any] = {"person": _plain(person)}
         for table in _OF_A_PERSON:
-            rows = connection.execute(sa.select(table).where(table.c.person_id == person.id))
-            found[table.name] = [_plain(row, hidden=("token_hash", "lease")) for row in rows]
-        log = records.access
-        own = sa.or_(log.c.subject == key, log.c.actor == key)
-        found["access"] = [_plain(row) for row in connection.execute(sa.select(log).where(own))]
+            rows = connection.execute(sa.select(table).where(*_of(table, person.id, course_id)))
+            found[str(table.name)] = [_plain(row, hidden=("token_hash", "lease")) for row in rows]
+        lines = connection.execute(sa.select(records.access).where(*_lines_about(key, course_id)))
+        found["access"] = [_plain(row) for row in lines]
     return found
 
 
-def erase_person(store: Store, key: str) -> dict[str, int]:
+def erase_person(store: Store, key: str, course_id: int | None = None) -> dict[str, int]:
     """Remove a person with attempts, drafts, grades, unsent scores, sessions and lines of the log.
+
+    Of one course: what belongs to it, and the person only if nothing is left elsewhere. What the person did
+    there as a member of staff stays in the log.
+
+    Args:
+        store: the database.
+        key: the person's pseudonym.
+        course_id: the course whose records are removed; None: those of all courses.
 
     Returns:
         How many rows of each relation were removed.
@@ -76,14 +88,37 @@ def erase_person(store: Store, key: str) -> dict[str, int]:
         if person_id is None:
             raise unknown_record("person")
         removed = {
-            table.name: connection.execute(sa.delete(table).where(table.c.person_id == person_id)).rowcount
+            str(table.name): connection.execute(
+                sa.delete(table).where(*_of(table, person_id, course_id))
+            ).rowcount
             for table in reversed(_OF_A_PERSON)
         }
-        log = records.access
-        own = sa.or_(log.c.subject == key, log.c.actor == key)
-        removed["access"] = connection.execute(sa.delete(log).where(own)).rowcount
-        connection.execute(sa.delete(records.person).where(records.person.c.id == person_id))
+        lines = sa.delete(records.access).where(*_lines_about(key, course_id))
+        removed["access"] = connection.execute(lines).rowcount
+        of_theirs = [sa.exists().where(table.c.person_id == person_id) for table in _OF_A_PERSON]
+        nothing_left = records.person.c.id == person_id, sa.not_(sa.or_(*of_theirs))
+        connection.execute(sa.delete(records.person).where(*nothing_left))
     return removed
+
+
+def _of(table: sa.Table, person_id: int, course_id: int | None) -> list[sa.ColumnElement[bool]]:
+    """Conditions on the rows of a relation that belong to a person, in one course or in all."""
+    return [table.c.person_id == person_id, *_in_course(table, course_id)]
+
+
+def _lines_about(key: str, course_id: int | None) -> list[sa.ColumnElement[bool]]:
+    """Conditions on the lines of the audit log: of all courses those of the person's own doing, too."""
+    log = records.access
+    if course_id is None:
+        return [sa.or_(log.c.subject == key, log.c.actor == key)]
+    return [log.c.subject == key, *_in_course(log, course_id)]
+
+
+def _in_course(table: sa.Table, course_id: int | None) -> list[sa.ColumnElement[bool]]:
+    if course_id is None:
+        return []
+    links = sa.select(records.link.c.id).where(records.link.c.course_id == course_id)
+    return [table.c.link_id.in_(links)]
 
 
 def purge(store: Store, now: datetime, *, people: timedelta, log: timedelta) -> dict[str, int]:

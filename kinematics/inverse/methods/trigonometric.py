@@ -18,6 +18,9 @@ ONE_ROOT = 1e-6
 LEAST_PARTED = 1e-8
 """Half the distance [rad] at which two roots are tried that rounding has made one."""
 
+OUT_OF_REACH = 0.1
+"""Roots this far from being real [rad] are not for want of digits: those of a target would be two or three."""
+
 NOTHING = 1e-13
 """Coefficients this small beside the largest are what rounding leaves of zero."""
 
@@ -26,8 +29,8 @@ def linear_roots(c: float, s: float, k: float) -> tuple[float, ...] | None:
     """Return both q with c·cos q + s·sin q = k, only the middle where |k| is too large; None if c = s = 0.
 
     Where both are so near to the middle that rounding may have parted them, the middle is there as well; and
-    where it may have made them one, both sides of the middle are: of links that fold onto each other they
-    lead in opposite directions.
+    where rounding, that of a target's decimals too, may have made them one, or none, both sides of the middle
+    are: of links that fold onto each other they lead in opposite directions.
 
     Source: C. C. Paden, Kinematics and control of robot manipulators (1986), as R. P. Paul's a cos + b sin
     = d.
@@ -39,7 +42,7 @@ def linear_roots(c: float, s: float, k: float) -> tuple[float, ...] | None:
     across = (length - k) * (length + k)
     half = math.atan2(math.sqrt(abs(across)), abs(k))
     middle += math.pi if k < 0.0 else 0.0
-    if half < ONE_ROOT:
+    if half < (ONE_ROOT if across > 0.0 else OUT_OF_REACH):
         half = max(half, LEAST_PARTED)
         return middle - half, middle + half, middle
     return (middle - half, middle + half) if across > 0.0 else (middle,)

@@ -14,20 +14,20 @@ router.include_in_schema = False
 
 @router.get("/course/people/{person}")
 async def export_one(request: ApiRequest) -> Response:
-    """Return everything that is stored about one person of the course."""
+    """Return everything that the course has stored about one of its people."""
     staff = await staff_of(request)
-    key = request.path_params["person"]
-    await staff.run(person_in, staff.store, staff.session.course.id, key)
+    key, course = request.path_params["person"], staff.session.course.id
+    await staff.run(person_in, staff.store, course, key)
     await staff.log("person", subject=key)
-    return json_response(await staff.run(export_person, staff.store, key))
+    return json_response(await staff.run(export_person, staff.store, key, course))
 
 
 @router.delete("/course/people/{person}")
 async def erase_one(request: ApiRequest) -> Response:
-    """Remove one person of the course with everything that is stored about them."""
+    """Remove what the course has stored about one of its people."""
     staff = await staff_of(request)
-    key = request.path_params["person"]
-    await staff.run(person_in, staff.store, staff.session.course.id, key)
-    removed = await staff.run(erase_person, staff.store, key)
+    key, course = request.path_params["person"], staff.session.course.id
+    await staff.run(person_in, staff.store, course, key)
+    removed = await staff.run(erase_person, staff.store, key, course)
     await staff.log("person erased")
     return json_response({"removed": removed})
