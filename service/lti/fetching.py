@@ -60,7 +60,7 @@ class FetchedAnswer:
             return float(text)
         try:
             return max(0.0, parsedate_to_datetime(text).timestamp() - time.time()) if text else None
-        except ValueError:
+        except (ValueError, OverflowError):
             return None
 
     def next_page(self) -> str | None:
@@ -68,8 +68,11 @@ class FetchedAnswer:
         import httpx
 
         link = httpx.Response(200, headers={"Link": self.headers.get("link", "")}).links.get("next")
-        address = urljoin(self.address, link["url"]) if link and "url" in link else None
-        return address if address and origin_of(address) == origin_of(self.address) else None
+        try:
+            address = urljoin(self.address, link["url"]) if link and "url" in link else None
+            return address if address and origin_of(address) == origin_of(self.address) else None
+        except ValueError:  # of no address, or of none that is fetched
+            return None
 
 
 class Fetcher:

@@ -118,9 +118,12 @@ def has_result(services: Services, platform: LtiPlatform, line_item: str, messag
         raise unreachable(address, f"HTTP {answer.status}", status=answer.status)
     found = answer.json()
     for result in found if isinstance(found, list) else ():
+        if not isinstance(result, Mapping) or result.get("userId") != message.user:
+            continue
         score, maximum = result.get("resultScore"), result.get("resultMaximum") or 1
-        if result.get("userId") == message.user and isinstance(score, (int, float)):
-            return abs(score / maximum - message.given / message.maximum) < _CLOSE
+        if isinstance(score, (int, float)) and isinstance(maximum, (int, float)):
+            off = abs(score * message.maximum - message.given * maximum)
+            return off <= _CLOSE * abs(maximum * message.maximum)
     return False
 
 

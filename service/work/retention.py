@@ -9,8 +9,6 @@ import logging
 import random
 from datetime import timedelta
 
-from sqlalchemy.exc import SQLAlchemyError
-
 from courses.privacy import purge
 from courses.refusals import StorageUnavailableError
 from courses.storage import Store
@@ -43,7 +41,7 @@ class Retention(BackgroundThread):
             except StorageUnavailableError:
                 pause = self._first
                 continue
-            except SQLAlchemyError:
+            except Exception:
                 _log.exception("what is old could not be removed")
                 continue
             if any(removed.values()):

@@ -66,8 +66,8 @@ class ScoreSender(BackgroundThread):
                     pass
             except StorageUnavailableError:
                 continue  # logged where it was found; the database may be back at the next look
-            except SQLAlchemyError:
-                _log.exception("the outbox cannot be read")
+            except Exception:
+                _log.exception("scores could not be sent")
 
     def send_due(self) -> int:
         """Send what is due now; return how many scores were tried."""
@@ -76,27 +76,29 @@ class ScoreSender(BackgroundThread):
 
     def send(self, item: ScoreToSend) -> None:
         """Send one leased score, and write down what became of it."""
-        store = self._resources.store
-        platform = platform_by_id(store, item.platform_id)
+        try:
+            report = self._sent(item)
+        except (StorageUnavailableError, SQLAlchemyError):
+            raise
+        except Exception:  # what one platform answers must not hold up the scores of the others
+            _log.exception("a score could not be sent to platform %d", item.platform_id)
+            report = DeliveryReport(delivery=Delivery.LATER)
+        if report.delivery is Delivery.TAKEN:
+            delivered(self._resources.store, item, now())
+        elif report.delivery is Delivery.REFUSED:
+            undeliverable(self._resources.store, item, _problem(report))
+        else:
+            self._later(item, report)
+
+    def _sent(self, item: ScoreToSend) -> DeliveryReport:
+        platform = platform_by_id(self._resources.store, item.platform_id)
         try:
             with self._finding:  # two who find none would both make one
                 line_item = item.line_item or self._found_line_item(platform, item)
         except PlatformError as error:
-            self._later(
-                item,
-                DeliveryReport(delivery=Delivery.LATER, status=error.status, retry_after=error.retry_after),
-            )
-            return
-        message = _message(item)
-        report = post_score(self._resources.services, platform, line_item, message)
-        if report.delivery is Delivery.STALE:
-            report = self._stale(platform, line_item, item)
-        if report.delivery is Delivery.TAKEN:
-            delivered(store, item, now())
-        elif report.delivery is Delivery.REFUSED:
-            undeliverable(store, item, _problem(report))
-        else:
-            self._later(item, report)
+            return DeliveryReport(delivery=Delivery.LATER, status=error.status, retry_after=error.retry_after)
+        report = post_score(self._resources.services, platform, line_item, _message(item))
+        return self._stale(platform, line_item, item) if report.delivery is Delivery.STALE else report
 
     def _found_line_item(self, platform: Platform, item: ScoreToSend) -> str:
         found = line_item_for(

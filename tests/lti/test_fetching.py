@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 
 import pytest
 
-from service.lti.fetching import Fetcher
+from service.lti.fetching import FetchedAnswer, Fetcher
 from service.lti.launch_errors import PlatformError
 from tests.lti.key_server import KeyServer
 
@@ -61,3 +61,28 @@ def test_a_trusted_origin_is_asked_however_it_is_written(server: KeyServer, writ
     document, _ = fetcher.get_json(f"{server.root}/jwks")
     assert document["keys"]
     fetcher.close()
+
+
+def answered(**headers: str) -> FetchedAnswer:
+    named = {name.replace("_", "-"): value for name, value in headers.items()}
+    return FetchedAnswer(address="https://lms.example/items?page=1", status=503, headers=named, body=b"")
+
+
+@pytest.mark.parametrize(
+    ("text", "seconds"),
+    [("", None), ("7", 7.0), ("Fri, 27 Nov 2020 03:29:18 GMT", 0.0), ("soon", None), ("-1", None),
+     ("Fri, 27 Nov 99999999999999999999 03:29:18 GMT", None), ("9" * 400, float("inf"))],
+)  # fmt: skip
+def test_how_long_a_platform_asks_to_be_left_alone(text: str, seconds: float | None) -> None:
+    assert answered(retry_after=text).retry_after == seconds
+
+
+@pytest.mark.parametrize(
+    ("link", "page"),
+    [("", None), ("<>;;=", None), ('<?page=2>; rel="prev"', None),
+     ('<?page=2>; rel="next"', "https://lms.example/items?page=2"),
+     ('<https://other.example/>; rel="next"', None), ('<mailto:lms>; rel="next"', None),
+     ('<https://[>; rel="next"', None), ('<https://lms.example:port/>; rel="next"', None)],
+)  # fmt: skip
+def test_the_next_page_is_one_of_the_same_origin(link: str, page: str | None) -> None:
+    assert answered(link=link).next_page() == page

@@ -8,12 +8,16 @@ import time
 from datetime import datetime, timedelta
 from typing import Any
 
+import orjson
 import pytest
 
 from courses import records
 from courses.outbox import resend
 from courses.storage import Store
 from service.course_resources import CourseResources, now
+from service.lti.fetching import FetchedAnswer
+from service.lti.scores import DeliveryReport, ScoreMessage, has_result
+from service.lti.services import Services
 from service.settings import Settings
 from service.work import score_sender
 from service.work.score_sender import SIMULTANEOUS, ScoreSender
@@ -126,3 +130,67 @@ def test_a_slow_platform_is_sent_several_scores_at_a_time(
     assert sorted(sent) == list(range(SIMULTANEOUS))
     sender.stop()
     resources.close()
+
+
+def test_a_score_that_ends_in_an_error_holds_up_no_other(
+    resources: CourseResources, store: Store, lms: Lms, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    link = f"odd-{store.is_postgresql}"
+    for user in ("odd", "even"):
+        submitted(store, enrolled(store, lms, user, resource=link), 0.5, key="k")
+    post = score_sender.post_score
+
+    def odd(services: Services, platform: Any, line_item: str, message: ScoreMessage) -> DeliveryReport:
+        if message.user == "odd":
+            raise AttributeError("no platform should be able to cause this")
+        return post(services, platform, line_item, message)
+
+    monkeypatch.setattr(score_sender, "post_score", odd)
+    sender = ScoreSender(resources, pause=0.01)
+    sender.start()
+    _hurried(store)
+    assert eventually(lambda: lms.result("even", link) == 0.5)
+    later = records.score_to_send.select().where(records.score_to_send.c.problem == "no_answer")
+    with store.reading() as connection:
+        assert eventually(lambda: connection.execute(later).first())
+    submitted(store, enrolled(store, lms, "late", resource=link), 0.5, key="k")
+    _hurried(store)
+    assert eventually(lambda: lms.result("late", link) == 0.5)
+    sender.stop()
+    resources.close()
+
+
+class Platform:
+    """Answers every call with the same body."""
+
+    def __init__(self, body: object) -> None:
+        self.body = orjson.dumps(body)
+
+    def call(self, *_: Any, **__: Any) -> FetchedAnswer:
+        return FetchedAnswer(address="https://lms.example/results", status=200, headers={}, body=self.body)
+
+
+@pytest.mark.parametrize(
+    ("results", "holds"),
+    [([], False), ({}, False), (None, False), (["x"], False), ([None, 3], False),
+     ([{"userId": "ann", "resultScore": 1, "resultMaximum": "1"}], False),
+     ([{"userId": "ann", "resultScore": "4", "resultMaximum": 8}], False),
+     ([{"userId": "ann", "resultScore": None}], False),
+     ([{"userId": "bob", "resultScore": 4, "resultMaximum": 8}], False),
+     ([{"userId": "ann", "resultScore": 3, "resultMaximum": 8}], False),
+     (["x", {"userId": "ann", "resultScore": 4, "resultMaximum": 8}], True),
+     ([{"userId": "ann", "resultScore": 0.5}], True),
+     ([{"userId": "ann", "resultScore": 0.5, "resultMaximum": 0}], True)],
+)  # fmt: skip
+def test_what_a_gradebook_holds_is_read_whatever_it_is(results: object, holds: bool) -> None:
+    message = ScoreMessage(user="ann", timestamp=now(), given=5.0, maximum=10.0)
+    told: Any = Platform(results)
+    known: Any = None
+    assert has_result(told, known, "https://lms.example/item", message) is holds
+
+
+def test_a_score_of_no_points_is_held() -> None:
+    message = ScoreMessage(user="ann", timestamp=now(), given=0.0, maximum=0.0)
+    told: Any = Platform([{"userId": "ann", "resultScore": 0, "resultMaximum": 0}])
+    known: Any = None
+    assert has_result(told, known, "https://lms.example/item", message)
