@@ -115,7 +115,34 @@ def _verified(token: str, platform: LtiPlatform, keys: PlatformKeys) -> Mapping[
         claims = jwt.decode(token, key, [ALGORITHM]).claims
     except (JoseError, ValueError, TypeError, RecursionError):
         raise LaunchError(Fault(code="lti_token_signature")) from None
-    return claims
+    try:
+        _check_identifiers(claims)
+        told: Mapping[str, Any] = _well_formed(claims)
+    except RecursionError:
+        raise LaunchError(Fault(code="lti_token_malformed")) from None
+    return told
+
+
+def _check_identifiers(claims: Mapping[str, Any]) -> None:
+    """Refuse what tells users, courses and links apart where it is no text that can be written down."""
+    named = {
+        "sub": claims.get("sub"),
+        "deployment_id": claims.get(f"{names.LTI}deployment_id"),
+        "context": _object(claims, "context").get("id"),
+        "resource_link": _object(claims, "resource_link").get("id"),
+    }
+    for name, value in named.items():
+        if value != _well_formed(value):
+            raise wrong_claim(name)
+
+
+def _well_formed(value: Any) -> Any:
+    """Return JSON with U+FFFD for each half of a pair that stands alone, as in a title that was cut off."""
+    if isinstance(value, str):
+        return value.encode("utf-16", "surrogatepass").decode("utf-16", "replace")
+    if isinstance(value, Mapping):
+        return {_well_formed(key): _well_formed(each) for key, each in value.items()}
+    return [_well_formed(each) for each in value] if isinstance(value, list) else value
 
 
 def _check_parties(claims: Mapping[str, Any], platform: LtiPlatform) -> None:

@@ -8,6 +8,7 @@ import logging
 import time
 from collections.abc import Callable, Iterator
 from typing import Any
+from urllib.parse import parse_qs
 
 import jwt
 import pytest
@@ -105,6 +106,24 @@ def test_an_honest_launch_is_believed(forger: Forger, keys: KeyServer) -> None:
     assert forger.post({"id_token": token, "state": begun["state"]}).status_code == 303
 
 
+def test_a_title_cut_off_within_an_emoji_is_taken(forger: Forger, keys: KeyServer) -> None:
+    begun = forger.begin(keys)
+    cut = {
+        f"{LTI}context": {"id": "cut", "title": "Robots \ud83e"},
+        f"{LTI}resource_link": {"id": "cut", "title": "\udd16 \U0001f916"},
+        f"{LTI}custom": {"exercise": "puma560", "\ud800": "\ud800"},
+        f"{LTI}launch_presentation": {"locale": "en\ud800", "return_url": "https://lms.example/\ud800"},
+        "https://purl.imsglobal.org/spec/lti-ags/claim/endpoint": {"scope": ["\ud800"], "lineitem": "\ud800"},
+        "name": "Ann \ud83d",
+    }
+    token = signed(keys, forger.claims(keys, begun, **cut))
+    answer = forger.post({"id_token": token, "state": begun["state"]})
+    code = parse_qs(answer.headers["location"].partition("#")[2])["session"][0]
+    forger.token = forger.api("POST", "session/open", {"code": code}).json()["token"]
+    shown = forger.api("GET", "session").json()
+    assert (shown["course"]["title"], shown["link"]["title"]) == ("Robots \ufffd", "\ufffd \U0001f916")
+
+
 CLAIMS: list[tuple[str, Callable[[int], dict[str, Any]], str]] = [
     ("issuer", lambda _: {"iss": "https://elsewhere.example"}, "lti_claim_wrong"),
     ("audience", lambda _: {"aud": "another"}, "lti_claim_wrong"),
@@ -127,6 +146,10 @@ CLAIMS: list[tuple[str, Callable[[int], dict[str, Any]], str]] = [
     ("roles are a word", lambda _: {f"{LTI}roles": "Instructor"}, "lti_claim_missing"),
     ("no link", lambda _: {f"{LTI}resource_link": {}}, "lti_claim_missing"),
     ("subject is a number", lambda _: {"sub": 7}, "lti_claim_wrong"),
+    ("half a pair in the subject", lambda _: {"sub": "x\ud800"}, "lti_claim_wrong"),
+    ("half a pair in the deployment", lambda _: {f"{LTI}deployment_id": "\udc00d"}, "lti_claim_wrong"),
+    ("half a pair in the course", lambda _: {f"{LTI}context": {"id": "c\ud83d"}}, "lti_claim_wrong"),
+    ("half a pair in the link", lambda _: {f"{LTI}resource_link": {"id": "\ud83d"}}, "lti_claim_wrong"),
 ]
 
 
