@@ -10,7 +10,7 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache, lru_cache
 
-from exercises.grading.edits.repairs import MOST_WORK, Repaired, equally_good, find_repairs, own_table_first
+from exercises.grading.edits.repairs import MOST_WORK, Repaired, accused, find_repairs, own_table_first
 from exercises.grading.edits.work import Work
 from exercises.grading.facts import Weights
 from exercises.grading.findings import (
@@ -181,10 +181,10 @@ def _told(
     decision: Decision, repairs: Sequence[Repaired], work: Work, policy: Policy, level: HelpLevel
 ) -> tuple[tuple[LinkFinding, ...], tuple[Feedback, ...]]:
     key, answer = work.reference.table, work.table
-    alike = equally_good(repairs, answer, key)
-    wrong = wrong_facts(decision, repairs, alike, answer)
-    feedback = feedback_of(decision, repairs, alike, wrong, key, answer, policy, level)
-    return link_findings(answer, wrong, decision, repairs, alike, level), feedback
+    told = accused(repairs, answer, key)
+    wrong = wrong_facts(decision, told, answer)
+    feedback = feedback_of(decision, told, wrong, key, answer, policy, level)
+    return link_findings(answer, wrong, decision, told, level), feedback
 
 
 def without_idle_rows(read: ReadTable, but: Collection[int] = ()) -> tuple[ReadTable, tuple[int, ...]]:

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 
 from exercises.grading.edits.changes import Change, Extent
 from exercises.grading.edits.misconceptions import HINTS
-from exercises.grading.edits.repairs import Repaired
+from exercises.grading.edits.repairs import Accused, Repaired
 from exercises.grading.edits.work import VARIABLE_CELLS
 from exercises.grading.verdict import Edit, Feedback, Finding, HelpLevel, LinkFinding, ParamValue, Repair
 from kinematics.equivalence import Decision, Kind, Mismatch, Policy
@@ -19,7 +19,6 @@ _FACT_OF_KIND = {
     Kind.TWIST: "twist",
     Kind.OFFSET: "offset",
     Kind.JOINT_TYPE: "joint",
-    Kind.TOOL: "length",
 }
 MISSING_ROWS = frozenset({"row_missing", "fixed_row_missing"})
 _SIGNS = {"alpha_sign": "α", "a_sign": "a", "d_sign": "d"}
@@ -32,16 +31,13 @@ _CODE_OF_FACT = {
 }
 
 
-def wrong_facts(
-    decision: Decision, repairs: Sequence[Repaired], alike: Sequence[Change], table: NumericTable
-) -> frozenset[tuple[int, str]]:
+def wrong_facts(decision: Decision, told: Accused, table: NumericTable) -> frozenset[tuple[int, str]]:
     """Return the wrong facts as (row counted from 0, fact): of the likeliest repair, else of the diagnosis.
 
     Where other cells would mend the table as well, nobody can say which one is wrong, and all of them count.
     """
-    if repairs:
-        told = alike or repairs[0].changes
-        return frozenset(fact for change in told for fact in _facts_of(change, table))
+    if told.changes:
+        return frozenset(fact for change in told.changes for fact in _facts_of(change, table))
     return frozenset(
         (m.row, _FACT_OF_KIND[m.kind])
         for m in decision.mismatches
@@ -78,17 +74,15 @@ def link_findings(
     table: NumericTable,
     wrong: frozenset[tuple[int, str]],
     decision: Decision,
-    repairs: Sequence[Repaired],
-    alike: Sequence[Change],
+    told: Accused,
     level: HelpLevel,
 ) -> tuple[LinkFinding, ...]:
     """Row by row, as far as the help level tells."""
     if not level.includes(HelpLevel.ROW):
         return ()
-    told = alike or [change for repair in repairs[:1] for change in repair.changes]
-    missing = {change.places[0][0] for change in told if change.code in MISSING_ROWS}
+    missing = {change.places[0][0] for change in told.changes if change.code in MISSING_ROWS}
     judged = (
-        bool(repairs)
+        bool(told.changes)
         or decision.same_robot
         or all(m.kind is not Kind.JOINT_COUNT for m in decision.mismatches)
     )
@@ -116,8 +110,7 @@ def all_right(table: NumericTable) -> tuple[LinkFinding, ...]:
 
 def feedback_of(
     decision: Decision,
-    repairs: Sequence[Repaired],
-    alike: Sequence[Change],
+    told: Accused,
     wrong: frozenset[tuple[int, str]],
     key: NumericTable,
     table: NumericTable,
@@ -125,40 +118,43 @@ def feedback_of(
     level: HelpLevel,
 ) -> tuple[Feedback, ...]:
     """Return what to tell of a wrong answer, as far as the help level goes."""
-    told: list[Feedback] = []
+    found: list[Feedback] = []
     if not decision.same_robot:
-        told.append(Feedback(code="not_equivalent"))
+        found.append(Feedback(code="not_equivalent"))
     else:
-        told.append(Feedback(code="right_robot" if level.includes(HelpLevel.ROW) else "not_accepted"))
-    told += _about_the_whole(decision, key, table, policy, level)
-    if not repairs and level.includes(HelpLevel.ROW) and _lacks_precision(decision):
-        told.append(Feedback(code="entries_imprecise"))
+        found.append(Feedback(code="right_robot" if level.includes(HelpLevel.ROW) else "not_accepted"))
+    found += _about_the_whole(decision, key, table, policy, level)
+    if not told.changes and level.includes(HelpLevel.ROW) and _lacks_precision(decision):
+        found.append(Feedback(code="entries_imprecise"))
     if level.includes(HelpLevel.ROW):
-        told += _in_place(wrong, repairs, alike, table, level)
-    return tuple(told)
+        found += _in_place(wrong, told, table, level)
+    return tuple(found)
 
 
 def _in_place(
-    wrong: frozenset[tuple[int, str]],
-    repairs: Sequence[Repaired],
-    alike: Sequence[Change],
-    table: NumericTable,
-    level: HelpLevel,
+    wrong: frozenset[tuple[int, str]], told: Accused, table: NumericTable, level: HelpLevel
 ) -> Iterator[Feedback]:
     """Where something is wrong, and from `kind` on what: by the likeliest repair, else by the diagnosis."""
-    if not repairs:
+    if not told.changes:
         yield from _facts(wrong, table, level)
         return
-    if len(alike) > 1 and all(change.code in _SIGNS for change in alike) and level.includes(HelpLevel.KIND):
-        told = list(_signs(alike))
+    sure = [entry for change in told.sure for entry in _of(change, table, level)]
+    if len(told.alike) > 1 and level.includes(HelpLevel.KIND) and all(c.code in _SIGNS for c in told.alike):
+        choice = list(_signs(told.alike))
     else:
-        found = [entry for change in alike or repairs[0].changes for entry in _of(change, table, level)]
-        told = list({(entry.code, entry.row, entry.params.get("other")): entry for entry in found}.values())
-    if len(alike) > 1:
-        told.sort(key=lambda entry: entry.row or 0)
-        if len(told) > 1:
-            yield Feedback(code="one_of_these")
-    yield from told
+        choice = _each_once([entry for change in told.alike for entry in _of(change, table, level)])
+    if len(choice) > 1:
+        yield from _each_once(sure)
+        yield Feedback(code="one_of_these")
+        yield from choice
+    else:
+        yield from _each_once([*sure, *choice])
+
+
+def _each_once(told: Sequence[Feedback]) -> list[Feedback]:
+    """What is told, row by row, and nothing twice."""
+    each = {(entry.code, entry.row, entry.params.get("other")): entry for entry in told}
+    return sorted(each.values(), key=lambda entry: entry.row or 0)
 
 
 def _of(change: Change, table: NumericTable, level: HelpLevel) -> Iterator[Feedback]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -107,13 +108,13 @@ def mismatches_of(
     found = []
     for shape, apart in zip(invariants.shapes, off, strict=True):
         joint, kind = shape.axes[1], _KIND_OF_MEASURE[shape.measure]
+        angle, length = (apart, 0.0) if shape.is_angle else (0.0, apart)
         if joint > last:
-            joint, kind = last, Kind.TOOL
+            found.append(_placed(Mismatch(kind=Kind.TOOL, joint=last, angle=angle, length=length), table))
         elif shape.axes[0] == 0 and (kind is not Kind.OFFSET or shape.axes[2] == 0):
             joint, kind = max(joint, 1), Kind.BASE
         elif joint == 0:  # along z_0, which is parallel to the first joint's axis
             joint = 1
-        angle, length = (apart, 0.0) if shape.is_angle else (0.0, apart)
         found.append(_placed(Mismatch(kind=kind, joint=joint, angle=angle, length=length), table))
     return tuple(found)
 
@@ -254,16 +255,40 @@ def _end(trail: Trail, plan: Plan, reference: Reference, submission: Chain, poli
     here = compose(trail.here, submission.end)
     near = reference.nearnesses(policy.tolerance)[0]
     allowed = policy.tolerance.length * reference.size
-    best = (math.inf, math.inf, math.inf)
+    errors = []
     for choice in tool_choices(reference, plan, policy.tool, near):
         for motion in placements(choice, here):
-            angle, length = _tool_error(choice.rule, compose(motion, here), choice.target, choice.step)
+            placed = compose(motion, here)
+            angle, length = _tool_error(choice.rule, placed, choice.target, choice.step)
             worst = max(_excess(angle, policy.tolerance.angle), _excess(length, allowed))
-            best = min(best, (worst, angle, length))
-    if best[0] <= NOTICEABLE:
+            errors.append((worst, angle, length, placed, choice.target))
+    worst, angle, length, placed, target = min(errors, key=lambda error: error[:3])
+    if worst <= NOTICEABLE:
         return trail
-    mismatch = Mismatch(kind=Kind.TOOL, joint=len(trail.signs) or None, angle=best[1], length=best[2])
-    return replace(trail, cost=trail.cost + 1.0, mismatches=(*trail.mismatches, mismatch))
+    missed = Mismatch(kind=Kind.TOOL, joint=len(trail.signs) or None, angle=angle, length=length)
+    facts = _last_link(reference, placed, target, policy)
+    return replace(trail, cost=trail.cost + 1.0, mismatches=(*trail.mismatches, missed, *facts))
+
+
+def _last_link(reference: Reference, placed: Motion, target: Motion, policy: Policy) -> Iterator[Mismatch]:
+    """The wrong facts of the last link, which leads from the last axis to the tool."""
+    axes = reference.chain.axes
+    if not axes or axes[-1].prismatic:
+        return
+    axis, joints = axes[-1], len(axes)
+    limit = NOTICEABLE * policy.tolerance.length * reference.size
+    ours, its = (subtract(position(pose), axis.point) for pose in (placed, target))
+    across = abs(norm(rejection(ours, axis.direction)) - norm(rejection(its, axis.direction)))
+    along = abs(dot(subtract(ours, its), axis.direction))
+    if across > limit:
+        yield Mismatch(kind=Kind.LENGTH, joint=joints + 1, length=across)
+    if along > limit and policy.tool is not ToolRule.AXIS:
+        yield Mismatch(kind=Kind.OFFSET, joint=joints, length=along)
+    if policy.tool is not ToolRule.POINT:
+        one, two = (angle_between((pose[2], pose[5], pose[8]), axis.direction) for pose in (placed, target))
+        twist = abs(one - two) if policy.tool is ToolRule.FRAME else abs(math.sin(one) - math.sin(two))
+        if twist > NOTICEABLE * policy.tolerance.angle:
+            yield Mismatch(kind=Kind.TWIST, joint=joints + 1, angle=twist)
 
 
 def _tool_error(rule: ToolRule, here: Motion, target: Motion, step: Step | None) -> tuple[float, float]:
@@ -287,11 +312,11 @@ def _placed(mismatch: Mismatch, table: NumericTable) -> Mismatch:
     if joint is None:
         return mismatch
     standard = table.convention is Convention.STANDARD
-    if mismatch.kind in (Kind.LENGTH, Kind.TWIST) and standard:
-        joint = max(joint - 1, 1)
-    row = table.joint_rows[joint - 1]
-    if mismatch.kind is Kind.TOOL:
+    if mismatch.kind is Kind.TOOL or joint > table.n_joints:
         row = len(table.rows) - 1
+    else:
+        before = mismatch.kind in (Kind.LENGTH, Kind.TWIST) and standard
+        row = table.joint_rows[max(joint - 1, 1) - 1 if before else joint - 1]
     return Mismatch(
         kind=mismatch.kind, joint=mismatch.joint, row=row, angle=mismatch.angle, length=mismatch.length
     )

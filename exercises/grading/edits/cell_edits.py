@@ -12,7 +12,7 @@ from exercises.grading.edits.work import Work
 from exercises.grading.judging.judgement import share_of
 from exercises.grading.judging.typed import meant_in_radians
 from kinematics.cells import AngleUnit
-from kinematics.equivalence import DirectionRule, ZeroRule
+from kinematics.equivalence import BaseRule, DirectionRule, Policy, ToolRule, ZeroRule
 from kinematics.expressions import Number, Parameter, Product
 from kinematics.table import JointType
 
@@ -35,16 +35,36 @@ def alpha_sign(work: Work) -> Iterator[Change]:
 
 
 def alpha_value(work: Work) -> Iterator[Change]:
-    """Set α to another multiple of a right angle, or to what the key's axes ask for."""
+    """Set α to another multiple of a right angle, to its supplement, or to what the key's axes ask for."""
     near = work.policy.tolerance.angle
     for i, row in work.rows:
-        for angle in RIGHT_ANGLES:
+        supplements = _supplements(row.alpha) if _tells_senses_apart(work.policy) else ()
+        for angle in (*RIGHT_ANGLES, *supplements):
             apart = abs(math.remainder(row.alpha - angle, 2 * math.pi))
-            mirrored = abs(math.remainder(row.alpha + angle, 2 * math.pi))
-            if apart > near and mirrored > near:
+            if apart > near and not _is_mirrored(row.alpha, angle, near):
                 yield _set("alpha_value", i, "alpha", angle)
         for angle in work.fits.get((i, "alpha"), ()):
-            yield _set("alpha_value", i, "alpha", angle)
+            if not _is_mirrored(row.alpha, angle, near):
+                yield _set("alpha_value", i, "alpha", angle)
+
+
+def _is_mirrored(alpha: float, angle: float, near: float) -> bool:
+    """Whether an angle is -α, which is another change."""
+    return abs(math.remainder(alpha + angle, 2 * math.pi)) <= near < abs(math.sin(alpha))
+
+
+def _supplements(alpha: float) -> tuple[float, ...]:
+    """The angles with which the next axis lies on the same line as with α or -α, but points the other way."""
+    return () if abs(math.sin(2 * alpha)) <= SAME else (math.pi - alpha, alpha - math.pi)
+
+
+def _tells_senses_apart(policy: Policy) -> bool:
+    """Whether an axis that points the other way may make another robot, or break a rule."""
+    return (
+        policy.base in (BaseRule.ORIGIN, BaseRule.FRAME)
+        or policy.tool in (ToolRule.POINT, ToolRule.FRAME)
+        or policy.direction is DirectionRule.FIGURE
+    )
 
 
 def sign_of_length(work: Work) -> Iterator[Change]:

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from itertools import islice
+from typing import NamedTuple
 
 from exercises.grading.edits.cell_edits import any_cell
 from exercises.grading.edits.changes import Change, Extent, after
@@ -47,6 +48,14 @@ class Repaired:
 
     changes: tuple[Change, ...]
 
+    def of(self, table: NumericTable) -> NumericTable | None:
+        """Return the table that a table becomes; None where one of two edits is of more than cells."""
+        for change in self.changes:
+            if change.table is not None and len(self.changes) > 1:
+                return None
+            table = change.of(table)
+        return table
+
 
 def find_repairs(work: Work) -> tuple[Repaired, ...]:
     """Return the repairs of a wrong table, likeliest first; of two edits only if no one edit helps.
@@ -65,23 +74,71 @@ def find_repairs(work: Work) -> tuple[Repaired, ...]:
 def own_table_first(
     repairs: Sequence[Repaired], table: NumericTable, key: NumericTable
 ) -> tuple[Repaired, ...]:
-    """Return the repairs, first the single edits that make an answer the key's own table.
+    """Return the repairs, first those as small as any that make an answer the key's own table.
 
     Who forgets the key's last fixed row has made that slip, though a sign in the row before it might lead to
-    the frame of the tool as well.
+    the frame of the tool as well. Where the likeliest repair is two edits, and not both of cells, it stays
+    the first.
     """
-    if len(repairs) < 2:
+    if len(repairs) < 2 or repairs[0].of(table) is None:
         return tuple(repairs)
 
     def leads_elsewhere(repaired: Repaired) -> bool:
-        single = len(repaired.changes) == 1
-        return not (single and is_own_table(repaired.changes[0].of(table), key))
+        made = repaired.of(table)
+        return len(repaired.changes) > len(repairs[0].changes) or made is None or not is_own_table(made, key)
 
     return tuple(sorted(repairs, key=leads_elsewhere))
 
 
-def equally_good(repairs: Sequence[Repaired], table: NumericTable, key: NumericTable) -> tuple[Change, ...]:
-    """Return the single edits that explain an answer as well as the likeliest one does, and that one.
+class Accused(NamedTuple):
+    """The changes by which a wrong answer is explained.
+
+    Attributes:
+        sure: those of the likeliest repair that the equally good ones make as well.
+        alike: besides them one of these is needed, and nobody can say which; none, if there is no choice.
+    """
+
+    sure: tuple[Change, ...]
+    alike: tuple[Change, ...]
+
+    @property
+    def changes(self) -> tuple[Change, ...]:
+        """All of them."""
+        return self.sure + self.alike
+
+
+def accused(repairs: Sequence[Repaired], table: NumericTable, key: NumericTable) -> Accused:
+    """Return what the likeliest repair and the equally good ones accuse.
+
+    Of two edits one is held while the other is compared with what might stand in its stead: that edit of a
+    cell for which there are most.
+    """
+    if not repairs:
+        return Accused((), ())
+    best = repairs[0].changes
+    if len(best) == 1:
+        alike = _equally_good(
+            [repair.changes[0] for repair in repairs if len(repair.changes) == 1], table, key
+        )
+        return Accused((), alike) if alike else Accused(best, ())
+    choices = [(held, _beside(held, repairs)) for held in best if held.extent is Extent.CELL]
+    held, others = max(choices, key=lambda choice: len(choice[1]), default=(best[0], []))
+    alike = _equally_good(others, held.of(table), key) if len(others) > 1 and held.table is None else ()
+    return Accused((held,), alike) if alike else Accused(best, ())
+
+
+def _beside(held: Change, repairs: Sequence[Repaired]) -> list[Change]:
+    """The other edits of those pairs of which one edit concerns the same cell as this one."""
+    found = []
+    for repair in repairs:
+        others = [change for change in repair.changes if change.slip != held.slip]
+        if len(others) == len(repair.changes) - 1 == 1:
+            found.append(others[0])
+    return found
+
+
+def _equally_good(singles: Sequence[Change], table: NumericTable, key: NumericTable) -> tuple[Change, ...]:
+    """Return the single edits that explain an answer as well as the first and likeliest one, and that one.
 
     A mirrored arm has one handedness that is wrong, and as many signs that set it right, in one row or in
     several; an offset along parallel axes may be wrong in any of their rows. Edits of a cell are as good as
@@ -91,8 +148,7 @@ def equally_good(repairs: Sequence[Repaired], table: NumericTable, key: NumericT
     the letter: along parallel axes, what is missing in one row makes it any number in another. A variable was
     forgotten, rather than a row left out, where there is a row for every joint.
     """
-    singles = [repair.changes[0] for repair in repairs if len(repair.changes) == 1]
-    if not singles or singles[0] is not repairs[0].changes[0] or singles[0].row is None:
+    if singles[0].row is None:
         return ()
     best, is_offset = singles[0], singles[0].cell == "d"
     alike = tuple(change for change in singles if change.extent is best.extent and change.row is not None)

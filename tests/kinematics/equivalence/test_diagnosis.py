@@ -2,20 +2,22 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from random import Random
 
 import pytest
 
 from kinematics.chain import chain_of_table
+from kinematics.conversion import convert, fixed_row
 from kinematics.equivalence import Kind, Policy, ToolRule
 from kinematics.equivalence.diagnosis import diagnose
 from kinematics.equivalence.invariants import first_axes_shared, invariants_of
 from kinematics.equivalence.reference import prepared
 from kinematics.equivalence.results import Mismatch
-from kinematics.table import NumericTable
+from kinematics.table import Convention, NumericTable
 from tests.kinematics.equivalence.campaign import catalogue
 from tests.kinematics.equivalence.generators import random_valid_table
-from tests.kinematics.equivalence.tables import HALF, P, R, changed, standard
+from tests.kinematics.equivalence.tables import HALF, PUMA, P, R, changed, standard
 
 FREE = Policy(tool=ToolRule.FREE)
 SLIDERS = standard(
@@ -68,9 +70,37 @@ def test_a_slider_that_is_tilted_and_turned_is_told_both() -> None:
 
 def test_a_missed_tool_is_told_of_the_last_joint() -> None:
     wrong = changed(SLIDERS, 5, d=0.5)
-    (mismatch,) = diagnose(prepared(SLIDERS), wrong, chain_of_table(wrong), Policy(tool=ToolRule.POINT))
-    assert (mismatch.kind, mismatch.joint, mismatch.row) == (Kind.TOOL, 5, 4)
-    assert mismatch.length == pytest.approx(0.3)
+    found = diagnose(prepared(SLIDERS), wrong, chain_of_table(wrong), Policy(tool=ToolRule.POINT))
+    assert [(mismatch.kind, mismatch.joint, mismatch.row) for mismatch in found] == [
+        (Kind.TOOL, 5, 4),
+        (Kind.OFFSET, 5, 4),
+    ]
+    assert [mismatch.length for mismatch in found] == pytest.approx([0.3, 0.3])
+
+
+@pytest.mark.parametrize("rule", [ToolRule.POINT, ToolRule.AXIS, ToolRule.FRAME])
+@pytest.mark.parametrize(
+    ("cell", "value", "kind"), [("a", 0.1, Kind.LENGTH), ("d", 0.4, Kind.OFFSET), ("alpha", 0.3, Kind.TWIST)]
+)
+@pytest.mark.parametrize("convention", [Convention.STANDARD, Convention.MODIFIED])
+def test_beside_other_faults_a_missed_tool_is_told_by_the_facts_of_the_last_link(
+    rule: ToolRule, cell: str, value: float, kind: Kind, convention: Convention
+) -> None:
+    """Where the tool lies beside the last axis is seen from there, whatever is wrong before it."""
+    wrong = changed(changed(changed(PUMA, 2, a=0.6), 3, a=0.1), 6, **{cell: value})
+    made = convert(wrong, convention)
+    rows = made.table.rows if made.tool is None else (*made.table.rows, fixed_row(made.tool))
+    table = replace(made.table, rows=rows)
+    found = diagnose(prepared(PUMA), table, chain_of_table(table), Policy(tool=rule))
+    last = {(one.kind, one.row) for one in found if one.row == len(table.rows) - 1}
+    before = {(one.kind, one.joint) for one in found if one.joint in (3, 4)}
+    assert before == {(Kind.LENGTH, 3), (Kind.LENGTH, 4)}
+    if (cell, rule) in (("alpha", ToolRule.POINT), ("d", ToolRule.AXIS)):
+        assert not last
+    elif cell == "d" and convention is Convention.MODIFIED:
+        assert {(one.kind, one.joint) for one in found} - before == {(Kind.TOOL, 6), (Kind.OFFSET, 6)}
+    else:
+        assert last == {(Kind.TOOL, len(table.rows) - 1), (kind, len(table.rows) - 1)}
 
 
 CROSSED = standard(

@@ -1,0 +1,98 @@
+"""Two mistakes or more are told where they were made, as a single one is."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+
+import pytest
+
+from exercises.grading import BaseRule, DirectionRule, HelpLevel, Policy, ToolRule, Verdict, ZeroRule, grade
+from kinematics.table import NumericTable
+from tests.exercises.grading.written import written
+from tests.kinematics.equivalence.tables import PUMA, P, R, changed, standard
+
+FRAMES = Policy(base=BaseRule.FRAME, tool=ToolRule.FRAME)
+STRICT = Policy(
+    base=BaseRule.FRAME, tool=ToolRule.FRAME, zero=ZeroRule.FIGURE, direction=DirectionRule.FIGURE
+)
+FREE = Policy(tool=ToolRule.FREE)
+SCARA = standard((R, 0, 0.35, 0.4, 0), (R, math.pi, 0.25, 0, 0), (P, 0, 0, 0, 0), (R, 0, 0, 0.08, 0))
+Slips = Mapping[tuple[int, str], float]
+
+
+def told(key: NumericTable, slips: Slips, policy: Policy, level: HelpLevel = HelpLevel.REPAIR) -> Verdict:
+    """The verdict on the key's own table, lengths with as many digits as they are typed with, and slips."""
+    table = key
+    for (row, cell), value in slips.items():
+        table = changed(table, row, **{cell: value})
+    return grade(written(key), written(table), policy, help_level=level)
+
+
+def accused(verdict: Verdict) -> list[tuple[str, int | None]]:
+    """What is said of rows, in order; and that there is a choice."""
+    return [(one.code, one.row) for one in verdict.feedback if one.row or one.code == "one_of_these"]
+
+
+@pytest.mark.parametrize("policy", [FREE, Policy(tool=ToolRule.AXIS)], ids=["free", "axis"])
+@pytest.mark.parametrize(
+    ("other", "code"),
+    [((2, "a", 0.5), "length_wrong"), ((3, "a", 0.05), "length_wrong"), ((4, "d", 0.5), "offset_wrong"),
+     ((1, "alpha", 0.0), "twist_wrong")],
+)  # fmt: skip
+def test_beside_another_mistake_a_typed_offset_is_accused_before_a_zero(
+    policy: Policy, other: tuple[int, str, float], code: str
+) -> None:
+    row, cell, value = other
+    verdict = told(PUMA, {(3, "d"): 0.22, (row, cell): value}, policy)
+    assert set(accused(verdict)) == {("offset_wrong", 3), (code, row)}
+    assert [one.row for one in told(PUMA, {(3, "d"): 0.22}, policy).feedback if one.row] == [3]
+
+
+def test_beside_a_sure_mistake_only_the_other_one_is_a_choice() -> None:
+    choice = accused(told(SCARA, {(4, "d"): 0.19}, STRICT))
+    assert choice == [("one_of_these", None), ("offset_wrong", 1), ("offset_wrong", 4)]
+    assert accused(told(SCARA, {(4, "d"): 0.19, (1, "a"): 0.4}, STRICT)) == [("length_wrong", 1), *choice]
+    by_row = told(SCARA, {(4, "d"): 0.19, (1, "a"): 0.4}, STRICT, HelpLevel.ROW)
+    assert accused(by_row) == [
+        ("row_wrong", 1), ("one_of_these", None), ("row_wrong", 1), ("row_wrong", 4)
+    ]  # fmt: skip
+
+
+SKEW = standard(*((R, math.radians(twist), a, d, 0) for twist, a, d in (
+    (60, 0.1, 0.4), (30, 0.4, 0.1), (-45, 0.05, 0.2), (60, 0.02, 0.35), (-60, 0.03, 0.1), (0, 0.01, 0.08)
+)))  # fmt: skip
+
+
+@pytest.mark.parametrize("tool", [ToolRule.FREE, ToolRule.AXIS, ToolRule.POINT, ToolRule.FRAME])
+@pytest.mark.parametrize("base", [BaseRule.ORIGIN, BaseRule.FRAME])
+@pytest.mark.parametrize("row", range(1, 6))
+def test_the_supplement_of_a_twist_is_mended_in_its_cell(base: BaseRule, tool: ToolRule, row: int) -> None:
+    supplement = math.pi - SKEW.rows[row - 1].alpha
+    verdict = told(SKEW, {(row, "alpha"): supplement}, Policy(base=base, tool=tool))
+    assert not verdict.correct
+    assert {place for _, place in accused(verdict)} - {None} == {row}
+    value, sign = [("alpha_value", row)], [("alpha_sign", row)]
+    if row == 5 and tool in (ToolRule.FREE, ToolRule.AXIS):  # which way the last axis points is free
+        assert edits(verdict)[0] == sign
+    else:
+        assert edits(verdict) == [value]
+
+
+@pytest.mark.parametrize("policy", [FRAMES, STRICT], ids=["frames", "strict"])
+@pytest.mark.parametrize("row", range(1, 6))
+def test_a_sign_that_is_wrong_is_one_change_and_not_two(policy: Policy, row: int) -> None:
+    verdict = told(SKEW, {(row, "alpha"): -SKEW.rows[row - 1].alpha}, policy)
+    assert [("alpha_sign", row)] in edits(verdict)
+    assert [("alpha_value", row)] not in edits(verdict)
+
+
+def edits(verdict: Verdict) -> list[list[tuple[str, int | None]]]:
+    return [[(edit.code, edit.row) for edit in one.edits] for one in verdict.repairs]
+
+
+@pytest.mark.parametrize("policy", [Policy(tool=ToolRule.POINT), FRAMES], ids=["point", "frames"])
+@pytest.mark.parametrize(("cell", "code"), [("d", "offset_wrong"), ("a", "length_wrong")])
+def test_of_three_mistakes_that_of_the_tool_is_told_in_its_cell(policy: Policy, cell: str, code: str) -> None:
+    verdict = told(PUMA, {(2, "a"): 0.5, (3, "a"): 0.05, (6, cell): 0.1}, policy)
+    assert accused(verdict) == [("length_wrong", 2), ("length_wrong", 3), (code, 6)]
