@@ -19,7 +19,7 @@ LEAST_PARTED = 1e-8
 """Half the distance [rad] at which two roots are tried that rounding has made one."""
 
 OUT_OF_REACH = 0.1
-"""Roots this far from being real [rad] are not for want of digits: those of a target would be two or three."""
+"""Roots this far from being real [rad] are not so for want of digits, of which a target has three or more."""
 
 NOTHING = 1e-13
 """Coefficients this small beside the largest are what rounding leaves of zero."""
