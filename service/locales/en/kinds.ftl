@@ -307,7 +307,7 @@ feedback-screw_other_frame = These are the screws in the other frame: space and 
 feedback-screw_home_inverted = The home pose is inverted.
 feedback-screw_sign_or_home = Either v has the wrong sign throughout (v = −ω × p, with p any point on the axis), or the home pose is inverted.
 feedback-screw_home = The screws are right; the home pose M is not.
-feedback-screw_not_rigid = The home pose is not a rigid motion: its columns are not unit vectors at right angles, or its last row is not 0 0 0 1.
+feedback-screw_not_rigid = The home pose is not a rigid motion: its columns are not unit vectors at right angles, or they are left-handed (determinant −1), or its last row is not 0 0 0 1.
 feedback-screw_length_unit = The lengths are in a different unit from the robot’s: in its unit the rows would be right.
 feedback-screw_exchanged = The rows of joint { $joint } and of the next one are exchanged.
 feedback-screw_reversed = The rows are in the reverse order: the first one belongs to the joint next to the base.

@@ -307,7 +307,7 @@ feedback-screw_other_frame = Estos son los tornillos en el otro sistema: se conf
 feedback-screw_home_inverted = La pose inicial está invertida.
 feedback-screw_sign_or_home = O bien v tiene el signo equivocado en todas partes (v = −ω × p, con p un punto cualquiera del eje), o bien la pose inicial está invertida.
 feedback-screw_home = Los tornillos son correctos; la pose inicial M no.
-feedback-screw_not_rigid = La pose inicial no es un movimiento rígido: sus columnas no son vectores unitarios perpendiculares, o su última fila no es 0 0 0 1.
+feedback-screw_not_rigid = La pose inicial no es un movimiento rígido: sus columnas no son vectores unitarios perpendiculares, o forman una terna levógira (determinante −1), o su última fila no es 0 0 0 1.
 feedback-screw_length_unit = Las longitudes están en otra unidad que la del robot: en la suya las filas serían correctas.
 feedback-screw_exchanged = Las filas de la articulación { $joint } y de la siguiente están intercambiadas.
 feedback-screw_reversed = Las filas están en orden inverso: la primera es la de la articulación más cercana a la base.

@@ -307,7 +307,7 @@ feedback-screw_other_frame = Ce sont les torseurs dans l’autre repère : espa
 feedback-screw_home_inverted = La pose initiale est inversée.
 feedback-screw_sign_or_home = Soit v a partout le mauvais signe (v = −ω × p, p étant un point quelconque de l’axe), soit la pose initiale est inversée.
 feedback-screw_home = Les torseurs sont justes ; la pose initiale M ne l’est pas.
-feedback-screw_not_rigid = La pose initiale n’est pas un déplacement rigide : ses colonnes ne sont pas unitaires et perpendiculaires, ou sa dernière ligne n’est pas 0 0 0 1.
+feedback-screw_not_rigid = La pose initiale n’est pas un déplacement rigide : ses colonnes ne sont pas unitaires et perpendiculaires, ou elles forment un trièdre indirect (déterminant −1), ou sa dernière ligne n’est pas 0 0 0 1.
 feedback-screw_length_unit = Les longueurs sont dans une autre unité que celle du robot : dans la sienne, les lignes seraient justes.
 feedback-screw_exchanged = Les lignes de l’articulation { $joint } et de la suivante sont échangées.
 feedback-screw_reversed = Les lignes sont dans l’ordre inverse : la première est celle de l’articulation la plus proche de la base.

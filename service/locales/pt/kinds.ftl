@@ -307,7 +307,7 @@ feedback-screw_other_frame = Estes são os helicoides no outro referencial: conf
 feedback-screw_home_inverted = A pose inicial está invertida.
 feedback-screw_sign_or_home = Ou v tem o sinal errado em toda a parte (v = −ω × p, com p um ponto qualquer do eixo), ou a pose inicial está invertida.
 feedback-screw_home = Os helicoides estão certos; a pose inicial M não.
-feedback-screw_not_rigid = A pose inicial não é um movimento rígido: as suas colunas não são vetores unitários perpendiculares, ou a última linha não é 0 0 0 1.
+feedback-screw_not_rigid = A pose inicial não é um movimento rígido: as suas colunas não são vetores unitários perpendiculares, ou formam um triedro esquerdo (determinante −1), ou a última linha não é 0 0 0 1.
 feedback-screw_length_unit = Os comprimentos estão noutra unidade que não a do robô: na unidade dele as linhas estariam certas.
 feedback-screw_exchanged = As linhas da junta { $joint } e da seguinte estão trocadas.
 feedback-screw_reversed = As linhas estão na ordem inversa: a primeira é a da junta mais próxima da base.

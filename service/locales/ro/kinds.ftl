@@ -308,7 +308,7 @@ feedback-screw_other_frame = Aceștia sunt torsorii în celălalt sistem: spați
 feedback-screw_home_inverted = Situarea inițială este inversată.
 feedback-screw_sign_or_home = Fie v are peste tot semnul greșit (v = −ω × p, cu p un punct oarecare al axei), fie situarea inițială este inversată.
 feedback-screw_home = Torsorii sunt corecți; situarea inițială M nu este.
-feedback-screw_not_rigid = Situarea inițială nu este o mișcare rigidă: coloanele nu sunt versori perpendiculari sau ultimul rând nu este 0 0 0 1.
+feedback-screw_not_rigid = Situarea inițială nu este o mișcare rigidă: coloanele nu sunt versori perpendiculari, sau formează un triedru stâng (determinant −1), sau ultimul rând nu este 0 0 0 1.
 feedback-screw_length_unit = Lungimile sunt în altă unitate decât a robotului: în unitatea lui rândurile ar fi corecte.
 feedback-screw_exchanged = Rândurile cuplei { $joint } și ale celei următoare sunt schimbate între ele.
 feedback-screw_reversed = Rândurile sunt în ordine inversă: primul este al cuplei de lângă bază.

@@ -79,7 +79,7 @@ feedback-rows_out_of_order = Рядки { $row } і { $other } стоять не
 repair-convention = Якщо читати вашу таблицю { $meant ->
     [modified] в модифікованій
    *[standard] у стандартній
-} угоди, вона правильна; зазначено ж { $declared ->
+} угоді, вона правильна; зазначено ж { $declared ->
     [modified] модифіковану
    *[standard] стандартну
 }.
