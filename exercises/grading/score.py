@@ -149,7 +149,7 @@ def _wrong(work: Work, standard: _Standard) -> float:
     """The weight of the facts that are wrong; asked for by what compares ways, and twice by the score."""
     facts = replace(standard.facts, invariants=work.facts)
     axes = axes_of(chain_of_table(work.table), work.policy)
-    if not axes:
+    if not axes or not facts.axes:
         return standard.nothing
     found = None
     if len(axes) == len(facts.axes):

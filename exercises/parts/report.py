@@ -102,12 +102,20 @@ def judged(
 def share_earned(right: Sequence[bool], nothing: Sequence[bool]) -> float:
     """Return the share of facts that are right, less what an answer that says nothing has right.
 
+    What that has right weighs no more than all the rest: if of nine facts eight are right for nothing, one of
+    these costs an eighth.
+
     Args:
         right: which facts an answer has right.
         nothing: which of them one of zeros has.
     """
-    most = len(right) - sum(nothing)
-    return max(0.0, (sum(right) - sum(nothing)) / most) if most else float(all(right))
+    given = sum(nothing)
+    earned = len(right) - given
+    if not earned:
+        return float(all(right))
+    weights = [min(1.0, earned / given) if free else 1.0 for free in nothing]
+    lost = sum(weight for good, weight in zip(right, weights, strict=True) if not good)
+    return max(0.0, 1.0 - lost / earned)
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

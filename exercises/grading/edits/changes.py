@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Mapping
 from enum import Enum
 from typing import NamedTuple
@@ -86,6 +87,16 @@ class Change(NamedTuple):
         if self.extent is Extent.CELL and self.row is not None:
             return TableSlip(self.row, self.cell)
         return TableSlip(self.row, self.cell, self.code, self.params)
+
+    def is_nearly(self, other: Change) -> bool:
+        """Return whether it puts the same values in the same cells, but for rounding errors."""
+        same = [(row, cell) for row, cell, _ in self.cells] == [(row, cell) for row, cell, _ in other.cells]
+        pairs = zip(self.cells, other.cells, strict=same)
+        return (
+            same
+            and self.slip == other.slip
+            and all(math.isclose(one[2], two[2], rel_tol=1e-9, abs_tol=1e-9) for one, two in pairs)
+        )
 
     def fills_a_zero(self, table: NumericTable) -> bool:
         """Return whether it puts a length where none was typed; a typed one is likelier wrong."""

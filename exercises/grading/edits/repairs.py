@@ -128,10 +128,10 @@ def accused(repairs: Sequence[Repaired], table: NumericTable, key: NumericTable)
 
 
 def _beside(held: Change, repairs: Sequence[Repaired]) -> list[Change]:
-    """The other edits of those pairs of which one edit concerns the same cell as this one."""
+    """The other edits of those pairs of which one edit is this one."""
     found = []
     for repair in repairs:
-        others = [change for change in repair.changes if change.slip != held.slip]
+        others = [change for change in repair.changes if not change.is_nearly(held)]
         if len(others) == len(repair.changes) - 1 == 1:
             found.append(others[0])
     return found

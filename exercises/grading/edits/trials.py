@@ -102,7 +102,7 @@ def tried(
         if not made:
             break
         batch = _Batch(works, made)
-        found = batch.trials()
+        found = batch.trials(finishing=finishing)
         for (number, _), trial in zip(made, found, strict=True):
             if trial is not None and (trial.might or not finishing):
                 trials[number].append(trial)
@@ -196,10 +196,12 @@ class _Batch:
             self._variations.append((numbers[id(table)], change.cells))
         self._found = _judged(works[0], measured(works[0], self._tables, self._variations))
 
-    def trials(self) -> list[Trial | None]:
-        """Return what came of each change; None where a row was put in that does not fit there."""
+    def trials(self, *, finishing: bool) -> list[Trial | None]:
+        """Return what came of each change; None where a row that was put in is to finish, and does not."""
         return [
-            Trial(change, *found) if change.code != "row_missing" or self._fits_elsewhere(k, change) else None
+            Trial(change, *found)
+            if not finishing or change.code != "row_missing" or self._fits_elsewhere(k, change)
+            else None
             for k, ((_, change), found) in enumerate(zip(self._made, self._found, strict=True))
         ]
 

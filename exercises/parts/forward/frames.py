@@ -25,7 +25,16 @@ from exercises.parts.cells.number_cells import number_of
 from exercises.parts.context import Context
 from exercises.parts.forward.figure_frames import figure_axes, key_frames, lengths_in_frame
 from exercises.parts.protocol import Length, PartTask, PartType, Reading
-from exercises.parts.report import Credit, Disclosure, Fact, PartReport, fact, judged, told_from
+from exercises.parts.report import (
+    Credit,
+    Disclosure,
+    Fact,
+    PartReport,
+    fact,
+    judged,
+    share_earned,
+    told_from,
+)
 from kinematics.cells import Cell, ReadTable
 from kinematics.cells.meaning import Position
 from kinematics.expressions import Number, pi_times
@@ -152,12 +161,10 @@ class FramesPart(PartType[Part, FramesCells, ByName[FramesAnswer]]):
             feedback.append(Feedback(code="frames_right" if kept else "frames_not_as_asked"))
         else:
             facts.append(Fact(where=("policy",), finding=Finding.UNKNOWN))
-        right = sum(fact.finding is Finding.OK for fact in facts)
+        right = [fact.finding is Finding.OK for fact in facts]
         score = 1.0
-        if right < len(facts):
-            # the share of the facts that took a thought
-            nothing = _right_for_nothing(context, axes, answer)
-            score = max(0.0, (right - nothing) / (len(facts) - nothing))
+        if not all(right):
+            score = share_earned(right, [*_right_for_nothing(context, axes, answer), False])
         return judged(part, score, Credit.KEY, facts=facts, feedback=feedback)
 
     def right(self, part: Part, context: Context) -> FramesCells:
@@ -220,11 +227,11 @@ def _checked(
     return rules_and_table(axes, answer.convention, answer.frames, rounding=rounding)
 
 
-def _right_for_nothing(context: Context, axes: Sequence[JointAxis], answer: FramesAnswer) -> int:
-    """Return how many facts are right if every frame is put where the figure's coordinates begin."""
+def _right_for_nothing(context: Context, axes: Sequence[JointAxis], answer: FramesAnswer) -> list[bool]:
+    """Return which facts of the frames are right if each is put where the figure's coordinates begin."""
     untouched = ChosenFrame(origin=(0.0, 0.0, 0.0), x=(1.0, 0.0, 0.0), z=(0.0, 0.0, 1.0))
     found, _ = _checked(context, axes, replace(answer, frames=(untouched,) * len(answer.frames)))
-    return sum(len(PARTS) - len({entry.part for entry in broken}) for broken in found)
+    return [name not in {entry.part.value for entry in broken} for broken in found for name in PARTS]
 
 
 def _follows_other_convention(context: Context, axes: Sequence[JointAxis], answer: FramesAnswer) -> bool:

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 import pytest
 
 from exercises.grading import BaseRule, DirectionRule, HelpLevel, Policy, ToolRule, Verdict, ZeroRule, grade
-from kinematics.table import NumericTable
+from kinematics.table import Convention, DHTable, NumericRow, NumericTable
 from tests.exercises.grading.written import written
-from tests.kinematics.equivalence.tables import PUMA, P, R, changed, standard
+from tests.kinematics.equivalence.tables import HALF, PUMA, F, P, R, changed, standard
 
 FRAMES = Policy(base=BaseRule.FRAME, tool=ToolRule.FRAME)
 STRICT = Policy(
@@ -93,3 +93,36 @@ def edits(verdict: Verdict) -> list[list[tuple[str, int | None]]]:
 def test_of_three_mistakes_that_of_the_tool_is_told_in_its_cell(policy: Policy, cell: str, code: str) -> None:
     verdict = told(PUMA, {(2, "a"): 0.5, (3, "a"): 0.05, (6, cell): 0.1}, policy)
     assert accused(verdict) == [("length_wrong", 2), ("length_wrong", 3), (code, 6)]
+
+
+WRONG = ((2, "alpha", HALF), (3, "a", 0.07), (4, "d", 0.2), (5, "alpha", 0.0))
+
+
+@pytest.mark.parametrize(
+    ("missing", "row", "cell", "value"),
+    [(missing, *wrong) for missing in range(1, 7) for wrong in WRONG if wrong[0] != missing],
+)
+def test_a_row_forgotten_and_one_wrong_cell_are_both_mended(
+    missing: int, row: int, cell: str, value: float
+) -> None:
+    """The row comes first where the cell is not seen to be wrong before the joints are the key's."""
+    rows = [*changed(PUMA, row, **{cell: value}).rows]
+    del rows[missing - 1]
+    verdict = grade(written(PUMA), written(standard_table(rows)), FREE, help_level=HelpLevel.REPAIR)
+    assert verdict.repairs
+    assert any("row_missing" in {edit.code for edit in repair.edits} for repair in verdict.repairs)
+    if not (
+        missing == 6 and row == 5
+    ):  # there the last row, which is zero but for its joint, is the one left
+        assert all(len(repair.edits) == 2 for repair in verdict.repairs)
+
+
+def standard_table(rows: Sequence[NumericRow]) -> NumericTable:
+    return DHTable(convention=Convention.STANDARD, rows=tuple(rows))
+
+
+def test_a_key_without_joints_is_judged_without_a_failure(caplog: pytest.LogCaptureFixture) -> None:
+    key = standard((F, 0, 0, 0, 0))
+    verdict = grade(written(key), written(standard((R, 0, 0, 0, 0))), STRICT)
+    assert (verdict.correct, verdict.score) == (False, 0.0)
+    assert not caplog.records

@@ -106,6 +106,21 @@ def test_frames_that_nobody_has_moved_earn_nothing(exercise_id: str) -> None:
     assert (report.correct, report.score) == (False, 0.0)
 
 
+@pytest.mark.parametrize(("name", "value"), [("x", (0, 1, 0)), ("z", (0, 1, 0)), ("origin", (0.01, 0, 0))])
+def test_one_wrong_entry_leaves_marks_where_most_is_right_for_nothing(
+    name: str, value: tuple[float, ...]
+) -> None:
+    found = with_frames("twolink")
+    right = key_frames(found)
+    assert told(found, right).correct
+    frame = right.frames[1]
+    assert frame is not None
+    changed = replace(frame, **{name: value})
+    report = told(found, replace(right, frames=(right.frames[0], changed, *right.frames[2:])))
+    assert not report.correct
+    assert 0.1 < report.score < 1.0
+
+
 def test_facts_are_independent() -> None:
     found = with_frames("puma560")
     right = key_frames(found)
