@@ -18,19 +18,22 @@ ONE_ROOT = 1e-6
 LEAST_PARTED = 1e-8
 """Half the distance [rad] at which two roots are tried that rounding has made one."""
 
-OUT_OF_REACH = 0.1
-"""Roots this far from being real [rad] are not so for want of digits, of which a target has three or more."""
-
 NOTHING = 1e-13
 """Coefficients this small beside the largest are what rounding leaves of zero."""
 
 
-def linear_roots(c: float, s: float, k: float) -> tuple[float, ...] | None:
+def linear_roots(c: float, s: float, k: float, parted: float = ONE_ROOT) -> tuple[float, ...] | None:
     """Return both q with c·cos q + s·sin q = k, only the middle where |k| is too large; None if c = s = 0.
 
     Where both are so near to the middle that rounding may have parted them, the middle is there as well; and
-    where rounding, that of a target's decimals too, may have made them one, or none, both sides of the middle
-    are: of links that fold onto each other they lead in opposite directions.
+    where it may have made them one, or none, both sides of the middle are: of links that fold onto each other
+    they lead in opposite directions.
+
+    Args:
+        c: factor of the cosine.
+        s: factor of the sine.
+        k: their sum.
+        parted: half the distance of two real roots [rad] that rounding may have made none.
 
     Source: C. C. Paden, Kinematics and control of robot manipulators (1986), as R. P. Paul's a cos + b sin
     = d.
@@ -42,7 +45,7 @@ def linear_roots(c: float, s: float, k: float) -> tuple[float, ...] | None:
     across = (length - k) * (length + k)
     half = math.atan2(math.sqrt(abs(across)), abs(k))
     middle += math.pi if k < 0.0 else 0.0
-    if half < (ONE_ROOT if across > 0.0 else OUT_OF_REACH):
+    if half < (ONE_ROOT if across > 0.0 else parted):
         half = max(half, LEAST_PARTED)
         return middle - half, middle + half, middle
     return (middle - half, middle + half) if across > 0.0 else (middle,)

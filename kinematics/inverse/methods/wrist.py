@@ -33,6 +33,9 @@ ALMOST = 1e-7
 """Offsets (in parts of the size) and sines of twists below this are zero in the elimination: dividing by less
 would cost more digits than Newton steps need to bring back what was neglected."""
 
+ROUNDED = 0.1
+"""Half the distance of two elbows [rad] that a target's decimals may have made none: it has three or more."""
+
 Rows: TypeAlias = list[list[float]]
 Turns: TypeAlias = tuple[float, float, float]
 
@@ -169,7 +172,7 @@ def _third_turns(h: Head, square_far: float, z: float) -> tuple[float, ...] | li
     rest = a1 * a1 + a2 * a2 + rho * rho + zeta * zeta + d2 * d2 + 2.0 * d2 * ca2 * zeta
     kc, ks, k0 = 2.0 * a2 * rho, 2.0 * d2 * sa2 * rho, square_far - rest
     if abs(a1) <= ALMOST:
-        return linear_roots(kc, ks, k0)
+        return linear_roots(kc, ks, k0, ROUNDED)
     h0, hs = z - ca1 * (d2 + ca2 * zeta), -ca1 * sa2 * rho
     if abs(sa1) <= ALMOST:
         return linear_roots(0.0, -hs, h0)

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from itertools import pairwise
 
 import numpy as np
+from numpy.typing import NDArray
 
 from kinematics.inverse.arm import Arm, Array
 from kinematics.inverse.distinct import differences
-from kinematics.inverse.limits import within_limits
+from kinematics.inverse.limits import ON_LIMIT, within_limits
 from kinematics.inverse.results import Family, FamilyParameter
 from kinematics.inverse.search import Box
 from kinematics.inverse.self_motions.families import FamilyPath, Follower
@@ -23,10 +25,6 @@ FINE = 0.05
 
 STRAIGHT = 1e-6
 """A path that is off a straight line by no more than this [rad, or parts of the size] is one."""
-
-HALVINGS = 30
-"""Halvings between a point within the limits and one outside: FINE / 2³⁰ is what is left of the interval's
-end."""
 
 
 def families_within(
@@ -57,8 +55,8 @@ def families_within(
     path = component.paths[0]
     if not box.limited:
         return [(wrapped[0], _told_freely(arm, path, box, wrapped[0]))]
-    parts = _parts(arm, follower, path, box)
-    return [_with_member(arm, points, closed, wrapped[0]) for points, closed in parts]
+    parts = _parts_within(arm, follower, path, box)
+    return [_with_member(arm, box, points, closed, wrapped[0]) for points, closed in parts]
 
 
 def _part_with(
@@ -67,15 +65,22 @@ def _part_with(
     """The part of a path within the limits that holds a configuration."""
     if not box.limited:
         return q, _told_freely(arm, path, box, q)
-    parts = [_with_member(arm, points, closed, q) for points, closed in _parts(arm, follower, path, box)]
+    within = _parts_within(arm, follower, path, box)
+    parts = [_with_member(arm, box, points, closed, q) for points, closed in within]
     return min(parts, key=lambda part: float(np.abs(part[0] - q).sum()), default=None)
 
 
-def _with_member(arm: Arm, points: Array, closed: bool, q: Array) -> tuple[Array, Family]:
+def _with_member(arm: Arm, box: Box, points: Array, closed: bool, q: Array) -> tuple[Array, Family]:
     """A part told, with the given member if it is on it, else its middle one."""
-    apart = np.abs((points - q) / arm.units).max(axis=1)
-    member = q if float(apart.min()) <= FINE else points[len(points) // 2]
-    return member, _told(arm, points, closed, member)
+    apart = np.abs(differences(points, q, arm)).max(axis=1)
+    nearest = points[int(apart.argmin())]
+    member = points[len(points) // 2]
+    if float(apart.min()) <= FINE:
+        member = np.clip(_turned_to(nearest, q, arm), box.low, box.high)
+    if not closed:
+        return member, _told(arm, points, closed, member)
+    (member,), _ = within_limits(member[None], arm.revolute, box, arm.size)
+    return member, _told_freely(arm, FamilyPath(points, closed, np.empty(0)), box, member)
 
 
 def _told(arm: Arm, points: Array, closed: bool, q: Array) -> Family:
@@ -133,56 +138,130 @@ def _direction(x: Array, joint: int) -> Array | None:
     )
 
 
-def _parts(arm: Arm, follower: Follower, path: FamilyPath, box: Box) -> list[tuple[Array, bool]]:
-    """The parts of a path within the limits, turns brought into them."""
+def _parts_within(arm: Arm, follower: Follower, path: FamilyPath, box: Box) -> list[tuple[Array, bool]]:
+    """The parts of a path within the limits, turns brought into them.
+
+    A joint that may turn right round cuts nothing, unless a part takes it farther than its range is wide.
+    """
     points = _finer(arm, follower, path)
-    wrapped, fits = within_limits(points, arm.revolute, box, arm.size)
-    jump = np.abs((np.diff(wrapped, axis=0) - np.diff(points, axis=0)) / arm.units).max(axis=1) > 1e-3
-    if fits.all() and not jump.any():
-        return [(wrapped, path.closed)]
+    freely = _Limits(arm, box, arm.revolute & (box.high - box.low >= 2.0 * np.pi))
+    parts = _parts(follower, path, points, freely)
+    moved = [(points if closed else freely.moved_into(points), closed) for points, closed in parts]
+    found = [(points, closed) for points, closed in moved if points is not None]
+    if len(found) == len(parts):
+        return found
+    return _parts(follower, path, points, _Limits(arm, box, np.zeros(arm.n_joints, dtype=bool)))
+
+
+class _Limits:
+    """Joint limits, some of which leave room for a whole turn and are not kept on the way."""
+
+    def __init__(self, arm: Arm, box: Box, whole: NDArray[np.bool_]) -> None:
+        self.arm, self._box, self._whole = arm, box, whole
+        self.kept = Box(np.where(whole, -np.inf, box.low), np.where(whole, np.inf, box.high))
+
+    def within(self, points: Array) -> tuple[Array, NDArray[np.bool_]]:
+        """(m, n) points of a path by turns within the limits that are kept, and (m,) which fit.
+
+        One follows the other without a turn between as long as the limits let it.
+        """
+        wrapped, fits = within_limits(points, self.arm.revolute, self.kept, self.arm.size)
+        wrapped[:, self._whole] = points[:, self._whole]
+        for k in np.flatnonzero(np.isfinite(self.kept.high - self.kept.low) & self.arm.revolute).tolist():
+            low, high = self.kept.low[k], self.kept.high[k]
+            for i in range(1, len(points) if high - low >= 2.0 * np.pi else 0):
+                onward = wrapped[i - 1, k] + points[i, k] - points[i - 1, k]
+                wrapped[i, k] = onward if low <= onward <= high else wrapped[i, k]
+        return wrapped, fits
+
+    def moved_into(self, points: Array) -> Array | None:
+        """Return a part moved into all limits, each joint by turns; None if a joint goes too far."""
+        least, greatest = points.min(axis=0), points.max(axis=0)
+        first = np.ceil((self._box.low - least) / (2.0 * np.pi) - ON_LIMIT)
+        last = np.floor((self._box.high - greatest) / (2.0 * np.pi) + ON_LIMIT)
+        turns = np.where(
+            self._whole, np.clip(np.round(-0.5 * (least + greatest) / (2.0 * np.pi)), first, last), 0.0
+        )
+        if (self._whole & (first > last)).any():
+            return None
+        return np.asarray(np.clip(points + 2.0 * np.pi * turns, self._box.low, self._box.high))
+
+
+def _parts(follower: Follower, path: FamilyPath, points: Array, limits: _Limits) -> list[tuple[Array, bool]]:
+    """The parts of a path within the limits that are kept."""
+    wrapped, fits = limits.within(points)
+    breaks = _breaks(limits.arm, points, wrapped, fits)
+    if not breaks:
+        return [(wrapped, path.closed)] if fits.all() else []
+    if path.closed:
+        off = [k for k in breaks if not (fits[k - 1] and fits[k])]
+        points = _opened(points, min(off or breaks))
+        wrapped, fits = limits.within(points)
+        ends = [1, *(k for k in _breaks(limits.arm, points, wrapped, fits) if 1 < k < len(points) - 1)]
+        ends.append(len(points) - 1)
+    else:
+        ends = [0, *breaks, len(points)]
     parts: list[tuple[Array, bool]] = []
-    start = 0
-    breaks = [*(np.flatnonzero(jump | ~fits[:-1] | ~fits[1:]) + 1).tolist(), len(points)]
-    for end in breaks:
-        if fits[start] and end > start:
+    for start, end in pairwise(ends):
+        if fits[start]:
             run = [*wrapped[start:end]]
+            first = last = None
             if start > 0:
-                run.insert(0, _end(arm, follower, box, points[start], points[start - 1], wrapped[start]))
+                first = _end(follower, limits, points[start], points[start - 1], wrapped[start])
+                if first is None and parts and fits[start - 1]:
+                    first = _turned_to(wrapped[start], parts[-1][0][-1], limits.arm)
             if end < len(points):
-                run.append(_end(arm, follower, box, points[end - 1], points[end], wrapped[end - 1]))
-            parts.append((np.array(run), False))
-        start = end
-    return _joined_round(path, wrapped, parts)
-
-
-def _joined_round(
-    path: FamilyPath, wrapped: Array, parts: list[tuple[Array, bool]]
-) -> list[tuple[Array, bool]]:
-    """Of a closed path whose first and last part are one, both put together."""
-    if not path.closed or len(parts) < 2:
-        return parts
-    first, last = parts[0][0], parts[-1][0]
-    if np.array_equal(first[0], wrapped[0]) and np.array_equal(last[-1], wrapped[-1]):
-        return [*parts[1:-1], (np.vstack((last, first[1:])), False)]
+                last = _end(follower, limits, points[end - 1], points[end], wrapped[end - 1])
+            parts.append((np.array([one for one in (first, *run, last) if one is not None]), False))
     return parts
 
 
-def _end(arm: Arm, follower: Follower, box: Box, inside: Array, outside: Array, wrapped: Array) -> Array:
-    """The last point within the limits on the way from one inside to one outside."""
-    near, far = 0.0, 1.0
-    way = outside - inside
-    best = wrapped
-    for _ in range(HALVINGS):
-        middle = 0.5 * (near + far)
-        there, fits = within_limits((inside + middle * way)[None], arm.revolute, box, arm.size)
-        if fits[0] and float(np.abs((there[0] - wrapped - middle * way) / arm.units).max()) < 1e-3:
-            near, best = middle, there[0]
-        else:
-            far = middle
-    unit = way / arm.units
-    corrected, e, _ = follower.corrected(best / arm.units, (unit / np.linalg.norm(unit))[None])
-    low_enough, fits = within_limits((corrected * arm.units)[None], arm.revolute, box, arm.size)
-    return np.asarray(low_enough[0] if fits[0] and follower.reached(e) else best)
+def _turned_to(near: Array, q: Array, arm: Arm) -> Array:
+    """A configuration by the turns that bring it nearest to another."""
+    turns = 2.0 * np.pi * np.round((near - q) / (2.0 * np.pi))
+    return np.asarray(q + np.where(arm.revolute, turns, 0.0))
+
+
+def _breaks(arm: Arm, points: Array, wrapped: Array, fits: NDArray[np.bool_]) -> list[int]:
+    """The points that are not reached from the one before without leaving the limits."""
+    jump = np.abs((np.diff(wrapped, axis=0) - np.diff(points, axis=0)) / arm.units).max(axis=1) > 1e-3
+    found: list[int] = (np.flatnonzero(jump | ~fits[:-1] | ~fits[1:]) + 1).tolist()
+    return found
+
+
+def _opened(points: Array, k: int) -> Array:
+    """A closed path, whose last point is its first one some turns on, from before point k to behind it."""
+    turns = points[-1] - points[0]
+    return np.vstack((points[k - 1 : -1], points[:k] + turns, points[k] + turns))
+
+
+def _end(follower: Follower, limits: _Limits, inside: Array, outside: Array, wrapped: Array) -> Array | None:
+    """The last point within the limits on the way from one inside to one outside; None if none is between.
+
+    The joint that reaches its limit first is held there, and the others are corrected.
+
+    Args:
+        follower: of the path's target.
+        limits: the limits.
+        inside: a point of the path within them.
+        outside: the next one, which is not, or is so by another turn.
+        wrapped: the first one by turns within the limits.
+    """
+    units, way = limits.arm.units, outside - inside
+    bound = np.where(way > 0.0, limits.kept.high, limits.kept.low)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        parts = np.where(way == 0.0, np.inf, (bound - wrapped) / way)
+    joint = int(parts.argmin())
+    if parts[joint] > 1.0:
+        return None
+    best = wrapped + max(float(parts[joint]), 0.0) * way
+    best[joint] = bound[joint]
+    corrected, e, _ = follower.corrected(best / units, np.eye(len(units))[joint][None])
+    end = corrected * units
+    slack = ON_LIMIT * units
+    fits = (limits.kept.low - slack <= end) & (end <= limits.kept.high + slack)
+    is_near = float(np.abs((end - wrapped) / units).max()) <= 2.0 * FINE
+    return np.asarray(end if fits.all() and is_near and follower.reached(e) else wrapped)
 
 
 def _finer(arm: Arm, follower: Follower, path: FamilyPath) -> Array:
