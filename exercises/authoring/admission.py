@@ -15,7 +15,7 @@ from itertools import product
 
 from exercises.definition import Exercise
 from exercises.grading import is_accepted
-from exercises.selftest.variants import modified_rows, some_lengths, standard_table
+from exercises.selftest.variants import some_lengths, table_in
 from kinematics.cells import ReadTable
 from kinematics.chain import chain_of_table, size_of
 from kinematics.expressions import ZERO, Expression, add, pi_times
@@ -80,14 +80,12 @@ def textbook_choices(
         by: a length by which origins are moved.
     """
     for changed in product((False, True), repeat=len(HABITS)):
-        rows = tuple(modified_rows(table))
+        rows = table_in(table, Convention.MODIFIED).rows
         for habit, applies in zip(HABITS.values(), changed, strict=True):
             rows = habit(rows, by) if applies else rows
-        other = changed[0] is not (table.convention is Convention.STANDARD)
-        yield (
-            changed,
-            (standard_table(list(rows)) if other else DHTable(convention=Convention.MODIFIED, rows=rows)),
-        )
+        found: SymbolicTable = DHTable(convention=Convention.MODIFIED, rows=rows)
+        standard = changed[0] is not (table.convention is Convention.STANDARD)
+        yield changed, table_in(found, Convention.STANDARD if standard else Convention.MODIFIED)
 
 
 def _is_free(k: int, verdicts: Mapping[tuple[bool, ...], bool]) -> bool:

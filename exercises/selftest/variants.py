@@ -14,6 +14,7 @@ from random import Random
 
 from exercises.grading import BaseRule, ConventionRule, DirectionRule, Policy, ToolRule, ZeroRule
 from kinematics.cells import ReadTable
+from kinematics.conversion import convert, fixed_row
 from kinematics.expressions import ZERO, Expression, Number, add, multiply, negate, pi_fraction, pi_times
 from kinematics.table import Convention, DHRow, DHTable, JointType, SymbolicRow, SymbolicTable
 
@@ -34,14 +35,11 @@ def variant(
         lengths: lengths by which origins may be moved.
         rng: chooses.
     """
-    rows = modified_rows(table)
+    rows = list(table_in(table, Convention.MODIFIED).rows)
     for _ in range(rng.randint(2, 6)):
         rule = rng.choice(_rules(policy))
         rows = rule(rows, lengths, rng)
-    wanted = rng.choice(_conventions(policy))
-    if wanted is Convention.MODIFIED:
-        return DHTable(convention=wanted, rows=tuple(rows))
-    return standard_table(rows)
+    return table_in(_modified(rows), rng.choice(_conventions(policy)))
 
 
 def small_changes(
@@ -58,43 +56,30 @@ def small_changes(
     for rule in _rules(policy):
         if rule is _insert_row:
             continue  # a row that no joint needs teaches nothing
-        rows = rule(modified_rows(table), lengths, rng)
-        if table.convention is Convention.MODIFIED:
-            yield DHTable(convention=table.convention, rows=tuple(rows))
-            continue
-        found = standard_table(rows).rows
-        kept = found[:-1] if found[-1] == EMPTY else found
-        yield DHTable(convention=table.convention, rows=kept)
+        rows = rule(list(table_in(table, Convention.MODIFIED).rows), lengths, rng)
+        found = table_in(_modified(rows), table.convention)
+        if found.convention is Convention.STANDARD and found.rows[-1] == EMPTY:
+            found = replace(found, rows=found.rows[:-1])
+        yield found
 
 
 def key_as_asked(key: ReadTable, policy: Policy) -> ReadTable:
     """Return the key in a convention that the policy accepts: itself, or the other form of it."""
     if key.table.convention in _conventions(policy):
         return key
-    rows = modified_rows(key.table)
-    if key.table.convention is Convention.MODIFIED:
-        return replace(key, table=standard_table(rows))
-    return replace(key, table=DHTable(convention=Convention.MODIFIED, rows=tuple(rows)))
+    return replace(key, table=table_in(key.table, _conventions(policy)[0]))
 
 
-def modified_rows(table: SymbolicTable) -> Rows:
-    """Return the rows of a modified table with the same ⁰T_N."""
-    if table.convention is Convention.MODIFIED:
-        return list(table.rows)
-    columns = [(ZERO, ZERO), *((row.alpha, row.a) for row in table.rows)]
-    rows = [replace(row, alpha=alpha, a=a) for row, (alpha, a) in zip(table.rows, columns, strict=False)]
-    alpha, a = columns[-1]
-    return rows if alpha == ZERO and a == ZERO else [*rows, replace(EMPTY, alpha=alpha, a=a)]
+def table_in(table: SymbolicTable, convention: Convention) -> SymbolicTable:
+    """Return the table with the same ⁰T_N in a convention; what a conversion leaves over is a fixed row."""
+    found = convert(table, convention)
+    before = [] if found.base is None else [fixed_row(found.base)]
+    after = [] if found.tool is None else [fixed_row(found.tool)]
+    return DHTable(convention=convention, rows=(*before, *found.table.rows, *after))
 
 
-def standard_table(rows: Rows) -> SymbolicTable:
-    """Return the standard table with the ⁰T_N of modified rows."""
-    columns = [(row.alpha, row.a) for row in rows[1:]] + [(ZERO, ZERO)]
-    shifted = [replace(row, alpha=alpha, a=a) for row, (alpha, a) in zip(rows, columns, strict=True)]
-    first = rows[0]
-    if first.alpha != ZERO or first.a != ZERO:
-        shifted.insert(0, replace(EMPTY, alpha=first.alpha, a=first.a))
-    return DHTable(convention=Convention.STANDARD, rows=tuple(shifted))
+def _modified(rows: Rows) -> SymbolicTable:
+    return DHTable(convention=Convention.MODIFIED, rows=tuple(rows))
 
 
 def _conventions(policy: Policy) -> list[Convention]:

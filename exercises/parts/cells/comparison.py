@@ -102,16 +102,6 @@ def is_doubled(once: Matrices, twice: Matrices, size: float) -> bool:
         return bool((np.abs(twice - wanted) <= ALL_NAMED * max(1.0, size)).all())
 
 
-def inverse(poses: Matrices) -> Matrices:
-    """Return (…, 4, 4) inverses of rigid motions."""
-    rotation = np.swapaxes(poses[..., :3, :3], -1, -2)
-    result = np.zeros_like(poses)
-    result[..., :3, :3] = rotation
-    result[..., :3, 3] = -np.einsum("...ij,...j->...i", rotation, poses[..., :3, 3])
-    result[..., 3, 3] = 1.0
-    return result
-
-
 def transposed_rotation(poses: Matrices) -> Matrices:
     """Return the same positions with transposed rotations, (…, 4, 4)."""
     result = poses.copy()

@@ -19,7 +19,6 @@ from exercises.parts.cells.comparison import (
     agreeing,
     cell_names,
     compare,
-    inverse,
     is_rigid,
     transposed_cells,
     transposed_rotation,
@@ -30,6 +29,7 @@ from exercises.parts.context import Context
 from exercises.parts.forward.value import is_robot
 from exercises.parts.protocol import TABLE, Length, PartTask, PartType, Reading
 from exercises.parts.report import Credit, Fact, PartReport, fact, judged, told_from
+from kinematics.se3 import inverse_transform
 from kinematics.table import Convention
 
 
@@ -57,7 +57,7 @@ def _what_is_off(context: Context, i: int, compared: Compared) -> Feedback:
     other = Convention.MODIFIED if table.convention is Convention.STANDARD else Convention.STANDARD
     if looks_like(context.own_links(samples, other)[i]):
         return Feedback(code="matrix_other_convention", row=i + 1, params=params)
-    if looks_like(inverse(own)):
+    if looks_like(inverse_transform(own)):
         return Feedback(code="matrix_inverse", row=i + 1, params=params)
     if looks_like(transposed_rotation(own)):
         return Feedback(code="matrix_rotation_transposed", row=i + 1, params=params)

@@ -26,7 +26,6 @@ from exercises.parts.cells.comparison import (
     Matrices,
     agreeing,
     cell_facts,
-    inverse,
     transposed_cells,
     transposed_rotation,
 )
@@ -44,6 +43,7 @@ from kinematics.cells import AngleUnit
 from kinematics.equivalence import Tolerance
 from kinematics.errors import ParameterError
 from kinematics.forward import forward_kinematics
+from kinematics.se3 import inverse_transform
 from kinematics.table import JointType
 
 USUAL_TURNS = Draw(start=Fraction(-120), stop=Fraction(120), step=Fraction(15), without=(Fraction(0),))
@@ -261,7 +261,7 @@ def _feedback(
     if score:
         rotation = agreeing(answer[None], pose[None], context.size, allowed)[:3, :3].all()
         yield Feedback(code="pose_rotation_right" if rotation else "pose_position_right")
-    if looks_like(inverse(pose)):
+    if looks_like(inverse_transform(pose)):
         yield Feedback(code="pose_inverse")
     elif looks_like(transposed_rotation(pose)):
         yield Feedback(code="pose_rotation_transposed")

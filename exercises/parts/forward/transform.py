@@ -21,7 +21,6 @@ from exercises.parts.cells.comparison import (
     cell_facts,
     cell_names,
     compare,
-    inverse,
     is_rigid,
     transposed_cells,
     transposed_rotation,
@@ -32,6 +31,7 @@ from exercises.parts.context import Context
 from exercises.parts.forward.value import is_robot
 from exercises.parts.protocol import PartTask, PartType, Reading
 from exercises.parts.report import Credit, PartReport, judged, told_from
+from kinematics.se3 import inverse_transform
 
 
 def transform_is_robot(context: Context, answer: SymbolicMatrix) -> bool:
@@ -64,7 +64,7 @@ def _what_is_off(context: Context, compared: Compared) -> Feedback:
     def looks_like(other: Matrices) -> bool:
         return bool(agreeing(compared.actual, other, context.size, context.policy.tolerance).all())
 
-    if looks_like(inverse(own)):
+    if looks_like(inverse_transform(own)):
         return Feedback(code="transform_inverse")
     if looks_like(transposed_rotation(own)):
         return Feedback(code="transform_rotation_transposed")

@@ -15,7 +15,7 @@ from functools import partial, reduce
 import numpy as np
 from numpy.typing import NDArray
 
-from exercises.parts.cells.comparison import agreeing, inverse, is_doubled, is_rigid
+from exercises.parts.cells.comparison import agreeing, is_doubled, is_rigid
 from exercises.parts.cells.exactness import EITHER_WAY
 from exercises.parts.cells.mixed_lengths import other_lengths
 from exercises.parts.cells.symbolic_matrix import SymbolicMatrix
@@ -26,7 +26,7 @@ from kinematics.equivalence import Tolerance
 from kinematics.equivalence.decision import certify
 from kinematics.equivalence.reference import prepared
 from kinematics.errors import ParameterError
-from kinematics.se3 import cross_arrays, from_matrix
+from kinematics.se3 import cross_arrays, from_matrix, inverse_transform
 from kinematics.table import JointType, NumericTable, bind
 
 Matrix = NDArray[np.float64]
@@ -141,7 +141,7 @@ def chain_of_poses(
     for i, joint_type in enumerate(joint_types):
         step = 1.0 if joint_type is JointType.REVOLUTE else size
         derivative = (poses[1 + i] - poses[1 + n + i]) / (2.0 * step)
-        axis = _axis(derivative @ inverse(end), joint_type, tolerance, size)
+        axis = _axis(derivative @ inverse_transform(end), joint_type, tolerance, size)
         if axis is None:
             return None
         axes.append(axis)

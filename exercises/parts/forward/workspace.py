@@ -22,7 +22,6 @@ from exercises.grading import Feedback, HelpLevel
 from exercises.instance import Instance
 from exercises.names import in_own_names
 from exercises.parts.cells.by_name import ByName, read_by_name
-from exercises.parts.cells.comparison import inverse
 from exercises.parts.context import Context
 from exercises.parts.definition_keys import TOLERANCE, DefinitionKey, KeyShape, Start, joint_names
 from exercises.parts.forward.reach import Interval, Reach, reach
@@ -33,6 +32,7 @@ from kinematics.cells import AngleUnit, Cell, ParameterKind, read_cell
 from kinematics.chain import chain_of_table
 from kinematics.errors import CellError, Fault, KinematicsError
 from kinematics.expressions import evaluate
+from kinematics.se3 import inverse_transform
 from kinematics.table import JointType, NumericTable
 
 Key = tuple[float, float, float]
@@ -108,7 +108,7 @@ def workspace_of(context: Context, part: WorkspacePart) -> Reach:
     table = context.reference_numbers
     values = context.reference_values
     points = Points(context.instance.exercise.figure, context.reference.table, values)
-    to_base, to_last = inverse(points.frames[0]), inverse(points.frames[-1])
+    to_base, to_last = inverse_transform(points.frames[0]), inverse_transform(points.frames[-1])
     point = to_last[:3, :3] @ points.point(part.point) + to_last[:3, 3]
     if part.reach_from is ReachFrom.POINT and part.origin is not None:
         origin = to_base[:3, :3] @ points.point(part.origin) + to_base[:3, 3]
