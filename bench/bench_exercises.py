@@ -116,7 +116,8 @@ def _script(body: str, number: str | None) -> str:
 
 
 def _in_process() -> list[Outcome]:
-    from exercises.drawings import figure_svg
+    from exercises.drawings import figure_drawing
+    from exercises.figures.svg import document
     from exercises.grading import accept
     from exercises.instance import generate
     from exercises.library import packaged
@@ -137,7 +138,7 @@ def _in_process() -> list[Outcome]:
         return verdict
 
     def drawn() -> object:
-        return figure_svg(instance, title="PUMA 560", description="", language="en")
+        return document(figure_drawing(instance), title="PUMA 560", description="", language="en")
 
     return race(
         "one figure of the PUMA 560, in process", drawn, {"reading and grading one new right answer": graded}

@@ -96,15 +96,12 @@ class Counted:
     worth: float
 
 
-NO_ALLOWANCE = Allowance()
-
-
-def deadline(policy: AttemptPolicy, allowance: Allowance = NO_ALLOWANCE) -> datetime | None:
+def deadline(policy: AttemptPolicy, allowance: Allowance) -> datetime | None:
     """Return until when a student's attempts count."""
     return None if policy.closes is None else policy.closes + allowance.extra_time
 
 
-def attempts_allowed(policy: AttemptPolicy, allowance: Allowance = NO_ALLOWANCE) -> int | None:
+def attempts_allowed(policy: AttemptPolicy, allowance: Allowance) -> int | None:
     """Return how many attempts a student has; None for any number."""
     return None if policy.attempts is None else policy.attempts + allowance.extra_attempts
 
@@ -135,7 +132,7 @@ def worth(policy: AttemptPolicy, outcome: AttemptOutcome) -> float:
 
 
 def counted(
-    policy: AttemptPolicy, outcomes: Sequence[AttemptOutcome], allowance: Allowance = NO_ALLOWANCE
+    policy: AttemptPolicy, outcomes: Sequence[AttemptOutcome], allowance: Allowance
 ) -> Counted | None:
     """Return the attempt that makes the grade; None if none does. What was handed in late does not count.
 
@@ -161,7 +158,7 @@ def advanced(
     policy: AttemptPolicy,
     before: Counted | None,
     outcome: AttemptOutcome,
-    allowance: Allowance = NO_ALLOWANCE,
+    allowance: Allowance,
 ) -> Counted | None:
     """Return what makes the grade after one more attempt: `counted` of all, from what it was of those before.
 
@@ -184,7 +181,7 @@ def advanced(
 
 
 def disclosed(
-    policy: AttemptPolicy, made: int, now: datetime, *, released: bool, longest: timedelta = timedelta()
+    policy: AttemptPolicy, made: int, now: datetime, *, released: bool, longest: timedelta
 ) -> Shown:
     """Return how much of a student's judgements may be shown now.
 
@@ -214,9 +211,7 @@ def disclosed(
             return Shown.RECEIPT
 
 
-def score_due(
-    policy: AttemptPolicy, now: datetime, *, released: bool, longest: timedelta = timedelta()
-) -> datetime | None:
+def score_due(policy: AttemptPolicy, now: datetime, *, released: bool, longest: timedelta) -> datetime | None:
     """Return when a grade may go to the gradebook: as soon as its student may know it; None until a release.
 
     A mark in the gradebook must not tell what the page still withholds.

@@ -157,12 +157,8 @@ def connect(url: str, folder: Path) -> Store:
     return Store(_sqlite((folder / FILE_NAME).resolve()), (folder / FILE_NAME).resolve())
 
 
-def migrate(store: Store, target: str = "head") -> None:
+def migrate(store: Store) -> None:
     """Apply what the database lacks of the schema's history.
-
-    Args:
-        store: the database.
-        target: the revision to stop at.
 
     Raises:
         StorageError: the database's schema is not in this program's history.
@@ -172,7 +168,7 @@ def migrate(store: Store, target: str = "head") -> None:
             return
         from courses.schema_history import advance  # few starts need what it takes
 
-        advance(connection, target)
+        advance(connection, "head")
 
 
 def newest_revision() -> str:

@@ -15,7 +15,7 @@ from exercises.figures.geometry import Scene, Vector, build_scene, scene_vector
 from exercises.figures.points import frames_in_figure, rotation_rpy
 from exercises.figures.skeleton import usual_dimensions
 from exercises.figures.specification import DimensionMark
-from exercises.figures.svg import SvgDrawing, document
+from exercises.figures.svg import SvgDrawing
 from exercises.grading import DirectionRule, ZeroRule
 from exercises.grading.judging.exact_text import expression_text
 from exercises.grading.verdict import Matrix4
@@ -61,29 +61,6 @@ def _scene(instance: Instance, *, drawn: bool) -> Scene:
     )
 
 
-def figure_svg(
-    instance: Instance,
-    *,
-    title: str,
-    description: str,
-    language: str,
-    note: str = "",
-    frames: Sequence[DrawnFrame] = (),
-) -> str:
-    """Return the figure as SVG.
-
-    Args:
-        instance: the exercise with the student's values.
-        title: what it shows, in a few words.
-        description: the same in full.
-        language: of both.
-        note: what is written below a figure that is not to scale.
-        frames: frame 0 … N, to be drawn on the robot, which is to scale then.
-    """
-    drawing = figure_drawing(instance, note, frames)
-    return document(drawing, title=title, description=description, language=language)
-
-
 def figure_drawing(instance: Instance, note: str = "", frames: Sequence[DrawnFrame] = ()) -> SvgDrawing:
     """Return the figure without the words that tell of it.
 
@@ -120,7 +97,7 @@ class FigureDimensions:
 
 
 def figure_dimensions(instance: Instance, note: str = "") -> FigureDimensions:
-    """Return the dimensions of the figure as `figure_svg` draws it with the same note."""
+    """Return the dimensions of the figure as `figure_drawing` draws it with the same note."""
     exercise = instance.exercise
     figure = exercise.figure
     scene = _drawn_scene(instance)

@@ -24,14 +24,14 @@ from kinematics.table import Convention
 from kinematics.urdf import table_from_urdf
 
 
-def read_source(document: Mapping[str, Any], where: str = "source") -> ExerciseSource:
+def read_source(document: Mapping[str, Any]) -> ExerciseSource:
     """Return what an exercise is to be about, from a document with one of the keys of `FORMS`.
 
     Raises:
         DefinitionError: every fault with its key.
     """
     faults: list[Fault] = []
-    reader = Reader(document, (where,), faults)
+    reader = Reader(document, ("source",), faults)
     given = [form for form in FORMS if reader.given(form)]
     reader.finish()
     if len(given) != 1:
@@ -44,7 +44,7 @@ def read_source(document: Mapping[str, Any], where: str = "source") -> ExerciseS
         return from_robot(name) if not faults else _refuse(faults)
     if form == "urdf":
         text = reader.text(form)
-        return from_urdf(text, where) if not faults else _refuse(faults)
+        return from_urdf(text, "source") if not faults else _refuse(faults)
     inner = reader.table(form)
     if faults:
         raise DefinitionError(faults)

@@ -11,7 +11,7 @@ from exercises.authoring.scaffold import started
 from exercises.authoring.sources import read_source
 from exercises.consistency import FILE
 from exercises.definition import Exercise
-from exercises.drawings import figure_svg, values
+from exercises.drawings import figure_drawing, values
 from exercises.errors import DefinitionError
 from exercises.instance import Instance, generate
 from exercises.needs import unneeded_dimensions
@@ -120,7 +120,7 @@ def _read(draft: ExerciseDraft) -> Exercise:
 def _drawn(exercise: Exercise) -> Instance:
     """The exercise with its usual values, once its figure can be drawn."""
     instance = generate(exercise)
-    figure_svg(instance, title=exercise.id, description="", language="en")
+    figure_drawing(instance)
     return instance
 
 

@@ -24,7 +24,6 @@ from kinematics.keys import ValueKind
 from kinematics.table import JointType
 
 USUAL_VIEW = View(azimuth=math.radians(-60), elevation=math.radians(24))
-_FORMS = "frame and at; between and ratio; from and by; from, joint and distance"
 
 
 def read_figure(reader: Reader, joint_types: Sequence[JointType], degrees: bool) -> FigureSpecification:

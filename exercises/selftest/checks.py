@@ -12,7 +12,7 @@ import numpy as np
 
 from exercises.answers import RawAnswer
 from exercises.definition import Exercise
-from exercises.drawings import figure_svg, true_scene, values
+from exercises.drawings import figure_drawing, true_scene, values
 from exercises.errors import DefinitionError
 from exercises.grading import HelpLevel, Verdict
 from exercises.instance import Instance, generate
@@ -100,7 +100,7 @@ def _check_drawn(findings: Findings, instance: Instance) -> None:
     findings.expect("structure", usual == own, seed=instance.seed)
     try:
         true_scene(instance)
-        figure_svg(instance, title=exercise.id, description="", language="en")
+        figure_drawing(instance)
     except DefinitionError as error:
         findings.fail("figure", seed=instance.seed, reason=error.code)
     else:

@@ -67,9 +67,7 @@ class Limiter:
         finally:
             slot.release()
 
-    async def run_first(
-        self, question: Hashable, work: Callable[[], _Result], kind: Hashable = None
-    ) -> _Result:
+    async def run_first(self, question: Hashable, work: Callable[[], _Result], kind: Hashable) -> _Result:
         """Do work in a thread the first time, and at once afterwards: what took long has been kept.
 
         Args:
@@ -77,7 +75,7 @@ class Limiter:
             work: what is to be done; it waits for nothing but the processor.
             kind: of work that takes about as long whatever it follows from; once it has been seen to take
                 little, it is done at once the first time too, one piece between two looks of the event loop
-                at its connections. None: that is not known.
+                at its connections.
 
         Raises:
             BusyError: as in `run`.
@@ -85,7 +83,7 @@ class Limiter:
         if question in self._done:
             self._done.move_to_end(question)
             return work()
-        result = await (self.run(work) if kind is None else self._run_of(kind, work))
+        result = await self._run_of(kind, work)
         self._done[question] = None
         while len(self._done) > DONE:
             self._done.popitem(last=False)

@@ -49,7 +49,7 @@ outcomes = st.lists(st.tuples(st.integers(0, 10_000), st.floats(0, 1)), max_size
 
 @given(policies, outcomes)
 def test_a_grade_is_the_worth_of_a_timely_attempt_or_there_is_none(policy, made) -> None:
-    found = counted(policy, made)
+    found = counted(policy, made, Allowance())
     timely = [o for o in made if policy.closes is None or o.at <= policy.closes]
     assert (found is None) == (not timely)
     if found:
@@ -62,9 +62,11 @@ def test_a_grade_is_the_worth_of_a_timely_attempt_or_there_is_none(policy, made)
 def test_the_best_is_never_beaten_and_never_falls_with_one_more_attempt(policy, made) -> None:
     if policy.counting is not Counting.BEST:
         return
-    grades = [found.worth for n in range(1, len(made) + 1) if (found := counted(policy, made[:n]))]
+    grades = [
+        found.worth for n in range(1, len(made) + 1) if (found := counted(policy, made[:n], Allowance()))
+    ]
     assert grades == sorted(grades)
-    final = counted(policy, made)
+    final = counted(policy, made, Allowance())
     if final:
         timely = [o for o in made if policy.closes is None or o.at <= policy.closes]
         assert final.worth == max(worth(policy, o) for o in timely)
@@ -81,7 +83,7 @@ def test_a_grade_that_follows_attempt_by_attempt_is_the_grade_of_all(policy, mad
 
 @given(policies, outcomes, extra)
 def test_extra_time_takes_no_attempt_and_no_grade_away(policy, made, more) -> None:
-    plain, favoured = counted(policy, made), counted(policy, made, Allowance(extra_time=more))
+    plain, favoured = counted(policy, made, Allowance()), counted(policy, made, Allowance(extra_time=more))
     assert plain is None or favoured is not None
     if plain and favoured and policy.counting is Counting.BEST:
         assert favoured.worth >= plain.worth
@@ -122,12 +124,12 @@ def test_nobody_sees_an_exam_while_somebody_still_writes() -> None:
     policy = AttemptPolicy(mode=Mode.EXAM, closes=START)
     after = START + timedelta(minutes=5)
     assert disclosed(policy, 1, after, released=False, longest=timedelta(minutes=10)) is Shown.RECEIPT
-    assert disclosed(policy, 1, after, released=False) is Shown.ALL
+    assert disclosed(policy, 1, after, released=False, longest=timedelta()) is Shown.ALL
 
 
 def test_a_penalty_is_taken_for_each_attempt_before() -> None:
     policy = AttemptPolicy(penalty=0.1)
     made = [AttemptOutcome(number=n, at=START, score=s) for n, s in ((1, 0.4), (2, 0.5), (3, 1.0))]
-    found = counted(policy, made)
+    found = counted(policy, made, Allowance())
     assert found is not None
     assert (found.number, round(found.worth, 12)) == (3, 0.8)

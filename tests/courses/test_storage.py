@@ -19,8 +19,9 @@ from sqlalchemy.exc import OperationalError
 from courses.backup import back_up, restore
 from courses.records import metadata, prepared_answer
 from courses.refusals import StorageError, StorageUnavailableError
+from courses.schema_history import advance
 from courses.statistics import class_overview
-from courses.storage import Store, connect, migrate, newest_revision, open_store, revision_of
+from courses.storage import Store, connect, newest_revision, open_store, revision_of
 from tests.courses.classroom import attempts_of, joined, submitted
 
 
@@ -184,7 +185,8 @@ def test_an_upgrade_keeps_what_the_version_before_has_stored(
 ) -> None:
     """A database with the schema of an earlier version, and its data, under the program of this one."""
     old = connect(database, tmp_path / "data")
-    migrate(old, before)
+    with old.writing() as connection:
+        advance(connection, before)
     assert revision_of(old) == before
     session = joined(old)
     kept = submitted(old, session, 0.5, key="kept")

@@ -237,18 +237,18 @@ def test_only_the_first_to_ask_waits_for_a_thread() -> None:
     async def scene() -> None:
         limiter = Limiter(threads=1, capacity=0, timeout=1)
         here = threading.get_ident()
-        assert await limiter.run_first("asked", threading.get_ident) != here
+        assert await limiter.run_first("asked", threading.get_ident, "asked") != here
         with pytest.raises(ZeroDivisionError):
-            await limiter.run_first("failed", lambda: 1 // 0)
+            await limiter.run_first("failed", lambda: 1 // 0, "failed")
         slot = await limiter.acquire()
-        assert await limiter.run_first("asked", threading.get_ident) == here
+        assert await limiter.run_first("asked", threading.get_ident, "asked") == here
         for question in ("new", "failed"):
             with pytest.raises(BusyError):
-                await limiter.run_first(question, threading.get_ident)
+                await limiter.run_first(question, threading.get_ident, question)
         slot.release()
         for number in range(DONE):
-            await limiter.run_first(number, threading.get_ident)
-        assert await limiter.run_first("asked", threading.get_ident) != here
+            await limiter.run_first(number, threading.get_ident, number)
+        assert await limiter.run_first("asked", threading.get_ident, "asked") != here
 
     asyncio.run(scene())
 
@@ -305,12 +305,11 @@ def test_work_of_a_kind_that_takes_little_needs_no_thread(monkeypatch: pytest.Mo
         limiter = Limiter(threads=1, capacity=8, timeout=1)
         asked = itertools.count()
 
-        async def at_once(seconds: float, kind: str | None) -> bool:
+        async def at_once(seconds: float, kind: str) -> bool:
             return await limiter.run_first(next(asked), taking(seconds), kind)
 
         assert [await at_once(0.001, "light") for _ in range(TRIED + 2)] == [False] * TRIED + [True] * 2
         assert not any([await at_once(2 * LIGHT, "heavy") for _ in range(TRIED + 2)])
-        assert not any([await at_once(0.001, None) for _ in range(TRIED + 2)])
         assert await at_once(2 * LIGHT, "light")
         assert not await at_once(0.001, "light")
         for number in range(DONE):

@@ -10,8 +10,9 @@ import pypdfium2
 import pytest
 import segno
 
-from exercises.drawings import figure_svg
-from exercises.instance import generate
+from exercises.drawings import figure_drawing
+from exercises.figures.svg import document
+from exercises.instance import Instance, generate
 from exercises.library import packaged
 from service.receipts.figure_on_paper import outline
 from service.receipts.paper import WIDTH
@@ -20,7 +21,13 @@ from tests.service.test_receipts import API, RIGHT
 
 LANGUAGES = ("en", "es", "fr", "pt", "ro", "uk")
 TOKEN = "eyJhbGciOiJFZERTQSJ9." * 40
-FIGURE = figure_svg(generate(packaged().exercise("puma560"), "s"), title="", description="", language="en")
+
+
+def svg_of(instance: Instance) -> str:
+    return document(figure_drawing(instance), title="", description="", language="en")
+
+
+FIGURE = svg_of(generate(packaged().exercise("puma560"), "s"))
 
 
 def read(pdf: bytes) -> str:
@@ -117,7 +124,7 @@ def test_every_exercise_has_a_figure_that_can_be_put_on_paper() -> None:
     drawn = 0
     for name in library.ids[::6]:
         instance = generate(library.exercise(name), "s")
-        figure = figure_svg(instance, title="", description="", language="en")
+        figure = svg_of(instance)
         sheet = Sheet(
             title=name, language="en", facts=[], answer="", columns=[], rows=[], signature="", receipt=""
         )

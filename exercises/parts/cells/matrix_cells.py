@@ -29,11 +29,7 @@ CELL_LIMITS = Limits(cell_characters=2000, cell_symbols=48)
 
 
 def read_matrix(
-    cells: CellMatrix,
-    joint_types: Sequence[JointType],
-    angle_unit: AngleUnit,
-    where: Where,
-    limits: Limits = CELL_LIMITS,
+    cells: CellMatrix, joint_types: Sequence[JointType], angle_unit: AngleUnit, where: Where
 ) -> SymbolicMatrix:
     """Return the matrix that a 4×4 of cells means.
 
@@ -42,14 +38,13 @@ def read_matrix(
         joint_types: types of joint 1 … n, whose variables may stand in the cells.
         angle_unit: unit of plain numbers where an angle stands.
         where: place of the matrix in the answer, for faults.
-        limits: how large a cell may be.
 
     Raises:
         CellError: it is not 4×4, or cells cannot be read; every fault, each with the place of its cell.
     """
     if len(cells) != 4 or any(len(row) != 4 for row in cells):
         raise CellError(Fault(code="matrix_not_4x4", where=where))
-    found = _read_cells(cells, joint_types, angle_unit, where, limits)
+    found = _read_cells(cells, joint_types, angle_unit, where)
     faults = [entry for row in found for entry in row if isinstance(entry, Fault)]
     if faults:
         raise CellError(faults)
@@ -63,25 +58,21 @@ def read_matrix(
 
 
 def read_entries(
-    cells: CellMatrix,
-    joint_types: Sequence[JointType],
-    angle_unit: AngleUnit,
-    where: Where,
-    limits: Limits = CELL_LIMITS,
+    cells: CellMatrix, joint_types: Sequence[JointType], angle_unit: AngleUnit, where: Where
 ) -> list[list[CellMeaning | Fault]]:
     """Return what each cell of a 4×4 means, or what is wrong with it, with its place.
 
     Args as in `read_matrix`.
     """
-    found = _read_cells(cells, joint_types, angle_unit, where, limits)
+    found = _read_cells(cells, joint_types, angle_unit, where)
     return [[entry if isinstance(entry, Fault) else entry.meaning for entry in row] for row in found]
 
 
 def _read_cells(
-    cells: CellMatrix, joint_types: Sequence[JointType], angle_unit: AngleUnit, where: Where, limits: Limits
+    cells: CellMatrix, joint_types: Sequence[JointType], angle_unit: AngleUnit, where: Where
 ) -> list[list[MatrixEntry | Fault]]:
     length, ratio = (
-        cell_manner(position, angle_unit, limits, tuple(joint_types))
+        cell_manner(position, angle_unit, CELL_LIMITS, tuple(joint_types))
         for position in (Position.LENGTH, Position.RATIO)
     )
     return [

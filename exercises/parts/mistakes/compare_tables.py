@@ -44,12 +44,6 @@ class ComparisonReason(StrEnum):
     OFFSET = "offset"
 
 
-SAME = (
-    ComparisonReason.AXIS_REVERSED,
-    ComparisonReason.X_TURNED,
-    ComparisonReason.ORIGIN_MOVED,
-    ComparisonReason.OTHER_CONVENTION,
-)
 _TOLD = {
     "axis_reversed": ComparisonReason.AXIS_REVERSED,
     "end_axis_reversed": ComparisonReason.AXIS_REVERSED,

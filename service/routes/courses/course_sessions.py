@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import partial
-from typing import Any, TypeVar
+from typing import Any
 
 from fastapi import Response
 from pydantic import TypeAdapter
@@ -33,7 +33,6 @@ router = api_router("courses", route_class=DirectRoute)
 router.include_in_schema = False
 
 _ANSWER: TypeAdapter[AnswerBase] = TypeAdapter(ExerciseAnswer)
-_Result = TypeVar("_Result")
 LONGEST_KEY = 100
 """Characters of an idempotency key that are stored; a UUID has 36."""
 

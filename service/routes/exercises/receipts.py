@@ -53,7 +53,6 @@ _RECEIPT: dict[str, Any] = named(
 _VERIFY: dict[str, Any] = named({"a text that is no receipt": {"receipts": ["eyJhbGciOiJFZERTQSIsImtpZCI6"]}})
 _CSV = "text/csv; charset=utf-8"
 _PDF = "application/pdf"
-_BINARY = {"type": "string", "format": "binary"}
 _COLUMNS = {
     Convention.STANDARD: ("theta", "d", "a", "alpha"),
     Convention.MODIFIED: ("alpha", "a", "d", "theta"),

@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 
 from exercises.definition import Exercise
-from exercises.drawings import figure_geometry, figure_sentences, figure_svg, key_pose, true_scene
+from exercises.drawings import figure_drawing, figure_geometry, figure_sentences, key_pose, true_scene
 from exercises.figures.camera import camera_for
-from exercises.figures.svg import split_name
+from exercises.figures.svg import document, split_name
 from exercises.grading import DirectionRule
 from exercises.instance import Instance, generate
 from exercises.loader import load_exercise
@@ -25,10 +25,12 @@ SVG = "{http://www.w3.org/2000/svg}"
 
 
 def drawn(exercise_id: str, seed: str | None = None) -> ElementTree.Element:
-    svg = figure_svg(
-        generate(exercise(exercise_id), seed), title="A <robot>", description='"d" & e', language="en"
-    )
-    return ElementTree.fromstring(svg)
+    return root_of(generate(exercise(exercise_id), seed))
+
+
+def root_of(instance: Instance) -> ElementTree.Element:
+    drawing = figure_drawing(instance)
+    return ElementTree.fromstring(document(drawing, title="A <robot>", description='"d" & e', language="en"))
 
 
 def texts(root: ElementTree.Element) -> list[str]:
@@ -159,7 +161,7 @@ def with_signs(exercise_id: str) -> Instance:
 @pytest.mark.parametrize("exercise_id", ["puma560", "scara", "stanford", "kr125", "ssrms"])
 def test_a_policy_that_fixes_directions_shows_them(exercise_id: str) -> None:
     instance = with_signs(exercise_id)
-    root = ElementTree.fromstring(figure_svg(instance, title="", description="", language="en"))
+    root = root_of(instance)
     names = [f"q{joint}" for joint in range(1, instance.exercise.reference.table.n_joints + 1)]
     assert set(names) <= set(texts(root))
     arrows = [node for node in root.iter() if node.get("class") == "sense"]
@@ -169,7 +171,7 @@ def test_a_policy_that_fixes_directions_shows_them(exercise_id: str) -> None:
 
 def test_arrows_turn_by_the_right_hand_rule() -> None:
     """Joint 1 of the PUMA turns about the vertical: seen from above, the arrow runs counterclockwise."""
-    root = ElementTree.fromstring(figure_svg(with_signs("puma560"), title="", description="", language="en"))
+    root = root_of(with_signs("puma560"))
     arrow = next(node for node in root.iter() if node.get("class") == "sense")
     points = np.array([[float(v) for v in pair.split()] for pair in str(arrow.get("d"))[1:].split("L")])
     centred = points - points.mean(axis=0)
@@ -182,7 +184,7 @@ def test_a_table_alone_gives_a_figure(tmp_path: object) -> None:
 
     assert isinstance(tmp_path, Path)
     found = load_exercise(folder(tmp_path))
-    root = ElementTree.fromstring(figure_svg(generate(found), title="", description="", language="en"))
+    root = root_of(generate(found))
     assert sorted(texts(root)) == ["1", "2", "L1", "L2"]
 
 
@@ -195,7 +197,7 @@ def test_the_automatic_figure_of_every_robot_is_sound(exercise_id: str) -> None:
     assert len(scene.axes) == bare.reference.table.n_joints
     assert len(scene.dimensions) >= 1
     assert scene.ground is not None
-    figure_svg(generate(bare), title="", description="", language="en")
+    root_of(generate(bare))
 
 
 def test_prismatic_joints_are_blocks_and_revolute_ones_cylinders() -> None:

@@ -8,7 +8,8 @@ from dataclasses import replace
 import pytest
 
 from exercises.answers import Answer
-from exercises.drawings import figure_geometry, figure_svg
+from exercises.drawings import figure_drawing, figure_geometry
+from exercises.figures.svg import document
 from exercises.grading import Finding
 from exercises.instance import Instance, generate
 from exercises.parts.cells.matrix_cells import CELL_LIMITS
@@ -87,7 +88,8 @@ def test_students_get_different_mistakes_and_each_the_same_again() -> None:
 
 def test_the_figure_shows_the_frames_and_no_other_figure_does() -> None:
     def names(instance: Instance) -> str:
-        return figure_svg(instance, title="", description="", language="en", frames=frames_shown(instance))
+        drawing = figure_drawing(instance, frames=frames_shown(instance))
+        return document(drawing, title="", description="", language="en")
 
     instance = generate(exercise("scara-frame-mistake"), 2)
     assert names(instance).count('class="frame-') >= 3 * len(frames_shown(instance))
