@@ -274,6 +274,17 @@ def test_inverse_kinematics_points_at_what_was_sent(client: httpx.Client) -> Non
     assert refusal(client, "inverse-kinematics", **many) == [("inverse_joint_count", "/chain/joints")]
 
 
+def test_joint_values_too_large_to_be_computed_with_are_pointed_at(client: httpx.Client) -> None:
+    question = {
+        "chain": {"joints": [{"a": "q1"}, {"z": "q2"}, {"x": "q3"}, {"x": "q4"}]},
+        "joints": [0.5, 0, 1e308, 1e308],
+    }
+    assert refusal(client, "jacobian", **question) == [
+        ("result_not_finite", "/joints/2"),
+        ("result_not_finite", "/joints/3"),
+    ]
+
+
 def test_an_arm_that_is_searched(client: httpx.Client) -> None:
     rows = [{"z": 0.3, "a": f"q{i}"} if i % 2 else {"x": 0.4, "b": f"q{i}"} for i in range(1, 8)]
     target = ask(client, "forward-kinematics", chain={"joints": rows}, joints=[0.1 * i for i in range(7)])

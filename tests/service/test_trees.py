@@ -121,6 +121,9 @@ def test_a_tree_without_branches_is_a_modified_table(client: httpx.Client) -> No
     assert answer["ends"][0]["table"]["rows"] == [{"joint": "revolute", **row} for row in rows]
 
 
+SLIDES = [{"after": i, "alpha": 0, "a": 0, "theta": 0, "d": f"q{i + 1}"} for i in range(2)]
+
+
 @pytest.mark.parametrize(
     ("rows", "changes", "code", "pointer"),
     [
@@ -132,6 +135,7 @@ def test_a_tree_without_branches_is_a_modified_table(client: httpx.Client) -> No
         (ROWS, {"joints": [1, 2]}, "joints_wrong_length", "/joints"),
         (ROWS, {"parameters": {"h": 1, "w": 1}}, "parameter_missing", "/parameters/L"),
         (ROWS, {"parameters": {"h": 1, "w": 1, "L": 1e200}}, "result_not_finite", "/tree/rows/2/a"),
+        (SLIDES, {"parameters": {}, "joints": [1e308, 1e308]}, "result_not_finite", "/joints/0"),
         ([], {}, None, "/tree/rows"),
     ],
 )

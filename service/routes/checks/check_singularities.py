@@ -28,7 +28,7 @@ from service.schemas.checks.singularity_answers import CheckSingularitiesAnswer,
 from service.schemas.spoken import feedback_sentence
 from service.wire.checks.answer_functions import check_count, form_values, known_functions
 from service.wire.fault_pointers import traced
-from service.wire.kinematics.joint_values import values_in_radians
+from service.wire.kinematics.joint_values import in_request_units, values_in_radians
 from service.wire.kinematics.prepared_robots import PreparedRobot
 from service.work.limiters import WorkKind
 
@@ -125,7 +125,7 @@ def _typed(joints: tuple[float, ...] | None, robot: PreparedRobot) -> list[float
     """Return joint values in the request's units."""
     if joints is None:
         return None
-    return [value / unit for value, unit in zip(joints, robot.joint_units, strict=True)]
+    return in_request_units(joints, robot.joint_units)
 
 
 def _read(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from functools import partial
 from typing import Annotated, Any
 
@@ -11,36 +11,35 @@ from fastapi import Body
 from numpy.typing import NDArray
 
 from kinematics.errors import Fault, JointValueError
-from kinematics.inverse import InverseKinematics, JointLimits
 from kinematics.jacobian import JacobianFrame
 from kinematics.poses import pose_notations
 from kinematics.scm import (
-    ScmChain,
     ScmKinematics,
     default_limits,
     forward_kinematics_scm,
-    inverse_kinematics_scm,
     jacobian_base_by_inspection,
     jacobian_end_by_inspection,
     jacobian_numbers_by_differentiation,
     random_configurations,
-    solver_of_chain,
+    table_of_chain,
 )
 from kinematics.se3 import inverse_transform
+from kinematics.table import bind
 from service.http.openapi import problems
 from service.http.routing import ApiRequest, BytesResponse, OneRobotRoute, api_router
 from service.schemas.kinematics import scm as wire
 from service.schemas.kinematics import scm_examples as examples
 from service.schemas.kinematics.forward_kinematics import AxisAngleModel, Orientation
 from service.schemas.kinematics.inverse_kinematics import InverseKinematicsAnswer
+from service.schemas.kinematics.joint_limits import domain_limits
 from service.schemas.kinematics.scm_products import ScmProductsAnswer, ScmProductsRequest
 from service.wire.fault_pointers import traced
 from service.wire.kinematics.chain_forms import ChainTask, Wanted, is_quick, written_chain
-from service.wire.kinematics.inverse_solutions import told
+from service.wire.kinematics.inverse_solutions import TargetQuestion, answer_to, told
+from service.wire.kinematics.joint_values import in_request_units, values_in_radians
 from service.wire.kinematics.motion_products import products_task, written_products
 from service.wire.kinematics.pose_matrices import pose_matrix
 from service.wire.kinematics.prepared_chains import PreparedChain, prepared_chain, written_structure
-from service.work.threads import in_thread
 from service.work.workers import Lane
 
 router = api_router("scm", route_class=OneRobotRoute)
@@ -117,7 +116,7 @@ async def jacobian(
     if body.joints is None:
         return await _closed(body, wanted, request)
     prepared = await _prepared(body, request)
-    joints = prepared.joints(body.joints)
+    joints = values_in_radians(body.joints, prepared.joint_units, "joints")
     if inspected:
         base = jacobian_base_by_inspection(prepared.chain, joints, prepared.values)
         end = jacobian_end_by_inspection(prepared.chain, joints, prepared.values)
@@ -144,13 +143,16 @@ async def inverse_kinematics(
     All solutions where there is a closed form; joint values in the chain's angle unit.
     """
     prepared = await _prepared(body, request)
-    start = None if body.start is None else prepared.joints(body.start, "start")
-    limits = None if body.limits is None else _scaled(body.limits, prepared)
-    question = (prepared.chain, pose_matrix(body.target, prepared.angle, "target"), prepared.values, limits)
+    if body.limits is not None:
+        _refuse_length(body.limits, prepared)
+    start = None if body.start is None else values_in_radians(body.start, prepared.joint_units, "start")
     with traced(body):
-        found = await in_thread(_directly, *question)
-    if found is None:
-        found = await request.resources.workers.run(Lane.SLOW, _search, *question)
+        question = TargetQuestion(
+            table=bind(table_of_chain(prepared.chain), prepared.values),
+            target=pose_matrix(body.target, prepared.angle, "target"),
+            limits=domain_limits(body.limits, prepared.joint_units),
+        )
+        found = await answer_to(question, request.resources.workers)
     found = found.nearest_first([row.joint for row in prepared.chain.rows], start)
     return InverseKinematicsAnswer(**prepared.units, **told(found, prepared))
 
@@ -163,7 +165,7 @@ async def random_configuration(
     """Return joint values drawn evenly within limits: qrand of the toolbox."""
     prepared = await _prepared(body, request)
     default = default_limits(prepared.chain, prepared.values)
-    low, high = (prepared.answered([pair[end] for pair in default]) for end in (0, 1))
+    low, high = (in_request_units([pair[end] for pair in default], prepared.joint_units) for end in (0, 1))
     given = [None] * len(default) if body.limits is None else body.limits
     _refuse_length(given, prepared)
     limits = [pair or list(ends) for pair, *ends in zip(given, low, high, strict=True)]
@@ -214,7 +216,8 @@ async def _moved(
 ) -> tuple[PreparedChain, ScmKinematics]:
     """The chain, and its forward kinematics in numbers."""
     prepared = await _prepared(body, request)
-    return prepared, forward_kinematics_scm(prepared.chain, prepared.joints(joints), prepared.values)
+    q = values_in_radians(joints, prepared.joint_units, "joints")
+    return prepared, forward_kinematics_scm(prepared.chain, q, prepared.values)
 
 
 def _listed(array: NDArray[np.float64]) -> list[Any]:
@@ -231,28 +234,6 @@ def _orientation(transform: Any, angle: float) -> Orientation:
         axis_angle=AxisAngleModel(axis=list(axis), angle=turn / angle),
         xyzabc=[*position, yaw, pitch, roll],
     )
-
-
-def _directly(
-    chain: ScmChain, target: Any, values: Mapping[str, float], limits: JointLimits | None
-) -> InverseKinematics | None:
-    """What the closed form alone says, in a thread; every refusal is made here, none in a worker."""
-    return solver_of_chain(chain, values, limits=limits).solve_directly(target)
-
-
-def _search(
-    chain: ScmChain, target: Any, values: Mapping[str, float], limits: JointLimits | None
-) -> InverseKinematics:
-    """What a worker process does."""
-    return inverse_kinematics_scm(chain, target, values, limits=limits)
-
-
-def _scaled(limits: Sequence[Sequence[float | None] | None], prepared: PreparedChain) -> list[Any]:
-    _refuse_length(limits, prepared)
-    return [
-        pair and tuple(end if end is None else end * unit for end in pair)
-        for pair, unit in zip(limits, prepared.joint_units, strict=True)
-    ]
 
 
 def _refuse_length(limits: Sequence[Any], prepared: PreparedChain) -> None:

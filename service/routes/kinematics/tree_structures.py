@@ -12,13 +12,13 @@ from fastapi import Body
 from kinematics.cells import Limits
 from kinematics.errors import Fault, KinematicsError, TableError
 from kinematics.inverse.lengths import check_lengths
-from kinematics.joint_values import one_configuration
 from kinematics.tree_structures import fault_in_tree, path_table, read_tree, tree_frames, tree_jacobian
 from service.http.openapi import problems
 from service.http.problems import located
 from service.http.routing import ApiRequest, api_router
 from service.schemas import examples
 from service.schemas.kinematics.tree_request import TreeAnswer, TreeEnd, TreeRequest
+from service.wire.kinematics.joint_values import values_in_radians
 from service.wire.kinematics.prepared_robots import robot_of
 from service.wire.kinematics.written_tables import TableWriter
 
@@ -67,8 +67,7 @@ def _answer(body: TreeRequest, limits: Limits) -> TreeAnswer:
         check_lengths(robot.table)
     except KinematicsError as error:
         raise type(error)(map(_placed, error.faults)) from None
-    given = one_configuration(body.joints, len(robot.joint_units))
-    joints = [value * unit for value, unit in zip(given, robot.joint_units, strict=True)]
+    joints = values_in_radians(body.joints, robot.joint_units, "joints")
     count = len(tree.after)
     unknown = [
         Fault(code="frame_unknown", where=("ends", i), params={"given": end, "count": count})

@@ -16,6 +16,7 @@ from service.schemas import examples
 from service.schemas.kinematics import workspace_request as wire
 from service.schemas.kinematics.joint_limits import domain_limits
 from service.wire.fault_pointers import traced
+from service.wire.kinematics.joint_values import in_request_units
 from service.wire.kinematics.pose_matrices import base_and_tool, placed_matrix
 from service.wire.kinematics.prepared_robots import PreparedRobot, listed_robot
 from service.work.workers import Lane
@@ -104,4 +105,4 @@ def _answer(found: Workspace, robot: PreparedRobot) -> wire.WorkspaceResponse:
 
 
 def _joints(radius: Radius, robot: PreparedRobot) -> list[float]:
-    return [q / unit for q, unit in zip(radius.joints, robot.joint_units, strict=True)]
+    return in_request_units(radius.joints, robot.joint_units)

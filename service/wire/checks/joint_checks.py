@@ -21,6 +21,7 @@ from kinematics.equivalence.reference import prepared
 from kinematics.inverse import ArmReach, InverseKinematics
 from kinematics.inverse.goals import EXACT, LARGEST_TOLERANCE, LEAST_TOLERANCE, OF_ROUNDING, rounding_of
 from kinematics.se3 import check_transform, inverse_transform
+from kinematics.table import JointType
 from service.http.languages import language_of
 from service.http.problems import located
 from service.http.routing import ApiRequest
@@ -177,10 +178,11 @@ def _units(request: CheckInverseKinematicsRequest, robot: PreparedRobot) -> tupl
     """Return what one unit of each joint value is in [rad], or in the robot's length unit."""
     if request.own is None:
         return robot.joint_units
-    angle = np.pi / 180 if request.own.angle_unit.value == "deg" else 1.0
     ratio = float(request.own.length_unit.metres_per_unit / robot.read.length_unit.metres_per_unit)
-    turns = [kind.value == "revolute" for kind in robot.table.joint_types]
-    return tuple(float(angle) if turning else ratio for turning in turns)
+    return tuple(
+        request.own.angle_unit.radians if kind is JointType.REVOLUTE else ratio
+        for kind in robot.table.joint_types
+    )
 
 
 def _row(row: list[float], units: tuple[float, ...], field: str, i: int) -> tuple[float, ...]:

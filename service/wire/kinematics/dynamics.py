@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -11,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from kinematics.cells import AngleUnit, LengthUnit, ReadTable, in_length_unit, parameter_values, read_table
+from kinematics.cells import LengthUnit, ReadTable, in_length_unit, parameter_values, read_table
 from kinematics.cells.substitution import substitute, with_values
 from kinematics.dynamics import Derivation, MovingRobot, RigidBody, SymbolicBody, bind_links, rate_name
 from kinematics.dynamics.reading import ReadBodies, read_bodies
@@ -137,7 +136,7 @@ def numeric_answer(question: NumericDynamicsRequest, settings: Settings) -> dict
         check_lengths(table)
     links = bind_links(bodies.links, values)
     robot = MovingRobot(table, links, [evaluate(entry, values) for entry in bodies.gravity])
-    angle = math.pi / 180.0 if read.angle_unit is AngleUnit.DEG else 1.0
+    angle = read.angle_unit.radians
     units = [
         unit * (metres if kind is JointType.PRISMATIC else 1.0)
         for unit, kind in zip(joint_units(table.joint_types, angle), table.joint_types, strict=True)

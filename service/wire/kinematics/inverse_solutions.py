@@ -8,7 +8,7 @@ from typing import Any, Protocol, TypeAlias
 
 import numpy as np
 
-from kinematics.errors import Fault, JointValueError
+from kinematics.errors import Fault
 from kinematics.inverse import ArmReach, IKSolution, InverseKinematics, NearestPose, Solver, solver_of
 from kinematics.inverse.goals import read_goal
 from kinematics.inverse.results import Family
@@ -29,6 +29,7 @@ from service.schemas.kinematics.inverse_kinematics import (
 from service.schemas.kinematics.joint_limits import DomainLimits, domain_limits
 from service.wire.fault_entries import fault_entries
 from service.wire.fault_pointers import traced
+from service.wire.kinematics.joint_values import in_request_units, values_in_radians
 from service.wire.kinematics.pose_matrices import base_and_tool, placed_matrix, pose_matrix
 from service.wire.kinematics.prepared_robots import PreparedRobot
 from service.work.allotted_time import each_in_time
@@ -160,15 +161,8 @@ def _question(request: NumericInverseKinematicsRequest, robot: PreparedRobot) ->
         tool=tool,
         limits=domain_limits(request.limits, robot.joint_units),
         tolerance=request.tolerance,
-        start=None if request.start is None else _start(request.start, robot),
+        start=None if request.start is None else values_in_radians(request.start, robot.joint_units, "start"),
     )
-
-
-def _start(start: list[float], robot: PreparedRobot) -> list[float]:
-    if len(start) != len(robot.joint_units):
-        params = {"expected": len(robot.joint_units), "given": len(start)}
-        raise JointValueError(Fault(code="joints_wrong_length", where=("start",), params=params))
-    return [value * unit for value, unit in zip(start, robot.joint_units, strict=True)]
 
 
 async def answer_to(question: TargetQuestion, workers: Workers) -> InverseKinematics:
@@ -183,19 +177,19 @@ async def answer_to(question: TargetQuestion, workers: Workers) -> InverseKinema
 
 
 def _directly(question: TargetQuestion) -> InverseKinematics | None:
-    """What the closed form alone says, in a thread; every refusal is made here, none in a worker."""
+    """Solve by the closed form alone; None if a search is needed. Refusals are made here, not in a worker."""
     return question.solver().solve_directly(question.target, question.tolerance)
 
 
 def _solve(question: TargetQuestion) -> InverseKinematics:
-    """What a worker process does."""
+    """Solve for one target; runs in a worker process."""
     return question.solver().solve(question.target, question.tolerance)
 
 
 def _solve_each(
     question: TargetQuestion, targets: Sequence[Matrix], seconds: float
 ) -> list[InverseKinematics]:
-    """What a worker process does for many targets: the first ones, as many as the processor time allows."""
+    """Solve for as many targets as the processor time allows, in order; runs in a worker process."""
     solver = question.solver()
     return each_in_time(lambda target: solver.solve(target, question.tolerance), targets, seconds)
 
@@ -246,7 +240,7 @@ def _family(family: Family, robot: InUnits) -> SolutionFamily:
         direction=None
         if family.direction is None
         else [way * units[parameter] / unit + 0.0 for way, unit in zip(family.direction, units, strict=True)],
-        members=[_in_units(member, robot) for member in family.members],
+        members=[in_request_units(member, robot.joint_units) for member in family.members],
     )
 
 
@@ -258,12 +252,8 @@ def _nearest(nearest: NearestPose, robot: InUnits) -> Nearest:
 
 def _reached(found: IKSolution | NearestPose, robot: InUnits) -> dict[str, Any]:
     return {
-        "joints": _in_units(found.joints, robot),
+        "joints": in_request_units(found.joints, robot.joint_units),
         "residual": float(np.hypot(found.position_error, found.orientation_error)),
         "position_error": found.position_error,
         "orientation_error": found.orientation_error / robot.angle,
     }
-
-
-def _in_units(joints: Sequence[float], robot: InUnits) -> list[float]:
-    return [value / unit + 0.0 for value, unit in zip(joints, robot.joint_units, strict=True)]

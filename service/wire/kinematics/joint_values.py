@@ -70,6 +70,11 @@ def values_in_radians(given: Sequence[float], units: Sequence[float], field: str
     return [value * unit for value, unit in zip(values, units, strict=True)]
 
 
+def in_request_units(joints: Sequence[float], units: Sequence[float]) -> list[float]:
+    """Return joint values in the units of the request; no value is -0.0."""
+    return [value / unit + 0.0 for value, unit in zip(joints, units, strict=True)]
+
+
 def read_array(array: Floats, robot: PreparedRobot, batch_limit: int) -> list[float] | Floats:
     """Return an array of joint values in [rad] and length units; one dimension is one configuration.
 

@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
-from kinematics.cells import AngleUnit, Limits, ParameterKind
+from kinematics.cells import Limits, ParameterKind
 from kinematics.errors import (
     DescriptionError,
     Fault,
-    JointValueError,
     ParameterError,
     PoseError,
 )
@@ -34,6 +32,7 @@ from kinematics.symbolic import Matrix
 from service.schemas.kinematics.scm_products import ScmProductsRequest
 from service.wire.kinematics.chain_forms import DEFAULT_FORMATS
 from service.wire.kinematics.exact_values import exact_values
+from service.wire.kinematics.joint_values import values_in_radians
 from service.wire.kinematics.symbolic_forms import written_out
 
 
@@ -132,7 +131,7 @@ def _numbers(matrix: Matrix, task: ProductsTask) -> dict[str, Any]:
     except PoseError:
         return {"numbers": values.tolist()}
     (x, y, z), _, (roll, pitch, yaw), _, _ = pose_notations(values)
-    unit = math.pi / 180.0 if task.read.angle_unit is AngleUnit.DEG else 1.0
+    unit = task.read.angle_unit.radians
     return {
         "numbers": values.tolist(),
         "xyzabc": [x, y, z, *(angle / unit for angle in (yaw, pitch, roll))],
@@ -141,11 +140,8 @@ def _numbers(matrix: Matrix, task: ProductsTask) -> dict[str, Any]:
 
 def _joints(given: Sequence[float], read: ReadProducts) -> tuple[float, ...]:
     """Joint values in [rad] and length units."""
-    if len(given) != read.n_joints:
-        params = {"expected": read.n_joints, "given": len(given)}
-        raise JointValueError(Fault(code="joints_wrong_length", where=("joints",), params=params))
-    unit = math.pi / 180.0 if read.angle_unit is AngleUnit.DEG else 1.0
-    return tuple(
-        value if read.joints.get(k) is ParameterKind.LENGTH else value * unit
-        for k, value in enumerate(given, start=1)
-    )
+    units = [
+        1.0 if read.joints.get(k) is ParameterKind.LENGTH else read.angle_unit.radians
+        for k in range(1, read.n_joints + 1)
+    ]
+    return tuple(values_in_radians(given, units, "joints"))

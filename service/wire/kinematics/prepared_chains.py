@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from typing import Any
 
 from kinematics.cells import Limits, parameter_values
-from kinematics.errors import DescriptionError, Fault, JointValueError, KinematicsError
+from kinematics.errors import DescriptionError, KinematicsError
 from kinematics.scm import ReadChain, ScmChain, check_values, read_chain, verify, with_values
 from kinematics.table import JointType
 from service.http.problems import cause
@@ -45,27 +45,6 @@ class PreparedChain:
     def joint_units(self) -> tuple[float, ...]:
         """For joint 1 … n what one unit of the request is in [rad], or in the chain's length unit."""
         return tuple(self.angle if row.joint is JointType.REVOLUTE else 1.0 for row in self.chain.rows)
-
-    def joints(self, given: Sequence[float], where: str = "joints") -> list[float]:
-        """Return the joint values of a request in [rad] and the chain's length unit.
-
-        Raises:
-            JointValueError: not one for each joint.
-        """
-        n = self.chain.n_joints
-        if len(given) != n:
-            raise JointValueError(
-                Fault(
-                    code="joints_wrong_length",
-                    where=(where,),
-                    params={"expected": n, "given": len(given)},
-                )
-            )
-        return [value * unit for value, unit in zip(given, self.joint_units, strict=True)]
-
-    def answered(self, joints: Sequence[float]) -> list[float]:
-        """Return the joint values in the units of the request."""
-        return [value / unit for value, unit in zip(joints, self.joint_units, strict=True)]
 
 
 def prepared_structure(question: ChainQuestion, limits: Limits) -> ReadChain:
@@ -126,8 +105,7 @@ def prepared_chain(question: ChainQuestion, limits: Limits) -> PreparedChain:
     values = parameter_values(read.parameters, read.angle_unit, given)
     with in_chain("chain", question.chain):
         check_values(read.chain, values)
-    angle = read.angle_unit.radians
-    return PreparedChain(read=read, values=values, angle=angle)
+    return PreparedChain(read=read, values=values, angle=read.angle_unit.radians)
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

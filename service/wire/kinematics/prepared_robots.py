@@ -6,7 +6,6 @@ looked up by their JSON.
 
 from __future__ import annotations
 
-import math
 from collections import OrderedDict
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -16,7 +15,7 @@ from typing import Any
 import orjson
 
 from kinematics import catalogue
-from kinematics.cells import AngleUnit, Limits, ReadTable, bind_parameters, read_table
+from kinematics.cells import Limits, ReadTable, bind_parameters, read_table
 from kinematics.errors import Fault, KinematicsError
 from kinematics.remembering import USUAL_TABLE
 from kinematics.table import JointType, NumericTable
@@ -26,7 +25,6 @@ from service.settings import Settings
 
 _LARGEST_KEY = 16 * 1024
 """Bytes of a question that is remembered by its text; a table of a hundred rows has about half of it."""
-_DEGREE = math.pi / 180.0
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -134,7 +132,7 @@ def robot_of(read: ReadTable, parameters: Mapping[str, float]) -> PreparedRobot:
         raise type(error)(
             fault if fault.where[:1] == ("parameters",) else fault.within("table") for fault in error.faults
         ) from None
-    angle = _DEGREE if read.angle_unit is AngleUnit.DEG else 1.0
+    angle = read.angle_unit.radians
     return PreparedRobot(
         read=read,
         table=table,

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, TypeAlias
@@ -10,7 +9,7 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike
 
-from kinematics.cells import AngleUnit, ReadTable
+from kinematics.cells import ReadTable
 from kinematics.inverse.limits import read_limits
 from kinematics.se3 import Transform, check_transform
 from kinematics.table import JointType
@@ -65,7 +64,7 @@ class RobotDescription:
     @property
     def angle(self) -> float:
         """What one unit of the table's angles is in [rad]."""
-        return math.radians(1.0) if self.read.angle_unit is AngleUnit.DEG else 1.0
+        return self.read.angle_unit.radians
 
     def between(self, base: ArrayLike | None, tool: ArrayLike | None) -> RobotDescription:
         """Return the robot with a further base before it and a further tool behind it.
