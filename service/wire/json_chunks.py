@@ -29,6 +29,12 @@ def written(value: object) -> bytes:
     return orjson.dumps(value, option=orjson.OPT_SERIALIZE_NUMPY)
 
 
+def plain_lists(array: NDArray[np.float64]) -> list[Any]:
+    """Return the array as nested lists of numbers, none of them -0.0."""
+    lists: list[Any] = (array + 0.0).tolist()
+    return lists
+
+
 def list_chunks(array: NDArray[Any]) -> Iterator[bytes]:
     """Yield an array of one axis or more as a JSON list."""
     yield b"["

@@ -11,11 +11,9 @@ from fastapi import Body
 from kinematics.answers.jacobian_answers import JacobianMistake, judge_forces, judge_jacobian
 from kinematics.answers.screw_answers import ScrewOrder
 from kinematics.chain import chain_of_table
-from kinematics.errors import Fault, JointValueError
 from kinematics.inverse.lengths import check_lengths
 from service.http.languages import language_of
 from service.http.openapi import problems
-from service.http.problems import located
 from service.http.routing import ApiRequest, api_router
 from service.schemas import examples
 from service.schemas.checks.jacobian_answers import (
@@ -23,7 +21,7 @@ from service.schemas.checks.jacobian_answers import (
     CheckJacobianRequest,
     jacobian_mistake,
 )
-from service.wire.checks.answer_functions import check_count
+from service.wire.checks.answer_functions import angles_of_jacobian, check_count
 from service.wire.fault_pointers import traced
 from service.wire.kinematics.joint_values import values_in_radians
 from service.wire.kinematics.prepared_robots import PreparedRobot
@@ -71,18 +69,11 @@ def _checked(body: CheckJacobianRequest, robot: PreparedRobot, language: str) ->
         check_lengths(robot.table)
     n = len(robot.joint_units)
     joints = values_in_radians(body.joints, robot.joint_units, "joints")
-    if body.jacobian is None and body.joint_forces is None:
-        raise JointValueError(Fault(code="jacobian_empty"))
-    if body.joint_forces is not None and body.wrench is None:
-        raise JointValueError(Fault(code="wrench_missing", where=("wrench",)))
+    angles = angles_of_jacobian(body)
     for i, row in enumerate(body.jacobian or ()):
         check_count(row, n, ("jacobian", i))
     if body.joint_forces is not None:
         check_count(body.joint_forces, n, ("joint_forces",))
-    angles = None
-    if body.angles is not None:
-        with located("angles"):
-            angles = body.angles.sequence()
     chain = chain_of_table(robot.table)
     entries, forces, correct = None, None, True
     mistakes: list[tuple[str, JacobianMistake, int | None]] = []

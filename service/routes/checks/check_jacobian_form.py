@@ -14,16 +14,14 @@ from kinematics.answers.jacobian_answers import JacobianMistake
 from kinematics.answers.jacobian_forms import judge_force_form, judge_jacobian_form
 from kinematics.answers.screw_answers import ScrewOrder
 from kinematics.cells import ParameterKind
-from kinematics.errors import Fault, JointValueError
 from kinematics.symbolic import ProofStatus
 from service.http.languages import language_of
 from service.http.openapi import problems
-from service.http.problems import located
 from service.http.routing import ApiRequest, api_router
 from service.schemas import examples
 from service.schemas.checks.jacobian_answers import jacobian_mistake
 from service.schemas.checks.jacobian_form_answers import CheckJacobianFormAnswer, CheckJacobianFormRequest
-from service.wire.checks.answer_functions import form_values, read_row, roundings_of
+from service.wire.checks.answer_functions import angles_of_jacobian, form_values, read_row, roundings_of
 from service.wire.kinematics.prepared_robots import PreparedRobot
 from service.work.limiters import WorkKind
 
@@ -71,14 +69,7 @@ async def check_jacobian_form(
 
 
 def _checked(body: CheckJacobianFormRequest, robot: PreparedRobot, language: str) -> CheckJacobianFormAnswer:
-    if body.jacobian is None and body.joint_forces is None:
-        raise JointValueError(Fault(code="jacobian_empty"))
-    if body.joint_forces is not None and body.wrench is None:
-        raise JointValueError(Fault(code="wrench_missing", where=("wrench",)))
-    angles = None
-    if body.angles is not None:
-        with located("angles"):
-            angles = body.angles.sequence()
+    angles = angles_of_jacobian(body)
     values, kinds = form_values(body, robot), robot.read.parameters
     named = {**{name: 7.0 + 3.0 * i for i, name in enumerate(COMPONENTS)}, **values}
     lengths = {name for name in values if kinds.get(name, ParameterKind.LENGTH) is ParameterKind.LENGTH}

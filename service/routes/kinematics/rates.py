@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from typing import Annotated, Any
 
-import numpy as np
 from fastapi import Body
 
 from kinematics.chain import chain_of_table
@@ -18,13 +17,14 @@ from service.resources import AppResources
 from service.schemas import examples
 from service.schemas.kinematics.rates_request import RatesAnswer, RatesRequest
 from service.wire.fault_pointers import traced
+from service.wire.json_chunks import plain_lists
 from service.wire.kinematics.joint_values import values_in_radians
 from service.wire.kinematics.pose_matrices import base_and_tool
 
 router = api_router("kinematics")
 
 _EXAMPLES: dict[str, Any] = {
-    "a SCARA that turns both links, and a weight of 10 N in its hand": {
+    "a SCARA that turns both links, and a load of 10 N at its tool": {
         "robot": "scara",
         "joints": [0.3, 0.6, 0.1, 0],
         "rates": [1, -0.5, 0, 0],
@@ -87,4 +87,4 @@ def _ellipsoids(found: VelocityEllipsoids) -> dict[str, Any]:
 
 
 def _plain(values: Any) -> Any:
-    return None if values is None else np.where(values == 0.0, 0.0, values).tolist()
+    return None if values is None else plain_lists(values)

@@ -6,9 +6,7 @@ from collections.abc import Sequence
 from functools import partial
 from typing import Annotated, Any
 
-import numpy as np
 from fastapi import Body
-from numpy.typing import NDArray
 
 from kinematics.errors import Fault, JointValueError
 from kinematics.jacobian import JacobianFrame
@@ -34,6 +32,7 @@ from service.schemas.kinematics.inverse_kinematics import InverseKinematicsAnswe
 from service.schemas.kinematics.joint_limits import domain_limits
 from service.schemas.kinematics.scm_products import ScmProductsAnswer, ScmProductsRequest
 from service.wire.fault_pointers import traced
+from service.wire.json_chunks import plain_lists
 from service.wire.kinematics.chain_forms import ChainTask, Wanted, is_quick, written_chain
 from service.wire.kinematics.inverse_solutions import TargetQuestion, answer_to, told
 from service.wire.kinematics.joint_values import in_request_units, values_in_radians
@@ -67,10 +66,10 @@ async def forward_kinematics(
     prepared, motion = await _moved(body, body.joints, request)
     return wire.ScmForwardKinematicsAnswer(
         **prepared.units,
-        transform=_listed(motion.transform),
-        links=_listed(motion.links),
-        frames=_listed(motion.frames),
-        end=_listed(motion.end),
+        transform=plain_lists(motion.transform),
+        links=plain_lists(motion.links),
+        frames=plain_lists(motion.frames),
+        end=plain_lists(motion.end),
         orientation=_orientation(motion.transform, prepared.angle),
     )
 
@@ -94,7 +93,7 @@ async def inverse_of_transform(
         return await _closed(body, Wanted.INVERSE_TRANSFORM, request)
     prepared, motion = await _moved(body, body.joints, request)
     inverse = inverse_transform(motion.transform)
-    return wire.ScmInverseTransformAnswer(**prepared.units, transform=_listed(inverse))
+    return wire.ScmInverseTransformAnswer(**prepared.units, transform=plain_lists(inverse))
 
 
 @router.post(
@@ -125,7 +124,9 @@ async def jacobian(
             jacobian_numbers_by_differentiation(prepared.chain, joints, prepared.values, frame)
             for frame in (JacobianFrame.BASE, JacobianFrame.END)
         )
-    return wire.ScmJacobianAnswer(**prepared.units, method=body.method, J0=_listed(base), Jn=_listed(end))
+    return wire.ScmJacobianAnswer(
+        **prepared.units, method=body.method, J0=plain_lists(base), Jn=plain_lists(end)
+    )
 
 
 @router.post(
@@ -218,11 +219,6 @@ async def _moved(
     prepared = await _prepared(body, request)
     q = values_in_radians(joints, prepared.joint_units, "joints")
     return prepared, forward_kinematics_scm(prepared.chain, q, prepared.values)
-
-
-def _listed(array: NDArray[np.float64]) -> list[Any]:
-    listed: list[Any] = (array + 0.0).tolist()  # no entry is -0.0
-    return listed
 
 
 def _orientation(transform: Any, angle: float) -> Orientation:

@@ -6,7 +6,6 @@ from dataclasses import replace
 from functools import partial
 from typing import Annotated, Any
 
-import numpy as np
 from fastapi import Body
 
 from kinematics.cells import Limits
@@ -18,6 +17,7 @@ from service.http.problems import located
 from service.http.routing import ApiRequest, api_router
 from service.schemas import examples
 from service.schemas.kinematics.tree_request import TreeAnswer, TreeEnd, TreeRequest
+from service.wire.json_chunks import plain_lists
 from service.wire.kinematics.joint_values import values_in_radians
 from service.wire.kinematics.prepared_robots import robot_of
 from service.wire.kinematics.written_tables import TableWriter
@@ -83,15 +83,15 @@ def _answer(body: TreeRequest, limits: Limits) -> TreeAnswer:
             {
                 "frame": end,
                 "joints": list(tree.joints(end)),
-                "transform": _plain(frames[end - 1]),
-                "J0": _plain(tree_jacobian(tree, robot.table, joints, end)),
+                "transform": plain_lists(frames[end - 1]),
+                "J0": plain_lists(tree_jacobian(tree, robot.table, joints, end)),
                 "table": writer.table(path_table(tree, tree.read.table, end)),
             }
         )
         for end in body.ends or tree.tips
     ]
     units: dict[str, Any] = dict(robot.units)
-    return TreeAnswer(**units, frames=[_plain(frame) for frame in frames], ends=ends)
+    return TreeAnswer(**units, frames=[plain_lists(frame) for frame in frames], ends=ends)
 
 
 def _placed(fault: Fault) -> Fault:
@@ -100,7 +100,3 @@ def _placed(fault: Fault) -> Fault:
         return fault
     inside = replace(fault, where=tuple(step for step in fault.where if step != "table"))
     return fault_in_tree(inside).within("tree")
-
-
-def _plain(values: Any) -> Any:
-    return np.where(values == 0.0, 0.0, values).tolist()

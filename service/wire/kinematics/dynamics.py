@@ -29,6 +29,7 @@ from service.schemas.kinematics.dynamics_request import (
 )
 from service.settings import Settings
 from service.wire.fault_pointers import traced
+from service.wire.json_chunks import plain_lists
 from service.wire.kinematics.exact_values import exact_values
 from service.wire.kinematics.joint_values import values_in_radians
 from service.wire.kinematics.prepared_robots import joint_units, listed_robot
@@ -281,4 +282,4 @@ def _valued(link: SymbolicBody, values: Mapping[str, Expression]) -> SymbolicBod
 
 
 def _plain(value: Any) -> Any:
-    return value if isinstance(value, str) else np.where(value == 0.0, 0.0, value).tolist()
+    return value if isinstance(value, str) else plain_lists(np.asarray(value))

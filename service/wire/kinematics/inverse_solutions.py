@@ -29,6 +29,7 @@ from service.schemas.kinematics.inverse_kinematics import (
 from service.schemas.kinematics.joint_limits import DomainLimits, domain_limits
 from service.wire.fault_entries import fault_entries
 from service.wire.fault_pointers import traced
+from service.wire.json_chunks import plain_lists
 from service.wire.kinematics.joint_values import in_request_units, values_in_radians
 from service.wire.kinematics.pose_matrices import base_and_tool, placed_matrix, pose_matrix
 from service.wire.kinematics.prepared_robots import PreparedRobot
@@ -245,9 +246,7 @@ def _family(family: Family, robot: InUnits) -> SolutionFamily:
 
 
 def _nearest(nearest: NearestPose, robot: InUnits) -> Nearest:
-    return Nearest(
-        **_reached(nearest, robot), transform=(nearest.transform + 0.0).tolist(), size=nearest.size
-    )
+    return Nearest(**_reached(nearest, robot), transform=plain_lists(nearest.transform), size=nearest.size)
 
 
 def _reached(found: IKSolution | NearestPose, robot: InUnits) -> dict[str, Any]:

@@ -34,6 +34,7 @@ from service.http.problems import located
 from service.schemas.kinematics.conversion import ConvertRequest, TableAnswer
 from service.schemas.tables import AnsweredRow, AnsweredTable
 from service.settings import Settings
+from service.wire.json_chunks import plain_lists
 from service.wire.kinematics.conversion.described import RobotDescription
 from service.wire.kinematics.prepared_robots import listed_robot, robot_of
 from service.wire.kinematics.written_tables import (
@@ -129,8 +130,7 @@ def matrix_of_cells(
         motion = before @ motion
     if behind is not None:
         motion = motion @ behind
-    written: Matrix = (motion + 0.0).tolist()
-    return written
+    return plain_lists(motion)
 
 
 def _motion(screw: XScrew[Expression], robot: RobotDescription) -> Transform:
@@ -153,7 +153,7 @@ def _expressions(screw: XScrew[Expression]) -> Entries:
 
 
 def _numbers(motion: Transform) -> Entries:
-    return [[number(repr(entry)) for entry in row] for row in (motion + 0.0).tolist()]
+    return [[number(repr(entry)) for entry in row] for row in plain_lists(motion)]
 
 
 def _product(one: Entries, other: Entries) -> Entries:

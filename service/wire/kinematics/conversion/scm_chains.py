@@ -20,6 +20,7 @@ from service.schemas.kinematics.conversion import ConvertRequest, ScmAnswer
 from service.schemas.kinematics.scm import ScmChainModel, Verification
 from service.settings import Settings
 from service.wire.fault_pointers import traced
+from service.wire.json_chunks import plain_lists
 from service.wire.kinematics.conversion.described import RobotDescription
 from service.wire.kinematics.conversion.dh_tables import matrix_of_cells
 from service.wire.kinematics.prepared_chains import in_chain
@@ -68,7 +69,7 @@ def scm_answer(robot: RobotDescription, request: ConvertRequest) -> ScmAnswer:
         else:
             table = robot_of(robot.read, robot.parameters or {}).table
             before, chain = scm_from_numbers(table, robot.base, robot.tool)
-            base = (before + 0.0).tolist()
+            base = plain_lists(before)
     units = {"angle_unit": robot.read.angle_unit.value, "length_unit": robot.read.length_unit.value}
     rows = [_row(row, i, writer) for i, row in enumerate(chain.rows, 1)]
     written = ScmChainModel.model_validate(
