@@ -13,7 +13,7 @@ from courses import records
 from courses.model import Platform, PlatformStatus, Registration
 from courses.refusals import SessionError, unknown_record
 from courses.secrets import hashed, new_token
-from courses.statements import insert_once
+from courses.statements import insert_once, upsert
 from courses.storage import Store
 from kinematics.errors import Fault
 
@@ -52,18 +52,18 @@ class Login:
 
 
 def add_platform(store: Store, platform: Platform, deployments: tuple[str, ...], now: datetime) -> Platform:
-    """Write down a platform, or change the one of this issuer and client."""
-    names = "name authorization_endpoint token_endpoint token_audience jwks_uri names_shared issuer client_id"
+    """Insert a platform, or update the one with this issuer and client id."""
+    names = "name authorization_endpoint token_endpoint token_audience jwks_uri names_shared"
     values = {name: getattr(platform, name) for name in names.split()}
     values |= {"origins": list(platform.origins), "status": platform.status.value}
-    own = sa.and_(_PLATFORM.c.issuer == platform.issuer, _PLATFORM.c.client_id == platform.client_id)
+    key = {"issuer": platform.issuer, "client_id": platform.client_id}
+    own = sa.and_(*(_PLATFORM.c[name] == value for name, value in key.items()))
     with store.writing() as connection:
-        insert_once(connection, _PLATFORM, {**values, "created": now})
-        connection.execute(sa.update(_PLATFORM).where(own).values(values))
+        upsert(connection, _PLATFORM, key, values, {"created": now})
         platform_id = int(connection.execute(sa.select(_PLATFORM.c.id).where(own)).scalar_one())
         for deployment in deployments:
-            key = {"platform_id": platform_id, "deployment": deployment}
-            insert_once(connection, records.deployment, key)
+            found = {"platform_id": platform_id, "deployment": deployment}
+            insert_once(connection, records.deployment, found)
     return replace(platform, id=platform_id)
 
 
@@ -157,7 +157,7 @@ def stored_keys(store: Store) -> list[StoredKey]:
 
 
 def add_key(store: Store, key: StoredKey, *, only_if_none: bool = False) -> None:
-    """Write down a key. With `only_if_none` the first of several processes that start together wins."""
+    """Store a key. With `only_if_none` the first of several processes that start together wins."""
     table = records.tool_key
     with store.writing() as connection:
         if store.is_postgresql:
@@ -175,7 +175,7 @@ def remove_keys(store: Store, kids: tuple[str, ...]) -> None:
 
 
 def remember_login(store: Store, state: str, login: Login, now: datetime) -> None:
-    """Write down what a launch with this state has to meet; sweep what was never met."""
+    """Store what a launch with this state has to meet; delete what was never met."""
     table = records.login
     with store.writing() as connection:
         for stale in (table, records.nonce, records.one_time_code):
@@ -193,8 +193,8 @@ def remember_login(store: Store, state: str, login: Login, now: datetime) -> Non
         )
 
 
-def meet_login(store: Store, state: str, now: datetime) -> Login | None:
-    """Return what was remembered of a state, once; None if it is unknown, used or too old."""
+def redeem_login(store: Store, state: str, now: datetime) -> Login | None:
+    """Return the login of a state, once; None if it is unknown, used or too old."""
     table = records.login
     own = table.c.state_hash == hashed(state)
     with store.writing() as connection:

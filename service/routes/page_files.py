@@ -9,11 +9,9 @@ from fastapi import APIRouter, Response
 from service.http.routing import ApiRequest, DirectRoute
 from service.messages import LOCALES, languages
 from service.resources import resources_of
-from service.web.responses import text_response
+from service.web.responses import IMMUTABLE, text_response
 
 router = APIRouter(include_in_schema=False, route_class=DirectRoute)
-
-YEAR = 365 * 24 * 3600
 
 
 @router.get("/static/{version}/{name:path}")
@@ -25,7 +23,7 @@ async def static_file(request: ApiRequest) -> Response:
         return Response(status_code=404, headers={"Cache-Control": "no-cache"})
     current = request.path_params["version"] == store.version
     headers = {
-        "Cache-Control": f"public, max-age={YEAR}, immutable" if current else "no-cache",
+        "Cache-Control": IMMUTABLE if current else "no-cache",
         "ETag": asset.etag,
         "Vary": "Accept-Encoding",
         "Access-Control-Allow-Origin": "*",

@@ -20,14 +20,15 @@ from fastapi.responses import JSONResponse, RedirectResponse
 from courses.enrolment import Arrival, arrive
 from courses.model import Platform, PlatformStatus, Role
 from courses.platforms import (
+    LOGIN,
     Login,
     add_deployment,
     add_platform,
     check_invitation,
     deployments_of,
-    meet_login,
     platform_by_id,
     platforms_of,
+    redeem_login,
     remember_login,
     use_invitation,
 )
@@ -72,8 +73,6 @@ PENDING_LIFE = timedelta(seconds=120)
 """How long a launch waits for the browser to bring its stored state."""
 CHOICE_LIFE = timedelta(hours=2)
 """How long a lecturer may take to choose an exercise."""
-_LOGIN_LIFE = 600
-"""Seconds between login and launch: a person may have to sign in to the platform."""
 
 _log = logging.getLogger("framewise.lti")
 _Result = TypeVar("_Result")
@@ -198,7 +197,7 @@ def _login(request: Request, given: Mapping[str, str]) -> Response:
     else:
         response = RedirectResponse(address, 302)
     response.headers["Cache-Control"] = "no-store"
-    response.headers.append("Set-Cookie", _cookie(state, browser, _LOGIN_LIFE))
+    response.headers.append("Set-Cookie", _cookie(state, browser, int(LOGIN.total_seconds())))
     return response
 
 
@@ -217,7 +216,7 @@ def _platform_for(courses: CourseResources, asked: LoginRequest) -> Platform:
 def _launch(request: Request, given: Mapping[str, str]) -> Response:
     courses = resources_of(request).with_courses()
     state = given.get("state", "")
-    met = meet_login(courses.store, state, now()) if state else None
+    met = redeem_login(courses.store, state, now()) if state else None
     if met is None:
         raise LaunchError(Fault(code="lti_state_unknown"))
     known = _is_browser(request.cookies.get(_cookie_name(state), ""), met)

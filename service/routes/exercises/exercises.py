@@ -32,7 +32,7 @@ from service.schemas.exercises.exercises import (
     ExerciseModel,
     GradedModel,
 )
-from service.web.responses import packed_response, text_response
+from service.web.responses import IMMUTABLE, packed_response, text_response
 from service.wire.exercises.exercise_views import (
     attempts_of,
     exercise_list,
@@ -49,7 +49,6 @@ router = api_router("exercises", route_class=DirectRoute)
 _ANSWER: TypeAdapter[AnswerBase] = TypeAdapter(ExerciseAnswer)
 _Result = TypeVar("_Result")
 SVG = "image/svg+xml"
-YEAR = 31_536_000
 _FIGURE_POLICY = "default-src 'none'; style-src 'unsafe-inline'"
 Id = Annotated[
     str,
@@ -113,7 +112,7 @@ async def show_addressed_figure(request: ApiRequest) -> Response:
 
     Caches may store it for good. Students with the same values have the same address.
     """
-    return await _figure(request, f"public, max-age={YEAR}, immutable", request.path_params["address"])
+    return await _figure(request, IMMUTABLE, request.path_params["address"])
 
 
 def _asked_instance(request: ApiRequest) -> Instance:
