@@ -22,7 +22,7 @@ export class Problem extends Error {
 }
 
 /** The service could not be reached. */
-export class Unreachable extends Error {
+class Unreachable extends Error {
   /** @param {unknown} cause */
   constructor(cause) {
     super("unreachable", { cause });

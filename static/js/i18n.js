@@ -19,7 +19,7 @@ export async function loadMessages(root, rooms) {
 }
 
 /** Takes messages from text; what loadMessages does after loading. @param {string} text @param {string} locale */
-export function useMessages(text, locale) {
+function useMessages(text, locale) {
   bundle = new FluentBundle(locale, { useIsolating: false });
   bundle.addResource(new FluentResource(text));
 }

@@ -124,6 +124,27 @@ export function loadStyle(path) {
   return sheets.get(path);
 }
 
+/**
+ * A library that is loaded with its style sheet when it is first wanted, and again after a failure.
+ * @template Library
+ * @param {() => Promise<Library>} load @param {string} style
+ * @returns {() => Promise<Library>}
+ */
+export function loadedOnce(load, style) {
+  /** @type {Promise<Library> | null} */
+  let loading = null;
+  return () => {
+    loading ??= Promise.all([load(), loadStyle(style)]).then(
+      ([library]) => library,
+      (error) => {
+        loading = null;
+        throw error;
+      },
+    );
+    return loading;
+  };
+}
+
 /** Resolves when the browser has painted and is idle: the time to load what is heavy. */
 export function whenIdle() {
   return new Promise((resolve) => {

@@ -8,7 +8,7 @@
 import { dataTable } from "./data-table.js";
 import { el, fill } from "./dom.js";
 import { t } from "./i18n.js";
-import { loadStyle } from "./page.js";
+import { loadedOnce } from "./page.js";
 
 const ROWS_AT_MOST = 200;
 
@@ -17,20 +17,7 @@ const ROWS_AT_MOST = 200;
  * @typedef {typeof import("../vendor/plot/plot.js")} Plot
  */
 
-/** @type {Promise<Plot> | null} */
-let loading = null;
-
-/** @returns {Promise<Plot>} */
-function library() {
-  loading ??= Promise.all([import("../vendor/plot/plot.js"), loadStyle("css/plots.css")]).then(
-    ([module]) => module,
-    (error) => {
-      loading = null;
-      throw error;
-    },
-  );
-  return loading;
-}
+const library = loadedOnce(() => import("../vendor/plot/plot.js"), "css/plots.css");
 
 /**
  * A drawing as wide as its place, and drawn again when its width changes. The same numbers stand in a table beside it.

@@ -5,7 +5,7 @@ import { el } from "./dom.js";
 import { t } from "./i18n.js";
 
 /** What to say of an error. @param {unknown} error @returns {string[]} */
-export function sentencesOf(error) {
+function sentencesOf(error) {
   if (error instanceof Problem) return error.faults.map((fault) => fault.detail);
   return [t("form-unreachable")];
 }

@@ -1,23 +1,10 @@
 /** Formulas: LaTeX from the API through KaTeX (loaded when first needed), numbers as plain MathML. */
 
 import { el, math } from "./dom.js";
-import { loadStyle } from "./page.js";
+import { loadedOnce } from "./page.js";
 import { shown } from "./numbers.js";
 
-/** @type {Promise<any> | null} */
-let loading = null;
-
-/** KaTeX, with its style sheet. */
-function katex() {
-  loading ??= Promise.all([import("../vendor/katex/katex.js"), loadStyle("vendor/katex/katex.css")]).then(
-    ([module]) => module,
-    (error) => {
-      loading = null;
-      throw error;
-    },
-  );
-  return loading;
-}
+const katex = loadedOnce(() => import("../vendor/katex/katex.js"), "vendor/katex/katex.css");
 
 /**
  * Writes a formula into an element, with MathML inside for screen readers. Built node by node, so that no

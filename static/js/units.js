@@ -15,7 +15,7 @@ export function convertedLength(value, from, to) {
 }
 
 /** @param {number} value @param {string} from @param {string} to "deg" or "rad" */
-export function convertedTurn(value, from, to) {
+function convertedTurn(value, from, to) {
   if (from === to) return value;
   return rounded(to === "rad" ? radians(value) : degrees(value));
 }

@@ -14,7 +14,7 @@ import { announce, el, fill, iconButton, segmented } from "../dom.js";
 import { t } from "../i18n.js";
 import { field, numberOf } from "./fields.js";
 
-export const FIXED = {
+const FIXED = {
   "+x": [1, 0, 0],
   "-x": [-1, 0, 0],
   "+y": [0, 1, 0],
@@ -27,7 +27,7 @@ const NAME = /[A-Za-z][A-Za-z_]*\d*/g;
 const FUNCTIONS = new Set(["sqrt", "sin", "cos", "pi"]);
 
 /** @returns {Drawing} */
-export function newDrawing() {
+function newDrawing() {
   return { length_unit: "m", lengths: {}, axes: [{ joint: "revolute", point: [0, 0, 0], direction: [0, 0, 1] }] };
 }
 
@@ -325,7 +325,7 @@ function howOf(direction) {
 }
 
 /** @param {string} how @returns {Direction} */
-export function directionOf(how) {
+function directionOf(how) {
   const [kind, axis, other] = how.split(" ");
   if (kind in FIXED) return FIXED[/** @type {keyof typeof FIXED} */ (kind)];
   if (kind === "parallel" || kind === "opposite") return { [kind]: Number(axis) };

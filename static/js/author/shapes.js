@@ -70,7 +70,7 @@ export function choicesField(store, label, path, options) {
 }
 
 /** From where a student's own value is drawn. @param {DraftStore} store @param {string} label @param {Path} path @param {any} usual what to begin with */
-export function drawField(store, label, path, usual) {
+function drawField(store, label, path, usual) {
   const place = el("div", { class: "row" });
   const build = () => {
     const draw = store.at(path);
@@ -85,7 +85,7 @@ export function drawField(store, label, path, usual) {
 }
 
 /** @param {DraftStore} store @param {Path} path of a draw */
-export function drawFields(store, path) {
+function drawFields(store, path) {
   return [
     ...["from", "to", "step"].map((what) => numberField(store, t(`author-draw-${what}-short`), [...path, what])),
     numbersField(store, t("author-draw-without"), [...path, "without"]),

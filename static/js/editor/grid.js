@@ -4,7 +4,7 @@ import { el, fill, iconButton } from "../dom.js";
 import { t } from "../i18n.js";
 import { pageAddress } from "../page.js";
 import { showMathml } from "../typeset.js";
-import { COLUMNS, jointNumbers, variableCell, variableName } from "./model.js";
+import { COLUMNS, LETTERS, jointNumbers, variableCell, variableName } from "./model.js";
 
 /**
  * @typedef {import("./model.js").Table} Table
@@ -18,19 +18,18 @@ import { COLUMNS, jointNumbers, variableCell, variableName } from "./model.js";
  *   cells: Map<string, Cell>, actions: HTMLElement[]}} Line one row of the table as it stands in the page
  */
 
-const SIGNS = { alpha: "α", a: "a", d: "d", theta: "θ" };
 const JOINTS = ["revolute", "prismatic", "fixed"];
 
 /** A column's name in its convention, as text. @param {CellName} cell @param {string} convention */
 export function columnText(cell, convention) {
   const before = convention === "modified" && (cell === "alpha" || cell === "a");
-  return SIGNS[cell] + (before ? "ᵢ₋₁" : "ᵢ");
+  return LETTERS[cell] + (before ? "ᵢ₋₁" : "ᵢ");
 }
 
 /** The same as markup. @param {CellName} cell @param {string} convention */
 export function columnName(cell, convention) {
   const before = convention === "modified" && (cell === "alpha" || cell === "a");
-  return [el("i", { text: SIGNS[cell] }), el("sub", {}, el("i", { text: "i" }), before ? "−1" : "")];
+  return [el("i", { text: LETTERS[cell] }), el("sub", {}, el("i", { text: "i" }), before ? "−1" : "")];
 }
 
 /** A term that leads to its place in the first lesson. @param {string} place @param {string} name @param {import("../dom.js").Child} content */
@@ -44,7 +43,7 @@ export function term(place, name, content) {
 }
 
 /** The unit of a column. @param {CellName} cell @param {Table} table */
-export function unitOf(cell, table) {
+function unitOf(cell, table) {
   if (cell === "alpha" || cell === "theta") return table.angleUnit === "deg" ? "°" : "rad";
   return table.lengthUnit;
 }

@@ -15,6 +15,9 @@ export const COLUMNS = {
   standard: ["theta", "d", "a", "alpha"],
 };
 
+/** How each column is written. @type {Record<CellName, string>} */
+export const LETTERS = { alpha: "α", a: "a", d: "d", theta: "θ" };
+
 /** @type {CellName[]} */
 export const CELLS = ["alpha", "a", "d", "theta"];
 

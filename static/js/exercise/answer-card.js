@@ -275,7 +275,7 @@ export class AnswerCard {
  * @param {Wire.Exercise} exercise @param {import("../understanding.js").ReadRow[]} rows @param {{name: string}[]} parameters
  * @returns {import("../api.js").Fault[]}
  */
-export function unknownNames({ dimensions }, rows, parameters) {
+function unknownNames({ dimensions }, rows, parameters) {
   const plainName = (/** @type {string} */ name) => name.replaceAll("_", "");
   const known = new Set(dimensions.flatMap(({ name, aliases = [] }) => [name, ...aliases].map(plainName)));
   const unknown = parameters.map(({ name }) => name).filter((name) => !known.has(plainName(name)));

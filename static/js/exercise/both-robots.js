@@ -16,7 +16,7 @@ import { movingScene } from "./moving-scene.js";
  *   key: {base: number[][], posture: number[], directions: number[][]}}} given
  *   `key` says how the key lies in the figure: pose of its frame 0 [m], joint values [rad or m], senses of its axes
  */
-export function bothModel({ figure, own, certificate, units, key }) {
+function bothModel({ figure, own, certificate, units, key }) {
   const metres = METRES[units.length];
   const radians = units.angle === "deg" ? Math.PI / 180 : 1;
   const types = figure.axes.map((/** @type {any} */ axis) => axis.type);

@@ -4,6 +4,7 @@
  */
 
 import { announce, el, fill, icon, iconButton } from "../dom.js";
+import { LETTERS } from "../editor/model.js";
 import { t } from "../i18n.js";
 import { degrees, shown, subscript } from "../numbers.js";
 import { emptyModel, poses } from "../scene/model.js";
@@ -13,7 +14,6 @@ import { still, stepsOf } from "../scene/film.js";
 /** @typedef {import("../scene/film.js").Step} Step */
 
 const SECONDS_A_STEP = 1.4;
-const LETTERS = { alpha: "α", a: "a", d: "d", theta: "θ" };
 
 export class FilmBar {
   /** @type {Robot | null} */

@@ -21,7 +21,7 @@ const MARK = 0.045;
  * @param {{figure: Wire.Figure, own: import("../scene/robots.js").TableModel, size: number, departure: Wire.Departure,
  *   length: string}} given `size` of the own robot, in its table's unit of length
  */
-export function ghostModel({ figure, own, size, departure, length }) {
+function ghostModel({ figure, own, size, departure, length }) {
   const reference = figureRobot(figure, { dimensions: false });
   const at = { node: own.frames[departure.row], at: /** @type {import("../scene/model.js").Vector} */ ([0, 0, 0]) };
   const shown = new Set([own.frames[departure.row - 1], own.frames[departure.row]]);

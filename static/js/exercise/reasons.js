@@ -10,7 +10,7 @@ import { shown } from "../numbers.js";
 const CLOSE = 1e-9;
 
 /** How the z axes of frames i−1 and i lie relative to each other. @param {ReadRow} row @param {number} size of the robot */
-export function relationOf({ values }, size) {
+function relationOf({ values }, size) {
   const [s, c] = [Math.sin(values.alpha ?? 0), Math.cos(values.alpha ?? 0)];
   const near = Math.abs(values.a ?? 0) < CLOSE * size;
   if (Math.abs(s) < CLOSE) return near ? "coincident" : "parallel";

@@ -2,6 +2,7 @@
 
 import "../scene/robot-scene.js";
 import { el, fill, uniqueId } from "../dom.js";
+import { LETTERS } from "../editor/model.js";
 import { t } from "../i18n.js";
 import { radians, shown } from "../numbers.js";
 import { robotOf } from "../live-robot.js";
@@ -14,7 +15,6 @@ import { triad } from "../scene/model.js";
 /** @typedef {import("../scene/model.js").Model} Model */
 /** @typedef {import("../scene/model.js").Item} Item */
 
-const LETTERS = { theta: "θ", d: "d", a: "a", alpha: "α" };
 const SIZE = 1;
 
 const place = (/** @type {string} */ id) => /** @type {HTMLElement} */ (document.getElementById(id));

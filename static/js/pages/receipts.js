@@ -18,7 +18,7 @@ const FORMATS = ["csv", "moodle", "canvas"];
 const $ = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
 
 /** Receipts in a text; a text without any stands for itself, so that the service says what is wrong with it. @param {string} text */
-export function receiptsIn(text) {
+function receiptsIn(text) {
   const found = text.replace(/\s+/g, "").match(RECEIPT);
   if (found) return found;
   return text.trim() ? [text.trim().slice(0, 8192)] : [];

@@ -2,7 +2,9 @@
 
 import { Latest } from "../api.js";
 import { copyText } from "../clipboard.js";
+import { dataTable } from "../data-table.js";
 import { announce, el, fill } from "../dom.js";
+import { rowsTable } from "../editor/rows-table.js";
 import { t } from "../i18n.js";
 import { shown } from "../numbers.js";
 import { problemNotice } from "../problem.js";
@@ -73,80 +75,21 @@ function report(found, to, use) {
 }
 
 /** A table to read. @param {any} table */
-export function tableView(table) {
-  const columns = table.convention === "modified" ? ["alpha", "a", "d", "theta"] : ["theta", "d", "a", "alpha"];
-  return el(
-    "div",
-    { class: "scroller", tabindex: "0", role: "region", "aria-label": t("playground-converted") },
-    el(
-      "table",
-      { class: "solutions" },
-      el("caption", {
-        class: "visually-hidden",
-        text: t("form-table-caption", { convention: t(`form-convention-${table.convention}`) }),
-      }),
-      el(
-        "thead",
-        {},
-        el(
-          "tr",
-          {},
-          columns.map((name) => el("th", { scope: "col", text: SIGNS[name] })),
-        ),
-      ),
-      el(
-        "tbody",
-        {},
-        table.rows.map((/** @type {any} */ row) =>
-          el(
-            "tr",
-            {},
-            columns.map((name) => el("td", { text: cellText(row[name]) })),
-          ),
-        ),
-      ),
-    ),
-  );
-}
-
-/** @type {Record<string, string>} */
-const SIGNS = { alpha: "α", a: "a", d: "d", theta: "θ" };
+export const tableView = (table) => rowsTable(table, cellText);
 
 /** @param {any} cell */
 const cellText = (cell) => (typeof cell === "number" ? shown(cell, 6) : String(cell));
 
 /** @param {any} found */
 function screwTable(found) {
-  return el(
-    "div",
-    { class: "scroller", tabindex: "0", role: "region", "aria-label": t("playground-screws") },
-    el(
-      "table",
-      { class: "solutions" },
-      el("caption", { class: "visually-hidden", text: t("playground-screws") }),
-      el(
-        "thead",
-        {},
-        el(
-          "tr",
-          {},
-          el("td"),
-          ["ωx", "ωy", "ωz", "vx", "vy", "vz"].map((name) => el("th", { scope: "col", text: name })),
-        ),
-      ),
-      el(
-        "tbody",
-        {},
-        found.screws.map((/** @type {any} */ screw, /** @type {number} */ i) =>
-          el(
-            "tr",
-            {},
-            el("th", { scope: "row", text: `S${i + 1}` }),
-            [...screw.angular, ...screw.linear].map((value) => el("td", { text: shown(value) })),
-          ),
-        ),
-      ),
-    ),
+  return dataTable(
+    t("playground-screws"),
+    ["S", "ωx", "ωy", "ωz", "vx", "vy", "vz"],
+    found.screws.map((/** @type {any} */ { angular, linear }, /** @type {number} */ i) => [
+      `S${i + 1}`,
+      ...[...angular, ...linear].map((value) => shown(value)),
+    ]),
+    { kind: "solutions" },
   );
 }
 

@@ -1,6 +1,7 @@
 /** Inverse kinematics: a pose to reach, every set of joint values that reaches it, and a look at each. */
 
 import { Latest } from "../api.js";
+import { dataTable } from "../data-table.js";
 import { el, fill } from "../dom.js";
 import { t } from "../i18n.js";
 import { plain, shown } from "../numbers.js";
@@ -115,47 +116,24 @@ function report(found, show, ghosts) {
   const outside = found.outside_limits ? t("playground-outside-limits", { count: found.outside_limits }) : "";
   if (!count) return [el("p", { text: `${status} ${outside}` })];
   const names = found.solutions[0].joints.map((/** @type {any} */ _, /** @type {number} */ i) => `q${i + 1}`);
-  const table = el(
-    "table",
-    { class: "solutions" },
-    el("caption", { class: "visually-hidden", text: t("playground-solutions") }),
-    el(
-      "thead",
-      {},
+  const table = dataTable(
+    t("playground-solutions"),
+    [t("playground-show"), ...names, t("playground-residual")],
+    found.solutions.map((/** @type {any} */ solution, /** @type {number} */ i) => [
       el(
-        "tr",
-        {},
-        el("td"),
-        names.map((/** @type {string} */ name) => el("th", { scope: "col", text: name })),
-        el("th", { scope: "col", text: t("playground-residual") }),
+        "button",
+        {
+          type: "button",
+          class: "small",
+          "aria-label": t("playground-show-solution", { number: i + 1 }),
+          onclick: () => show(solution.joints),
+        },
+        t("playground-show"),
       ),
-    ),
-    el(
-      "tbody",
-      {},
-      found.solutions.map((/** @type {any} */ solution, /** @type {number} */ i) =>
-        el(
-          "tr",
-          {},
-          el(
-            "td",
-            {},
-            el(
-              "button",
-              {
-                type: "button",
-                class: "small",
-                "aria-label": t("playground-show-solution", { number: i + 1 }),
-                onclick: () => show(solution.joints),
-              },
-              t("playground-show"),
-            ),
-          ),
-          solution.joints.map((/** @type {number} */ q) => el("td", { text: shown(q, 3) })),
-          el("td", { text: solution.residual.toExponential(1) }),
-        ),
-      ),
-    ),
+      ...solution.joints.map((/** @type {number} */ q) => shown(q, 3)),
+      solution.residual.toExponential(1),
+    ]),
+    { kind: "solutions" },
   );
   return [
     el("p", { text: `${status} ${complete} ${outside}` }),
@@ -165,7 +143,7 @@ function report(found, show, ghosts) {
       el("input", { type: "checkbox", checked: ghosts.shown, onchange: (event) => ghosts.set(event.target.checked) }),
       t("playground-ghosts"),
     ),
-    el("div", { class: "scroller", tabindex: "0", role: "region", "aria-label": t("playground-solutions") }, table),
+    table,
   ];
 }
 

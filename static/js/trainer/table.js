@@ -3,6 +3,7 @@
  * 1.5707963267948966.
  */
 
+import { dataTable } from "../data-table.js";
 import { el } from "../dom.js";
 import { columnName } from "../editor/grid.js";
 import { COLUMNS } from "../editor/model.js";
@@ -17,7 +18,7 @@ const CLOSE = 1e-6;
 const FRACTIONS = [1, 2, 3, 4, 6, 12];
 
 /** An angle [rad] in the exercise's unit. @param {number} angle @param {"deg" | "rad"} unit */
-export function angleText(angle, unit) {
+function angleText(angle, unit) {
   if (Math.abs(angle) < CLOSE) return "0";
   if (unit === "deg") return String(Number(degrees(angle).toFixed(6)));
   for (const denominator of FRACTIONS) {
@@ -31,7 +32,7 @@ export function angleText(angle, unit) {
 }
 
 /** A length in the names of the dimensions: one of them, or a sum or difference of two. @param {number} length @param {Dimension[]} dimensions @param {number} size of the robot */
-export function lengthText(length, dimensions, size) {
+function lengthText(length, dimensions, size) {
   const near = (/** @type {number} */ value) => Math.abs(value - length) < CLOSE * size;
   if (near(0)) return "0";
   const signed = dimensions.flatMap(({ name, value }) => [
@@ -116,32 +117,14 @@ export function rowToPoint([x, y, z]) {
 export function tableView(rows, convention, { play }) {
   const columns = COLUMNS[convention];
   const caption = t("form-table-caption", { convention: t(`form-convention-${convention}`) });
-  const line = (/** @type {NamedRow | null} */ row, /** @type {number} */ i) =>
-    el(
-      "tr",
-      {},
-      el("th", { scope: "row" }, row ? playButton(i, play) : String(i + 1)),
-      columns.map((name) => el("td", { text: row ? row[name].replaceAll("-", "−").replace(/^q(\d)/, "θ$1") : "·" })),
-    );
-  return el(
-    "div",
-    { class: "scroller", tabindex: "0", role: "region", "aria-label": caption },
-    el(
-      "table",
-      { class: "solutions" },
-      el("caption", { class: "visually-hidden", text: caption }),
-      el(
-        "thead",
-        {},
-        el(
-          "tr",
-          {},
-          el("th", { scope: "col", text: "i" }),
-          columns.map((name) => el("th", { scope: "col" }, columnName(name, convention))),
-        ),
-      ),
-      el("tbody", {}, rows.map(line)),
-    ),
+  return dataTable(
+    caption,
+    ["i", ...columns.map((name) => columnName(name, convention))],
+    rows.map((row, i) => [
+      row ? playButton(i, play) : i + 1,
+      ...columns.map((name) => (row ? row[name].replaceAll("-", "−").replace(/^q(\d)/, "θ$1") : "·")),
+    ]),
+    { kind: "solutions" },
   );
 }
 
