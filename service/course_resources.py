@@ -28,8 +28,8 @@ from service.lti.platform_keys import PlatformKeys
 from service.lti.services import Services
 from service.lti.signing_keys import PUBLISHED_BEFORE, new_private_key, outdated, signing_key
 from service.settings import Settings
+from service.work.batcher import Batcher
 from service.work.fair_queue import Proven, proven
-from service.work.gathering import Gathering
 
 _ORIGINS_LIVE = 30.0
 """Seconds for which the origins of known platforms are not read again."""
@@ -71,13 +71,13 @@ class CourseResources:
         self.platform_keys = PlatformKeys(self.fetcher)
         self.services = Services(self.fetcher, self.signing)
         capacity = settings.grading_queue
-        self.sign_in: Gathering[str, CourseSession] = Gathering(
+        self.sign_in: Batcher[str, CourseSession] = Batcher(
             lambda tokens: sessions_of(self.store, tokens, now()),
             batches=1,
             capacity=capacity,
             gives_up=_database_is_gone,
         )
-        self.keep: Gathering[JudgedSubmission, Attempt] = Gathering(
+        self.keep: Batcher[JudgedSubmission, Attempt] = Batcher(
             lambda submissions: store_submissions(self.store, submissions, now()),
             batches=1,
             capacity=capacity,

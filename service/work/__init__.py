@@ -2,7 +2,7 @@
 
 fair_queue       slots for work, shared fairly between clients
 limiters         threads behind such a queue
-gathering, batches  what comes together is worked on together; long answers are sent while computed
+batcher, batches  what comes together is worked on together; long answers are sent while computed
 workers          processes under limits on time and memory
 processes, worker_process  one of them, as seen from outside, and its program
 allotted_time    a list of tasks within a processor time

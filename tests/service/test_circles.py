@@ -14,7 +14,7 @@ import pytest
 
 from service.app import create_app
 from service.settings import Settings
-from service.work.gathering import Gathering
+from service.work.batcher import Batcher
 from service.work.threads import in_thread
 from service.work.workers import LaneProcesses
 from tests.document import DOCUMENT
@@ -158,11 +158,11 @@ def test_what_fails_in_a_thread_leaves_no_circles() -> None:
 
 
 def test_what_fails_in_a_batch_leaves_no_circles() -> None:
-    gathering: Gathering[int, int] = Gathering(fails, batches=1, capacity=4)
+    batcher: Batcher[int, int] = Batcher(fails, batches=1, capacity=4)
     try:
-        assert not left_by(lambda: gathering(1))
+        assert not left_by(lambda: batcher(1))
     finally:
-        gathering.close()
+        batcher.close()
 
 
 @pytest.mark.parametrize("raised", [ValueError("one"), ValueError("another")])

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 import pytest
 
 from service.http.problems import BusyError
-from service.work.gathering import Gathering
+from service.work.batcher import Batcher
 
 
 class Work:
@@ -27,8 +27,8 @@ class Work:
         return [ValueError(str(number)) if number % 2 else 2 * number for number in numbers]
 
 
-async def asked(gathering: Gathering[int, int], work: Work, numbers: Sequence[int]) -> list[object]:
-    tasks = [asyncio.create_task(gathering(number)) for number in numbers]
+async def asked(batcher: Batcher[int, int], work: Work, numbers: Sequence[int]) -> list[object]:
+    tasks = [asyncio.create_task(batcher(number)) for number in numbers]
     while not work.batches:
         await asyncio.sleep(0.01)
     work.go.set()
@@ -37,51 +37,51 @@ async def asked(gathering: Gathering[int, int], work: Work, numbers: Sequence[in
 
 def test_what_comes_while_one_batch_is_worked_on_makes_the_next() -> None:
     work = Work()
-    gathering = Gathering(work, batches=1, capacity=100)
+    batcher = Batcher(work, batches=1, capacity=100)
     numbers = list(range(0, 40, 2))
-    assert asyncio.run(asked(gathering, work, numbers)) == [2 * number for number in numbers]
-    gathering.close()
+    assert asyncio.run(asked(batcher, work, numbers)) == [2 * number for number in numbers]
+    batcher.close()
     assert [number for batch in work.batches for number in batch] == numbers
     assert len(work.batches) == 2
 
 
 def test_each_gets_its_own_error_and_a_broken_batch_is_done_one_by_one() -> None:
     work = Work()
-    gathering = Gathering(work, batches=1, capacity=100)
-    found = asyncio.run(asked(gathering, work, [2, 3, 13, 4]))
-    gathering.close()
+    batcher = Batcher(work, batches=1, capacity=100)
+    found = asyncio.run(asked(batcher, work, [2, 3, 13, 4]))
+    batcher.close()
     assert [str(each) for each in found] == ["4", "3", "13", "8"]
     assert [type(each) for each in found] == [int, ValueError, RuntimeError, int]
 
 
 def test_nobody_waits_without_a_place() -> None:
     work = Work()
-    gathering = Gathering(work, batches=1, capacity=2)
+    batcher = Batcher(work, batches=1, capacity=2)
 
     async def crowded() -> list[object]:
-        first = asyncio.create_task(gathering(0))
+        first = asyncio.create_task(batcher(0))
         while not work.batches:
             await asyncio.sleep(0.01)
-        others = [asyncio.create_task(gathering(number)) for number in (2, 4, 6)]
+        others = [asyncio.create_task(batcher(number)) for number in (2, 4, 6)]
         await asyncio.sleep(0.01)
         work.go.set()
         return list(await asyncio.gather(first, *others, return_exceptions=True))
 
     *served, refused = asyncio.run(crowded())
-    gathering.close()
+    batcher.close()
     assert served == [0, 4, 8]
     assert isinstance(refused, BusyError)
 
 
 def test_who_goes_away_keeps_nobody_from_their_result() -> None:
     work = Work()
-    gathering = Gathering(work, batches=1, capacity=9)
+    batcher = Batcher(work, batches=1, capacity=9)
 
     async def gone() -> int:
-        first = asyncio.create_task(gathering(2))
+        first = asyncio.create_task(batcher(2))
         while not work.batches:
             await asyncio.sleep(0.01)
-        second, third = asyncio.create_task(gathering(4)), asyncio.create_task(gathering(6))
+        second, third = asyncio.create_task(batcher(4)), asyncio.create_task(batcher(6))
         await asyncio.sleep(0.01)
         second.cancel()
         work.go.set()
@@ -89,14 +89,14 @@ def test_who_goes_away_keeps_nobody_from_their_result() -> None:
         return await third
 
     assert asyncio.run(gone()) == 12
-    gathering.close()
+    batcher.close()
 
 
 def test_closing_finishes_what_waits() -> None:
     work = Work()
     work.go.set()
-    gathering = Gathering(work, batches=1, capacity=9)
-    assert asyncio.run(asked(gathering, work, [2])) == [4]
-    gathering.close()
+    batcher = Batcher(work, batches=1, capacity=9)
+    assert asyncio.run(asked(batcher, work, [2])) == [4]
+    batcher.close()
     with pytest.raises(RuntimeError):
-        asyncio.run(gathering(2))
+        asyncio.run(batcher(2))

@@ -1,6 +1,6 @@
-"""Work on many things at once: what comes while one batch is worked on makes the next one.
+"""Batches concurrent calls: what arrives while one batch is processed forms the next.
 
-Under little load nobody waits for a batch to fill: a batch is one thing. Under much load it grows by itself,
+Under little load nobody waits for a batch to fill: a batch is one item. Under much load it grows by itself,
 and may be given a moment to grow: what a transaction costs (statements, round trips, the flush of its commit)
 is shared by all that wait for it.
 """
@@ -19,31 +19,31 @@ from typing import Generic, TypeVar
 from service.http.problems import busy
 
 MOST = 64
-"""Things in a batch: beyond some dozens each costs no less, and all wait for the last."""
+"""Items in a batch: beyond some dozens each costs no less, and all wait for the last."""
 
-_Thing = TypeVar("_Thing")
+_Item = TypeVar("_Item")
 _Result = TypeVar("_Result")
 
 
-class Gathering(Generic[_Thing, _Result]):
-    """Gathers things into batches, each worked on in a thread."""
+class Batcher(Generic[_Item, _Result]):
+    """Collects items into batches, each processed in a thread."""
 
     def __init__(
         self,
-        work: Callable[[Sequence[_Thing]], Sequence[_Result | Exception]],
+        work: Callable[[Sequence[_Item]], Sequence[_Result | Exception]],
         *,
         batches: int,
         capacity: int,
         gives_up: Callable[[Exception], bool] = lambda _: False,
         pause: Callable[[], float] = lambda: 0.0,
     ) -> None:
-        """Make a gathering.
+        """Make a batcher.
 
         Args:
-            work: returns for each thing its result, or what is to be raised for it.
+            work: returns for each item its result, or what is to be raised for it.
             batches: how many are worked on at the same time.
-            capacity: how many things may wait.
-            gives_up: whether a batch that failed so would fail thing by thing, too.
+            capacity: how many items may wait.
+            gives_up: whether a batch that failed so would fail item by item, too.
             pause: how long a batch that is not full may grow before it is worked on [s].
         """
         self._work = work
@@ -51,13 +51,13 @@ class Gathering(Generic[_Thing, _Result]):
         self._pause = pause
         self._batches = batches
         self._capacity = capacity
-        self._waiting: deque[tuple[_Thing, asyncio.Future[_Result]]] = deque()
+        self._waiting: deque[tuple[_Item, asyncio.Future[_Result]]] = deque()
         self._running = 0
         self._lock = threading.Lock()
-        self._threads = ThreadPoolExecutor(max_workers=batches, thread_name_prefix="gathering")
+        self._threads = ThreadPoolExecutor(max_workers=batches, thread_name_prefix="batcher")
 
-    async def __call__(self, thing: _Thing) -> _Result:
-        """The result for one thing.
+    async def __call__(self, item: _Item) -> _Result:
+        """Process an item in the next batch, and return its result.
 
         Raises:
             BusyError: as many as may wait are waiting.
@@ -66,7 +66,7 @@ class Gathering(Generic[_Thing, _Result]):
         with self._lock:
             if len(self._waiting) >= self._capacity:
                 raise busy()
-            self._waiting.append((thing, future))
+            self._waiting.append((item, future))
             starts = self._running < self._batches
             self._running += starts
         if starts:
@@ -82,7 +82,7 @@ class Gathering(Generic[_Thing, _Result]):
 
     def _run(self) -> None:
         while batch := self._next():
-            self._answer([future for _, future in batch], self._found([thing for thing, _ in batch]))
+            self._answer([future for _, future in batch], self._found([item for item, _ in batch]))
             del batch  # or an error would know itself by this frame
 
     def _answer(
@@ -94,7 +94,7 @@ class Gathering(Generic[_Thing, _Result]):
             with suppress(RuntimeError):  # the loop has been closed: nobody waits
                 loop.call_soon_threadsafe(_deliver, mine)
 
-    def _next(self) -> list[tuple[_Thing, asyncio.Future[_Result]]]:
+    def _next(self) -> list[tuple[_Item, asyncio.Future[_Result]]]:
         if 0 < len(self._waiting) < MOST and (seconds := self._pause()) > 0.0:
             time.sleep(seconds)
         with self._lock:
@@ -103,14 +103,14 @@ class Gathering(Generic[_Thing, _Result]):
                 self._running -= 1
             return batch
 
-    def _found(self, things: list[_Thing]) -> Sequence[_Result | Exception]:
-        """The results of a batch; where it fails as a whole, those of its things one by one."""
+    def _found(self, items: list[_Item]) -> Sequence[_Result | Exception]:
+        """The results of a batch; where it fails as a whole, those of its items one by one."""
         try:
-            return self._work(things)
+            return self._work(items)
         except Exception as error:
-            if len(things) == 1 or self._gives_up(error):
-                return [error] * len(things)
-            return [result for thing in things for result in self._found([thing])]
+            if len(items) == 1 or self._gives_up(error):
+                return [error] * len(items)
+            return [result for item in items for result in self._found([item])]
 
 
 def _deliver(answered: Sequence[tuple[asyncio.Future[_Result], _Result | Exception]]) -> None:
