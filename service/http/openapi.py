@@ -22,11 +22,11 @@ _DECLARED: dict[str, type[BaseModel]] = {}
 
 DESCRIPTIONS: dict[int, str] = {
     400: "The body cannot be read: it is missing, broken, or not what its media type says.",
-    404: "Nothing is at this address.",
-    405: "This address knows no such method.",
+    404: "There is nothing at this address.",
+    405: "This address does not support the method.",
     406: "No representation of the answer is acceptable to the caller.",
     413: "The body, or what it asks for, exceeds a limit.",
-    415: "The body comes in a media type that this call does not read.",
+    415: "The media type of the body is not one that this call reads.",
     422: "The body is well formed, and what it says cannot be done: each fault with its place.",
     503: "The service is busy; try again after the time in Retry-After.",
 }

@@ -77,7 +77,7 @@ def test_launch_submit_verdict_score_in_a_frame(page: Page, lms: Lms, service: s
     assert eventually(lambda: lms.result("frida", "framed")) == 1.0
     expect(frame.locator(".session-banner")).to_contain_text("1")
     expect(frame.locator("#history-card")).to_contain_text("Kept in your course.")
-    expect(frame.locator("#history-card").get_by_role("button", name="Forget all")).to_have_count(0)
+    expect(frame.locator("#history-card").get_by_role("button", name="Clear history")).to_have_count(0)
     page.reload()
 
 

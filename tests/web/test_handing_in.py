@@ -86,7 +86,7 @@ def test_a_lecturers_link_switches_off_what_it_says(
     watch.allow("status of 403")
     put_table(page, SCARA)
     page.locator("button[type=submit].primary").click()
-    expect(page.locator("#answer")).to_contain_text("All 2 attempts are used up.")
+    expect(page.locator("#answer")).to_contain_text("You have used all 2 attempts.")
 
 
 def test_matrices_wait_for_the_parts_that_ask_for_them(open_page: OpenPage) -> None:

@@ -82,7 +82,7 @@ def test_parts_are_checked_one_at_a_time_and_what_is_left_stays_in_sight(open_pa
     )
     progress = page.locator(".progress")
     expect(progress.locator("a")).to_have_count(6)
-    expect(progress).to_contain_text("Workspace: still open")
+    expect(progress).to_contain_text("Workspace: not answered yet")
     part = open_part(page, "workspace")
     part.get_by_label("Inner radius").fill("0.1")
     part.get_by_label("Outer radius").fill("0.7")

@@ -347,7 +347,7 @@ def test_attempts_are_kept_and_can_be_taken_back(open_page: OpenPage) -> None:
     page.get_by_role("button", name="Put back into the form (1)").click()
     expect(cell(page, 1, "a")).to_have_value("a3")
     expect(joint(page, 0)).to_have_value("revolute")
-    page.get_by_role("button", name="Forget all").click()
+    page.get_by_role("button", name="Clear history").click()
     expect(page.locator("#history-card")).to_be_hidden()
 
 

@@ -114,7 +114,7 @@ def test_a_row_is_gone_through_step_by_step_and_back(open_page: OpenPage) -> Non
     text = page.locator(".film-text")
     expect(text).to_contain_text("Row 2, 1 of 4: turn about x₁ by α = 0°.")
     for wanted in ("2 of 4: move along x₁ by a = 0.4 m.", "3 of 4: turn about z₂", "4 of 4: move along z₂"):
-        page.get_by_role("button", name="One step on").click()
+        page.get_by_role("button", name="One step forward").click()
         expect(text).to_contain_text(wanted)
     ends = page.evaluate(
         """async () => {

@@ -6,7 +6,7 @@ figure-title = { $title }: joints, axes and dimensions
 figure-coordinates = { $joints ->
     [one] A robot with one joint.
    *[other] A robot with { $joints } joints, one behind the other, counted from the base.
-} Places are given in { $unit } as (right; back; up), measured from where the robot is fixed.
+} Positions are given in { $unit } as (right; back; up), measured from where the robot is fixed.
 figure-joint-revolute = Joint { $joint } turns. Its body stands at { $place }; its axis { $course ->
     [vertical] is vertical
     [sideways] runs from left to right
@@ -122,7 +122,7 @@ feedback-pose_rotation_right = The rotation is right.
 feedback-pose_position_right = The position is right.
 feedback-pose_inverse = This is the inverse of the pose.
 feedback-pose_rotation_transposed = The rotation is transposed.
-feedback-pose_degrees_as_radians = The sines and cosines were taken of degrees as if they were radians.
+feedback-pose_degrees_as_radians = The sines and cosines were computed as if the angles in degrees were in radians.
 feedback-workspace_right = Both radii are right.
 feedback-workspace_inner_wrong = The inner radius is not right.
 feedback-workspace_outer_wrong = The outer radius is not right.
@@ -206,7 +206,7 @@ error-joint_off_axis = The point { $point } does not lie on the axis of joint { 
 error-dimension_disagrees = The points of { $name } lie { $length } apart, but { $name } is { $value }.
 error-dimension_too_short = { $name } is { $length }, too short to be shown in the figure: in a robot of this size a dimension is at least { $least }. Give it another value, or write 0 in its place.
 error-gripper_without_direction = The gripper and the point that it points away from are the same.
-error-jaws_along_gripper = The jaws stand beside each other, square to the gripper.
+error-jaws_along_gripper = The jaws lie side by side, perpendicular to the gripper.
 
 error-name_unknown = { $name } is none of the dimensions of this exercise.{ $unit ->
     [0] {""}
@@ -222,9 +222,9 @@ error-title_missing = A title in one language at least is needed: [title] with e
 exercise-other-language = This exercise is not written in your language yet; its text is in { $language }.
 rule-dimension-free = { $names } need not appear in your table: with frames chosen accordingly it drops out.
 error-context_invalid = This link was not made here, or has been changed.
-error-context_expired = This link has ended.
+error-context_expired = This link has expired.
 error-switched_off = { $path } is switched off for this exercise.
-error-attempts_used_up = All { $limit } attempts are used up.
+error-attempts_used_up = You have used all { $limit } attempts.
 error-ladder_falls = Each attempt may be told as much as the one before it or more, never less.
 task-frames = Place frames 0 to { $n } on the robot as the figure shows it: for each frame its origin, in { $unit } and in the coordinates of the figure, and the directions of x and z.
 error-frames_count = There are frames 0 to N: { $expected } are needed, and { $given } were given.

@@ -14,7 +14,7 @@ feedback-origin_slid = The origin of your frame { $frame } lies at a different p
 feedback-axis_moved = Your z{ $frame } lies on a different line, parallel to that in the reference solution. Only its direction matters here.
 feedback-frame_elsewhere = Your frame { $frame } lies elsewhere than in the reference solution. You were free to choose it.
 feedback-variable_reversed = Your q{ $joint } counts the opposite way to the reference solution’s. Both ways are right.
-feedback-variable_offset = Where the reference solution’s q{ $joint } is zero, yours has the value { $offset }. Where a joint variable is zero is free to choose.
+feedback-variable_offset = Where the reference solution’s q{ $joint } is zero, yours has the value { $offset }. You are free to choose where a joint variable is zero.
 feedback-rounded = Your entries agree with the reference solution within the tolerance, not exactly; they may have been rounded.
 
 ## A wrong answer: the whole

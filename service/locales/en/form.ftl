@@ -253,11 +253,11 @@ form-history-heading = Your attempts
 form-history-restore = Put back into the form
 form-history-restored = The attempt is back in the form
 form-history-kept = Kept in this browser only.
-form-history-clear = Forget all
+form-history-clear = Clear history
 
 form-missing-title = Not found
 form-missing-text = There is no such page here. The exercises are all on the first page.
-form-missing-home = To the exercises
+form-missing-home = Go to the exercises
 form-storage-blocked = The browser stores nothing for this page: what you type is lost when you close or reload it.
 form-other-tab = This exercise is also open in another tab, and something has just been typed there. Whatever is typed last is kept.
 form-other-tab-take = Show what was typed there
@@ -268,7 +268,7 @@ form-film-hint = Put the cursor into a cell or press a row’s number: the film 
 form-film-none = Row { $row } cannot be shown yet: fill it and the rows before it.
 form-film-play = Play the row
 form-film-back = One step back
-form-film-forward = One step on
+form-film-forward = One step forward
 form-film-row-before = The row before
 form-film-row-after = The next row
 form-film-start = Row { $row }: it starts from frame { $frame }.
@@ -293,7 +293,7 @@ form-name-unknown =
     }
 
 form-nav-lesson = First lesson
-form-term = What is that? { $term }
+form-term = What does “{ $term }” mean?
 form-convention-what = What are these?
 form-exercise-write = Attach a frame to every link and write the DH table of this robot.
 
@@ -308,18 +308,18 @@ form-second-none = The rules of this exercise leave no other table.
 
 form-ghost-label = Your robot as a ghost over the exercise’s
 form-ghost-text = The exercise’s robot is grey and orange, yours transparent red. Both make the same motion. The marked frame { $row }, the one of row { $row }, is the first that departs from the exercise’s robot.
-form-ghost-description = Your robot coincides with the exercise’s before frame { $row }, which is marked: there the two part.
+form-ghost-description = Your robot coincides with the exercise’s before frame { $row }, which is marked: this is where the two diverge.
 form-new = New
-form-new-done = A new, empty table.
+form-new-done = Started a new, empty table.
 
 form-progress = Progress
-form-progress-open = still open
+form-progress-open = not answered yet
 form-progress-typed = not checked yet
 form-part-missing = not handed in
 form-part-empty = Nothing has been entered here yet.
 form-submit-part = Check this part
-form-points-for = A wrong table earns points for what it gets right: joints that are there and have the right type, twists, lengths and offsets. A missing joint costs most, a wrong sign least.
-form-help-steps = one step after another
+form-points-for = A wrong table earns points for what it gets right: joints that are present and of the right type, twists, lengths and offsets. A missing joint costs most, a wrong sign least.
+form-help-steps = one hint at a time
 form-help-principle = The principle.
 form-help-worked = A worked step, on another robot.
 form-help-next = The next step of help comes with your next answer, once you have changed it.

@@ -37,6 +37,6 @@ feedback-jacobian_reversed =
        *[other] Columns { $joints } have the opposite sign: mind which way z points.
     }
 feedback-jacobian_per_degree = The columns of the revolute joints are per degree; they are asked for per radian.
-feedback-jacobian_other_unit = The lengths are in another unit than the one asked for.
+feedback-jacobian_other_unit = The lengths are in a different unit from the one asked for.
 feedback-jacobian_angles_locked = In this configuration, the first and the last angle turn about the same line: the angles have no rates, and there is no analytic Jacobian.
 error-angles_locked = The first and the last of the angles { $axes } turn about the same line here: there is no analytic Jacobian. Choose other angles.

@@ -296,7 +296,7 @@ feedback-screws_right = The screws and the home pose describe this robot.
 feedback-screws_wrong = This product of exponentials does not describe the robot, whichever frame, zero and senses were chosen.
 feedback-screw_not_unit = Joint { $joint }: ω of a revolute joint is a unit vector.
 feedback-screw_pitch = Joint { $joint }: v has a part along ω; a revolute joint does not advance along its axis.
-feedback-screw_joint_type = Joint { $joint }: a sliding joint has ω = 0 and a direction v; a turning one has ω of length 1.
+feedback-screw_joint_type = Joint { $joint }: a prismatic joint has ω = 0 and a unit vector v; a revolute joint has ω of length 1.
 feedback-screw_halves = v and ω are exchanged: in the other order the rows would be right.
 feedback-screw_moment_sign =
     { $joint ->
@@ -356,8 +356,8 @@ feedback-jacobian_point_swapped =
     }
 feedback-jacobian_prismatic =
     { $count ->
-        [1] Column { $joint }: a slider gives (z, 0), a revolute joint (z × (pₙ − p), z).
-       *[other] Columns { $joints }: a slider gives (z, 0), a revolute joint (z × (pₙ − p), z).
+        [1] Column { $joint }: a prismatic joint gives (z, 0), a revolute joint (z × (pₙ − p), z).
+       *[other] Columns { $joints }: a prismatic joint gives (z, 0), a revolute joint (z × (pₙ − p), z).
     }
 feedback-jacobian_other_frame =
     { $count ->

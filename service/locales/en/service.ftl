@@ -17,21 +17,21 @@ error-json_not_utf8 = The body is not UTF-8, as JSON must be.
 error-json_too_deep = The JSON document is nested too deeply.
 error-json_not_finite = Line { $line }, column { $column }: a number must be finite. JSON has no NaN and no infinity.
 error-json_invalid = The body is not JSON: line { $line }, column { $column }. The parser says: { $reason }.
-error-json_duplicate_key = The key “{ $key }” stands twice in one object. Keep one of the two.
+error-json_duplicate_key = The key “{ $key }” appears twice in one object. Keep one of the two.
 error-json_too_many_values = The body holds too much: at most { $limit } values, fields, lists or objects are read.
 error-json_too_many_fields = An object of the body has { $given } fields; no call has more than { $limit }.
 error-body_timed_out = The body did not arrive within { $seconds } s. Send it faster, or in smaller parts.
 error-content_encoding_unsupported = Compressed bodies are not read. Send the body without Content-Encoding.
-error-charset_unsupported = The body is announced as { $charset }. JSON is read as UTF-8 only.
+error-charset_unsupported = The body is declared as { $charset }. JSON is read as UTF-8 only.
 error-media_type_unsupported =
     { $given ->
         [none] The request does not say what its body is.
-       *[other] The body is announced as { $given }.
+       *[other] The body is declared as { $given }.
     } This call reads { $offers }: say so in the header Content-Type.
-error-not_acceptable = This call answers in { $offers }; the header Accept leaves all of it out.
+error-not_acceptable = This call answers in { $offers }; the Accept header allows none of these.
 error-body_too_large = The body is larger than { $limit } bytes, the most that this call reads.
-error-method_not_allowed = This address knows { $allowed }, and no { $method }.
-error-address_unknown = Nothing is at { $path }. The document /api/v1/openapi.json lists every call.
+error-method_not_allowed = This address supports { $allowed }, not { $method }.
+error-address_unknown = There is nothing at { $path }. The document /api/v1/openapi.json lists every call.
 error-problem_unknown = No refusal has the code { $code }.
 error-internal_error = The service failed on this request. Report it with the id { $id }.
 error-busy = The server is busy. Try again in { $seconds } s.
@@ -85,7 +85,7 @@ error-npy_header_invalid =
         [header] its header must be complete, at most 4096 bytes long, and name descr, fortran_order and shape
        *[shape] its shape must be a tuple of sizes that an array can have
     }.
-error-npy_length_mismatch = The npy header promises { $promised } bytes of data; { $present } follow it.
+error-npy_length_mismatch = The npy header declares { $promised } bytes of data; { $present } follow it.
 error-npy_object_refused = The npy file holds Python objects, which are never unpickled. Send an array of numbers.
 error-npy_type_unsupported = The npy file holds { $type }. Send real numbers, such as float64 (<f8).
 error-npy_one_part = An npy file holds one array. Name one part: { $allowed }.
@@ -96,8 +96,8 @@ error-api_key_invalid = This key is not known here, has expired or was revoked.
 error-api_key_scope = This key is for { $scopes }; the call needs { $needed }.
 error-idempotency_key_length = An Idempotency-Key has 1 to { $limit } characters.
 error-idempotency_key_in_use = A request with this Idempotency-Key is still being answered. Try again in a second.
-error-idempotency_key_reused = This Idempotency-Key was used for another request. Take a new key for a new request.
-error-rate_exceeded = More was asked for than { $limit } a minute, counted by cost. Try again in { $seconds } s.
+error-idempotency_key_reused = This Idempotency-Key was used for another request. Use a new key for a new request.
+error-rate_exceeded = The limit of { $limit } cost units per minute was exceeded. Try again in { $seconds } s.
 error-setting_missing = The setting { $name } is missing.
 problem-title-429 = Too many requests
 error-quaternion_or_axis = Give at most one of “quaternion” and “axis”.
