@@ -22,7 +22,7 @@ def log_access(
     subject: str | None = None,
     details: Mapping[str, Any] | None = None,
 ) -> None:
-    """Write down that staff did something. Keys are pseudonyms."""
+    """Record that staff did something. Keys are pseudonyms."""
     with store.writing() as connection:
         connection.execute(
             sa.insert(access).values(

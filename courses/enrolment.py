@@ -47,7 +47,7 @@ class Arrival:
 
 
 def arrive(store: Store, arrival: Arrival, now: datetime) -> tuple[str, int]:
-    """Write down what a launch says and open a session; return its token and the link's id."""
+    """Store what a launch says and open a session; return its token and the link's id."""
     key = pseudonym(
         store, arrival.platform.issuer, arrival.platform.client_id, arrival.subject or new_token()
     )

@@ -152,7 +152,7 @@ def effective_outcomes(
 
 
 def _queue(connection: sa.Connection, changes: Sequence[GradeChange], now: datetime) -> None:
-    """Put scores into the outbox, in place of what it has of the same students; what is leased stays so."""
+    """Put scores into the outbox, replacing earlier ones of the same students; leases are kept."""
     rows = []
     for change in changes:
         released = change.link.released_at is not None

@@ -101,7 +101,7 @@ def judged(link_ids: Collection[int]) -> sa.CTE:
 
 
 def of_students(attempts: sa.CTE) -> sa.ColumnElement[bool]:
-    """Return the attempts of staff, and those of previews, are in no number."""
+    """Return the condition that an attempt is a student's: staff and previews do not count."""
     return attempts.c.role == "learner"
 
 

@@ -25,7 +25,7 @@ LEASE = timedelta(seconds=60)
 
 
 def lease_scores(store: Store, now: datetime, limit: int = 10) -> list[ScoreToSend]:
-    """Take scores that are due. Their next timestamps are written down before anybody sends them."""
+    """Take scores that are due. Their next timestamps are stored before anybody sends them."""
     lease = secrets.token_hex(8)
     chosen = (
         sa.select(_OUTBOX.c.link_id, _OUTBOX.c.person_id, _OUTBOX.c.timestamp)
@@ -133,7 +133,7 @@ def resend(store: Store, link_id: int, now: datetime) -> int:
 
 
 def release_scores(connection: sa.Connection, link_id: int, now: datetime) -> None:
-    """Let go what was held back until the lecturer's release."""
+    """Make due the scores that were held until the lecturer's release."""
     held = sa.and_(
         _OUTBOX.c.link_id == link_id,
         _OUTBOX.c.revision > _OUTBOX.c.sent_revision,

@@ -106,10 +106,7 @@ def _counts(link_id: int, students: Iterable[dict[str, Any]]) -> dict[str, int]:
 
 
 def link_statistics(store: Store, link_id: int) -> dict[str, Any]:
-    """Return what came of the attempts at a link.
-
-    That is success by day and at the first attempt, and tries until success or drop-out.
-    """
+    """Return a link's statistics: success by day and at the first attempt, tries to success or drop-out."""
     own = judged((link_id,))
     wanted = (
         sa.select(own.c.person_id, own.c.number, own.c.at, own.c.correct, own.c.score)

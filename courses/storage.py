@@ -100,7 +100,7 @@ class Store:
 
 @contextmanager
 def _answering() -> Iterator[None]:
-    """Tell a database that is in trouble from a program that is wrong.
+    """Refuse what failed for trouble of the database; let errors of the program through.
 
     Raises:
         StorageUnavailableError: the database is gone, full, read-only or overrun.

@@ -240,7 +240,7 @@ _COLUMNS = tuple(column.name for column in _ATTEMPT.columns if column.name != "i
 
 
 def _note(connection: sa.Connection, standings: Mapping[Student, _Standing], now: datetime) -> None:
-    """Write down how many attempts were made and what they are worth; what changed is sent."""
+    """Store how many attempts were made and what they are worth; what changed is sent."""
     if not standings:
         return
     made = [

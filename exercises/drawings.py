@@ -76,10 +76,7 @@ def figure_drawing(instance: Instance, note: str = "", frames: Sequence[DrawnFra
 
 
 def drawn_values(instance: Instance) -> dict[str, float]:
-    """Return the values with which the robot is drawn.
-
-    Those of all students where the figure names its own.
-    """
+    """Return the values with which the robot is drawn: the student's, or those the figure fixes for all."""
     return {**values(instance), **instance.exercise.figure.lengths}
 
 

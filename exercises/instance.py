@@ -94,9 +94,7 @@ def _values_kept_apart(parameters: Sequence[DrawnParameter], picker: Picker) -> 
 def possible_instances(exercise: Exercise, fixed: Collection[str], most: int) -> Iterator[Instance]:
     """Yield the exercise with every set of values that a student may have.
 
-    Some names have their usual values alone.
-
-    What parts draw beside the dimensions is as without a seed.
+    Names in `fixed` keep their usual values. What parts draw beside the dimensions is as without a seed.
 
     Args:
         exercise: the exercise.

@@ -76,7 +76,7 @@ class Staff:
         )
 
     async def log(self, action: str, *, subject: str | None = None, **details: Any) -> None:
-        """Write down what is done."""
+        """Record what is done."""
         work = partial(log_access, self.store, self.session, action, now(), subject=subject, details=details)
         await self.run(work)
 

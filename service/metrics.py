@@ -109,7 +109,7 @@ class Metrics:
         return 0.0 if is_busy else time.monotonic() - self._asked
 
     def note_occupancy(self) -> None:
-        """Write down what runs and waits in this process now."""
+        """Record what runs and waits in this process now."""
         for lane, (running, waiting) in self._occupancy().items():
             self._running.labels(lane).set(running)
             self._waiting.labels(lane).set(waiting)

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from exercises.written_table import written_table
+from kinematics.angles import nearest_twelfth
 from kinematics.cells import AngleUnit, LengthUnit, ParameterKind, RawTable, ReadTable
 from kinematics.expressions import (
     Expression,
@@ -22,9 +23,7 @@ from kinematics.frames.axes import JointAxis
 from kinematics.table import Convention, DHRow, DHTable, JointType, NumericTable, SymbolicRow
 
 TINY = 1e-9
-STEPS_OF_PI = 12
-"""Lengths below `TINY` [m] are rounding of zero; angles are looked for among multiples of π/12, as
-everywhere."""
+"""Lengths below it [m] are rounding of zero."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -80,10 +79,8 @@ def from_numeric_table(
 
 def nice_angle(angle: float) -> Expression:
     """Return a multiple of π/12 if the angle is one but for rounding, else degrees to four decimals [rad]."""
-    steps = angle / math.pi * STEPS_OF_PI
-    if abs(steps - round(steps)) < 1e-6:
-        return pi_times(Fraction(round(steps), STEPS_OF_PI))
-    return pi_times(Fraction(repr(round(math.degrees(angle), 4))) / 180)
+    k = nearest_twelfth(angle, 1e-6)
+    return pi_times(Fraction(repr(round(math.degrees(angle), 4))) / 180 if k is None else Fraction(k, 12))
 
 
 def nice_length(length: float) -> Expression:

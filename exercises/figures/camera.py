@@ -78,5 +78,5 @@ def fitted(
 
 
 def replace_scale(camera: Camera, scale: float, shift: tuple[float, float]) -> Camera:
-    """Return the same view at another scale and place."""
+    """Return the camera with another scale and shift."""
     return Camera(right=camera.right, up=camera.up, eye=camera.eye, scale=scale, shift=shift)

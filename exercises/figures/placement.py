@@ -47,7 +47,7 @@ class PaperMap:
     def cells(self, points: Array) -> Cells:
         """Return (…, n) cells under runs of (…, n, 2) points.
 
-        A cell that follows itself in a run is told once.
+        A cell that follows itself in a run is returned once.
         """
         columns = np.floor((points[..., 0] - self.left) / CELL)
         rows = np.floor((points[..., 1] - self.top) / CELL)

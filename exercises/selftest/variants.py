@@ -102,7 +102,7 @@ def _rules(policy: Policy) -> list[Rule]:
 
 
 def _turn_x(rows: Rows, lengths: tuple[Expression, ...], rng: Random) -> Rows:
-    """x_i the other way round: Rot_z(π) Rot_x(α) Trans_x(a) = Rot_x(-α) Trans_x(-a) Rot_z(π)."""
+    """Reverse x_i: Rot_z(π) Rot_x(α) Trans_x(a) = Rot_x(-α) Trans_x(-a) Rot_z(π)."""
     i = rng.randrange(len(rows) - 1) if len(rows) > 1 else None
     if i is None:
         return rows
@@ -116,7 +116,7 @@ def _turn_x(rows: Rows, lengths: tuple[Expression, ...], rng: Random) -> Rows:
 
 
 def _turn_z(rows: Rows, lengths: tuple[Expression, ...], rng: Random) -> Rows:
-    """z_i the other way round: Rot_z(θ) Trans_z(d) Rot_x(π) = Rot_x(π) Rot_z(-θ) Trans_z(-d)."""
+    """Reverse z_i: Rot_z(θ) Trans_z(d) Rot_x(π) = Rot_x(π) Rot_z(-θ) Trans_z(-d)."""
     i = rng.randrange(len(rows) - 1) if len(rows) > 1 else None
     if i is None:
         return rows
@@ -130,7 +130,7 @@ def _turn_z(rows: Rows, lengths: tuple[Expression, ...], rng: Random) -> Rows:
 
 
 def _slide_origin(rows: Rows, lengths: tuple[Expression, ...], rng: Random) -> Rows:
-    """Origin i slid along parallel axes: Trans_z(c) passes Rot_x(0), and Rot_x(π) with the other sign."""
+    """Slide origin i along parallel axes: Trans_z(c) passes Rot_x(0), and Rot_x(π) with the other sign."""
     places = [i for i, row in enumerate(rows[1:]) if _is_parallel(row.alpha)]
     if not places:
         return rows
@@ -145,7 +145,7 @@ def _slide_origin(rows: Rows, lengths: tuple[Expression, ...], rng: Random) -> R
 
 
 def _move_slide(rows: Rows, lengths: tuple[Expression, ...], rng: Random) -> Rows:
-    """A sliding axis drawn elsewhere: with θ = 0, Trans_x passes the slide."""
+    """Move the axis of a prismatic joint: with θ = 0, Trans_x passes the slide."""
     places = [
         i
         for i, row in enumerate(rows[:-1])
@@ -162,7 +162,7 @@ def _move_slide(rows: Rows, lengths: tuple[Expression, ...], rng: Random) -> Row
 
 
 def _insert_row(rows: Rows, lengths: tuple[Expression, ...], rng: Random) -> Rows:
-    """A row for a frame that no joint needs, taking over part of the offset before it."""
+    """Insert a row for a frame that no joint needs, which takes over part of the offset before it."""
     i = rng.randrange(len(rows))
     by = rng.choice((ZERO, *lengths))
     changed = list(rows)
@@ -172,7 +172,7 @@ def _insert_row(rows: Rows, lengths: tuple[Expression, ...], rng: Random) -> Row
 
 
 def _other_zero(rows: Rows, lengths: tuple[Expression, ...], rng: Random) -> Rows:
-    """A joint variable that is zero elsewhere."""
+    """Shift the zero of a joint variable."""
     places = [i for i, row in enumerate(rows) if row.joint is not JointType.FIXED]
     if not places:
         return rows
@@ -187,7 +187,7 @@ def _other_zero(rows: Rows, lengths: tuple[Expression, ...], rng: Random) -> Row
 
 
 def _other_sense(rows: Rows, lengths: tuple[Expression, ...], rng: Random) -> Rows:
-    """A joint variable that counts the other way."""
+    """Reverse the sense of a joint variable."""
     places = [i for i, row in enumerate(rows) if row.joint is not JointType.FIXED]
     if not places:
         return rows
@@ -198,7 +198,7 @@ def _other_sense(rows: Rows, lengths: tuple[Expression, ...], rng: Random) -> Ro
 
 
 def _other_base(rows: Rows, lengths: tuple[Expression, ...], rng: Random) -> Rows:
-    """Frame 0 elsewhere."""
+    """Move frame 0."""
     first = rows[0]
     by = rng.choice(lengths)
     if first.joint is JointType.FIXED:
@@ -208,7 +208,7 @@ def _other_base(rows: Rows, lengths: tuple[Expression, ...], rng: Random) -> Row
 
 
 def _other_end(rows: Rows, lengths: tuple[Expression, ...], rng: Random) -> Rows:
-    """Frame N elsewhere along the axis of the last joint, if that is the last row."""
+    """Move frame N along the axis of the last joint, if that is the last row."""
     last = rows[-1]
     if last.joint is not JointType.REVOLUTE:
         return rows

@@ -1,4 +1,8 @@
-"""JSON bodies, read strictly: UTF-8, finite numbers, no key twice."""
+"""JSON bodies, read strictly: UTF-8, finite numbers, no key twice.
+
+Of two equal keys the quick reader keeps the last, so the value it returns needs fewer quotation marks than
+the text has. Only then is the slow reader asked where.
+"""
 
 from __future__ import annotations
 
@@ -80,11 +84,11 @@ def decode_json(body: bytes, limits: JsonLimits = JsonLimits()) -> Any:
         raise BodyError(_syntax_faults(body, error)) from None
     if not _is_plain(body, value):
         try:
-            quotes = _quotes_written(value, limits)
+            quotes = _expected_quotes(value, limits)
         # What is read may be too deep to be walked again.
         except (RecursionError, orjson.JSONEncodeError):
             raise BodyError(_too_deep()) from None
-        if _delimiters(body) != quotes:
+        if _unescaped_quotes(body) != quotes:
             raise BodyError(_duplicate_faults(body))
     if body.count(b":") > limits.fields:  # each field has one: where there are few, no object is wide
         _refuse_wide(value, limits)
@@ -157,13 +161,13 @@ def _is_plain(body: bytes, value: Any) -> bool:
     return not brackets
 
 
-def _quotes_written(value: Any, limits: JsonLimits) -> int:
+def _expected_quotes(value: Any, limits: JsonLimits) -> int:
     """How many quotation marks the value needs: fewer than the body has when a key was overwritten."""
     if type(value) is not dict or limits.long.isdisjoint(value):
-        return _delimiters(orjson.dumps(value))
+        return _unescaped_quotes(orjson.dumps(value))
     short = {name: None if name in limits.long else item for name, item in value.items()}
     long = [value[name] for name in limits.long if name in value]
-    return _delimiters(orjson.dumps(short)) + 2 * sum(map(_texts, long))
+    return _unescaped_quotes(orjson.dumps(short)) + 2 * sum(map(_texts, long))
 
 
 def _texts(value: Any) -> int:
@@ -184,7 +188,7 @@ def _texts(value: Any) -> int:
     return found
 
 
-def _delimiters(document: bytes) -> int:
+def _unescaped_quotes(document: bytes) -> int:
     """How many quotation marks begin or end a string: all but the escaped ones."""
     if b"\\" in document:  # the pairs first: what is left of a run of backslashes escapes what follows it
         document = document.replace(b"\\\\", b"").replace(b'\\"', b"")
@@ -256,7 +260,7 @@ def _duplicates(body: bytes) -> Iterator[tuple[str | int, ...]]:
         objects.append(found)
         return found
 
-    for place, node in _walked(json.loads(body, object_pairs_hook=keep)):
+    for place, node in _nodes(json.loads(body, object_pairs_hook=keep)):
         yield from ((*_steps(place), key) for key in repeated.get(id(node), ()))
 
 
@@ -264,7 +268,7 @@ _Place = tuple[Any, str | int] | None
 """The place of what holds a value, and its key there: whole places, written out, are long in a deep body."""
 
 
-def _walked(value: Any) -> Iterator[tuple[_Place, Any]]:
+def _nodes(value: Any) -> Iterator[tuple[_Place, Any]]:
     """Yield every object, list and number that is not finite, in the order that they are written in."""
     stack: list[tuple[_Place, Any]] = [(None, value)]
     while stack:
@@ -306,7 +310,7 @@ def _not_finite(body: bytes) -> list[tuple[str | int, ...]]:
     if len(body) > LONGEST_SEARCHED:
         return []
     try:
-        walked = _walked(json.loads(body))
+        walked = _nodes(json.loads(body))
     except (ValueError, RecursionError):
         return []
     found = (_steps(place) for place, node in walked if type(node) is float)

@@ -56,7 +56,7 @@ class _GivenAnswer:
 
 
 class IdempotencyMiddleware:
-    """Answer a request that was answered before as it was answered then.
+    """Replay the stored response to a repeated Idempotency-Key.
 
     Args:
         app: what answers.

@@ -92,11 +92,11 @@ class BodyError(ServiceError):
 
 
 class NotFoundError(ServiceError):
-    """Nothing is at this address."""
+    """There is nothing at this address."""
 
 
 class MethodError(ServiceError):
-    """This address knows no such method."""
+    """This address does not support the method."""
 
 
 class NotAcceptableError(ServiceError):
@@ -193,8 +193,8 @@ _Refusal = TypeVar("_Refusal", bound=Exception)
 def cause(error: _Refusal) -> _Refusal:
     """Return a refusal as the cause of another one that a context manager raises: without its traceback.
 
-    Python 3.12 leaves a context manager's frame bound to the caller's, which holds the refusal: a circle with
-    everything that the request made, until garbage is looked for.
+    Python 3.12 leaves a context manager's frame bound to the caller's, which holds the refusal: a cycle with
+    everything that the request made, until the next garbage collection.
     """
     return error.with_traceback(None)
 

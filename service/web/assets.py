@@ -58,7 +58,7 @@ def static_root() -> Path:
 
 
 class Assets:
-    """The served files of one folder. Only what a listing found can be asked for, so no path can leave it."""
+    """The served files of one folder. Only listed files can be requested, so no path can escape it."""
 
     def __init__(self, root: Path) -> None:
         self._root = root

@@ -72,12 +72,12 @@ class SharedAnswers(BackgroundThread):
         return found
 
     def remember(self, address: str, answer: bytes) -> None:
-        """Keep in memory what is made from other answers in no time."""
+        """Cache an answer in memory alone: it is quickly made again from others."""
         with self._lock:
             self._cache.put(address.encode(), answer)
 
     def keep(self, address: str, answer: bytes) -> None:
-        """Keep an answer in memory, and have it written down."""
+        """Cache an answer in memory, and have it stored."""
         with self._lock:
             self._cache.put(address.encode(), answer)
             if self._store is None or address in self._waiting:
@@ -87,7 +87,7 @@ class SharedAnswers(BackgroundThread):
                 self._waiting_bytes += len(answer)
 
     def write_down(self) -> None:
-        """Write down what waits."""
+        """Store the pending answers."""
         with self._lock:
             waiting, self._waiting = self._waiting, {}
             self._waiting_bytes = 0

@@ -19,8 +19,9 @@ async def in_thread(
 ) -> _Result:
     """Return what a function gives in a thread, or raise what it raises.
 
-    An error that a future delivers knows by its traceback the frame that waits for the future, and so itself:
-    such a circle keeps a request with its body until garbage is looked for. Here it comes as a result.
+    An exception that a future raises refers through its traceback to the frame that awaits the future, and so
+    to itself: the cycle would keep a request and its body until the next garbage collection. Here it is
+    returned as a result.
 
     Args:
         function: what is called.

@@ -79,7 +79,7 @@ def figure_path(figures: SharedAnswers, instance: Instance, language: str, asked
 
 
 def known_figure(figures: SharedAnswers, instance: Instance, language: str) -> bytes | None:
-    """Return a figure, gzipped, where this process has what is drawn in memory."""
+    """Return a figure, gzipped, if this process has its drawing in memory; else None."""
     address = figure_address(figures, instance, language)
     packed = figures.known(address)
     if packed is None:
@@ -90,7 +90,7 @@ def known_figure(figures: SharedAnswers, instance: Instance, language: str) -> b
 
 
 def packed_figure(figures: SharedAnswers, instance: Instance, language: str) -> bytes:
-    """Return a figure, gzipped: as some process has drawn it, else drawn now, with its words."""
+    """Return a figure, gzipped: from memory, as another process stored it, or drawn now."""
     known = known_figure(figures, instance, language)
     if known is not None:
         return known
@@ -99,21 +99,21 @@ def packed_figure(figures: SharedAnswers, instance: Instance, language: str) -> 
 
 
 def draw_ahead(figures: SharedAnswers, instance: Instance, language: str) -> bool:
-    """Have what is drawn in memory, as some process has drawn it, else drawn now; return whether it was."""
-    place = drawing_address(figures, instance, _note(language))
-    if figures.known(place) is not None:
+    """Bring a drawing into memory, stored by another process or drawn now; False if it was there."""
+    address = drawing_address(figures, instance, _note(language))
+    if figures.known(address) is not None:
         return False
-    _drawn(figures, place, instance, language)
+    _drawn(figures, address, instance, language)
     return True
 
 
-def _drawn(figures: SharedAnswers, place: str, instance: Instance, language: str) -> bytes:
+def _drawn(figures: SharedAnswers, address: str, instance: Instance, language: str) -> bytes:
     """Return what is drawn, packed: as some process has drawn it, else drawn now."""
-    drawn = figures.stored(place)
+    drawn = figures.stored(address)
     if drawn is None:
         drawing = figure_drawing(instance, _note(language), frames_shown(instance))
         drawn = gzip.compress(orjson.dumps((drawing.box, drawing.elements)), LEVEL, mtime=0)
-        figures.keep(place, drawn)
+        figures.keep(address, drawn)
     return drawn
 
 
