@@ -52,7 +52,6 @@ playground-to-standard = Standard table
 playground-to-modified = Modified table
 playground-to-poe = Product of exponentials
 playground-to-urdf = URDF
-playground-converted = Converted table
 playground-base = Base, before the table
 playground-tool = Tool, after the table
 playground-use-table = Use this table

@@ -52,7 +52,6 @@ playground-to-standard = Tabla estándar
 playground-to-modified = Tabla modificada
 playground-to-poe = Producto de exponenciales
 playground-to-urdf = URDF
-playground-converted = Tabla convertida
 playground-base = Base, antes de la tabla
 playground-tool = Herramienta, después de la tabla
 playground-use-table = Usar esta tabla

@@ -52,7 +52,6 @@ playground-to-standard = Tableau standard
 playground-to-modified = Tableau modifié
 playground-to-poe = Produit d’exponentielles
 playground-to-urdf = URDF
-playground-converted = Tableau converti
 playground-base = Base, avant le tableau
 playground-tool = Outil, après le tableau
 playground-use-table = Utiliser ce tableau

@@ -52,7 +52,6 @@ playground-to-standard = Tabela standard
 playground-to-modified = Tabela modificada
 playground-to-poe = Produto de exponenciais
 playground-to-urdf = URDF
-playground-converted = Tabela convertida
 playground-base = Base, antes da tabela
 playground-tool = Ferramenta, depois da tabela
 playground-use-table = Usar esta tabela

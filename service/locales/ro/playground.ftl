@@ -52,7 +52,6 @@ playground-to-standard = Tabel standard
 playground-to-modified = Tabel modificat
 playground-to-poe = Produs de exponențiale
 playground-to-urdf = URDF
-playground-converted = Tabel convertit
 playground-base = Baza, înaintea tabelului
 playground-tool = Scula, după tabel
 playground-use-table = Folosește acest tabel

@@ -52,7 +52,6 @@ playground-to-standard = Стандартна таблиця
 playground-to-modified = Модифікована таблиця
 playground-to-poe = Добуток експонент
 playground-to-urdf = URDF
-playground-converted = Перетворена таблиця
 playground-base = Основа, перед таблицею
 playground-tool = Інструмент, після таблиці
 playground-use-table = Використати цю таблицю
