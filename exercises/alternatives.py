@@ -13,8 +13,8 @@ from exercises.written_table import written_table
 from kinematics.cells import RawTable, ReadTable
 from kinematics.table import Convention
 
-TURNS = 8
-"""So often each kind of change is tried at a place drawn anew: a table has a few places where it fits."""
+ATTEMPTS = 8
+"""How often each kind of change is tried, at a place drawn anew: a table has a few places where it fits."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -65,6 +65,6 @@ def _candidates(read: ReadTable, policy: Policy) -> Iterator[ReadTable]:
         yield key_as_asked(read, replace(policy, convention=other))
     rng = Random("other tables")  # noqa: S311 - the same for a table, for ever
     lengths = some_lengths(read.table, 1.0)
-    for _ in range(TURNS):
+    for _ in range(ATTEMPTS):
         for table in small_changes(read.table, policy, lengths, rng):
             yield replace(read, table=table)

@@ -22,7 +22,7 @@ from kinematics.expressions import ZERO, Expression, add, pi_times
 from kinematics.table import Convention, DHTable, JointType, SymbolicRow, SymbolicTable, bind
 
 Rows = tuple[SymbolicRow, ...]
-Habit = Callable[[Rows, Expression], Rows]
+Choice = Callable[[Rows, Expression], Rows]
 QUARTER = pi_times(Fraction(1, 2))
 
 
@@ -60,10 +60,10 @@ def policy_admission(exercise: Exercise, values: Mapping[str, float]) -> PolicyA
             accepted = is_accepted(exercise.reference, read, exercise.policy)
             admitted[other] = (changed, accepted)
     verdicts = dict(admitted.values())
-    free = tuple(name for k, name in enumerate(HABITS) if _is_free(k, verdicts))
+    free = tuple(name for k, name in enumerate(CHOICES) if _is_free(k, verdicts))
     fixed = tuple(
         name
-        for k, name in enumerate(HABITS)
+        for k, name in enumerate(CHOICES)
         if name not in free and any(_otherwise(k, changed) in verdicts for changed in verdicts)
     )
     count = sum(accepted for _, accepted in admitted.values())
@@ -79,17 +79,17 @@ def textbook_choices(
         table: the key.
         by: a length by which origins are moved.
     """
-    for changed in product((False, True), repeat=len(HABITS)):
+    for changed in product((False, True), repeat=len(CHOICES)):
         rows = table_in(table, Convention.MODIFIED).rows
-        for habit, applies in zip(HABITS.values(), changed, strict=True):
-            rows = habit(rows, by) if applies else rows
+        for choice, applies in zip(CHOICES.values(), changed, strict=True):
+            rows = choice(rows, by) if applies else rows
         found: SymbolicTable = DHTable(convention=Convention.MODIFIED, rows=rows)
         standard = changed[0] is not (table.convention is Convention.STANDARD)
         yield changed, table_in(found, Convention.STANDARD if standard else Convention.MODIFIED)
 
 
 def _is_free(k: int, verdicts: Mapping[tuple[bool, ...], bool]) -> bool:
-    """Return whether two tables that differ in one habit alone are both accepted."""
+    """Return whether two tables that differ in one choice alone are both accepted."""
     return any(ok and verdicts.get(_otherwise(k, changed), False) for changed, ok in verdicts.items())
 
 
@@ -97,13 +97,13 @@ def _otherwise(k: int, changed: tuple[bool, ...]) -> tuple[bool, ...]:
     return tuple(entry is not (i == k) for i, entry in enumerate(changed))
 
 
-def _same(rows: Rows, by: Expression) -> Rows:
-    """The convention is another way of writing the same rows."""
+def _unchanged(rows: Rows, by: Expression) -> Rows:
+    """Keep the rows: the convention is another way of writing them."""
     return rows
 
 
-def _base_elsewhere(rows: Rows, by: Expression) -> Rows:
-    """Frame 0 on frame 1, as in Craig; where it is there already, at the foot of the axis."""
+def _other_base(rows: Rows, by: Expression) -> Rows:
+    """Put frame 0 on frame 1, as in Craig; where it is there already, at the foot of the axis."""
     first = rows[0]
     if first.joint is JointType.FIXED:
         return (replace(first, d=add((first.d, by))), *rows[1:])
@@ -114,16 +114,16 @@ def _base_elsewhere(rows: Rows, by: Expression) -> Rows:
     return (replace(first, a=by) if slides else replace(first, d=by), *rows[1:])
 
 
-def _end_elsewhere(rows: Rows, by: Expression) -> Rows:
-    """The last frame elsewhere along the last axis; without the tool, where a row leads to one."""
+def _other_end(rows: Rows, by: Expression) -> Rows:
+    """Move the last frame along the last axis; without the tool, where a row leads to one."""
     *before, last = rows
     if last.joint is JointType.FIXED and before:
         return tuple(before)
     return (*before, replace(last, d=add((last.d, by)))) if last.joint is JointType.REVOLUTE else rows
 
 
-def _zero_elsewhere(rows: Rows, by: Expression) -> Rows:
-    """Joint 2 is zero a quarter turn, or a length, further on."""
+def _other_zero(rows: Rows, by: Expression) -> Rows:
+    """Shift the zero of joint 2 by a quarter turn, or a length."""
     i = _inner_joint(rows)
     row = rows[i]
     turns = row.joint is JointType.REVOLUTE
@@ -132,7 +132,7 @@ def _zero_elsewhere(rows: Rows, by: Expression) -> Rows:
 
 
 def _other_direction(rows: Rows, by: Expression) -> Rows:
-    """Joint 2 counts the other way."""
+    """Reverse the sense of joint 2."""
     i = _inner_joint(rows)
     return (*rows[:i], replace(rows[i], sign=-rows[i].sign), *rows[i + 1 :])
 
@@ -143,11 +143,11 @@ def _inner_joint(rows: Rows) -> int:
     return moving[min(1, len(moving) - 1)]
 
 
-HABITS: dict[str, Habit] = {
-    "convention": _same,
-    "base": _base_elsewhere,
-    "tool": _end_elsewhere,
-    "zero": _zero_elsewhere,
+CHOICES: dict[str, Choice] = {
+    "convention": _unchanged,
+    "base": _other_base,
+    "tool": _other_end,
+    "zero": _other_zero,
     "direction": _other_direction,
 }
 """In what textbooks differ, and how."""

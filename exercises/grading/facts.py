@@ -38,7 +38,7 @@ class Weights:
         joint: that a joint is there, has the right type and stands in the right order.
         twist: an angle between neighbouring axes.
         length: a distance of neighbouring axes.
-        offset: a distance along an axis, or an angle about a slider.
+        offset: a distance along an axis, or an angle about the axis of a prismatic joint.
         rule: a rule of the exercise that is not kept.
         sign: the share of a fact that is lost where only its sign is wrong.
         row: what a named slip in a row costs at the most, in facts of weight 1; one in a cell costs 1.

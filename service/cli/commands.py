@@ -66,7 +66,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         params = {"file": str(error.filename or "–"), "reason": error.strerror or str(error)}
         faults = (Fault(code="file_unusable", params=params),)
     for fault in faults:
-        sys.stderr.write(f"framewise: {told(fault, options.lang)}\n")
+        sys.stderr.write(f"framewise: {fault_line(fault, options.lang)}\n")
     return UNUSABLE
 
 
@@ -76,7 +76,7 @@ def _flushed(status: int) -> int:
     return status
 
 
-def told(fault: Fault, language: str) -> str:
+def fault_line(fault: Fault, language: str) -> str:
     """Return a fault's place and sentence; the place as folder/file: key.key."""
     path = [str(step) for step in fault.where]
     files = next((i + 1 for i, step in enumerate(path) if "." in step), 0)

@@ -163,7 +163,7 @@ class ScrewsPart(PartType[Part, ScrewsCells, ByName[ScrewAnswer]]):
 
 
 def _lengths(answer: ScrewAnswer) -> list[float]:
-    """Return the lengths in an answer: all but directions, a slider's too."""
+    """Return the lengths in an answer: v of each revolute joint, and the position at home."""
     turning = answer.screws[answer.screws[:, 3:].any(axis=1), :3]
     found: list[float] = [*turning.ravel().tolist(), *answer.home[:3, 3].tolist()]
     return found

@@ -34,7 +34,7 @@ from service.schemas.kinematics.scm_products import ScmProductsAnswer, ScmProduc
 from service.wire.fault_pointers import traced
 from service.wire.json_chunks import plain_lists
 from service.wire.kinematics.chain_forms import ChainTask, Wanted, is_quick, written_chain
-from service.wire.kinematics.inverse_solutions import TargetQuestion, answer_to, told
+from service.wire.kinematics.inverse_solutions import TargetQuestion, answer_to, target_answer
 from service.wire.kinematics.joint_values import in_request_units, values_in_radians
 from service.wire.kinematics.motion_products import products_task, written_products
 from service.wire.kinematics.pose_matrices import pose_matrix
@@ -155,7 +155,7 @@ async def inverse_kinematics(
         )
         found = await answer_to(question, request.resources.workers)
     found = found.nearest_first([row.joint for row in prepared.chain.rows], start)
-    return InverseKinematicsAnswer(**prepared.units, **told(found, prepared))
+    return InverseKinematicsAnswer(**prepared.units, **target_answer(found, prepared))
 
 
 @router.post("/scm/random-configuration", responses=_REFUSALS, summary="Random joint values for an SCM chain")

@@ -212,7 +212,7 @@ class UrdfAnswer(Units):
     base_link: str = Field(description="the name of its first link")
     tip_link: str = Field(description="the name of its last link, the end frame")
     assumed_limits: list[int] = Field(
-        description="joints, counted from 1, with a limit that stands for none: the format has no sliding "
+        description="joints, counted from 1, with a limit that stands for none: the format has no prismatic "
         "joint without limits and no limit on one side, so ±1e16 stands for none"
     )
 

@@ -33,7 +33,7 @@ class WorkspaceRequest(RobotQuestion):
     limits: JointRanges | None = Field(
         None,
         description="[least, greatest] of each joint in the table's units, null where there is none; left "
-        "out, those of the catalogue's robot, else none. A revolute joint then turns fully, a sliding one "
+        "out, those of the catalogue's robot, else none. A revolute joint then turns fully, a prismatic one "
         "needs both",
     )
     samples: Annotated[int, Field(ge=1, le=MOST_POINTS), WHOLE] | None = Field(

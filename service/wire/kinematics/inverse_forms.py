@@ -16,6 +16,7 @@ from kinematics.inverse_forms import (
     SingularCase,
     inverse_form,
 )
+from kinematics.inverse_forms.derivation import MOST_JOINTS
 from kinematics.inverse_forms.outer_frames import with_base_and_tool
 from kinematics.inverse_forms.signed_axes import Vector
 from kinematics.printing import LIMIT, Notation
@@ -37,11 +38,9 @@ from service.settings import Settings
 from service.wire.kinematics.exact_values import exact_question
 from service.wire.kinematics.symbolic_forms import FormTask
 
-MOST_JOINTS = 6
-"""No arm with more has a closed form; up to so many it takes some ten milliseconds, and a format as much."""
-
 QUICK_NODES = 500
-"""Nodes of the table's expressions up to which that is so."""
+"""Nodes of the table's expressions up to which a closed form takes some ten milliseconds, and a format as
+much."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -49,7 +48,7 @@ class InverseFormTask(FormTask[EquationFormat]):
     """Equations to be found and written."""
 
     def is_quick(self) -> bool:
-        """Return whether the answer is certain to be small: such arms have six joints at most."""
+        """Return whether the answer is certain to be small: no arm with more joints has a closed form."""
         cells = (getattr(row, cell) for row in self.table.rows for cell in CELLS)
         return self.table.n_joints <= MOST_JOINTS and len(bottom_up(cells)) <= QUICK_NODES
 

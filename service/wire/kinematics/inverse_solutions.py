@@ -97,7 +97,7 @@ async def solved_each(
         angle_unit=robot.read.angle_unit.value,
         length_unit=robot.read.length_unit.value,
         answers=[
-            *(TargetAnswer(**told(answer, robot)) for answer in answers),
+            *(TargetAnswer(**target_answer(answer, robot)) for answer in answers),
             *(_unanswered(target, question.tolerance) for target in targets[len(answers) :]),
         ],
         faults=fault_entries(
@@ -199,11 +199,11 @@ def _answer(answer: InverseKinematics, robot: PreparedRobot) -> InverseKinematic
     return InverseKinematicsAnswer(
         angle_unit=robot.read.angle_unit.value,
         length_unit=robot.read.length_unit.value,
-        **told(answer, robot),
+        **target_answer(answer, robot),
     )
 
 
-def told(answer: InverseKinematics, robot: InUnits) -> dict[str, Any]:
+def target_answer(answer: InverseKinematics, robot: InUnits) -> dict[str, Any]:
     """Return what an answer says of one target, in the units of the request."""
     nearest = answer.nearest
     return {

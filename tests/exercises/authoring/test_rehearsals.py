@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from exercises.answers import RawAnswer
-from exercises.authoring.admission import HABITS, policy_admission
+from exercises.authoring.admission import CHOICES, policy_admission
 from exercises.definition import Exercise
 from exercises.drawings import values
 from exercises.errors import DefinitionError
@@ -107,11 +107,11 @@ def test_a_free_policy_admits_every_choice_and_the_strictest_the_key_alone() -> 
     found = packaged().exercise("puma560")
     known = values(generate(found))
     free = policy_admission(replace(found, policy=FREE), known)
-    assert free.admitted == free.choices == 2 ** len(HABITS)
-    assert set(free.free) == set(HABITS)
+    assert free.admitted == free.choices == 2 ** len(CHOICES)
+    assert set(free.free) == set(CHOICES)
     strict = policy_admission(replace(found, policy=replace(FREE, **STRICT)), known)  # type: ignore[arg-type]
     assert strict.admitted == 1
-    assert set(strict.fixed) == set(HABITS)
+    assert set(strict.fixed) == set(CHOICES)
 
 
 @pytest.mark.parametrize("rule", sorted(STRICT))
