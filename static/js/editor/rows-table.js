@@ -2,14 +2,15 @@
 
 import { dataTable } from "../data-table.js";
 import { t } from "../i18n.js";
+import { shown } from "../numbers.js";
 import { columnName } from "./grid.js";
 import { COLUMNS } from "./model.js";
 
-/**
- * @param {any} table
- * @param {(cell: string | number) => string} [text] how a cell is written
- */
-export function rowsTable({ convention, rows }, text = (cell) => String(cell).replaceAll("-", "−")) {
+/** @param {string | number} cell */
+const text = (cell) => (typeof cell === "number" ? shown(cell, 6) : String(cell).replaceAll("-", "−"));
+
+/** @param {any} table */
+export function rowsTable({ convention, rows }) {
   /** @type {("alpha" | "a" | "d" | "theta")[]} */
   const columns = COLUMNS[/** @type {"standard" | "modified"} */ (convention)];
   return dataTable(

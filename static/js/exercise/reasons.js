@@ -3,7 +3,6 @@
 import { el, fill } from "../dom.js";
 import { rowsTable } from "../editor/rows-table.js";
 import { t } from "../i18n.js";
-import { shown } from "../numbers.js";
 
 /** @typedef {import("../understanding.js").ReadRow} ReadRow */
 
@@ -41,10 +40,7 @@ export function secondTable(api, table, policy, parameters) {
     const found = await api.post("other-tables", { table, policy, parameters }).catch(() => null);
     const other = found?.tables[0];
     const missing = t(found ? "form-second-none" : "form-unreachable");
-    fill(
-      place,
-      other ? [differences(other), rowsTable(other.table, cellText)] : el("p", { class: "hint", text: missing }),
-    );
+    fill(place, other ? [differences(other), rowsTable(other.table)] : el("p", { class: "hint", text: missing }));
   };
   return el("details", { class: "reasons", ontoggle: load }, el("summary", { text: t("form-second-table") }), place);
 }
@@ -56,9 +52,4 @@ function differences({ table, reasons }) {
     t(`form-second-${reason.replaceAll("_", "-")}`, { convention }),
   );
   return el("p", { class: "hint", text: said.join(" ") });
-}
-
-/** @param {string | number} cell */
-function cellText(cell) {
-  return typeof cell === "number" ? shown(cell, 6) : cell;
 }

@@ -67,18 +67,12 @@ function report(found, to, use) {
       row.some((/** @type {any} */ value, /** @type {number} */ k) => value !== (i === k ? 1 : 0)),
     );
   return [
-    tableView(found.table),
+    rowsTable(found.table),
     moved(found.base) ? matrix(t("playground-base"), found.base, "B") : null,
     moved(found.tool) ? matrix(t("playground-tool"), found.tool, "E") : null,
     el("div", {}, el("button", { type: "button", onclick: () => use(found.table) }, t("playground-use-table"))),
   ].filter(Boolean);
 }
-
-/** A table to read. @param {any} table */
-export const tableView = (table) => rowsTable(table, cellText);
-
-/** @param {any} cell */
-const cellText = (cell) => (typeof cell === "number" ? shown(cell, 6) : String(cell));
 
 /** @param {any} found */
 function screwTable(found) {

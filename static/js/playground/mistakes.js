@@ -2,12 +2,12 @@
 
 import "../scene/robot-scene.js";
 import { el, fill } from "../dom.js";
+import { rowsTable } from "../editor/rows-table.js";
 import { t } from "../i18n.js";
 import { framesModel } from "../scene/figures.js";
 import { column, identity } from "../scene/matrix.js";
 import { frozen, together } from "../scene/model.js";
 import { shown } from "../numbers.js";
-import { tableView } from "./convert.js";
 import { asked } from "./tool.js";
 import { scroller } from "./values.js";
 
@@ -53,10 +53,10 @@ function plantedTable({ table, row, label, mended }) {
   const { buttons, verdict } = choice({
     names: table.rows.map((/** @type {any} */ _, /** @type {number} */ i) => t("playground-row", { row: i + 1 })),
     wrong: row - 1,
-    found: () => [el("p", { text: t("playground-mistake-found", { row, label }) }), tableView(mended)],
+    found: () => [el("p", { text: t("playground-mistake-found", { row, label }) }), rowsTable(mended)],
     elsewhere: (i) => t("playground-mistake-elsewhere", { row: i + 1 }),
   });
-  return [tableView(table), el("p", { text: t("playground-mistake-which") }), buttons, verdict];
+  return [rowsTable(table), el("p", { text: t("playground-mistake-which") }), buttons, verdict];
 }
 
 /**

@@ -5,10 +5,10 @@
 
 import { Latest } from "../api.js";
 import { el, fill, segmented, uniqueId } from "../dom.js";
+import { rowsTable } from "../editor/rows-table.js";
 import { t } from "../i18n.js";
 import { shown } from "../numbers.js";
 import { Cells, cellValue } from "./cells.js";
-import { tableView } from "./convert.js";
 import { MISTAKES } from "./mistakes.js";
 import { asked, sameRobot, Tool } from "./tool.js";
 import { angleSign, closedForm, formula, FORMATS, matrix, named, numbers, scroller } from "./values.js";
@@ -275,7 +275,7 @@ function keptTable({ again }) {
   const shownKept = el("div", {});
   button.addEventListener("click", () => {
     kept = present;
-    fill(shownKept, kept && tableView(kept.table));
+    fill(shownKept, kept && rowsTable(kept.table));
     again();
   });
   return {
