@@ -61,6 +61,9 @@ NEAR_ONE_END, SAGGING = 0.2, 0.75
 """Of second singular values at both ends of a step: one below this part of the other, or one in the middle
 below this part of their mean, may vanish between."""
 
+AGAIN, ASIDE = 0.9, 0.02
+"""Cosine above which a path that comes as near as this part of a step to an earlier point goes its way."""
+
 MOST_CORRECTIONS = 2500
 """Corrections after which a target's families are followed no further; the longest paths take 800 more. A
 PUMA with its arm stretched and its wrist in line takes 95, eight families of seven joints up to this many."""
@@ -247,6 +250,7 @@ class Follower:
     def _one_way(self, start: Array, direction: Array, held: Array) -> tuple[list[Array], bool]:
         x, t, h = start, direction, FIRST_STEP
         found: list[Array] = []
+        directions: list[Array] = []
         gone = 0.0
         second = self._second_of(self.jacobian(start), held)
         for _ in range(MOST_STEPS):
@@ -267,13 +271,27 @@ class Follower:
             aside = float(np.linalg.norm(back - along * turned))
             if gone > 4.0 * h and abs(along) <= h and aside < max(0.2 * h, ROOM * self.lost):
                 return [*found, new], True
+            if gone > 2.0 * math.pi and self._was_there(found, directions, new, turned, h):
+                return found, False
             x, t, second = new, turned, there
             found.append(new)
+            directions.append(turned)
             slides = float(np.abs(t[self.arm.revolute]).max(initial=0.0)) < SLIDING
             h = min(2.0 * h if bend < STRAIGHT else h, np.inf if slides else LONGEST_STEP)
             if float(np.abs(new - start)[~self.arm.revolute].max(initial=0.0)) > self._farthest:
                 return found, False
         return found, False
+
+    def _was_there(
+        self, found: Sequence[Array], directions: Sequence[Array], x: Array, t: Array, step: float
+    ) -> bool:
+        """Whether a path comes back to where it was, as one does that leads round a loop of families."""
+        alike = np.flatnonzero(np.abs(np.array(directions) @ t) > AGAIN)
+        back = self.back_to(np.array(found)[alike], x)
+        along = back @ t
+        aside = np.linalg.norm(back - along[:, None] * t, axis=1)
+        near = (np.abs(along) <= step) & (aside < max(ASIDE * step, ROOM * self.lost))
+        return bool(near[alike < len(found) - 4].any())
 
     def _ahead(self, x: Array, t: Array, held: Array) -> tuple[Array, Array, Array]:
         """The nearest pose across a unit direction, held·x unchanged."""

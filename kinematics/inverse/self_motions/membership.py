@@ -102,10 +102,33 @@ class Membership:
             beside = np.flatnonzero(~inside & (farthest <= short))
             if len(beside):
                 inside[beside] = self._are_blind(np.vstack((component.joints, joints[beside])))[1:]
+        inside |= self._on_torus(component, apart)
         outside = np.flatnonzero(~inside)
         if component.dimension > min(self._arm.spare, 1) and len(outside):
             inside[outside] = self._led(joints[outside], self._places(component, joints[outside]))
         return np.asarray(inside)
+
+    def _on_torus(self, component: Component, apart: Array) -> NDArray[np.bool_]:
+        """Which solutions are on a surface of which every path is a straight line that closes.
+
+        So it is where an arm is stretched, and joints turn against each other.
+
+        Args:
+            component: a surface, or none.
+            apart: (m, n) the ways from its member to solutions, in units, turns on the circle.
+        """
+        if not component.pivots or not all(path.closed for path in component.paths):
+            return np.zeros(len(apart), dtype=bool)
+        units, revolute = self._arm.units, self._arm.revolute
+        on = apart.copy()
+        for path, pivot in zip(component.paths, component.pivots, strict=True):
+            way = (path.points - path.points[0]) / units
+            along = way[-1] / way[-1, pivot]
+            if float(np.abs(way - way[:, pivot, None] * along).max()) > self._beside:
+                return np.zeros(len(apart), dtype=bool)
+            on -= apart[:, pivot, None] * along
+        on = np.where(revolute, (on + np.pi) % (2.0 * np.pi) - np.pi, on)
+        return np.asarray(np.abs(on).max(axis=1) <= self._beside)
 
     def _are_blind(self, joints: Array) -> NDArray[np.bool_]:
         """Which of (m, n) solutions are singular to within the tolerance, if the first one is; else none.

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from kinematics.forward import end_pose
-from kinematics.inverse import IKStatus, solver_of
+from kinematics.inverse import IKStatus, inverse_kinematics, solver_of
 from kinematics.inverse.goals import read_goal
 from kinematics.inverse.residuals import are_solutions, errors_of
 from kinematics.inverse.results import Isolation, Method
@@ -290,3 +290,42 @@ def test_a_forearm_on_the_upper_arm_of_an_arm_without_offsets_leaves_two_joints_
     solver, goal, answer = asked("no offsets", q, 4, 1e-4)
     assert any(s.family is not None and s.family.dimension == 2 for s in answer.solutions)
     assert has(solver, goal._replace(tolerance=answer.tolerance), np.asarray(q), answer)
+
+
+FOLDED = np.array(
+    [0.6887477559205877, -1.6867644327906026, -np.pi / 2, -0.8787464989335025, 0.0, -3.127538926378512]
+)
+"""The PUMA 600, its equal links folded: the wrist, which is in line, has its centre on axis 2."""
+
+
+@pytest.mark.parametrize(
+    ("off", "decimals"), [(3e-9, 17), (3e-9, 12), (1e-7, 17), (1e-7, 15), (1e-7, 12), (1e-6, 9)]
+)
+def test_beside_a_folded_arm_with_its_wrist_in_line_families_are_told_and_not_samples(off, decimals):
+    table = MODELS["catalogue puma600"]
+    q = FOLDED + off * np.array([0, 0, 1, 0, 1, 0])
+    solver, target = solver_of(table), np.round(end_pose(table, q), decimals)
+    answer = solver.solve(target)
+    assert 0 < len(answer.solutions) <= 8
+    assert all(s.family.parameters for s in answer.solutions if s.family)
+    goal = read_goal(target, None, where=())._replace(tolerance=answer.tolerance)
+    assert has(solver, goal, q, answer)
+
+
+def test_both_elbows_of_a_folded_arm_are_found_where_decimals_have_made_them_one():
+    """Seed 777, pose 112: the arm is 6e-5 rad from folded, the pose known to 3e-8."""
+    solver, table = solver_of(MODELS["catalogue puma600"]), MODELS["catalogue puma600"]
+    q, target, tolerance = next(islice(questions(table, solver, 777), 112, None))
+    answer = solver.solve(target, tolerance)
+    goal = read_goal(target, tolerance, where=())._replace(tolerance=answer.tolerance)
+    assert has(solver, goal, q, answer)
+    assert len(answer.solutions) == 4
+
+
+@pytest.mark.parametrize("decimals", [17, 12, 9])
+def test_a_stretched_arm_of_seven_joints_has_one_family_of_three_dimensions(decimals):
+    table = MODELS["catalogue iiwa14"]
+    answer = inverse_kinematics(table, np.round(end_pose(table, np.zeros(7)), decimals))
+    (only,) = answer.solutions
+    assert only.family.dimension == 3
+    assert {parameter.full_turn for parameter in only.family.parameters} == {True}
