@@ -108,8 +108,15 @@ def deployments_of(store: Store, platform_id: int) -> tuple[str, ...]:
 
 
 def add_deployment(store: Store, platform_id: int, deployment: str) -> None:
-    """Let a deployment of a platform launch."""
+    """Let a deployment of a platform launch.
+
+    Raises:
+        UnknownRecordError: there is no such platform.
+    """
     with store.writing() as connection:
+        own = sa.select(_PLATFORM.c.id).where(_PLATFORM.c.id == platform_id)
+        if connection.execute(own.with_for_update()).first() is None:
+            raise unknown_record("platform")
         values = {"platform_id": platform_id, "deployment": deployment}
         insert_once(connection, records.deployment, values)
 

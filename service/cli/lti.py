@@ -5,6 +5,7 @@ from __future__ import annotations
 import argparse
 import json
 import sys
+from urllib.parse import urlsplit
 
 from courses.administration import invite_administrator
 from courses.model import Platform, PlatformStatus
@@ -20,6 +21,7 @@ from courses.platforms import (
 from service.cli.backups import opened_store
 from service.cli.environment import settings_of_environment
 from service.course_resources import CourseResources, now
+from service.lti.fetching import http_address, origin_of
 from service.lti.signing_keys import key_set
 
 _ADDRESSES = ("authorization_endpoint", "token_endpoint", "jwks_uri")
@@ -43,7 +45,7 @@ def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
     remove.set_defaults(run=_remove)
     deployment = actions.add_parser("deployment", help="let a deployment of a platform launch")
     deployment.add_argument("platform", type=int)
-    deployment.add_argument("deployment")
+    deployment.add_argument("deployment", type=_identifier)
     deployment.set_defaults(run=_add_deployment)
     invitation = actions.add_parser("invite", help="print an address for dynamic registration, good once")
     invitation.add_argument("root", help="address of this service as the platform reaches it")
@@ -62,16 +64,51 @@ def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
 
 
 def _declare_add(parser: argparse.ArgumentParser) -> None:
-    parser.add_argument("issuer")
-    parser.add_argument("client_id")
+    parser.add_argument("issuer", type=_address)
+    parser.add_argument("client_id", type=_identifier)
     for name in _ADDRESSES:
-        parser.add_argument(f"--{name.replace('_', '-')}", required=True)
-    parser.add_argument("--token-audience", help="audience of token requests, if not the token endpoint")
-    parser.add_argument("--deployment", action="append", default=[], help="may be given several times")
-    parser.add_argument("--origin", action="append", default=[], help="further origin that frames the pages")
+        parser.add_argument(f"--{name.replace('_', '-')}", type=_address, required=True)
+    parser.add_argument(
+        "--token-audience", type=_identifier, help="audience of token requests, if not the token endpoint"
+    )
+    parser.add_argument(
+        "--deployment", type=_identifier, action="append", default=[], help="may be given several times"
+    )
+    parser.add_argument(
+        "--origin", type=_origin, action="append", default=[], help="further origin that frames the pages"
+    )
     parser.add_argument("--name", default="")
     parser.add_argument("--names-shared", action="store_true", help="store the names that it shares")
     parser.set_defaults(run=_add)
+
+
+def _address(text: str) -> str:
+    try:
+        return http_address(text)
+    except ValueError:
+        raise argparse.ArgumentTypeError(
+            f"an address is needed, such as https://lms.example.edu/…, not {text!r}"
+        ) from None
+
+
+def _origin(text: str) -> str:
+    """Return an origin as browsers write it; a path would never match."""
+    try:
+        parts = urlsplit(http_address(text))
+    except ValueError:
+        parts = None
+    if parts is None or parts.path not in ("", "/") or parts.query or parts.fragment or "@" in parts.netloc:
+        raise argparse.ArgumentTypeError(
+            f"an origin is needed, such as https://lms.example.edu, not {text!r}"
+        )
+    return origin_of(text.strip())
+
+
+def _identifier(text: str) -> str:
+    """Return what the platform calls something."""
+    if not text.strip() or not text.isprintable():
+        raise argparse.ArgumentTypeError(f"what the platform calls it is needed, not {text!r}")
+    return text.strip()
 
 
 def _add(options: argparse.Namespace) -> int:

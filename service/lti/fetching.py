@@ -7,6 +7,7 @@ cannot point inside the network after it was looked at. Origins that the operato
 from __future__ import annotations
 
 import ipaddress
+import re
 import socket
 import time
 from collections.abc import Callable, Mapping
@@ -29,6 +30,8 @@ TIMEOUT = 5.0
 """Seconds that a platform may take to answer."""
 LARGEST = 1024 * 1024
 """Largest answer that is read [byte]."""
+_HOST = re.compile(r"[a-z0-9_-]+(\.[a-z0-9_-]+)*|[0-9a-f:.]+")
+"""A host as browsers write it; whatever else would end a directive of a policy, or a line of a header."""
 Resolve = Callable[[str, int], list[str]]
 
 
@@ -172,6 +175,21 @@ def origin_of(address: str) -> str:
     host = f"[{parts.hostname}]" if ":" in parts.hostname else parts.hostname
     port = parts.port
     return f"{parts.scheme}://{host}" + ("" if port in (None, usual) else f":{port}")
+
+
+def http_address(text: str) -> str:
+    """Return an address that was typed, or that a platform names, without spaces around it.
+
+    Raises:
+        ValueError: it is not an http or https address.
+    """
+    address = text.strip()
+    if " " in address or not address.isprintable():
+        raise ValueError(address)
+    origin_of(address)
+    if not _HOST.fullmatch(urlsplit(address).hostname or ""):
+        raise ValueError(address)
+    return address
 
 
 def _resolve(host: str, port: int) -> list[str]:

@@ -11,7 +11,7 @@ import orjson
 
 from kinematics.errors import Fault
 from service.lti import claims as names
-from service.lti.fetching import Fetcher
+from service.lti.fetching import Fetcher, http_address
 from service.lti.launch_errors import LoginError, unreachable
 
 _NEEDED = ("issuer", "authorization_endpoint", "token_endpoint", "jwks_uri", "registration_endpoint")
@@ -101,7 +101,7 @@ def register(fetcher: Fetcher, configuration: str, token: str | None, tool: Tool
     if not isinstance(found, Mapping):
         raise unreachable(configuration, "JSON")
     for name in _NEEDED:
-        if not isinstance(found.get(name), str) or not found[name]:
+        if not isinstance(found.get(name), str) or not _is_address(found[name]):
             raise _lacks(name)
     if urlsplit(found["issuer"]).hostname != urlsplit(configuration).hostname:
         raise _lacks("issuer")
@@ -113,7 +113,11 @@ def register(fetcher: Fetcher, configuration: str, token: str | None, tool: Tool
     if answer.status // 100 != 2:
         raise unreachable(address, f"HTTP {answer.status}", status=answer.status)
     given = answer.json()
-    if not isinstance(given, Mapping) or not isinstance(given.get("client_id"), str):
+    if (
+        not isinstance(given, Mapping)
+        or not isinstance(given.get("client_id"), str)
+        or not given["client_id"]
+    ):
         raise unreachable(address, "client_id")
     return _registered(found, given)
 
@@ -134,6 +138,13 @@ def _registered(found: Mapping[str, Any], given: Mapping[str, Any]) -> Registere
         jwks_uri=found["jwks_uri"],
         deployment=str(deployment) if deployment else None,
     )
+
+
+def _is_address(text: str) -> bool:
+    try:
+        return http_address(text) == text
+    except ValueError:
+        return False
 
 
 def _lacks(name: str) -> LoginError:

@@ -69,12 +69,19 @@ def test_a_platform_is_registered_by_hand_and_switched_off(administrator: httpx.
     assert administrator.put(f"platforms/{number}", json={"status": "disabled"}).status_code == 204
     assert administrator.put(f"platforms/{number}", json={"deployment": "2"}).status_code == 204
     assert (found()["status"], found()["deployments"]) == ("disabled", ["1", "2"])
-    for wrong in ({"jwks_uri": "javascript:alert(1)"}, {"issuer": ""}, {"client_id": 5}):
+    slips = (
+        {"jwks_uri": "javascript:alert(1)"},
+        {"jwks_uri": "https://a;b/"},
+        {"issuer": "x"},
+        {"client_id": 5},
+    )
+    for wrong in slips:
         answer = administrator.post("platforms", json={**ADDRESSES, **wrong})
         assert (answer.status_code, answer.json()["code"]) == (422, "setting_invalid")
     assert administrator.put(f"platforms/{number}", json={"status": "mad"}).status_code == 422
     assert administrator.delete(f"platforms/{number}").status_code == 204
     assert administrator.delete(f"platforms/{number}").status_code == 404
+    assert administrator.put(f"platforms/{number}", json={"deployment": "2"}).status_code == 404
 
 
 def test_an_invitation_made_on_the_page_registers_a_platform(administrator: httpx.Client, lms: Lms) -> None:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from typing import Any, TypeVar
-from urllib.parse import urlsplit
 
 from fastapi import Response
 
@@ -26,6 +25,7 @@ from service.course_resources import CourseResources, bearer_token, now
 from service.http.forms import own_root
 from service.http.problems import RequestError
 from service.http.routing import ApiRequest, DirectRoute, api_router
+from service.lti.fetching import http_address
 from service.resources import resources_of
 
 router = api_router("courses", route_class=DirectRoute)
@@ -102,9 +102,11 @@ async def register_by_hand(request: ApiRequest) -> Response:
     """Register a platform, or change the one of this issuer and client."""
     body = await _body(request)
     told = {name: _text(body, name) for name in _REQUIRED}
-    for name in _ADDRESSES:
-        if urlsplit(told[name]).scheme not in ("https", "http") or not urlsplit(told[name]).netloc:
-            raise _invalid(name, "https://…")
+    for name in ("issuer", *_ADDRESSES):
+        try:
+            http_address(told[name])
+        except ValueError:
+            raise _invalid(name, "https://…") from None
     deployment = _text(body, "deployment", required=False)
     asked = Platform(
         issuer=told["issuer"],

@@ -40,7 +40,7 @@ from service.course_resources import CourseResources, now
 from service.http.forms import form_of, own_root
 from service.http.middleware import REQUEST_ID
 from service.http.problems import ServiceError, problem_of
-from service.lti.fetching import origin_of
+from service.lti.fetching import http_address, origin_of
 from service.lti.launch import Expected, Launch, read_launch
 from service.lti.launch_errors import LaunchError, LoginError
 from service.lti.login import LoginRequest, authorization_address, new_secret, read_login
@@ -210,6 +210,11 @@ def _platform_for(courses: CourseResources, asked: LoginRequest) -> Platform:
         raise LoginError(Fault(code="lti_platform_ambiguous", params=params))
     if found[0].status is not PlatformStatus.ACTIVE:
         raise LoginError(Fault(code="lti_platform_inactive", params=params))
+    try:
+        http_address(found[0].authorization_endpoint)
+    except ValueError:  # an earlier version has stored whatever was typed
+        params = {"name": "authorization_endpoint"}
+        raise LoginError(Fault(code="lti_configuration_invalid", params=params)) from None
     return found[0]
 
 
