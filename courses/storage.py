@@ -9,9 +9,12 @@ from __future__ import annotations
 import fcntl
 import json
 import logging
+import os
+import secrets
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
+from datetime import UTC, datetime
 from pathlib import Path
 from typing import Any
 
@@ -27,6 +30,7 @@ from sqlalchemy.exc import (
 from sqlalchemy.exc import TimeoutError as PoolTimeoutError
 from sqlalchemy.pool import ConnectionPoolEntry
 
+from courses.records import one_time_code
 from courses.refusals import StorageError, StorageUnavailableError
 from kinematics.errors import Fault
 
@@ -46,6 +50,8 @@ TRUSTED_SECONDS = 1.0
 """A connection that was used so lately is not asked whether it still stands."""
 _UNDONE = "40"
 """Class of the SQLSTATEs of a transaction that was undone for the sake of another one, such as a deadlock."""
+_TRIED_BYTES = 65_536
+"""What is written to see whether there is room again: more than most attempts take."""
 _WRITES = "writes"
 _USED = "used"
 _log = logging.getLogger("framewise.storage")
@@ -57,11 +63,14 @@ class Store:
     Attributes:
         engine: SQLAlchemy's.
         file: the SQLite file; None for PostgreSQL.
+        takes_writes: whether the last transaction that changed something could be stored.
     """
 
     def __init__(self, engine: sa.Engine, file: Path | None) -> None:
         self.engine = engine
         self.file = file
+        self.takes_writes = True
+        self._inode = _inode(file) if file else None
 
     @property
     def location(self) -> str:
@@ -76,26 +85,74 @@ class Store:
     @contextmanager
     def reading(self) -> Iterator[sa.Connection]:
         """Open a transaction that sees one state of the database."""
+        self._check_file()
         with _answering(), self.engine.connect() as connection, connection.begin():
             yield connection
 
     @contextmanager
     def asking(self) -> Iterator[sa.Connection]:
         """Open a single query, which sees one state of the database by itself: no round trip but its own."""
+        self._check_file()
         with _answering(), self.engine.connect() as connection:
             yield connection.execution_options(isolation_level="AUTOCOMMIT")
 
     @contextmanager
     def writing(self) -> Iterator[sa.Connection]:
         """Open a transaction that changes something; on SQLite there is one at a time."""
-        with _answering(), self.engine.connect() as connection:
-            connection = connection.execution_options(**{_WRITES: True})
-            with connection.begin():
-                yield connection
+        self._check_file()
+        try:
+            with _answering(), self.engine.connect() as connection:
+                connection = connection.execution_options(**{_WRITES: True})
+                with connection.begin():
+                    yield connection
+                    self._check_file()
+        except StorageUnavailableError as error:
+            self.takes_writes = self.takes_writes and not error.is_gone
+            raise
+        self.takes_writes = True
+
+    def check(self) -> None:
+        """Make sure that the database answers, and that it takes something again if it last did not.
+
+        Raises:
+            StorageUnavailableError: it does not.
+        """
+        with self.asking() as connection:
+            connection.exec_driver_sql("SELECT 1")
+        if not self.takes_writes:
+            self._try_writing()
+
+    def _try_writing(self) -> None:
+        """Store a code that has expired, and remove it; only what is committed needs room on the disk."""
+        code = secrets.token_hex()
+        tried = {"purpose": "", "content": secrets.token_hex(_TRIED_BYTES // 2)}
+        with self.writing() as connection:
+            past = datetime.fromtimestamp(0, UTC)
+            connection.execute(sa.insert(one_time_code).values(code_hash=code, expires=past, **tried))
+        with self.writing() as connection:
+            connection.execute(sa.delete(one_time_code).where(one_time_code.c.code_hash == code))
+
+    def _check_file(self) -> None:
+        """Make sure that the file is the one that was opened: what another name holds ends with the process.
+
+        Raises:
+            StorageUnavailableError: it was removed or replaced.
+        """
+        if self.file is not None and _inode(self.file) != self._inode:
+            _log.error("%s was removed or replaced: put it back, or start again", self.file)
+            raise StorageUnavailableError(is_gone=True)
 
     def close(self) -> None:
         """End every connection."""
         self.engine.dispose()
+
+
+def _inode(file: Path) -> int | None:
+    """Return the number of a file, whatever its name; None if there is none of this name."""
+    try:
+        return os.stat(file).st_ino
+    except OSError:
+        return None
 
 
 @contextmanager

@@ -124,18 +124,23 @@ class CourseResources:
         return self._people.get(bearer_token(authorization))
 
     def outbox(self) -> OutboxState:
-        """Return how the outbox of scores is."""
+        """Return how the outbox of scores is.
+
+        Raises:
+            StorageUnavailableError: the database does not answer, or takes nothing.
+        """
+        if not self.answers():
+            raise StorageUnavailableError(is_gone=True)
         return outbox_state(self.store, now())
 
     def answers(self) -> bool:
-        """Return whether the database answers; asked at most every two seconds."""
+        """Return whether the database answers, and takes what is written; asked at most every two seconds."""
         with self._lock:
             known, until = self._answered
             if time.monotonic() < until:
                 return known
         try:
-            with self.store.asking() as connection:
-                connection.exec_driver_sql("SELECT 1")
+            self.store.check()
             found = True
         except StorageUnavailableError:
             found = False

@@ -142,7 +142,7 @@ class OutboxCollector(Collector):
     def collect(self) -> Iterable[Metric]:
         """Yield the state of the outbox, and whether the database answers."""
         found = self._state()
-        up = "Whether the database answers"
+        up = "Whether the database answers, and takes what is written"
         yield GaugeMetricFamily("framewise_storage_up", up, value=0.0 if found is None else 1.0)
         if found is not None:
             waiting = "Scores that wait to be sent to gradebooks"

@@ -41,7 +41,9 @@ class Readiness(Wire):
 
     status: Literal["ready", "starting", "impaired"]
     lanes: Annotated[dict[str, LaneState], Field(description="worker processes, by the name of their lane")]
-    storage: Literal["up", "down", "off"] = Field(description="whether the database answers")
+    storage: Literal["up", "down", "off"] = Field(
+        description="whether the database answers, and takes what is written"
+    )
 
 
 class Version(Wire):
@@ -63,7 +65,8 @@ async def livez(response: Response) -> Health:
 async def readyz(response: Response, resources: AppResources) -> Readiness:
     """Ask each lane for its worker processes, and the database; processes that have died are started again.
 
-    While one is being started, and while the database does not answer, the answer is 503 with this document.
+    While one is being started, and while the database does not answer or has no room, the answer is 503 with
+    this document.
     """
     response.headers["Cache-Control"] = "no-store"
     lanes = {

@@ -21,7 +21,7 @@ from courses.enrolment import Arrival, arrive
 from courses.model import Role
 from courses.refusals import StorageError, StorageUnavailableError
 from courses.storage import Store, open_store
-from service.course_resources import now
+from service.course_resources import CourseResources, now
 from service.settings import Settings
 from tests.courses.classroom import joined, platform, submitted
 from tests.databases import new_database
@@ -178,6 +178,88 @@ def test_a_disk_that_takes_nothing_refuses_and_loses_nothing(tmp_path: Path, tex
     with store.reading() as connection:
         assert connection.scalar(sa.text("PRAGMA integrity_check")) == "ok"
     store.close()
+
+
+@pytest.mark.parametrize(
+    ("text", "back"),
+    [
+        pytest.param("PRAGMA max_page_count = 1", "PRAGMA max_page_count = 1000000", id="disk full"),
+        pytest.param("PRAGMA query_only = ON", "PRAGMA query_only = OFF", id="read only"),
+    ],
+)
+def test_a_service_whose_disk_takes_nothing_is_not_ready(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, text: str, back: str
+) -> None:
+    monkeypatch.setattr("service.course_resources._ANSWER_LIVES", 0.0)
+    courses = CourseResources(Settings(storage="on", data_folder=tmp_path))
+    session = joined(courses.store)
+    assert courses.answers()
+    with pragma(courses.store, text, back):
+        with pytest.raises(StorageUnavailableError):
+            submitted(courses.store, session, 0.5, key="lost", answer={"long": "x" * 100_000})
+        assert not courses.answers()
+        assert not courses.answers()
+        with pytest.raises(StorageUnavailableError):
+            courses.outbox()
+    assert courses.answers()
+    assert courses.outbox().waiting == 0
+    with courses.store.reading() as connection:
+        assert connection.execute(sa.select(records.one_time_code)).first() is None
+    courses.close()
+
+
+def test_a_file_that_is_taken_away_is_noticed_and_nothing_is_acknowledged_into_it(tmp_path: Path) -> None:
+    away = tmp_path / "away"
+    away.mkdir()
+    with running(Settings(storage="on", data_folder=tmp_path / "data")) as origin:
+        store = open_store("", tmp_path / "data")
+        told = {"role": Role.LEARNER, "deployment": "1", "context": "c", "resource": "r"}
+        arrival = Arrival(platform=platform(store), subject="s", exercise_id="puma560", **told)
+        token, _ = arrive(store, arrival, now())
+        client = httpx.Client(base_url=origin, timeout=120, trust_env=False)
+        client.headers["Authorization"] = f"Bearer {token}"
+
+        def submit(key: str) -> tuple[int, str | None]:
+            answer = client.post("/api/v1/session/attempts", json=RIGHT, headers={"Idempotency-Key": key})
+            return answer.status_code, answer.json().get("code")
+
+        assert submit("kept") == (200, None)
+        for file in sorted((tmp_path / "data").glob("framewise.sqlite*")):
+            file.rename(away / file.name)
+        assert submit("lost") == (503, "storage_unavailable")
+        assert eventually_ready(client) == (503, "down")
+        assert client.get("/livez").status_code == 200
+        assert not (tmp_path / "data" / "framewise.sqlite").exists()
+        for file in away.iterdir():
+            file.rename(tmp_path / "data" / file.name)
+        assert submit("later") == (200, None)
+        assert eventually_ready(client) == (200, "up")
+        client.close()
+        with store.reading() as connection:
+            assert sorted(connection.scalars(sa.select(records.attempt.c.key))) == ["kept", "later"]
+        store.close()
+
+
+def test_a_file_that_is_replaced_during_a_transaction_undoes_it(tmp_path: Path) -> None:
+    store, other = open_store("", tmp_path / "data"), open_store("", tmp_path / "other")
+    session = joined(store)
+    file = tmp_path / "data" / "framewise.sqlite"
+
+    def forget_everybody() -> None:
+        with store.writing() as connection:
+            connection.execute(sa.delete(records.person))
+            file.rename(tmp_path / "aside")
+            (tmp_path / "other" / "framewise.sqlite").rename(file)
+
+    with pytest.raises(StorageUnavailableError):
+        forget_everybody()
+    for use in (store.reading, store.asking, store.writing):
+        with pytest.raises(StorageUnavailableError), use():
+            pass
+    (tmp_path / "aside").rename(file)
+    assert submitted(store, session, 0.5, key="kept").number == 1
+    store.close()
+    other.close()
 
 
 def test_a_folder_that_cannot_be_written_is_said_at_the_start(tmp_path: Path) -> None:
