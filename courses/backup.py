@@ -9,17 +9,19 @@ from __future__ import annotations
 import gzip
 import json
 import os
-from collections.abc import Iterator
+import zlib
+from collections.abc import Iterator, Mapping
 from datetime import datetime
 from pathlib import Path
 from typing import IO, Any
 
 import sqlalchemy as sa
+from sqlalchemy.exc import SQLAlchemyError
 
 from courses.column_types import UtcTime
 from courses.records import metadata, prepared_answer
 from courses.refusals import StorageError
-from courses.storage import Store, revision_in
+from courses.storage import Store, newest_revision, reason_of, revision_in, revisions
 from kinematics.errors import Fault
 
 FORMAT = "framewise-backup-1"
@@ -86,30 +88,64 @@ def _write(store: Store, out: IO[str]) -> int:
 def restore(store: Store, file: Path) -> int:
     """Put the rows of a backup into an empty database; return how many there are.
 
+    A backup of an older schema is brought to this program's.
+
     Raises:
-        StorageError: the file is not a backup of this schema, or the database is not empty.
+        StorageError: the file is not a backup, a newer program has written it, or the database is not empty.
     """
     try:
         with gzip.open(file, "rt", encoding="utf-8") as lines, store.writing() as connection:
-            _check(connection, json.loads(next(lines)))
+            revision = _revision(next(lines, ""))
+            _check_empty(connection)
+            is_older = revision != newest_revision()
+            tables = _older_tables(connection, revision) if is_older else metadata.tables
             count = 0
-            for name, rows in _batches(lines):
-                connection.execute(sa.insert(metadata.tables[name]), rows)
+            for name, rows in _batches(lines, tables):
+                connection.execute(sa.insert(tables[name]), rows)
                 count += len(rows)
+            if is_older:
+                _advance(connection, "head")
             if store.is_postgresql:
                 _advance_sequences(connection)
-    except (OSError, EOFError, ValueError, StopIteration, KeyError, TypeError) as error:
+    except SQLAlchemyError as error:
+        raise _unreadable(file, reason_of(error)) from error
+    except (OSError, EOFError, ValueError, zlib.error) as error:
         raise _unreadable(file, str(error)) from error
     return count
 
 
-def _check(connection: sa.Connection, head: Any) -> None:
+def _revision(line: str) -> str:
+    """Return the schema of a backup by its first line."""
+    head = json.loads(line)
     if not isinstance(head, dict) or head.get("format") != FORMAT:
         raise ValueError(FORMAT)
-    revision = revision_in(connection)
-    if head["revision"] != revision:
-        params = {"found": str(head["revision"]), "known": str(revision)}
+    revision = str(head.get("revision"))
+    if revision not in revisions():
+        params = {"found": revision, "known": newest_revision()}
         raise StorageError(Fault(code="schema_newer", params=params))
+    return revision
+
+
+def _older_tables(connection: sa.Connection, revision: str) -> Mapping[str, sa.Table]:
+    """Make an empty database over again with an older schema, and return its relations."""
+    metadata.drop_all(connection)
+    sa.Table("alembic_version", sa.MetaData()).drop(connection)
+    _advance(connection, revision)
+    older = sa.MetaData()
+    older.reflect(connection)
+    for column in (column for table in older.tables.values() for column in table.c):
+        if isinstance(column.type, sa.JSON):
+            column.type = sa.JSON(none_as_null=bool(column.nullable))
+    return older.tables
+
+
+def _advance(connection: sa.Connection, target: str) -> None:
+    from courses.schema_history import advance  # takes memory, and few restores need it
+
+    advance(connection, target)
+
+
+def _check_empty(connection: sa.Connection) -> None:
     for table in metadata.sorted_tables:
         if table is prepared_answer:
             continue  # a service that has been started on the database has prepared some
@@ -117,15 +153,21 @@ def _check(connection: sa.Connection, head: Any) -> None:
             raise StorageError(Fault(code="storage_not_empty", params={"table": table.name}))
 
 
-def _batches(lines: Iterator[str]) -> Iterator[tuple[str, list[dict[str, Any]]]]:
+def _batches(
+    lines: Iterator[str], tables: Mapping[str, sa.Table]
+) -> Iterator[tuple[str, list[dict[str, Any]]]]:
     name, rows = "", list[dict[str, Any]]()
-    for line in lines:
-        table, values = json.loads(line)
+    for number, line in enumerate(lines, 2):
+        try:
+            table, values = json.loads(line)
+            row = _read(tables[table], values)
+        except (ValueError, KeyError, TypeError, AttributeError) as error:
+            raise ValueError(f"line {number}: {type(error).__name__}") from error
         if rows and (table != name or len(rows) >= _BATCH):
             yield name, rows
             rows = []
         name = table
-        rows.append(_read(metadata.tables[name], values))
+        rows.append(row)
     if rows:
         yield name, rows
 
@@ -133,7 +175,7 @@ def _batches(lines: Iterator[str]) -> Iterator[tuple[str, list[dict[str, Any]]]]
 def _read(table: sa.Table, values: dict[str, Any]) -> dict[str, Any]:
     return {
         name: datetime.fromisoformat(value)
-        if value is not None and isinstance(table.c[name].type, UtcTime)
+        if value is not None and isinstance(table.c[name].type, UtcTime | sa.DateTime)
         else value
         for name, value in values.items()
     }

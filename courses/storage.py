@@ -165,24 +165,29 @@ def _answering() -> Iterator[None]:
     try:
         yield
     except (OperationalError, InterfaceError, DisconnectionError, PoolTimeoutError) as error:
-        _log.error("the database does not answer: %s", _reason(error))
+        _log.error("the database does not answer: %s", reason_of(error))
         undone = str(getattr(getattr(error, "orig", None), "sqlstate", None)).startswith(_UNDONE)
         raise StorageUnavailableError(is_gone=not undone) from error
 
 
-def open_store(url: str, folder: Path) -> Store:
+def open_store(url: str, folder: Path, *, only_if_there: bool = False) -> Store:
     """Open the database and bring it to the newest schema.
 
     Args:
         url: of a PostgreSQL database, or "" for SQLite.
         folder: where the SQLite file is or will be; made if it is not there.
+        only_if_there: refuse to make a database where there is none.
 
     Raises:
-        StorageError: it cannot be opened, or a newer program has written it.
+        StorageError: it cannot be opened, is not there, or a newer program has written it.
     """
+    if only_if_there and not url and not (folder / FILE_NAME).exists():
+        raise _missing(str((folder / FILE_NAME).resolve()))
     store = connect(url, folder)
     try:
         with _alone(store):
+            if only_if_there and not revision_of(store):
+                raise _missing(store.location)
             migrate(store)
     except SQLAlchemyError as error:
         store.close()
@@ -228,9 +233,14 @@ def migrate(store: Store) -> None:
         advance(connection, "head")
 
 
+def revisions() -> tuple[str, ...]:
+    """Return the revisions of the schema, oldest first; the files of its history are named by them."""
+    return tuple(sorted(path.name[1:5] for path in (MIGRATIONS / "versions").glob("r[0-9]*.py")))
+
+
 def newest_revision() -> str:
-    """Return the revision of this program's schema; the files of its history are named by them."""
-    return max(path.name[1:5] for path in (MIGRATIONS / "versions").glob("r[0-9]*.py"))
+    """Return the revision of this program's schema."""
+    return revisions()[-1]
 
 
 def revision_of(store: Store) -> str:
@@ -335,10 +345,14 @@ def _written(value: object) -> str:
 
 
 def _unusable(store: Store, error: BaseException | None) -> StorageError:
-    params = {"location": store.location, "reason": _reason(error)}
+    params = {"location": store.location, "reason": reason_of(error)}
     return StorageError(Fault(code="storage_unusable", params=params))
 
 
-def _reason(error: BaseException | None) -> str:
-    """What the database says, in one line."""
+def _missing(location: str) -> StorageError:
+    return StorageError(Fault(code="storage_missing", params={"location": location}))
+
+
+def reason_of(error: BaseException | None) -> str:
+    """Return what the database says in one line, without the rows that it was given."""
     return str(getattr(error, "orig", None) or type(error).__name__).splitlines()[0]

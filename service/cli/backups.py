@@ -29,16 +29,19 @@ def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
 
 
 @contextmanager
-def opened_store() -> Iterator[Store]:
+def opened_store(*, only_if_there: bool = False) -> Iterator[Store]:
     """Open the database of the environment's settings.
 
+    Args:
+        only_if_there: refuse to make one: a command that reads would find nothing in it.
+
     Raises:
-        StorageError: there is none, as storage is switched off, or it cannot be used.
+        StorageError: storage is switched off, or the database is not there or cannot be used.
     """
     settings = settings_of_environment()
     if settings.storage == "off":
         raise StorageError(Fault(code="storage_off"))
-    store = open_store(settings.database_url, settings.data_folder)
+    store = open_store(settings.database_url, settings.data_folder, only_if_there=only_if_there)
     try:
         yield store
     finally:
@@ -46,7 +49,7 @@ def opened_store() -> Iterator[Store]:
 
 
 def _back_up(options: argparse.Namespace) -> int:
-    with opened_store() as store:
+    with opened_store(only_if_there=True) as store:
         count = back_up(store, options.file)
         told = sys.stdout if options.file.is_file() else sys.stderr  # the backup itself may go to the output
         told.write(f"{options.file}: {count} rows from {store.location}\n")

@@ -131,7 +131,7 @@ def _add(options: argparse.Namespace) -> int:
 
 
 def _list(_: argparse.Namespace) -> int:
-    with opened_store() as store:
+    with opened_store(only_if_there=True) as store:
         for platform in platforms(store):
             deployments = ", ".join(deployments_of(store, platform.id))
             row = (str(platform.id), platform.status.value, platform.issuer, platform.client_id, deployments)
@@ -140,19 +140,19 @@ def _list(_: argparse.Namespace) -> int:
 
 
 def _set_status(options: argparse.Namespace) -> int:
-    with opened_store() as store:
+    with opened_store(only_if_there=True) as store:
         set_status(store, options.platform, options.status)
     return 0
 
 
 def _remove(options: argparse.Namespace) -> int:
-    with opened_store() as store:
+    with opened_store(only_if_there=True) as store:
         remove_platform(store, options.platform)
     return 0
 
 
 def _add_deployment(options: argparse.Namespace) -> int:
-    with opened_store() as store:
+    with opened_store(only_if_there=True) as store:
         add_deployment(store, options.platform, options.deployment)
     return 0
 

@@ -31,13 +31,13 @@ def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
 
 
 def _export(options: argparse.Namespace) -> int:
-    with opened_store() as store:
+    with opened_store(only_if_there=True) as store:
         _print(export_person(store, options.key))
     return 0
 
 
 def _erase(options: argparse.Namespace) -> int:
-    with opened_store() as store:
+    with opened_store(only_if_there=True) as store:
         _print(erase_person(store, options.key))
     return 0
 
@@ -45,7 +45,7 @@ def _erase(options: argparse.Namespace) -> int:
 def _purge(_: argparse.Namespace) -> int:
     settings = settings_of_environment()
     people, log = timedelta(days=settings.people_days), timedelta(days=settings.access_days)
-    with opened_store() as store:
+    with opened_store(only_if_there=True) as store:
         _print(purge(store, now(), people=people, log=log))
     return 0
 

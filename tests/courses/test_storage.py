@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import gzip
+import json
 import os
 import subprocess
 import threading
@@ -131,6 +133,97 @@ def test_a_file_that_is_no_backup_is_refused(store: Store, tmp_path: Path) -> No
     with pytest.raises(StorageError) as caught:
         restore(store, file)
     assert caught.value.code == "backup_unreadable"
+
+
+def lines_of(file: Path) -> list[str]:
+    with gzip.open(file, "rt", encoding="utf-8") as lines:
+        return list(lines)
+
+
+def written(file: Path, lines: list[str]) -> Path:
+    with gzip.open(file, "wt", encoding="utf-8") as out:
+        out.writelines(lines)
+    return file
+
+
+@pytest.mark.parametrize("damage", ["twice", "shape", "value", "head", "relation", "column", "bytes"])
+def test_a_damaged_backup_is_refused_without_the_rows_that_it_holds(
+    store: Store, postgresql: str, tmp_path: Path, damage: str
+) -> None:
+    from tests.databases import new_database
+
+    submitted(store, joined(store), 0.5, answer={"table": {"rows": ["what a student typed"]}})
+    back_up(store, tmp_path / "whole.gz")
+    lines = lines_of(tmp_path / "whole.gz")
+    attempts = [line for line in lines if line.startswith('["attempt"')]
+    damaged = {
+        "twice": [*lines, attempts[-1]],
+        "shape": [*lines, '["person",5]\n'],
+        "value": [*lines, attempts[-1].replace('"number": 1', '"number": {}')],
+        "head": ["[]\n"],
+        "relation": [*lines, '["nothing",{}]\n'],
+        "column": [*lines, '["secret",{"none":1}]\n'],
+        "bytes": lines,
+    }
+    file = written(tmp_path / "damaged.gz", damaged[damage])
+    if damage == "bytes":
+        content = bytearray(file.read_bytes())
+        content[40:80] = bytes(40)
+        file.write_bytes(content)
+    with new_database(postgresql) as url:
+        empty = open_store(url if store.is_postgresql else "", tmp_path / "empty")
+        with pytest.raises(StorageError) as caught:
+            restore(empty, file)
+        assert caught.value.code == "backup_unreadable"
+        assert "student" not in str(caught.value.faults)
+        assert restore(empty, tmp_path / "whole.gz") == len(lines) - 1
+        empty.close()
+
+
+def test_a_backup_of_an_older_schema_is_brought_to_this_one(
+    store: Store, postgresql: str, tmp_path: Path
+) -> None:
+    from tests.databases import new_database
+
+    session = joined(store)
+    kept = submitted(store, session, 0.5, answer={"table": {"rows": [["θ₁ + π/2", "𝛼"]]}})
+    back_up(store, tmp_path / "new.gz")
+    head, *rows = lines_of(tmp_path / "new.gz")
+    head = json.dumps({**json.loads(head), "revision": "0001"}) + "\n"
+    file = written(tmp_path / "old.gz", [head, *(row for row in rows if '["publication"' not in row)])
+    with new_database(postgresql) as url:
+        copy = open_store(url if store.is_postgresql else "", tmp_path / "copy")
+        assert restore(copy, file) == len(rows)
+        with copy.reading() as connection:
+            context = MigrationContext.configure(connection, opts={"compare_type": True})
+            assert compare_metadata(context, metadata) == []
+        assert revision_of(copy) == newest_revision()
+        assert attempts_of(copy, session) == [kept]
+        with copy.reading() as connection:
+            assert connection.scalar(sa.text("SELECT count(*) FROM participation WHERE draft IS NULL")) == 1
+        back_up(copy, tmp_path / "again.gz")
+        assert lines_of(tmp_path / "again.gz") == lines_of(tmp_path / "new.gz")
+        assert submitted(copy, joined(copy), 1.0, key="more").number == 2
+        copy.close()
+
+
+def test_a_backup_of_a_newer_schema_is_refused(store: Store, tmp_path: Path) -> None:
+    back_up(store, tmp_path / "new.gz")
+    head, *rows = lines_of(tmp_path / "new.gz")
+    head = json.dumps({**json.loads(head), "revision": "9999"}) + "\n"
+    with pytest.raises(StorageError) as caught:
+        restore(store, written(tmp_path / "newer.gz", [head, *rows]))
+    assert caught.value.code == "schema_newer"
+
+
+def test_what_only_reads_makes_no_database(database: str, tmp_path: Path) -> None:
+    for _ in range(2):
+        with pytest.raises(StorageError) as caught:
+            open_store(database, tmp_path / "data", only_if_there=True)
+        assert caught.value.code == "storage_missing"
+    assert not (tmp_path / "data").exists()
+    open_store(database, tmp_path / "data").close()
+    open_store(database, tmp_path / "data", only_if_there=True).close()
 
 
 def test_a_backup_goes_into_a_pipe_and_replaces_none(store: Store, tmp_path: Path) -> None:

@@ -208,6 +208,35 @@ def test_every_command_is_listed_with_the_module_that_declares_it(
     assert set(told) == set(COMMANDS)
 
 
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ["backup", "backup.gz"],
+        ["people", "export", "key"],
+        ["people", "erase", "key"],
+        ["people", "purge"],
+        ["lti", "platforms"],
+        ["lti", "activate", "1"],
+        ["lti", "deployment", "1", "2"],
+        ["lti", "remove", "1", "--yes"],
+    ],
+)
+def test_what_needs_a_database_makes_none(
+    arguments: list[str], monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    """A forgotten `cd` before a nightly backup put one without rows in the place of the last good one."""
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("FRAMEWISE_STORAGE", "on")
+    monkeypatch.delenv("FRAMEWISE_DATA_FOLDER", raising=False)
+    (tmp_path / "backup.gz").write_bytes(b"the last good one")
+    assert main(arguments) == 2
+    told = capsys.readouterr().err
+    assert "storage_missing" in told
+    assert str(tmp_path / "data" / "framewise.sqlite") in told
+    assert [file.name for file in tmp_path.iterdir()] == ["backup.gz"]
+    assert (tmp_path / "backup.gz").read_bytes() == b"the last good one"
+
+
 def test_without_storage_there_is_nothing_to_back_up(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:

@@ -10,6 +10,7 @@ error-storage_folder = The data folder { $folder } cannot be used: { $reason }. 
 error-storage_address = FRAMEWISE_DATABASE_URL does not name a PostgreSQL database. It looks like postgresql://user:password@host/database.
 error-storage_unusable = The database { $location } cannot be used: { $reason }.
 error-storage_unavailable = The database does not answer just now. What was confirmed before is safe. Send this again in a few seconds.
+error-storage_missing = There is no database at { $location }. FRAMEWISE_DATA_FOLDER or FRAMEWISE_DATABASE_URL should name the one of the service.
 error-schema_newer = The data was written by a newer version of the program (schema { $found }; this version knows { $known }). Install the newer version.
 error-storage_not_empty = A backup is restored into an empty database only; the relation { $table } holds rows already.
 error-backup_unreadable = { $file } cannot be read or written as a backup: { $reason }.

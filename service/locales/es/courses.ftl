@@ -10,6 +10,7 @@ error-storage_folder = No se puede usar la carpeta de datos { $folder }: { $reas
 error-storage_address = FRAMEWISE_DATABASE_URL no designa una base de datos PostgreSQL. Tiene la forma postgresql://usuario:contraseña@servidor/base.
 error-storage_unusable = No se puede usar la base de datos { $location }: { $reason }.
 error-storage_unavailable = La base de datos no responde en este momento. Lo que ya se confirmó está a salvo. Vuelva a enviarlo dentro de unos segundos.
+error-storage_missing = No hay ninguna base de datos en { $location }. FRAMEWISE_DATA_FOLDER o FRAMEWISE_DATABASE_URL debe indicar la del servicio.
 error-schema_newer = Los datos fueron escritos por una versión más reciente del programa (esquema { $found }; esta versión conoce { $known }). Instale la versión más reciente.
 error-storage_not_empty = Una copia de seguridad solo se restaura en una base de datos vacía; la relación { $table } ya contiene filas.
 error-backup_unreadable = { $file } no se puede leer o escribir como copia de seguridad: { $reason }.

@@ -10,6 +10,7 @@ error-storage_folder = Le dossier de données { $folder } est inutilisable : { 
 error-storage_address = FRAMEWISE_DATABASE_URL ne désigne pas une base PostgreSQL. Elle a la forme postgresql://utilisateur:motdepasse@serveur/base.
 error-storage_unusable = La base de données { $location } est inutilisable : { $reason }.
 error-storage_unavailable = La base de données ne répond pas pour l’instant. Ce qui a déjà été confirmé est en sécurité. Renvoyez ceci dans quelques secondes.
+error-storage_missing = Il n’y a pas de base de données à l’emplacement { $location }. FRAMEWISE_DATA_FOLDER ou FRAMEWISE_DATABASE_URL doit indiquer celle du service.
 error-schema_newer = Les données ont été écrites par une version plus récente du programme (schéma { $found } ; cette version connaît { $known }). Installez la version plus récente.
 error-storage_not_empty = Une sauvegarde n’est restaurée que dans une base vide ; la relation { $table } contient déjà des lignes.
 error-backup_unreadable = { $file } ne peut être ni lu ni écrit comme sauvegarde : { $reason }.

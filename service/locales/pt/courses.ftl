@@ -10,6 +10,7 @@ error-storage_folder = A pasta de dados { $folder } não pode ser usada: { $reas
 error-storage_address = FRAMEWISE_DATABASE_URL não designa uma base de dados PostgreSQL. Tem a forma postgresql://utilizador:palavra-passe@servidor/base.
 error-storage_unusable = A base de dados { $location } não pode ser usada: { $reason }.
 error-storage_unavailable = A base de dados não responde neste momento. O que já foi confirmado está a salvo. Envie de novo dentro de alguns segundos.
+error-storage_missing = Não há nenhuma base de dados em { $location }. FRAMEWISE_DATA_FOLDER ou FRAMEWISE_DATABASE_URL deve indicar a do serviço.
 error-schema_newer = Os dados foram escritos por uma versão mais recente do programa (esquema { $found }; esta versão conhece { $known }). Instale a versão mais recente.
 error-storage_not_empty = Uma cópia de segurança só é reposta numa base de dados vazia; a relação { $table } já contém linhas.
 error-backup_unreadable = { $file } não pode ser lido nem escrito como cópia de segurança: { $reason }.

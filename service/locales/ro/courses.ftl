@@ -10,6 +10,7 @@ error-storage_folder = Dosarul de date { $folder } nu poate fi folosit: { $reaso
 error-storage_address = FRAMEWISE_DATABASE_URL nu numește o bază de date PostgreSQL. Are forma postgresql://utilizator:parolă@server/bază.
 error-storage_unusable = Baza de date { $location } nu poate fi folosită: { $reason }.
 error-storage_unavailable = Baza de date nu răspunde acum. Ce a fost confirmat până acum este în siguranță. Trimiteți din nou peste câteva secunde.
+error-storage_missing = Nu există nicio bază de date la { $location }. FRAMEWISE_DATA_FOLDER sau FRAMEWISE_DATABASE_URL trebuie să indice baza de date a serviciului.
 error-schema_newer = Datele au fost scrise de o versiune mai nouă a programului (schema { $found }; această versiune cunoaște { $known }). Instalați versiunea mai nouă.
 error-storage_not_empty = O copie de siguranță se restaurează numai într-o bază de date goală; relația { $table } are deja rânduri.
 error-backup_unreadable = { $file } nu poate fi citit sau scris ca o copie de siguranță: { $reason }.

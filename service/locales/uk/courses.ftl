@@ -10,6 +10,7 @@ error-storage_folder = Теку даних { $folder } неможливо вик
 error-storage_address = FRAMEWISE_DATABASE_URL не називає бази даних PostgreSQL. Вона має вигляд postgresql://користувач:пароль@сервер/база.
 error-storage_unusable = Базу даних { $location } неможливо використати: { $reason }.
 error-storage_unavailable = База даних зараз не відповідає. Усе підтверджене раніше збережено. Надішліть це ще раз за кілька секунд.
+error-storage_missing = За адресою { $location } немає бази даних. FRAMEWISE_DATA_FOLDER або FRAMEWISE_DATABASE_URL має вказувати базу даних служби.
 error-schema_newer = Дані записала новіша версія програми (схема { $found }; ця версія знає { $known }). Установіть новішу версію.
 error-storage_not_empty = Резервну копію відновлюють лише в порожню базу даних; у відношенні { $table } вже є рядки.
 error-backup_unreadable = { $file } неможливо прочитати чи записати як резервну копію: { $reason }.
