@@ -70,16 +70,27 @@ def hand_ins(path: Path, settings: TableSettings) -> Iterator[HandIn]:
 def count_files(path: Path) -> int:
     """Return how many files a path holds that get a line; 0 where nothing can be read."""
     try:
-        if path.is_dir():
-            names = [file.relative_to(path).as_posix() for file in path.rglob("*") if file.is_file()]
-        elif path.suffix.lower() == ".zip":
-            with zipfile.ZipFile(path) as archive:
-                names = [entry.filename for entry in archive.infolist() if not entry.is_dir()]
-        else:
-            return int(path.is_file())
-        return len(_worth_a_line(names, path))
+        names = _names(path)
+        return int(path.is_file()) if names is None else len(_worth_a_line(names, path))
     except (zipfile.BadZipFile, OSError, RequestError):
         return 0
+
+
+def left_out(path: Path) -> list[str]:
+    """Return the files of a folder or archive that get no line because of their type, hidden ones aside."""
+    names = _names(path) or []
+    chosen = set(_worth_a_line(names, path))
+    return sorted(name for name in names if name not in chosen and not _is_hidden(PurePosixPath(name)))
+
+
+def _names(path: Path) -> list[str] | None:
+    """Return the files of a folder or archive; None for a file that stands alone."""
+    if path.is_dir():
+        return [file.relative_to(path).as_posix() for file in path.rglob("*") if file.is_file()]
+    if path.suffix.lower() != ".zip":
+        return None
+    with zipfile.ZipFile(path) as archive:
+        return [entry.filename for entry in archive.infolist() if not entry.is_dir()]
 
 
 def student_of(name: str) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import codecs
 import csv
 import io
 import re
@@ -197,11 +198,21 @@ def _workbook_tables(name: str, content: bytes, settings: TableSettings) -> Iter
                 yield FoundTable(student=found.student, exercise=exercise, table=found.table)
 
 
-def _delimited(name: str, content: bytes) -> Grid:
+def _decoded(name: str, content: bytes) -> str:
+    """The text of a file: UTF-8, UTF-16 as Excel's "Unicode text" is, or Windows' Western one."""
+    if content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
+        try:
+            return content.decode("utf-16")
+        except UnicodeDecodeError:
+            raise _refused("file_unreadable", name, reason="UTF-16") from None
     try:
-        text = content.decode("utf-8-sig")
+        return content.decode("utf-8-sig")
     except UnicodeDecodeError:
-        text = content.decode("cp1252", errors="replace")
+        return content.decode("cp1252", errors="replace")
+
+
+def _delimited(name: str, content: bytes) -> Grid:
+    text = _decoded(name, content)
     lines = [line for line in text.splitlines() if line.strip()]
     if "\0" in text or not lines:
         raise _refused("file_unreadable", name, reason="empty" if not lines else "binary")

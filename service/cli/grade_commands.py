@@ -5,25 +5,30 @@ from __future__ import annotations
 import argparse
 import json
 import sys
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import asdict
 from pathlib import Path
 from typing import TextIO
 
 from exercises.grading import HelpLevel
 from kinematics.cells import AngleUnit, LengthUnit
+from kinematics.errors import Fault
 from kinematics.table import Convention
 from service.adapters.class_grading import ClassSettings, grade_class, misconceptions
 from service.adapters.gradebook import GradebookFormat, Mark, write_marks
-from service.adapters.hand_ins import count_files, hand_ins
+from service.adapters.hand_ins import count_files, hand_ins, left_out
 from service.adapters.hosts import HOSTS
 from service.adapters.hosts.assignment import Assignment
 from service.adapters.table_files import TableSettings
 from service.cli.environment import count, settings_of_environment
+from service.cli.whole_files import replacing
+from service.http.problems import RequestError
 from service.messages import sentence
 
 _JSON = "json"
 _BAR = 30
+_NAMED = 10
+"""Files that are named as left out; the others are counted."""
 
 
 def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -52,6 +57,7 @@ def _grade(options: argparse.Namespace) -> int:
     tables = TableSettings(
         convention=options.convention, angle_unit=options.angle_unit, length_unit=options.length_unit
     )
+    path = None if options.path is None or str(options.path) == "-" else options.path
     if options.host:
         assignment = Assignment(
             exercise=options.exercise,
@@ -60,7 +66,9 @@ def _grade(options: argparse.Namespace) -> int:
             points=options.points,
             tables=tables,
         )
-        return HOSTS[options.host](assignment, _named(options.path))
+        return HOSTS[options.host](assignment, path)
+    if path is None:
+        raise RequestError(Fault(code="grade_path_needed"))
     settings = ClassSettings(
         exercise=options.exercise,
         language=options.lang,
@@ -68,20 +76,15 @@ def _grade(options: argparse.Namespace) -> int:
         per_student=options.per_student,
         folders=settings_of_environment().exercise_folders,
     )
-    path = _named(options.path) or Path()
     found = grade_class(hand_ins(path, tables), settings, options.jobs)
     counted = _Counted(_with_progress(found, count_files(path)))
     if options.output is None:
         _write(counted, sys.stdout, options.format)
     else:
-        with options.output.open("w", encoding="utf-8", newline="") as stream:
+        with replacing(options.output) as stream:
             _write(counted, stream, options.format)
-    _summarise(counted, options.lang)
+    _summarise(counted, left_out(path), options.lang)
     return 0
-
-
-def _named(path: Path | None) -> Path | None:
-    return None if path is None or str(path) == "-" else path
 
 
 class _Counted:
@@ -124,8 +127,12 @@ def _with_progress(marks: Iterable[Mark], files: int) -> Iterator[Mark]:
         sys.stderr.write("\n")
 
 
-def _summarise(counted: _Counted, language: str) -> None:
+def _summarise(counted: _Counted, others: Sequence[str], language: str) -> None:
     counts = {"right": counted.right, "wrong": counted.wrong, "ungraded": counted.ungraded}
     sys.stderr.write(f"{sentence(language, 'grade-summary', counts)}\n")
     for code, times in counted.found.most_common(10):
         sys.stderr.write(f"  {times:6} {code}\n")
+    if others:
+        files = ", ".join(others[:_NAMED]) + (" …" if len(others) > _NAMED else "")
+        told = sentence(language, "grade-left-out", {"count": len(others), "files": files})
+        sys.stderr.write(f"{told}\n")

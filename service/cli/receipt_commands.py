@@ -10,6 +10,7 @@ from pathlib import Path
 from service.adapters.gradebook import GradebookFormat, write_marks
 from service.adapters.judging import told_fault
 from service.cli.environment import settings_of_environment
+from service.cli.whole_files import replacing
 from service.receipts.checking import check_receipts, marks_of, receipts_in
 from service.receipts.keys import receipt_keys, rotate
 
@@ -58,7 +59,7 @@ def _verify(options: argparse.Namespace) -> int:
     elif str(options.csv) == "-":
         write_marks(marks_of(checked), sys.stdout, GradebookFormat(options.format))
     else:
-        with options.csv.open("w", encoding="utf-8", newline="") as stream:
+        with replacing(options.csv) as stream:
             write_marks(marks_of(checked), stream, GradebookFormat(options.format))
     return _FORGED if any(entry.receipt is None for entry in checked) else 0
 

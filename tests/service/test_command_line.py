@@ -6,6 +6,7 @@ import csv
 import io
 import json
 import re
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -43,6 +44,65 @@ def test_what_cannot_be_found_is_said(tmp_path: Path, capsys: pytest.CaptureFixt
     (tmp_path / "a.csv").write_text(RIGHT)
     assert main(["grade", str(tmp_path / "a.csv"), "--exercise", "r2d2", "--jobs", "1"]) == 0
     assert "exercise_unknown" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("packed", [False, True])
+def test_files_that_are_left_out_are_named(
+    packed: bool, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    path = tmp_path / "class"
+    path.mkdir()
+    (path / "ann.csv").write_text(RIGHT)
+    for name in ("x.pdf", "noext", "inner.zip", ".DS_Store"):
+        (path / name).write_bytes(b"\0")
+    if packed:
+        path = Path(shutil.make_archive(str(tmp_path / "packed"), "zip", path))
+    arguments = ["grade", str(path), "--exercise", "twolink", "--angle-unit", "deg", "--jobs", "1"]
+    assert main(arguments) == 0
+    told = capsys.readouterr()
+    assert len(told.out.splitlines()) == 2
+    assert "Files left out because of their type: 3 (inner.zip, noext, x.pdf)." in told.err
+    for number in range(12):
+        (tmp_path / "class" / f"{number:02}.doc").write_bytes(b"")
+    assert main([*arguments[:1], str(tmp_path / "class"), *arguments[2:]]) == 0
+    assert "type: 15 (00.doc, 01.doc," in (told := capsys.readouterr().err)
+    assert "09.doc …)." in told
+
+
+@pytest.mark.parametrize("arguments", [["grade"], ["grade", "-"]])
+def test_a_class_is_not_read_from_where_one_happens_to_be(
+    arguments: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "ann.csv").write_text(RIGHT)
+    assert main([*arguments, "--exercise", "twolink", "--jobs", "1"]) == 2
+    told = capsys.readouterr()
+    assert "grade_path_needed" in told.err
+    assert not told.out
+
+
+def test_marks_are_replaced_when_all_is_graded(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    marks, link = tmp_path / "marks.csv", tmp_path / "latest.csv"
+    marks.write_text("of last week")
+    marks.chmod(0o600)
+    link.symlink_to(marks)
+    arguments = ["--exercise", "twolink", "--angle-unit", "deg", "--jobs", "1", "--output", str(link)]
+    assert main(["grade", str(tmp_path / "mistyped"), *arguments]) == 2
+    assert "file_missing" in capsys.readouterr().err
+    assert marks.read_text() == "of last week"
+    (tmp_path / "ann.csv").write_text(RIGHT)
+    assert main(["grade", str(tmp_path / "ann.csv"), *arguments]) == 0
+    assert link.is_symlink()
+    assert marks.read_text().startswith("student,")
+    assert marks.stat().st_mode & 0o777 == 0o600
+    assert not list(tmp_path.glob("*.part"))
+
+
+def test_marks_go_into_a_device(tmp_path: Path) -> None:
+    (tmp_path / "ann.csv").write_text(RIGHT)
+    options = ["--exercise", "twolink", "--jobs", "1", "--output", "/dev/null"]
+    assert main(["grade", str(tmp_path / "ann.csv"), *options]) == 0
+    assert Path("/dev/null").is_char_device()
 
 
 def test_an_autograder_is_spoken_to(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:

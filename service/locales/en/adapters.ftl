@@ -2,6 +2,7 @@
 
 error-file_too_large = { $file } is larger than { $limit } bytes; a table takes a few kilobytes.
 error-file_missing = There is no file or folder { $file }.
+error-grade_path_needed = A file, a folder or a zip archive is needed: - or nothing stands for the standard input only with --for.
 error-file_unreadable = { $file } cannot be read: { $reason }.
 error-file_unusable = { $file } cannot be read or written: { $reason }.
 error-file_type_unknown = { $file } is of an unsupported type. Supported: { $known }.
@@ -32,3 +33,4 @@ scorm-no-script = This exercise needs JavaScript.
 scorm-no-lms = No learning platform was found around this page. You can practise, but no mark will be recorded.
 
 grade-summary = { $right } right, { $wrong } wrong, { $ungraded } not gradable.
+grade-left-out = Files left out because of their type: { $count } ({ $files }).

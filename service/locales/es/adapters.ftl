@@ -2,6 +2,7 @@
 
 error-file_too_large = { $file } ocupa más de { $limit } bytes; una tabla ocupa unos pocos kilobytes.
 error-file_missing = No existe ningún archivo ni carpeta { $file }.
+error-grade_path_needed = Hace falta un archivo, una carpeta o un archivo zip: solo con --for, - o nada representa la entrada estándar.
 error-file_unreadable = No se puede leer { $file }: { $reason }.
 error-file_unusable = No se puede leer o escribir { $file }: { $reason }.
 error-file_type_unknown = { $file } es de un tipo que aquí no se lee. Se leen { $known }.
@@ -32,3 +33,4 @@ scorm-no-script = Este ejercicio necesita JavaScript.
 scorm-no-lms = No se ha encontrado ninguna plataforma de aprendizaje alrededor de esta página. Puede practicar, pero no se registrará ninguna nota.
 
 grade-summary = { $right } correctas, { $wrong } incorrectas, { $ungraded } no calificables.
+grade-left-out = Archivos omitidos por su tipo: { $count } ({ $files }).

@@ -2,6 +2,7 @@
 
 error-file_too_large = { $file } dépasse { $limit } octets ; un tableau tient en quelques kilooctets.
 error-file_missing = Il n’y a ni fichier ni dossier { $file }.
+error-grade_path_needed = Il faut un fichier, un dossier ou une archive zip : - ou rien ne désigne l’entrée standard qu’avec --for.
 error-file_unreadable = { $file } ne peut pas être lu : { $reason }.
 error-file_unusable = { $file } ne peut être ni lu ni écrit : { $reason }.
 error-file_type_unknown = { $file } est d’un type qui n’est pas lu ici. Sont lus : { $known }.
@@ -32,3 +33,4 @@ scorm-no-script = Cet exercice a besoin de JavaScript.
 scorm-no-lms = Aucune plateforme d’apprentissage n’a été trouvée autour de cette page. Vous pouvez vous entraîner, mais aucune note ne sera enregistrée.
 
 grade-summary = { $right } justes, { $wrong } fausses, { $ungraded } non notables.
+grade-left-out = Fichiers laissés de côté à cause de leur type : { $count } ({ $files }).

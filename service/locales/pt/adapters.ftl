@@ -2,6 +2,7 @@
 
 error-file_too_large = { $file } ocupa mais de { $limit } bytes; uma tabela ocupa poucos quilobytes.
 error-file_missing = Não existe nenhum ficheiro nem pasta { $file }.
+error-grade_path_needed = É preciso um ficheiro, uma pasta ou um arquivo zip: só com --for é que - ou nada representa a entrada padrão.
 error-file_unreadable = Não é possível ler { $file }: { $reason }.
 error-file_unusable = Não é possível ler ou escrever { $file }: { $reason }.
 error-file_type_unknown = { $file } é de um tipo que não é lido aqui. São lidos { $known }.
@@ -32,3 +33,4 @@ scorm-no-script = Este exercício precisa de JavaScript.
 scorm-no-lms = Não foi encontrada nenhuma plataforma de aprendizagem em torno desta página. Pode praticar, mas nenhuma nota será registada.
 
 grade-summary = { $right } certas, { $wrong } erradas, { $ungraded } não avaliáveis.
+grade-left-out = Ficheiros deixados de fora devido ao seu tipo: { $count } ({ $files }).

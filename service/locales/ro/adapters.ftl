@@ -2,6 +2,7 @@
 
 error-file_too_large = { $file } depășește { $limit } octeți; un tabel ocupă câțiva kiloocteți.
 error-file_missing = Nu există niciun fișier sau dosar { $file }.
+error-grade_path_needed = Este nevoie de un fișier, un dosar sau o arhivă zip: doar cu --for, - sau nimic înseamnă intrarea standard.
 error-file_unreadable = { $file } nu poate fi citit: { $reason }.
 error-file_unusable = { $file } nu poate fi citit sau scris: { $reason }.
 error-file_type_unknown = { $file } este de un tip care nu se citește aici. Se citesc { $known }.
@@ -32,3 +33,4 @@ scorm-no-script = Acest exercițiu are nevoie de JavaScript.
 scorm-no-lms = Nu s-a găsit nicio platformă de învățare în jurul acestei pagini. Puteți exersa, dar nu se va înregistra nicio notă.
 
 grade-summary = { $right } corecte, { $wrong } greșite, { $ungraded } care nu pot fi notate.
+grade-left-out = Fișiere lăsate deoparte din cauza tipului: { $count } ({ $files }).

@@ -2,6 +2,7 @@
 
 error-file_too_large = { $file } займає понад { $limit } байтів; таблиця займає кілька кілобайтів.
 error-file_missing = Файлу чи теки { $file } немає.
+error-grade_path_needed = Потрібен файл, тека або архів zip: лише з --for дефіс або відсутність аргументу означає стандартний ввід.
 error-file_unreadable = { $file } не вдається прочитати: { $reason }.
 error-file_unusable = { $file } неможливо прочитати або записати: { $reason }.
 error-file_type_unknown = Файли такого типу, як { $file }, тут не читаються. Читаються { $known }.
@@ -32,3 +33,4 @@ scorm-no-script = Для цієї вправи потрібен JavaScript.
 scorm-no-lms = Навколо цієї сторінки не знайдено навчальної платформи. Ви можете вправлятися, але оцінку не буде записано.
 
 grade-summary = Правильних: { $right }, неправильних: { $wrong }, таких, що їх не можна оцінити: { $ungraded }.
+grade-left-out = Файли, пропущені через їхній тип: { $count } ({ $files }).

@@ -82,6 +82,8 @@ def cell(value: object) -> str:
     [
         ("t.csv", b"theta,d,a,alpha\nq1,0,L1,90\nq2,0,L2,0\n"),
         ("t.csv", "﻿Link;θ [deg];d (m);a_i;α_i\n1;q1;0;L1;90\n2;q2;0;L2;0\n".encode()),
+        ("t.txt", "θ\td\ta\tα\r\nq1\t0\tL1\t90\r\nq2\t0\tL2\t0\r\n".encode("utf-16")),
+        ("t.csv", "\ufeffθ;d;a;α\nq1;0;L1;90\nq2;0;L2;0\n".encode("utf-16-be")),
         ("t.tsv", b"i\tTheta_i\td_i\tr_i\ttwist\n1\tq1\t0\tL1\t90\n2\tq2\t0\tL2\t0\n"),
         ("t.txt", b"my answer\n\n| theta | d | a | alpha |\n| q1 | 0 | L1 | 90 |\n| q2 | 0 | L2 | 0 |\n"),
         ("t.json", b'{"theta": ["q1", "q2"], "d": [0, 0], "a": ["L1", "L2"], "alpha": [90, 0]}'),
@@ -130,6 +132,7 @@ def test_a_workbook_with_a_sheet_for_each_robot() -> None:
         ("t.json", b'{"a": 1}', "file_without_table"),
         ("t.json", b'{"theta": [0], "d": [0, 1], "a": [0], "alpha": [0]}', "columns_differ_in_length"),
         ("t.csv", b"", "file_unreadable"),
+        ("t.csv", b"\xff\xfet\x00h\x00e", "file_unreadable"),
         ("t.csv", b"1,2,3,4\n", "columns_unknown"),
         ("t.csv", b"theta,d,a,alpha\n", "file_without_table"),
         ("t.xlsx", b"PK\x03\x04 not a workbook", "file_unreadable"),

@@ -1,0 +1,28 @@
+"""Files of marks that appear when they are complete: a command that fails leaves what was there."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TextIO
+
+
+@contextmanager
+def replacing(file: Path) -> Iterator[TextIO]:
+    """Write text beside a file, and put it in its place at the end; write into a pipe or device at once."""
+    if file.exists() and not file.is_file():
+        with file.open("w", encoding="utf-8", newline="") as stream:
+            yield stream
+        return
+    whole = file.resolve()
+    unfinished = whole.with_name(f"{whole.name}.part")
+    try:
+        with unfinished.open("w", encoding="utf-8", newline="") as stream:
+            if whole.exists():
+                shutil.copymode(whole, unfinished)
+            yield stream
+        unfinished.replace(whole)
+    finally:
+        unfinished.unlink(missing_ok=True)
