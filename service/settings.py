@@ -111,7 +111,7 @@ class Settings(BaseSettings):
     trusted_proxies: Names = Field(
         ("127.0.0.1",),
         description="addresses and networks (CIDR) whose X-Forwarded-Proto, -For and -Prefix headers are "
-        "believed; * for all",
+        "believed; * for all: of several addresses in -For the first is believed, whoever wrote it",
     )
     frame_ancestors: Names = Field(
         ("'self'",), description="origins that may show the pages in a frame (CSP frame-ancestors)"

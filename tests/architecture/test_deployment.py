@@ -68,6 +68,21 @@ def test_no_container_has_more_rights_than_it_needs() -> None:
             assert container["resources"]["limits"]["memory"]
 
 
+def test_no_pod_is_given_variables_that_are_no_settings() -> None:
+    """Of a Service named framewise, Kubernetes makes FRAMEWISE_PORT=tcp://…, with which nothing starts."""
+    assert len(pods(MANIFESTS)) == 5
+    assert all(pod["enableServiceLinks"] is False for pod in pods(MANIFESTS))
+
+
+def test_the_outermost_proxy_says_itself_where_a_request_comes_from() -> None:
+    """With what a client sends kept in front, each could have as many addresses as it likes."""
+    block = (ROOT / "deploy" / "compose" / "nginx.conf").read_text(encoding="utf-8")
+    assert re.findall(r"X-Forwarded-(For|Prefix) ([^;]*);", block) == [
+        ("For", "$remote_addr"),
+        ("Prefix", '""'),
+    ]
+
+
 def test_labels_select_the_pods_that_they_mean() -> None:
     by_kind = {found["kind"]: found for found in MANIFESTS if found["metadata"]["name"] == "framewise"}
     labels = by_kind["Deployment"]["spec"]["template"]["metadata"]["labels"]
