@@ -49,10 +49,17 @@ def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
     )
     parser.add_argument("what", help="id of an exercise, or title or number of a course")
     parser.add_argument(
-        "--variants", type=count, help="variants of an exercise that names no number of them itself"
+        "--variants", type=_variants, help="variants of an exercise that names no number of them itself"
     )
     parser.add_argument("--untested", action="store_true", help="draw only: the variants were tested before")
     parser.set_defaults(run=_warm)
+
+
+def _variants(text: str) -> int:
+    number = count(text)
+    if number > MOST_VARIANTS:
+        raise argparse.ArgumentTypeError(f"at most {MOST_VARIANTS} variants are shared out, not {text}")
+    return number
 
 
 def _warm(options: argparse.Namespace) -> int:

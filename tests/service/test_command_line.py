@@ -220,6 +220,12 @@ def test_what_is_counted_is_counted_from_one(
     assert "a whole number from 1 on" in capsys.readouterr().err
 
 
+def test_no_more_variants_are_prepared_than_are_shared_out(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit):
+        main(["warm", "twolink", "--variants", "1001"])
+    assert "at most 1000 variants" in capsys.readouterr().err
+
+
 def test_a_reader_that_has_had_enough_is_no_error() -> None:
     """As in `framewise exercises list | head -1`."""
     with subprocess.Popen(
