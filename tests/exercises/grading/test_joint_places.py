@@ -47,6 +47,18 @@ def test_the_place_of_the_joint_is_among_those_that_may_be(name: str, key: Numer
         assert start <= joint <= end
 
 
+@pytest.mark.parametrize("name", ["irb140", "kr100p", "kr2150k", "lrmate200id"])
+def test_where_links_differ_there_is_one_place_beside_the_joint_itself(name: str) -> None:
+    """A joint, and the one behind it: between the two nothing but the joint itself is measured."""
+    key = dict(SIX)[name]
+    table = drawn_by_hand(key, Random(name))
+    assert table is not None
+    more = [joint_places([work(key, with_more(table, row))]) for row in table.joint_rows[1:5]]
+    assert more == [[(joint, joint + 1)] for joint in range(2, 6)]
+    fewer = [joint_places([work(key, without(table, row))]) for row in table.joint_rows[:3]]
+    assert fewer == [[(joint, joint + 1)] for joint in range(1, 4)]
+
+
 def test_a_length_wrong_on_the_far_side_leaves_no_place() -> None:
     key = dict(SIX)["ur5"]
     far = replace(key.rows[1], a=2.0 * key.rows[1].a)
