@@ -20,7 +20,7 @@ import numpy as np
 from kinematics.angles import cos_sin
 from kinematics.errors import Fault, JointValueError, TableError
 from kinematics.se3 import ORIGIN, X_AXIS, Z_AXIS, Floats, Motion, Scalar, Scalars, Transform, cross
-from kinematics.table import Convention, JointType, NumericRow
+from kinematics.table import VARIABLE_CELLS, Convention, JointType, NumericRow
 
 MOTIONS = {
     Convention.STANDARD: ("theta", "d", "a", "alpha"),
@@ -76,7 +76,7 @@ def link_transforms(rows: Sequence[NumericRow], convention: Convention, q: Seque
         kind, numbers = _KINDS[cell], [float(getattr(row, cell)) for row in rows]
         if any(numbers):
             motions.append(ElementaryMotion(kind, *_spread(kind, numbers, counts)))
-        if cell == _VARIABLE[rows[0].joint]:
+        if cell == VARIABLE_CELLS.get(rows[0].joint):
             motions.append(ElementaryMotion(kind, 0.0, 0.0, 0, rows[0].sign))
     value = (np.cos(joint), np.sin(joint)) if rows[0].joint is JointType.REVOLUTE else joint
     poses = np.zeros((len(joint), 4, 4))
@@ -152,7 +152,6 @@ _KINDS = {
     "a": MotionKind.SHIFT_X,
     "alpha": MotionKind.TURN_X,
 }
-_VARIABLE = {JointType.REVOLUTE: "theta", JointType.PRISMATIC: "d", JointType.FIXED: None}
 
 
 def turn_z(v: Scalars, c: Scalar, s: Scalar) -> Scalars:
@@ -183,6 +182,7 @@ def link_motions(
     """
     faults: list[Fault] = []
     motions: list[ElementaryMotion] = []
+    holds_variable = VARIABLE_CELLS.get(row.joint)
     for cell in MOTIONS[convention]:
         kind, value = _KINDS[cell], float(getattr(row, cell))
         if not math.isfinite(value):
@@ -193,7 +193,7 @@ def link_motions(
             motions.append(
                 ElementaryMotion(kind, *cos_sin(value)) if turns else ElementaryMotion(kind, value)
             )
-        if cell == _VARIABLE[row.joint]:
+        if cell == holds_variable:
             motions.append(ElementaryMotion(kind, 0.0, 0.0, joint, row.sign))
     if faults:
         raise TableError(faults)

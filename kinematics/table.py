@@ -33,6 +33,18 @@ class Convention(StrEnum):
     STANDARD = "standard"
     MODIFIED = "modified"
 
+    @property
+    def other(self) -> Convention:
+        """The other of the two."""
+        return Convention.MODIFIED if self is Convention.STANDARD else Convention.STANDARD
+
+
+COLUMNS = {
+    Convention.STANDARD: ("theta", "d", "a", "alpha"),
+    Convention.MODIFIED: ("alpha", "a", "d", "theta"),
+}
+"""The cells in the order in which textbooks print the columns of each convention."""
+
 
 class JointType(StrEnum):
     """What varies in a row: θ (revolute), d (prismatic) or nothing (fixed)."""
@@ -40,6 +52,10 @@ class JointType(StrEnum):
     REVOLUTE = "revolute"
     PRISMATIC = "prismatic"
     FIXED = "fixed"
+
+
+VARIABLE_CELLS = {JointType.REVOLUTE: "theta", JointType.PRISMATIC: "d"}
+"""The cell that holds the joint variable; a fixed row has none."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

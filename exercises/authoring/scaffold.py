@@ -11,7 +11,7 @@ from exercises.authoring.named_tables import ExerciseSource
 from exercises.errors import DefinitionError
 from kinematics.cells import AngleUnit, RawRow, RawTable, read_table
 from kinematics.errors import Fault
-from kinematics.table import JointType
+from kinematics.table import CELLS, JointType
 
 TITLES = {
     "en": "Robot {id}",
@@ -110,7 +110,7 @@ def _reference(table: RawTable) -> dict[str, Any]:
 
 
 def _row(row: RawRow) -> dict[str, Any]:
-    cells = {name: _cell(getattr(row, name)) for name in ("alpha", "a", "d", "theta")}
+    cells = {name: _cell(getattr(row, name)) for name in CELLS}
     return {**({"joint": row.joint.value} if row.joint else {}), **cells}
 
 

@@ -6,7 +6,7 @@ from exercises.instance import Instance
 from exercises.parts.protocol import GivenNumbers
 from exercises.written_table import written_table
 from kinematics.cells import ReadTable
-from kinematics.table import Convention
+from kinematics.table import COLUMNS, Convention
 
 
 def given_table(instance: Instance, read: ReadTable | None = None, name: str = "table") -> GivenNumbers:
@@ -41,5 +41,4 @@ def columns_of(table: ReadTable) -> tuple[tuple[str, str], ...]:
         "a": f"a{before} [{length}]",
         "alpha": f"α{before} [{angle}]",
     }
-    order = ("theta", "d", "a", "alpha") if standard else ("alpha", "a", "d", "theta")
-    return tuple((cell, names[cell]) for cell in order)
+    return tuple((cell, names[cell]) for cell in COLUMNS[table.table.convention])

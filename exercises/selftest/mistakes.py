@@ -21,7 +21,7 @@ from kinematics.expressions import (
     pi_times,
     rational_value,
 )
-from kinematics.table import Convention, DHTable, JointType, SymbolicRow
+from kinematics.table import DHTable, JointType, SymbolicRow
 
 QUARTER = pi_times(Fraction(1, 2))
 
@@ -125,8 +125,7 @@ def _row_extra(read: ReadTable) -> Iterator[ReadTable]:
 
 
 def _convention(read: ReadTable) -> Iterator[ReadTable]:
-    other = Convention.MODIFIED if read.table.convention is Convention.STANDARD else Convention.STANDARD
-    yield replace(read, table=DHTable(convention=other, rows=read.table.rows))
+    yield replace(read, table=replace(read.table, convention=read.table.convention.other))
 
 
 def _twists_all_reversed(read: ReadTable) -> Iterator[ReadTable]:

@@ -14,12 +14,10 @@ from kinematics.cells.refusals import fault
 from kinematics.cells.syntax import Name, Node, names_in
 from kinematics.cells.variables import uses, variable_index
 from kinematics.errors import Fault
-from kinematics.table import JointType
+from kinematics.table import VARIABLE_CELLS, JointType
 
 Syntax = Mapping[str, Node]
 """The syntax trees of a row's cells; a cell that could not be read, or is a plain number, is left out."""
-
-VARIABLE_CELLS = {JointType.REVOLUTE: "theta", JointType.PRISMATIC: "d"}
 
 
 class Numbering(StrEnum):

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from fractions import Fraction
 
 from kinematics.cells.entries import cell_syntax, entry_of
-from kinematics.cells.joints import VARIABLE_CELLS, RowJoint
+from kinematics.cells.joints import RowJoint
 from kinematics.cells.limits import Limits
 from kinematics.cells.meaning import Position
 from kinematics.cells.refusals import CellRefusal
@@ -22,7 +22,7 @@ from kinematics.cells.variables import Use, refuse_misspelled, refuse_numberless
 from kinematics.errors import Fault, ParamValue
 from kinematics.expressions import ZERO, Expression
 from kinematics.remembering import remembered
-from kinematics.table import CELLS, DHRow, JointType, SymbolicRow
+from kinematics.table import CELLS, VARIABLE_CELLS, DHRow, JointType, SymbolicRow
 
 POSITIONS = {"alpha": Position.ANGLE, "a": Position.LENGTH, "d": Position.LENGTH, "theta": Position.ANGLE}
 REMEMBERED = 4096

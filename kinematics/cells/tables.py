@@ -47,7 +47,7 @@ class RawRow:
         # True equals 1: a wrong type is put aside before the table is looked up among those read before.
         if _CELL_TYPES.issuperset(map(type, (self.alpha, self.a, self.d, self.theta))):
             return
-        for name in ("alpha", "a", "d", "theta"):
+        for name in CELLS:
             object.__setattr__(self, name, as_cell(getattr(self, name)))
 
 

@@ -9,15 +9,9 @@ from kinematics.expressions import Expression, JointVariable, add, negate
 from kinematics.printing.latex import LatexWriter
 from kinematics.printing.mathml import MathmlWriter
 from kinematics.printing.notation import Names
-from kinematics.table import Convention, DHRow, DHTable, JointType
+from kinematics.table import COLUMNS, VARIABLE_CELLS, Convention, DHRow, DHTable, JointType
 
-_ORDER = {
-    Convention.STANDARD: ("theta", "d", "a", "alpha"),
-    Convention.MODIFIED: ("alpha", "a", "d", "theta"),
-}
-"""The columns in the order in which the motions follow one another."""
 _LETTERS = {"theta": ("θ", r"\theta"), "d": ("d", "d"), "a": ("a", "a"), "alpha": ("α", r"\alpha")}
-_VARIABLE_CELLS = {JointType.REVOLUTE: "theta", JointType.PRISMATIC: "d"}
 _DIGITS = ".6g"
 """Enough to recognise a number; the table itself keeps all digits."""
 
@@ -29,7 +23,7 @@ def table_html(table: DHTable[Expression] | DHTable[float], variables: Sequence[
         table: exact or numeric.
         variables: names of the joint variables; q1, q2, … if left out.
     """
-    columns = _ORDER[table.convention]
+    columns = COLUMNS[table.convention]
     indices = _indices(table.convention)
     heads = "".join(f"<th>{_LETTERS[column][0]}<sub>{indices[column]}</sub></th>" for column in columns)
     writer = MathmlWriter(Names(variables=variables))
@@ -46,7 +40,7 @@ def table_latex(table: DHTable[Expression] | DHTable[float], variables: Sequence
         table: exact or numeric.
         variables: names of the joint variables; q1, q2, … if left out.
     """
-    columns = _ORDER[table.convention]
+    columns = COLUMNS[table.convention]
     indices = _indices(table.convention)
     heads = " & ".join(["i", *(f"{_LETTERS[column][1]}_{{{indices[column]}}}" for column in columns)])
     rows = [" & ".join(row) for row in _written(table, LatexWriter(Names(variables=variables)).text)]
@@ -68,7 +62,7 @@ def _written(
     lines: Sequence[DHRow[Expression] | DHRow[float]] = table.rows
     for i, row in enumerate(lines, 1):
         joint += row.joint is not JointType.FIXED
-        rows.append([str(i), *(_cell(row, column, joint, write) for column in _ORDER[table.convention])])
+        rows.append([str(i), *(_cell(row, column, joint, write) for column in COLUMNS[table.convention])])
     return rows
 
 
@@ -76,7 +70,7 @@ def _cell(
     row: DHRow[Expression] | DHRow[float], column: str, joint: int, write: Callable[[Expression], str]
 ) -> str:
     entry: Expression | float = getattr(row, column)
-    moves = _VARIABLE_CELLS.get(row.joint) == column
+    moves = VARIABLE_CELLS.get(row.joint) == column
     variable: Expression = JointVariable(joint)
     if row.sign < 0:
         variable = negate(variable)

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from kinematics.dh import MOTIONS, MotionKind
 from kinematics.expressions import ZERO, Expression
-from kinematics.table import Convention, JointType, SymbolicRow, SymbolicTable
+from kinematics.table import VARIABLE_CELLS, Convention, JointType, SymbolicRow, SymbolicTable
 
 _KINDS = {
     "theta": MotionKind.TURN_Z,
@@ -14,7 +14,6 @@ _KINDS = {
     "a": MotionKind.SHIFT_X,
     "alpha": MotionKind.TURN_X,
 }
-_VARIABLE = {JointType.REVOLUTE: "theta", JointType.PRISMATIC: "d", JointType.FIXED: ""}
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,10 +45,11 @@ def motions_of(table: SymbolicTable) -> list[list[Motion]]:
 
 def _row_motions(row: SymbolicRow, convention: Convention, joint: int) -> list[Motion]:
     motions = []
+    holds_variable = VARIABLE_CELLS.get(row.joint)
     for cell in MOTIONS[convention]:
         amount = getattr(row, cell)
         if amount != ZERO:
             motions.append(Motion(_KINDS[cell], amount))
-        if cell == _VARIABLE[row.joint]:
+        if cell == holds_variable:
             motions.append(Motion(_KINDS[cell], joint=joint, sign=row.sign))
     return motions

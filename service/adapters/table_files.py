@@ -14,6 +14,7 @@ from typing import Any, TypeAlias
 from python_calamine import CalamineWorkbook
 
 from kinematics.errors import Fault
+from kinematics.table import CELLS
 from service.http.decoding import JsonLimits, decode_json
 from service.http.problems import RequestError, ServiceError
 
@@ -43,7 +44,6 @@ _COLUMNS = {
     "link": ("link", "row", "i", "linki", "#", "frame", "no", "nr"),
 }
 _MEANING = {spelling: column for column, spellings in _COLUMNS.items() for spelling in spellings}
-_CELLS = ("alpha", "a", "d", "theta")
 _JOINT_TYPES = {
     "r": "revolute", "revolute": "revolute", "rotational": "revolute", "0": "revolute",
     "p": "prismatic", "prismatic": "prismatic", "1": "prismatic", "t": "prismatic", "linear": "prismatic",
@@ -163,9 +163,9 @@ def _json_columns(document: Mapping[str, Any]) -> dict[str, list[object]]:
     columns = {
         column: values
         for key, values in document.items()
-        if isinstance(values, list) and (column := _column(str(key))) in _CELLS
+        if isinstance(values, list) and (column := _column(str(key))) in CELLS
     }
-    return columns if len(columns) == len(_CELLS) else {}
+    return columns if len(columns) == len(CELLS) else {}
 
 
 def _rows_of_columns(
@@ -232,7 +232,7 @@ def _grid_tables(name: str, grid: Grid, settings: TableSettings) -> Iterator[Fou
     rows = [row for row in rows if any(cell != "" for cell in row)]
     start = next((i for i, row in enumerate(rows) if _is_header(row)), None)
     if start is None:
-        raise _refused("columns_unknown", name, known=_CELLS)
+        raise _refused("columns_unknown", name, known=CELLS)
     header = [str(cell) for cell in rows[start]]
     columns = [_column(title) for title in header]
     head = _head_of(settings, header)
@@ -251,11 +251,11 @@ def _grid_tables(name: str, grid: Grid, settings: TableSettings) -> Iterator[Fou
 
 
 def _is_header(row: Sequence[object]) -> bool:
-    return set(_CELLS) <= {_column(str(cell)) for cell in row}
+    return set(CELLS) <= {_column(str(cell)) for cell in row}
 
 
 def _row(cells: Mapping[str, object]) -> dict[str, object]:
-    row = {name: cells.get(name, "") for name in _CELLS}
+    row = {name: cells.get(name, "") for name in CELLS}
     joint = _JOINT_TYPES.get(str(cells.get("joint", "")).strip().lower())
     return {**row, "joint": joint} if joint else row
 

@@ -14,7 +14,7 @@ from exercises.grading.judging.typed import meant_in_radians
 from kinematics.cells import AngleUnit
 from kinematics.equivalence import BaseRule, DirectionRule, Policy, ToolRule, ZeroRule
 from kinematics.expressions import Number, Parameter, Product
-from kinematics.table import JointType
+from kinematics.table import VARIABLE_CELLS, JointType
 
 RIGHT_ANGLES = (0.0, math.pi / 2, -math.pi / 2, math.pi)
 # A share of the robot: the arithmetic’s errors.
@@ -87,7 +87,7 @@ def sign_of_variable(work: Work) -> Iterator[Change]:
         return
     for i, row in work.rows:
         if row.joint is not JointType.FIXED:
-            cell = "theta" if row.joint is JointType.REVOLUTE else "d"
+            cell = VARIABLE_CELLS[row.joint]
             table = with_row(work.table, i, replace(row, sign=-row.sign))
             yield Change("variable_sign", Extent.CELL, i, cell, table=table)
 

@@ -15,7 +15,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from exercises.grading.edits.work import VARIABLE_CELLS, Work
+from exercises.grading.edits.work import Work
 from exercises.grading.judging.typed import ANGLES, Place
 from kinematics.chain import chain_of_table
 from kinematics.equivalence import Policy
@@ -27,7 +27,7 @@ from kinematics.equivalence.measures import Measure
 from kinematics.equivalence.meter import PER_ALIGNMENT, per_batch
 from kinematics.equivalence.reference import Reference
 from kinematics.equivalence.row_measures import measured_of_tables
-from kinematics.table import NumericTable
+from kinematics.table import VARIABLE_CELLS, NumericTable
 
 # A cell that changes an invariant by a smaller share has nothing to do with it.
 INFLUENCE = 1e-6

@@ -11,11 +11,11 @@ from exercises.grading.edits.cell_edits import RIGHT_ANGLES
 from exercises.grading.edits.changes import ROW_CELLS, Change, Extent, with_row, with_rows
 from exercises.grading.edits.fitting import fitted_table
 from exercises.grading.edits.last_row import last_row
-from exercises.grading.edits.work import VARIABLE_CELLS, Work
+from exercises.grading.edits.work import Work
 from exercises.grading.judging.typed import Place
 from kinematics.equivalence import ToolRule
 from kinematics.equivalence.batches import CellChange
-from kinematics.table import CELLS, DHRow, JointType, NumericRow, NumericTable
+from kinematics.table import CELLS, VARIABLE_CELLS, DHRow, JointType, NumericRow, NumericTable
 
 # In longer tables only neighbouring rows are exchanged.
 MOST_ROWS_FOR_ALL_PAIRS = 8

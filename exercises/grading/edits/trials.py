@@ -14,13 +14,13 @@ from exercises.grading.edits.fitting import OFF, Unsolved, fitting_values, measu
 from exercises.grading.edits.joint_places import joint_places
 from exercises.grading.edits.sieve import Sieve
 from exercises.grading.edits.wanted_changes import changes_of
-from exercises.grading.edits.work import EVERYWHERE, FAR, VARIABLE_CELLS, Off, Work
+from exercises.grading.edits.work import EVERYWHERE, FAR, Off, Work
 from exercises.grading.facts import fixed_ends, fixed_signs, least_cost
 from exercises.grading.judging.digits import measured_as_typed
 from exercises.grading.judging.typed import ANGLES
 from kinematics.equivalence import DirectionRule, ZeroRule
 from kinematics.equivalence.batches import Variation
-from kinematics.table import NumericTable
+from kinematics.table import VARIABLE_CELLS, NumericTable
 
 REACH_OF_A_ROW = 1
 """Two rows exchanged, the widest of the edits in a row, change the links before, between and after them."""

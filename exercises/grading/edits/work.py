@@ -32,9 +32,6 @@ FAR = 10**6
 """Behind the last axis of any chain."""
 EVERYWHERE = (0, FAR)
 LENGTHS = ("a", "d")
-VARIABLE_CELLS = {JointType.REVOLUTE: "theta", JointType.PRISMATIC: "d"}
-"""Where the variable of a joint stands."""
-
 
 Draws: TypeAlias = tuple[NumericTable, NumericTable]
 """A table at two draws."""

@@ -236,7 +236,7 @@ def _right_for_nothing(context: Context, axes: Sequence[JointAxis], answer: Fram
 
 def _follows_other_convention(context: Context, axes: Sequence[JointAxis], answer: FramesAnswer) -> bool:
     """Return whether the frames obey the rules of the convention that was not named."""
-    other = Convention.MODIFIED if answer.convention is Convention.STANDARD else Convention.STANDARD
+    other = answer.convention.other
     if any(frame is None for frame in answer.frames):
         return False
     return not any(_checked(context, axes, replace(answer, convention=other))[0])

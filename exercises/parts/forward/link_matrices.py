@@ -30,7 +30,6 @@ from exercises.parts.forward.value import is_robot
 from exercises.parts.protocol import TABLE, Length, PartTask, PartType, Reading
 from exercises.parts.report import Credit, Fact, PartReport, fact, judged, told_from
 from kinematics.se3 import inverse_transform
-from kinematics.table import Convention
 
 
 def _own_link(context: Context, row: int) -> Expected:
@@ -54,8 +53,7 @@ def _what_is_off(context: Context, i: int, compared: Compared) -> Feedback:
         return bool(agreeing(compared.actual, other, context.size, context.policy.tolerance).all())
 
     table = context.own.table
-    other = Convention.MODIFIED if table.convention is Convention.STANDARD else Convention.STANDARD
-    if looks_like(context.own_links(samples, other)[i]):
+    if looks_like(context.own_links(samples, table.convention.other)[i]):
         return Feedback(code="matrix_other_convention", row=i + 1, params=params)
     if looks_like(inverse_transform(own)):
         return Feedback(code="matrix_inverse", row=i + 1, params=params)

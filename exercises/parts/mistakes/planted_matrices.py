@@ -34,7 +34,7 @@ from kinematics.symbolic import ClosedForm, Matrix, closed_form
 from kinematics.symbolic.angles import angle_of, cosine_and_sine
 from kinematics.symbolic.polynomials import PolynomialReader
 from kinematics.symbolic.size import refuse_longer_than
-from kinematics.table import Convention, DHTable, SymbolicTable
+from kinematics.table import DHTable, SymbolicTable
 
 SAMPLES = 12
 """Points at which matrices are compared: random ones, at which two functions that differ agree nowhere."""
@@ -204,8 +204,7 @@ def _ways_of(code: str, right: Matrix, table: SymbolicTable, link: int | None) -
     if code in _ENTRIES:
         yield from _ENTRIES[code](right)
     elif code == "matrix_other_convention" and link is not None:
-        other = Convention.MODIFIED if table.convention is Convention.STANDARD else Convention.STANDARD
-        yield _form(DHTable(convention=other, rows=table.rows)).links[link]
+        yield _form(replace(table, convention=table.convention.other)).links[link]
     elif code == "link_missing" and link is None:
         for i, row in enumerate(table.rows):
             # a row that does nothing keeps the numbers of the joints after it

@@ -15,7 +15,7 @@ from exercises.answers import parse
 from exercises.grader import Report, grade
 from exercises.instance import Instance
 from exercises.parts.protocol import TABLE
-from kinematics.table import Convention
+from kinematics.table import COLUMNS
 from service.adapters.gradebook import GradebookFormat, write_marks
 from service.adapters.judging import told_fault
 from service.http.languages import language_of
@@ -53,11 +53,6 @@ _RECEIPT: dict[str, Any] = named(
 _VERIFY: dict[str, Any] = named({"a text that is no receipt": {"receipts": ["eyJhbGciOiJFZERTQSIsImtpZCI6"]}})
 _CSV = "text/csv; charset=utf-8"
 _PDF = "application/pdf"
-_COLUMNS = {
-    Convention.STANDARD: ("theta", "d", "a", "alpha"),
-    Convention.MODIFIED: ("alpha", "a", "d", "theta"),
-}
-"""Columns in the order in which each convention's textbooks print them."""
 _LETTERS = {"theta": "θ", "d": "d", "a": "a", "alpha": "α"}
 _OUTSIDE = {"name", "seed", "help", "attempt"}
 """Members of a request that are no part of the answer."""
@@ -156,7 +151,7 @@ def _sheet(instance: Instance, receipt: Receipt, token: str, body: ReceiptReques
 
     points = {"points": f"{receipt.points:g}", "total": f"{receipt.max_points:g}"}
     table = body.raw().get(TABLE)
-    columns = _COLUMNS[table.convention] if table is not None else ()
+    columns = COLUMNS[table.convention] if table is not None else ()
     service = receipt.service
     facts = [
         (say("receipts-name"), receipt.name),

@@ -32,7 +32,7 @@ from kinematics.printing.latex import LatexWriter
 from kinematics.printing.mathml import MathmlWriter
 from kinematics.printing.notation import Names
 from kinematics.printing.text import TextWriter
-from kinematics.table import CELLS, DHRow, JointType, SymbolicRow
+from kinematics.table import CELLS, VARIABLE_CELLS, DHRow, JointType, SymbolicRow
 from service.http.languages import language_for
 from service.http.link_guard import switched_off
 from service.http.openapi import problems
@@ -258,7 +258,6 @@ def _link(read: ReadTable, row: SymbolicRow, cells: Mapping[str, float | None]) 
 def _entry(row: SymbolicRow, cell: str, joint: int) -> Expression:
     """A cell as it stands in the table: offset and joint variable together."""
     offset: Expression = getattr(row, cell)
-    holds = {JointType.REVOLUTE: "theta", JointType.PRISMATIC: "d"}.get(row.joint)
-    if cell != holds:
+    if cell != VARIABLE_CELLS.get(row.joint):
         return offset
     return add((multiply((number(row.sign), JointVariable(joint))), offset))

@@ -14,7 +14,7 @@ from kinematics.expressions import Expression, pi_fraction, rational_value
 from kinematics.printing.notation import Names
 from kinematics.printing.numbers import decimal_text
 from kinematics.printing.text import TextWriter
-from kinematics.table import JointType, NumericRow, NumericTable, SymbolicRow, SymbolicTable
+from kinematics.table import VARIABLE_CELLS, NumericRow, NumericTable, SymbolicRow, SymbolicTable
 
 WireCell: TypeAlias = int | float | str
 WireTable: TypeAlias = dict[str, Any]
@@ -23,7 +23,6 @@ Spellings: TypeAlias = Mapping[tuple[ParameterKind, Expression], WireCell]
 _HALF_TURN = 180
 _ROUNDING = 1e-15
 """What a few roundings leave of an angle between −π and π [rad]."""
-VARIABLE_CELL = {JointType.REVOLUTE: "theta", JointType.PRISMATIC: "d"}
 CELL_KINDS = {
     "alpha": ParameterKind.ANGLE,
     "a": ParameterKind.LENGTH,
@@ -64,7 +63,7 @@ class TableWriter:
         cells: dict[str, WireCell] = {"joint": row.joint.value}
         for name, kind in CELL_KINDS.items():
             cells[name] = self.cell(getattr(row, name), kind)
-        held = VARIABLE_CELL.get(row.joint)
+        held = VARIABLE_CELLS.get(row.joint)
         if held is not None:
             own = with_variable(f"{'-' if row.sign < 0 else ''}q{joint}", cells[held])
             cells[held] = self.variable_cells.get(joint, own)
@@ -107,7 +106,7 @@ def numeric_row(row: NumericRow, joint: int, angle_unit: AngleUnit) -> dict[str,
         "d": _readable(row.d),
         "theta": angle_in(angle_unit, row.theta),
     }
-    held = VARIABLE_CELL.get(row.joint)
+    held = VARIABLE_CELLS.get(row.joint)
     if held is not None:
         cells[held] = with_variable(f"{'-' if row.sign < 0 else ''}q{joint}", cells[held])
     return cells

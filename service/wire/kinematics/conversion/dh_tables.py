@@ -29,7 +29,7 @@ from kinematics.fixed_rows import fixed_rows
 from kinematics.printing.notation import Names
 from kinematics.printing.text import TextWriter
 from kinematics.se3 import Transform
-from kinematics.table import Convention, DHTable
+from kinematics.table import VARIABLE_CELLS, Convention, DHTable
 from service.http.problems import located
 from service.schemas.kinematics.conversion import ConvertRequest, TableAnswer
 from service.schemas.tables import AnsweredRow, AnsweredTable
@@ -39,7 +39,6 @@ from service.wire.kinematics.conversion.described import RobotDescription
 from service.wire.kinematics.prepared_robots import listed_robot, robot_of
 from service.wire.kinematics.written_tables import (
     CELL_KINDS,
-    VARIABLE_CELL,
     Spellings,
     TableWriter,
     WireCell,
@@ -193,7 +192,7 @@ def _spellings(raw: RawTable, read: ReadTable) -> Spellings:
     found: dict[tuple[ParameterKind, Expression], WireCell] = {}
     for row, entries in zip(raw.rows, read.table.rows, strict=True):
         for name, kind in CELL_KINDS.items():
-            if VARIABLE_CELL.get(entries.joint) != name:
+            if VARIABLE_CELLS.get(entries.joint) != name:
                 found.setdefault((kind, getattr(entries, name)), getattr(row, name))
     return found
 
@@ -201,6 +200,6 @@ def _spellings(raw: RawTable, read: ReadTable) -> Spellings:
 def _variable_cells(raw: RawTable, read: ReadTable) -> dict[int, WireCell]:
     """How the cells with the joint variables were written, by the number of the joint."""
     return {
-        joint: getattr(raw.rows[i], VARIABLE_CELL[read.table.rows[i].joint])
+        joint: getattr(raw.rows[i], VARIABLE_CELLS[read.table.rows[i].joint])
         for joint, i in enumerate(read.table.joint_rows, 1)
     }
