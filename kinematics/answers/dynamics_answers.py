@@ -303,13 +303,7 @@ class _EntryJudge:
         return np.array([self._random.uniform(-3.0, 3.0) for _ in range(POINTS)])
 
 
-@lru_cache(maxsize=64)
-def _derived(
-    table: SymbolicTable,
-    links: tuple[SymbolicBody, ...],
-    gravity: tuple[Expression, Expression, Expression],
-) -> Derivation:
-    return Derivation(table, links, gravity)
+_derived = lru_cache(maxsize=64)(Derivation)
 
 
 def _proved(given: Expression, ours: Expression) -> bool:

@@ -78,7 +78,6 @@ _LETTERS = {"ell": "l"}
 _SPACING = {"left", "right", "quad", "qquad", ",", ";", ":", "!", " "}
 _GREEK_NAMES = set(GREEK.values()) - {"pi"}
 
-_SPACE = re.compile(r" *")
 _NUMBER = re.compile(r"(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?")
 _SUBSCRIPT = "[" + "".join(SUBSCRIPTS) + "]+|_(?:[A-Za-z0-9]+|\\{ *[A-Za-z0-9]+ *\\})"
 _NAME = re.compile(f"([A-Za-z]+|[{''.join(GREEK)}])([0-9]*)((?:{_SUBSCRIPT})*)")

@@ -103,13 +103,13 @@ class Composite:
         ring, joint, turns = self._reader.ring, motion.joint, motion.kind is MotionKind.TURN_Z
         (hx, hy, _), zero = self.moment, ZERO_FORM
         if turns:
-            push = JointPush([self._times(hy, -1), hx, zero], [row[2] for row in self.inertia])
+            push = JointPush([ring.scale(hy, -1), hx, zero], [row[2] for row in self.inertia])
         else:
-            push = JointPush([zero, zero, self.mass], [hy, self._times(hx, -1), zero])
+            push = JointPush([zero, zero, self.mass], [hy, ring.scale(hx, -1), zero])
         if motion.sign < 0:
             push = JointPush(
-                [self._times(entry, -1) for entry in push.force],
-                [self._times(entry, -1) for entry in push.moment],
+                [ring.scale(entry, -1) for entry in push.force],
+                [ring.scale(entry, -1) for entry in push.moment],
             )
         self.pushes[joint] = push
         for other, known in self.pushes.items():
@@ -179,9 +179,6 @@ class Composite:
             return form
         self._weights.append(form)
         return ring.symbol(_WEIGHT, Fraction(len(self._weights)))
-
-    def _times(self, form: Form, factor: int) -> Form:
-        return self._reader.ring.scale(form, factor)
 
 
 def composite_of(reader: FormReader, table: SymbolicTable, links: Sequence[SymbolicBody]) -> Composite:

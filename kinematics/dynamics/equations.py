@@ -105,20 +105,21 @@ class Derivation:
         forms = [*masses.values(), potential]
         self.names = reading_order(table, links, gravity)
         self._table = WaveTable(ring, forms, table.n_joints, self.names)
+        self._arena = self._table.arena
         *waves, self._potential = self._table.waves
         self._masses = dict(zip(masses, waves, strict=True))
 
     @cached_property
     def mass(self) -> Matrix:
         """M(q)."""
-        written = {pair: self._table.expression(self._table.nested(m)) for pair, m in self._masses.items()}
+        written = {pair: self._arena.expression(self._table.nested(m)) for pair, m in self._masses.items()}
         return tuple(tuple(written[min(i, j), max(i, j)] for j in self._joints) for i in self._joints)
 
     @cached_property
     def gravity(self) -> Matrix:
         """g(q)."""
         gradient = [self._table.derivative(self._potential, joint) for joint in self._joints]
-        return tuple((self._table.expression(self._table.nested(part)),) for part in gradient)
+        return tuple((self._arena.expression(self._table.nested(part)),) for part in gradient)
 
     @cached_property
     def coriolis(self) -> Matrix:
@@ -159,7 +160,7 @@ class Derivation:
         for i in joints:
             for j, k in combinations_with_replacement(joints, 2):
                 if k < i:
-                    found[i, j, k] = table.negative(found[k, j, i])
+                    found[i, j, k] = self._arena.negative(found[k, j, i])
                 else:
                     parts = (1, derivative(i, j, k)), (1, derivative(i, k, j)), (-1, derivative(j, k, i))
                     found[i, j, k] = table.nested(combined(parts), _HALF)
@@ -167,10 +168,10 @@ class Derivation:
 
     @cached_property
     def _rates(self) -> dict[int, Nested]:
-        return {joint: self._table.symbol(Parameter(rate_name(joint))) for joint in self._joints}
+        return {joint: self._arena.read(Parameter(rate_name(joint))) for joint in self._joints}
 
     def _sum(self, parts: Iterable[tuple[Nested, Nested]]) -> Expression:
-        return self._table.expression(self._table.total(parts))
+        return self._arena.expression(self._table.total(parts))
 
     @cached_property
     def mass_rate(self) -> Matrix:

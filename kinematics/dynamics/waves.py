@@ -14,7 +14,6 @@ from math import lcm
 from typing import NamedTuple, TypeAlias
 
 from kinematics.expressions import (
-    Expression,
     JointVariable,
     Number,
     Parameter,
@@ -62,6 +61,7 @@ class WaveTable:
     Attributes:
         waves: the elements.
         denominator: what their weights are divided by.
+        arena: in which they are written.
 
     Args:
         ring: where the elements are.
@@ -75,7 +75,7 @@ class WaveTable:
         self._numbers: dict[RingSymbol, int] = {}
         self._cosines: dict[tuple[Exponents, Rational], Nested] = {}
         self._powers: dict[Exponents, Term] = {}
-        self._arena = Arena()
+        self.arena = Arena()
         self._n_joints = n_joints
         for joint in range(1, n_joints + 1):
             variable = RingSymbol("power", JointVariable(joint))
@@ -83,7 +83,7 @@ class WaveTable:
             self._number(RingSymbol("exponential", monomial))
             self._number(variable)
         for name in names:
-            self._arena.read(Parameter(name))
+            self.arena.read(Parameter(name))
             self._number(RingSymbol("power", Parameter(name)))
         # what stands in a set comes in no order
         for symbol in sorted(set(ring.symbols) - self._numbers.keys(), key=order_text):
@@ -163,7 +163,7 @@ class WaveTable:
                 groups[key] = [(powers, weight)]
         factor /= self.denominator
         top, bottom = factor.numerator, factor.denominator
-        product, summands = self._arena.product, []
+        product, summands = self.arena.product, []
         for key, parts in sorted(groups.items()):
             parts.sort()
             terms: list[Term] = []
@@ -176,33 +176,21 @@ class WaveTable:
                 summands.append(product(tuple(terms), cosine))
             else:
                 summands += [product((term,), cosine) for term in terms]
-        return self._arena.sum(*summands)
-
-    def symbol(self, expression: Expression) -> Nested:
-        """Return a symbol beside the waves, such as a joint's rate."""
-        return self._arena.read(expression)
-
-    def negative(self, nested: Nested) -> Nested:
-        """Return what was written, with the other sign."""
-        return self._arena.negative(nested)
+        return self.arena.sum(*summands)
 
     def total(self, parts: Iterable[tuple[Nested, Nested]]) -> Nested:
         """Return the sum of some products."""
-        return self._arena.sum(*(self._arena.product(a, b) for a, b in parts))
-
-    def expression(self, nested: Nested) -> Expression:
-        """Return what was written, as an expression."""
-        return self._arena.expression(nested)
+        return self.arena.sum(*(self.arena.product(a, b) for a, b in parts))
 
     def _power(self, powers: Exponents) -> Term:
         product = multiply(power(symbol_expression(self._symbols[n]), Fraction(e)) for n, e in powers)
-        found = self._powers[powers] = self._arena.term(self._arena.read(product))
+        found = self._powers[powers] = self.arena.term(self.arena.read(product))
         return found
 
     def _cosine(self, key: tuple[Exponents, Rational]) -> Nested:
         known = self._cosines.get(key)
         if known is None:
-            known = self._cosines[key] = self._arena.read(cosine_and_sine(self._angle(*key))[0])
+            known = self._cosines[key] = self.arena.read(cosine_and_sine(self._angle(*key))[0])
         return known
 
     def _angle(self, multiples: Exponents, turn: Rational) -> Angle:

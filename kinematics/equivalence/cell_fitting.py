@@ -48,7 +48,7 @@ def fitted_cells(
     places: Sequence[Place],
     signs: Sequence[int],
     tolerance: Tolerance,
-    meter: Meter | None = None,
+    meter: Meter,
 ) -> NumericTable | None:
     """The table with some cells changed so that it describes the reference, as nearly as they can do that.
 
@@ -58,7 +58,7 @@ def fitted_cells(
         places: which cells may change.
         signs: σ.
         tolerance: what counts as near.
-        meter: counts the work, if it is bounded.
+        meter: counts the work.
 
     Returns:
         None if the mean error stays above half the tolerance.
@@ -66,8 +66,7 @@ def fitted_cells(
     reference, candidate, here = _start(reference, table, tuple(signs), tolerance)
     scales = [1.0 if cell in ANGLES else reference.size for _, cell in places]
     for _ in range(ROUNDS):
-        if meter is not None:
-            meter.charge(PER_ROUND)
+        meter.charge(PER_ROUND)
         columns = [motion_with_cell(table, place, here.frames) for place in places]
         model = here.problem.with_columns(
             here.model, [column * scale for column, scale in zip(columns, scales, strict=True)]

@@ -192,9 +192,7 @@ def _nothing() -> None:
     return None
 
 
-@lru_cache(maxsize=KEPT_TABLES)
-def _plans_of_equal(table: NumericTable) -> _Plans:
-    return _Plans(table)
+_plans_of_equal = lru_cache(maxsize=KEPT_TABLES)(_Plans)
 
 
 def may_overflow(chain: LinkMotions) -> bool:

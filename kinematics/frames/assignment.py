@@ -41,7 +41,7 @@ from kinematics.frames.parallels import (
     with_dummies,
 )
 from kinematics.frames.placement import draw_prismatic_axes
-from kinematics.frames.remarks import tilt_remarks, tolerance_fault, unfit_base, unfit_tool
+from kinematics.frames.remarks import tilt_remarks, unfit_base, unfit_tool
 from kinematics.frames.size import robot_size
 from kinematics.se3 import Transform, Vector, angle_from_to, cross, dot, scale, subtract
 from kinematics.table import Convention, DHRow, DHTable, JointType, NumericTable
@@ -177,7 +177,12 @@ def assign_frames(
     Source: seed 000 §3.2.4; seed 002 steps 1 to 8; seed 004.
     """
     if not EXACT_ANGLE <= parallel_tolerance <= MAX_PARALLEL_TOLERANCE:
-        raise DescriptionError(tolerance_fault(EXACT_ANGLE, MAX_PARALLEL_TOLERANCE))
+        fault = Fault(
+            code="parallel_tolerance_out_of_range",
+            where=("parallel_tolerance",),
+            params={"least": f"{EXACT_ANGLE:g}", "greatest": f"{MAX_PARALLEL_TOLERANCE:g}"},
+        )
+        raise DescriptionError(fault)
     lines = read_axes(axes)
     first = None if base is None else pose_of(base, "base")
     tool_matrix = gripper_frame(tool) if isinstance(tool, Gripper) else tool

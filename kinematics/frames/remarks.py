@@ -65,12 +65,3 @@ def unfit_tool(convention: Convention) -> Fault:
     return Fault(
         code="tool_not_last_frame_standard" if standard else "tool_not_last_frame_modified", where=("tool",)
     )
-
-
-def tolerance_fault(least: float, greatest: float) -> Fault:
-    """Return the fault of a tolerance outside its range."""
-    return Fault(
-        code="parallel_tolerance_out_of_range",
-        where=("parallel_tolerance",),
-        params={"least": f"{least:g}", "greatest": f"{greatest:g}"},
-    )

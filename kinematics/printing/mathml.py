@@ -60,10 +60,6 @@ class MathmlWriter(Typesetter):
             f'<annotation-xml encoding="MathML-Content">{meant}</annotation-xml></semantics></math>'
         )
 
-    def presentation(self, expression: Expression) -> str:
-        """Return presentation markup of one expression."""
-        return self.text(expression)
-
     def _call(self, node: Call, arguments: Sequence[WrittenTerm]) -> WrittenTerm:
         short = self._names.short(node)
         if short is not None:

@@ -27,7 +27,7 @@ def table_html(table: DHTable[Expression] | DHTable[float], variables: Sequence[
     indices = _indices(table.convention)
     heads = "".join(f"<th>{_LETTERS[column][0]}<sub>{indices[column]}</sub></th>" for column in columns)
     writer = MathmlWriter(Names(variables=variables))
-    rows = _written(table, lambda entry: f"<math>{writer.presentation(entry)}</math>")
+    rows = _written(table, lambda entry: f"<math>{writer.text(entry)}</math>")
     body = "".join(f"<tr>{''.join(f'<td>{cell}</td>' for cell in row)}</tr>" for row in rows)
     caption = f"<caption>{escape(table.convention.value)}, rad</caption>"
     return f"<table>{caption}<thead><tr><th>i</th>{heads}</tr></thead><tbody>{body}</tbody></table>"

@@ -32,7 +32,6 @@ from kinematics.rotations.sequences import (
     GimbalFamily,
     Turning,
     euler_solutions,
-    same_angle,
 )
 
 USUAL_TOLERANCE = 0.005
@@ -182,7 +181,7 @@ def judge_axis_angle(
         built: how the rotation was described, to recognise slips.
     """
     if not any(axis):
-        nothing = same_angle(angle, 0.0, tolerance)
+        nothing = abs(math.remainder(angle, math.tau)) <= tolerance
         same = nothing and angle_between(expected, IDENTITY) <= tolerance
         return RIGHT if same else _wrong(RotationMistake.NO_AXIS)
     found = _of_axis(axis, angle)

@@ -168,11 +168,6 @@ def wrapped(angle: float) -> float:
     return math.pi if turned <= -math.pi else turned + 0.0
 
 
-def same_angle(first: float, second: float, tolerance: float) -> bool:
-    """Return whether two angles differ by full turns only, within a tolerance [rad]."""
-    return abs(math.remainder(first - second, math.tau)) <= tolerance
-
-
 def _locked(
     rotation: Matrix3, sequence: EulerSequence, axes: tuple[int, int, int], middle: float
 ) -> EulerSolutions:

@@ -29,7 +29,6 @@ from kinematics.scm.from_table import DescribedScm, scm_from_numbers, scm_from_t
 from kinematics.scm.inverse import inverse_kinematics_scm, solver_of_chain
 from kinematics.scm.motion import (
     ScmKinematics,
-    chain_of_scm,
     check_values,
     forward_kinematics_scm,
     jacobian_base_by_inspection,
@@ -58,7 +57,6 @@ __all__ = [
     "ScmChain",
     "ScmClosedForm",
     "ScmKinematics",
-    "chain_of_scm",
     "check_values",
     "closed_form_scm",
     "default_limits",

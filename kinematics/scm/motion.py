@@ -11,13 +11,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.chain import Axis, Chain
 from kinematics.errors import Fault, JointValueError, ParameterError
 from kinematics.expressions import evaluate
 from kinematics.joint_values import one_configuration
 from kinematics.poses import transform_from_xyzabc
 from kinematics.scm.chain import ChainRow, Entry, Placement, ScmChain
-from kinematics.se3 import Transform, cross_arrays, from_matrix, position, rotate
+from kinematics.se3 import Transform, cross_arrays
 from kinematics.table import JointType
 
 _ENTRIES = tuple(Entry)
@@ -169,22 +168,6 @@ def unit_vectors(chain: ScmChain, parameters: Mapping[str, float] | None = None)
     Source: seed 001 eq. 3.20 and 3.21.
     """
     return np.stack([_unit_vector(row, parameters or {}) for row in chain.rows])
-
-
-def chain_of_scm(chain: ScmChain, parameters: Mapping[str, float] | None = None) -> Chain:
-    """Return the joint axes and the home pose of an SCM chain, its frames 1 … n carried along.
-
-    Raises:
-        ParameterError: a parameter has no value.
-    """
-    motion = forward_kinematics_scm(chain, [0.0] * chain.n_joints, parameters)
-    frames = [from_matrix(frame) for frame in motion.frames]
-    axes = []
-    for row, frame, unit in zip(chain.rows, frames, unit_vectors(chain, parameters), strict=True):
-        x, y, z = unit.tolist()
-        axes.append(Axis(row.joint is JointType.PRISMATIC, rotate(frame, (x, y, z)), position(frame)))
-    extent = float(np.linalg.norm(motion.links[:, :3, 3], axis=1).sum() + np.linalg.norm(motion.end[:3, 3]))
-    return Chain(tuple(axes), from_matrix(motion.transform), extent, tuple(enumerate(frames, 1)))
 
 
 def _row_transform(row: ChainRow, q: float, values: Mapping[str, float], i: int) -> Transform:

@@ -170,7 +170,7 @@ def _told(entry: Expression, names: Names, value: float | None) -> Meaning:
 @lru_cache(maxsize=WRITTEN)
 def _written(entry: Expression, names: Names) -> tuple[str, str, str]:
     """An entry as a math element, in LaTeX and as a cell takes it; a class types the same few."""
-    mathml = f'<math xmlns="{MATHML}">{MathmlWriter(names).presentation(entry)}</math>'
+    mathml = f'<math xmlns="{MATHML}">{MathmlWriter(names).text(entry)}</math>'
     return mathml, LatexWriter(names).text(entry), TextWriter(Names()).text(entry)
 
 

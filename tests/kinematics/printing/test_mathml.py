@@ -36,7 +36,7 @@ q1, q2, q3 = map(JointVariable, (1, 2, 3))
 
 
 def presentation(expression: Expression, notation: Notation = Notation.SHORT) -> str:
-    return MathmlWriter(Names(notation=notation)).presentation(expression)
+    return MathmlWriter(Names(notation=notation)).text(expression)
 
 
 def spoken(markup: str) -> str:

@@ -17,7 +17,6 @@ from kinematics.rotations.sequences import (
     EulerSequence,
     Turning,
     euler_solutions,
-    same_angle,
 )
 from tests.kinematics.rotations.orientations import made_by
 
@@ -52,7 +51,7 @@ def test_every_triple_makes_the_rotation_and_the_given_one_is_among_them(sequenc
         assert found.family is None
         assert len(found.triples) == 2
         near = [
-            all(same_angle(x, y, 1e-6) for x, y in zip(triple, (a, b, c), strict=True))
+            all(abs(math.remainder(x - y, math.tau)) <= 1e-6 for x, y in zip(triple, (a, b, c), strict=True))
             for triple in found.triples
         ]
         assert near.count(True) == 1
@@ -67,7 +66,7 @@ def test_a_locked_rotation_has_one_family(sequence, a, c, upper, first) -> None:
     member = (first, family.middle, family.last(first))
     assert distance(sequence.matrix(member), rotation) < 1e-9
     together = a + c if family.combination is Combination.SUM else a - c
-    assert same_angle(family.value, together, 1e-9)
+    assert abs(math.remainder(family.value - together, math.tau)) <= 1e-9
 
 
 @pytest.mark.parametrize("axes", ["", "XX", "XXY", "XYY", "XYZX", "ABC", "xyz"])
