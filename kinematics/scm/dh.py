@@ -27,7 +27,7 @@ from kinematics.expressions import (
     pi_times,
 )
 from kinematics.scm.chain import Placement, ScmChain, verify
-from kinematics.scm.rows import appended, fixed_row, joined, shift_rows, turn_rows
+from kinematics.scm.rows import appended, constant_row, joined, shift_rows, turn_rows
 from kinematics.se3 import cross
 from kinematics.table import Convention, DHTable, JointType, SymbolicRow, SymbolicTable
 
@@ -127,8 +127,8 @@ def _links(here: _Frame, there: _Frame) -> list[SymbolicRow]:
         return _parallel_links(here, there, p)
     normal = there.x if _dot(there.x, here.z) == 0 else cross(here.z, there.z)
     return [
-        fixed_row(theta=_angle(here.x, normal, here.z), d=_along(p, here.z)),
-        fixed_row(
+        constant_row(theta=_angle(here.x, normal, here.z), d=_along(p, here.z)),
+        constant_row(
             a=_along(p, normal),
             alpha=_angle(here.z, there.z, normal),
             d=_along(p, there.z),
@@ -144,12 +144,12 @@ def _parallel_links(here: _Frame, there: _Frame, p: Point) -> list[SymbolicRow]:
     length = along_x
     if along_y != ZERO:
         if along_x != ZERO:
-            lead.append(fixed_row(a=along_x))
+            lead.append(constant_row(a=along_x))
         normal, length = here.y, along_y
-        lead.append(fixed_row(theta=pi_times(Fraction(1, 2))))
-    lead = lead or [fixed_row()]
+        lead.append(constant_row(theta=pi_times(Fraction(1, 2))))
+    lead = lead or [constant_row()]
     alpha = _angle(here.z, there.z, normal)
-    last = fixed_row(a=length, alpha=alpha, d=_along(p, there.z), theta=_angle(normal, there.x, there.z))
+    last = constant_row(a=length, alpha=alpha, d=_along(p, there.z), theta=_angle(normal, there.x, there.z))
     return [*lead, last]
 
 

@@ -13,7 +13,7 @@ from kinematics.table import DHRow, JointType, SymbolicRow
 RIGHT_ANGLE = pi_times(Fraction(1, 2))
 
 
-def fixed_row(
+def constant_row(
     *, alpha: Expression = ZERO, a: Expression = ZERO, d: Expression = ZERO, theta: Expression = ZERO
 ) -> SymbolicRow:
     """Return a row without a joint."""
@@ -22,21 +22,21 @@ def fixed_row(
 
 def turn_rows(turn: Placement) -> list[SymbolicRow]:
     """Return Rot_z(A) Rot_y(B) Rot_x(C) as rows; Rot_y(B) = Rot_z(π/2) Rot_x(B) Rot_z(-π/2)."""
-    rows = [fixed_row(theta=turn.a)] if turn.a != ZERO else []
+    rows = [constant_row(theta=turn.a)] if turn.a != ZERO else []
     if turn.b != ZERO:
-        rows += [fixed_row(theta=RIGHT_ANGLE), fixed_row(alpha=turn.b, theta=negate(RIGHT_ANGLE))]
+        rows += [constant_row(theta=RIGHT_ANGLE), constant_row(alpha=turn.b, theta=negate(RIGHT_ANGLE))]
     if turn.c != ZERO:
-        rows.append(fixed_row(alpha=turn.c))
+        rows.append(constant_row(alpha=turn.c))
     return rows
 
 
 def shift_rows(shift: Placement) -> list[SymbolicRow]:
     """Return Trans(x, y, z) as rows; Trans_y(y) = Rot_z(π/2) Trans_x(y) Rot_z(-π/2)."""
-    rows = [fixed_row(a=shift.x)] if shift.x != ZERO else []
+    rows = [constant_row(a=shift.x)] if shift.x != ZERO else []
     if shift.y != ZERO:
-        rows += [fixed_row(theta=RIGHT_ANGLE), fixed_row(a=shift.y, theta=negate(RIGHT_ANGLE))]
+        rows += [constant_row(theta=RIGHT_ANGLE), constant_row(a=shift.y, theta=negate(RIGHT_ANGLE))]
     if shift.z != ZERO:
-        rows.append(fixed_row(d=shift.z))
+        rows.append(constant_row(d=shift.z))
     return rows
 
 

@@ -12,7 +12,7 @@ from dataclasses import replace
 from kinematics.expressions import ZERO, Expression, negate
 from kinematics.scm.chain import ChainRow, Entry, Placement, ScmChain, verify
 from kinematics.scm.dh import modified_dh_from_scm
-from kinematics.scm.rows import RIGHT_ANGLE, appended, fixed_row, joined, shift_rows, turn_rows
+from kinematics.scm.rows import RIGHT_ANGLE, appended, constant_row, joined, shift_rows, turn_rows
 from kinematics.table import Convention, DHRow, DHTable, JointType, SymbolicRow, SymbolicTable
 
 
@@ -71,5 +71,5 @@ def _about_axis(entry: Entry) -> tuple[list[SymbolicRow], list[SymbolicRow]]:
     if entry.axis == 2:
         return [], []
     if entry.axis == 1:
-        return [fixed_row(alpha=negate(RIGHT_ANGLE))], [fixed_row(alpha=RIGHT_ANGLE)]
+        return [constant_row(alpha=negate(RIGHT_ANGLE))], [constant_row(alpha=RIGHT_ANGLE)]
     return turn_rows(Placement(b=RIGHT_ANGLE)), turn_rows(Placement(b=negate(RIGHT_ANGLE)))
