@@ -56,7 +56,7 @@ def link_transform(row: NumericRow, convention: Convention, q: float = 0.0) -> T
     Source: seed 000 eq. 3.2 (modified); seed 003 eq. 2 (standard).
     """
     if not math.isfinite(q):
-        raise JointValueError(Fault(code="joint_not_finite", where=("joints", 0), params={"joint": 1}))
+        raise JointValueError(Fault.at("joint_not_finite", "joints", 0, joint=1))
     value = cos_sin(q) if row.joint is JointType.REVOLUTE else q
     motions = set_joints(link_motions(row, convention), (value,))
     return np.array([*pose_of_motions(motions), (0.0, 0.0, 0.0, 1.0)])
@@ -186,8 +186,7 @@ def link_motions(
     for cell in MOTIONS[convention]:
         kind, value = _KINDS[cell], float(getattr(row, cell))
         if not math.isfinite(value):
-            place = (*where, cell)
-            faults.append(Fault(code="entry_not_finite", where=place, params={"cell": cell}))
+            faults.append(Fault.at("entry_not_finite", *where, cell, cell=cell))
         elif value:
             turns = kind is MotionKind.TURN_Z or kind is MotionKind.TURN_X
             motions.append(

@@ -35,6 +35,11 @@ class Fault:
     where: tuple[str | int, ...] = ()
     params: Mapping[str, ParamValue] = field(default_factory=dict)
 
+    @classmethod
+    def at(cls, code: str, /, *where: str | int, **params: ParamValue) -> Fault:
+        """Return a fault at a place, with the values that its sentence mentions."""
+        return cls(code=code, where=where, params=params)
+
     def __str__(self) -> str:
         """Return code, place and parameters on one line."""
         place = " at " + ".".join(str(part) for part in self.where) if self.where else ""

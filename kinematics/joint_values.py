@@ -87,11 +87,7 @@ def _refuse_non_finite(array: Floats) -> None:
         if isfinite(array.sum()):
             return
     faults = [
-        Fault(
-            code="joint_not_finite",
-            where=("joints", *place),
-            params={"joint": place[-1] + 1},
-        )
+        Fault.at("joint_not_finite", "joints", *place, joint=place[-1] + 1)
         for place in np.argwhere(~np.isfinite(array))[:MOST_FAULTS].tolist()
     ]
     if faults:
@@ -100,9 +96,8 @@ def _refuse_non_finite(array: Floats) -> None:
 
 def wrong_length(expected: int, given: int) -> JointValueError:
     """Return the refusal of joint values that are not as many as there are joints."""
-    params = {"expected": expected, "given": given}
-    return JointValueError(Fault(code="joints_wrong_length", where=("joints",), params=params))
+    return JointValueError(Fault.at("joints_wrong_length", "joints", expected=expected, given=given))
 
 
 def _malformed() -> JointValueError:
-    return JointValueError(Fault(code="joints_malformed", where=("joints",)))
+    return JointValueError(Fault.at("joints_malformed", "joints"))

@@ -67,7 +67,7 @@ class KeyReader:
 
     def fault(self, code: str, /, *where: str | int, **params: ParamValue) -> None:
         """Keep a fault at a place inside this table."""
-        self.faults.append(Fault(code=code, where=(*self.where, *where), params=params))
+        self.faults.append(Fault.at(code, *self.where, *where, **params))
 
     def mistyped(self, expected: ValueKind, /, *where: str | int, **params: ParamValue) -> None:
         """Keep the fault of a value that is something else than `expected`; a count of 0 means any."""

@@ -24,7 +24,7 @@ from typing import NamedTuple
 import numpy as np
 
 from kinematics.angles import cos_sin
-from kinematics.errors import Fault, ParamValue, PoseError
+from kinematics.errors import Fault, PoseError
 from kinematics.se3 import Transform
 
 GIMBAL_LOCK = 1e-12
@@ -160,7 +160,7 @@ def transform_from_quaternion(
     w, x, y, z = _finite(quaternion, "quaternion", ("w", "x", "y", "z"))
     length = math.hypot(w, x, y, z)
     if not 0.0 < length < math.inf:
-        raise PoseError(Fault(code="quaternion_length", where=("quaternion",)))
+        raise PoseError(Fault.at("quaternion_length", "quaternion"))
     w, x, y, z = w / length, x / length, y / length, z / length
     return _assemble(
         (1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)),
@@ -210,7 +210,7 @@ def transform_from_axis_angle(
     (turn,) = _finite((angle,), "angle", ("angle",))
     length = math.hypot(x, y, z)
     if not 0.0 < length < math.inf:
-        raise PoseError(Fault(code="axis_length", where=("axis",)))
+        raise PoseError(Fault.at("axis_length", "axis"))
     x, y, z = x / length, y / length, z / length
     c, s = cos_sin(turn)
     v = 1.0 - c if c < 0.5 else 2.0 * math.sin(turn / 2) ** 2
@@ -229,14 +229,11 @@ def _finite(values: Sequence[float], what: str, names: tuple[str, ...]) -> list[
     except (TypeError, ValueError, OverflowError):
         numbers = []
     if len(numbers) != len(names):
-        params: dict[str, ParamValue] = {"what": what, "expected": len(names), "names": ", ".join(names)}
-        raise PoseError(Fault(code="notation_wrong_length", where=(what,), params=params))
-    faults = [
-        Fault(
-            code="notation_not_finite",
-            where=(what, i),
-            params={"what": what, "name": name},
+        raise PoseError(
+            Fault.at("notation_wrong_length", what, what=what, expected=len(names), names=", ".join(names))
         )
+    faults = [
+        Fault.at("notation_not_finite", what, i, what=what, name=name)
         for i, (name, value) in enumerate(zip(names, numbers, strict=True))
         if not math.isfinite(value)
     ]

@@ -135,17 +135,16 @@ def joint_axis(screw: Screw, where: tuple[str | int, ...] = ()) -> JointAxis:
     """
     linear, angular = screw
     if not all(map(math.isfinite, (*linear, *angular))):
-        raise DescriptionError(Fault(code="screw_not_finite", where=where))
+        raise DescriptionError(Fault.at("screw_not_finite", *where))
     turning = any(angular)
     direction = angular if turning else linear
     if abs(math.hypot(*direction) - 1.0) > UNIT_TOLERANCE:
-        raise DescriptionError(Fault(code="screw_not_unit", where=where))
+        raise DescriptionError(Fault.at("screw_not_unit", *where))
     if not turning:
         return JointAxis(joint=JointType.PRISMATIC, direction=direction)
     pitch = sum(v * w for v, w in zip(linear, angular, strict=True))
     if abs(pitch) > UNIT_TOLERANCE * (1.0 + math.hypot(*linear)):
-        params = {"pitch": f"{pitch:g}"}
-        raise DescriptionError(Fault(code="screw_has_pitch", where=where, params=params))
+        raise DescriptionError(Fault.at("screw_has_pitch", *where, pitch=f"{pitch:g}"))
     return JointAxis(joint=JointType.REVOLUTE, direction=direction, point=cross(angular, linear))
 
 

@@ -300,7 +300,7 @@ def check_transform(
     matrix = _matrix_4x4(value, where)
     r0, r1, r2, bottom = matrix.tolist()
     faults = [
-        Fault(code="pose_not_finite", where=(*where, i, j))
+        Fault.at("pose_not_finite", *where, i, j)
         for i, row in enumerate((r0, r1, r2, bottom))
         for j, entry in enumerate(row)
         if not math.isfinite(entry)
@@ -308,7 +308,7 @@ def check_transform(
     if faults:
         raise PoseError(faults)
     if bottom != [0.0, 0.0, 0.0, 1.0]:
-        faults.append(Fault(code="pose_bottom_row", where=(*where, 3)))
+        faults.append(Fault.at("pose_bottom_row", *where, 3))
     faults.extend(_rotation_faults(r0, r1, r2, where, tolerance))
     if faults:
         raise PoseError(faults)
@@ -321,10 +321,10 @@ def _matrix_4x4(value: ArrayLike, where: Place) -> Transform:
     except ValueError:
         matrix = np.asarray(None)
     if matrix.dtype.kind not in "fiu":
-        raise PoseError(Fault(code="pose_not_numbers", where=where))
+        raise PoseError(Fault.at("pose_not_numbers", *where))
     if matrix.shape != (4, 4):
         shape = "x".join(map(str, matrix.shape)) or "1"
-        raise PoseError(Fault(code="pose_wrong_shape", where=where, params={"shape": shape}))
+        raise PoseError(Fault.at("pose_wrong_shape", *where, shape=shape))
     return np.array(matrix, dtype=np.float64)
 
 
@@ -336,8 +336,7 @@ def _rotation_faults(
     products = ((x, x, 1.0), (y, y, 1.0), (z, z, 1.0), (x, y, 0.0), (y, z, 0.0), (z, x, 0.0))
     error = max(abs(dot(u, v) - meant) for u, v, meant in products)
     if error > tolerance:
-        params = {"error": f"{error:.1e}", "tolerance": f"{tolerance:g}"}
-        return [Fault(code="pose_not_orthonormal", where=where, params=params)]
+        return [Fault.at("pose_not_orthonormal", *where, error=f"{error:.1e}", tolerance=f"{tolerance:g}")]
     if dot(x, cross(y, z)) < 0.0:
-        return [Fault(code="pose_left_handed", where=where)]
+        return [Fault.at("pose_left_handed", *where)]
     return []

@@ -105,9 +105,7 @@ def read_tree(
         CellError: cells cannot be read, each fault at ("rows", i, cell).
     """
     faults = [
-        Fault(
-            code="tree_after_unknown", where=("rows", i, "after"), params={"row": i + 1, "given": row.after}
-        )
+        Fault.at("tree_after_unknown", "rows", i, "after", row=i + 1, given=row.after)
         for i, row in enumerate(rows)
         if not 0 <= row.after <= i
     ]

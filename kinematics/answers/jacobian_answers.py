@@ -101,9 +101,7 @@ def jacobian_at(
     if angles is not None:
         analytic = analytic_jacobian(chain, np.array(joints, dtype=np.float64), angles)
         if analytic is None:
-            raise JointValueError(
-                Fault(code="angles_locked", where=("joints",), params={"axes": angles.axes})
-            )
+            raise JointValueError(Fault.at("angles_locked", "joints", axes=angles.axes))
         return analytic
     jacobian = chain.jacobian(np.array(joints, dtype=np.float64))
     return jacobian if frame is JacobianFrame.BASE else _turned(chain, joints) @ jacobian

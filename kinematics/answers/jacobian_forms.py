@@ -179,7 +179,7 @@ def jacobian_form(table: SymbolicTable, frame: JacobianFrame, angles: EulerSeque
     refuse_longer_than(OPERATIONS, in_turn.from_iterable(found or ()))
     if found is None:
         assert angles is not None
-        raise JointValueError(Fault(code="angles_locked", where=("angles",), params={"axes": angles.axes}))
+        raise JointValueError(Fault.at("angles_locked", "angles", axes=angles.axes))
     return found
 
 

@@ -67,9 +67,7 @@ def read_robot(robot_id: str, text: str) -> Robot:
     try:
         document = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
-        raise DescriptionError(
-            Fault(code="catalogue_not_toml", where=(file,), params={"reason": str(error)})
-        ) from None
+        raise DescriptionError(Fault.at("catalogue_not_toml", file, reason=str(error))) from None
     faults: list[Fault] = []
     robot = _robot(robot_id, RobotKeys(document, (file,), faults))
     if robot is None or faults:

@@ -7,7 +7,6 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from fractions import Fraction
 
-from kinematics.cells.refusals import fault
 from kinematics.cells.scaling import scaled_cell
 from kinematics.cells.scanner import canonical_name
 from kinematics.cells.tables import ReadTable
@@ -61,7 +60,7 @@ def parameter_values(
             spelled[name] = given
             values[name] = value
     faults.extend(
-        fault("parameter_missing", "parameters", name, name=name) for name in kinds if name not in spelled
+        Fault.at("parameter_missing", "parameters", name, name=name) for name in kinds if name not in spelled
     )
     if faults:
         raise ParameterError(faults)
@@ -108,13 +107,13 @@ def _fault(
     spelled: Mapping[str, str],
 ) -> Fault | None:
     if name is None:
-        return fault("parameter_name_invalid", "parameters", given, name=given[:40])
+        return Fault.at("parameter_name_invalid", "parameters", given, name=given[:40])
     if name not in kinds:
-        return fault("parameter_unused", "parameters", given, name=given)
+        return Fault.at("parameter_unused", "parameters", given, name=given)
     if name in spelled:
-        return fault("parameter_given_twice", "parameters", given, name=given, other=spelled[name])
+        return Fault.at("parameter_given_twice", "parameters", given, name=given, other=spelled[name])
     if not _is_finite(value):
-        return fault("parameter_not_finite", "parameters", given, name=given)
+        return Fault.at("parameter_not_finite", "parameters", given, name=given)
     return None
 
 

@@ -10,7 +10,6 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 
-from kinematics.cells.refusals import fault
 from kinematics.cells.syntax import Name, Node, names_in
 from kinematics.cells.variables import uses, variable_index
 from kinematics.errors import Fault
@@ -138,7 +137,7 @@ def _numbering_faults(
         i, cell, name = foreign[0]
         n = sum(joint.joint is not JointType.FIXED for joint in joints)
         code = "variable_numbering_mixed"
-        return (fault(code, "rows", i, cell, column=name.column, name=name.name, joints=n),)
+        return (Fault.at(code, "rows", i, cell, column=name.column, name=name.name, joints=n),)
     own = {
         joint.number
         for joint, cells in zip(joints, syntax, strict=True)
@@ -152,7 +151,7 @@ def _numbering_faults(
         twice = repeated and variable_index(name.name) in own
         params = {} if twice else {"expected": f"q{joints[i].number}"}
         code = "variable_twice" if twice else "variable_of_other_row"
-        found.append(fault(code, "rows", i, cell, column=name.column, name=name.name, **params))
+        found.append(Fault.at(code, "rows", i, cell, column=name.column, name=name.name, **params))
     return tuple(found)
 
 

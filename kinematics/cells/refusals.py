@@ -25,15 +25,10 @@ class CellRefusal(Exception):  # noqa: N818 - it becomes a Fault of a CellError 
 
     def at(self, *where: str | int) -> Fault:
         """Return the fault, at its place."""
-        return fault(self.code, *where, **self.params)
+        return Fault.at(self.code, *where, **self.params)
 
 
 def size_refusal(value: Fraction, column: int, limits: Limits) -> CellRefusal:
     """Return the refusal of a number that is larger or smaller in size than what is read."""
     size = "small" if abs(value) < 1 else "large"
     return CellRefusal("number_out_of_range", column=column, size=size, largest=limits.largest)
-
-
-def fault(code: str, *where: str | int, **params: ParamValue) -> Fault:
-    """Return the fault of a refusal, at its place."""
-    return Fault(code=code, where=where, params=params)

@@ -72,12 +72,7 @@ def with_values(table: SymbolicTable, values: Mapping[str, Expression]) -> Symbo
                 cells[cell] = valued(getattr(row, cell), values)
             except (ZeroDivisionError, ParameterError):
                 cells[cell] = ZERO
-                faults.append(
-                    Fault(
-                        code="value_undefined",
-                        where=("rows", i, cell),
-                    )
-                )
+                faults.append(Fault.at("value_undefined", "rows", i, cell))
         rows.append(DHRow(joint=row.joint, sign=row.sign, **cells))
     if faults:
         raise ParameterError(faults)

@@ -9,7 +9,7 @@ from kinematics.cells.entries import text_length
 from kinematics.cells.joints import row_joints, variable_names
 from kinematics.cells.last_places import last_places
 from kinematics.cells.limits import DEFAULT, Limits
-from kinematics.cells.refusals import CellRefusal, fault
+from kinematics.cells.refusals import CellRefusal
 from kinematics.cells.rows import RowMeaning, row_meaning, row_syntax
 from kinematics.cells.tables import RawTable, ReadTable
 from kinematics.cells.units import ParameterKind
@@ -59,7 +59,7 @@ def _read_anew(raw: RawTable, limits: Limits) -> ReadTable:
         table_codes = all(found.code.startswith(("variable_", "table_")) for found in ordered)
         raise (TableError if table_codes else CellError)(ordered)
     if len(kinds) > limits.table_parameters:
-        raise TableError(fault("table_too_many_parameters", "rows", limit=limits.table_parameters))
+        raise TableError(Fault.at("table_too_many_parameters", "rows", limit=limits.table_parameters))
     return ReadTable(
         typed_length=raw.length,
         table=DHTable(convention=raw.convention, rows=tuple(row.row for row in rows)),
@@ -95,12 +95,12 @@ def _gathered(
 
 def _refuse_size(raw: RawTable, limits: Limits) -> None:
     if not raw.rows:
-        raise TableError(fault("table_empty", "rows"))
+        raise TableError(Fault.at("table_empty", "rows"))
     if len(raw.rows) > limits.rows:
-        raise TableError(fault("table_too_many_rows", "rows", rows=len(raw.rows), limit=limits.rows))
+        raise TableError(Fault.at("table_too_many_rows", "rows", rows=len(raw.rows), limit=limits.rows))
     length = text_length((getattr(row, cell) for row in raw.rows for cell in CELLS), limits)
     if length > limits.table_characters:
-        raise TableError(fault("table_too_long", "rows", length=length, limit=limits.table_characters))
+        raise TableError(Fault.at("table_too_long", "rows", length=length, limit=limits.table_characters))
 
 
 def _reading_order(place: tuple[int, str]) -> tuple[int, int]:

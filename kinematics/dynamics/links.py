@@ -86,15 +86,13 @@ def check_links(links: Sequence[NumericBody]) -> None:
     faults = []
     for i, link in enumerate(links):
         if link.mass < 0.0:
-            faults.append(
-                Fault(code="mass_negative", where=("links", i, "mass"), params={"mass": f"{link.mass:g}"})
-            )
+            faults.append(Fault.at("mass_negative", "links", i, "mass", mass=f"{link.mass:g}"))
         inertia = np.array(link.inertia)
         allowed = SYMMETRIC * float(np.abs(inertia).max())
         where = ("links", i, "inertia")
         if np.abs(inertia - inertia.T).max() > allowed:
-            faults.append(Fault(code="inertia_not_symmetric", where=where))
+            faults.append(Fault.at("inertia_not_symmetric", *where))
         elif allowed and np.linalg.eigvalsh(inertia).min() < -allowed:
-            faults.append(Fault(code="inertia_negative", where=where))
+            faults.append(Fault.at("inertia_negative", *where))
     if faults:
         raise DescriptionError(faults)

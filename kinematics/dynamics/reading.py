@@ -68,8 +68,7 @@ def read_bodies(
     """
     expected = len(read.table.rows)
     if len(links) != expected:
-        params = {"expected": expected, "given": len(links)}
-        raise DescriptionError(Fault(code="links_count", where=("links",), params=params))
+        raise DescriptionError(Fault.at("links_count", "links", expected=expected, given=len(links)))
     reader = _BodyReader(read, limits)
     bodies = [reader.body(link, i) for i, link in enumerate(links)]
     x, y, z = (reader.cell(cell, ("gravity", i)) for i, cell in enumerate(gravity))
@@ -115,18 +114,16 @@ class _BodyReader:
             self.faults.append(refusal.at(*where))
             return ZERO
         if joint_variables_in(found.expression):
-            self.faults.append(Fault(code="body_varies", where=where))
+            self.faults.append(Fault.at("body_varies", *where))
             return ZERO
         for name, kind in found.kinds.items():
             known = self.kinds.setdefault(name, kind)
             if known is not kind:
-                params: dict[str, str | int] = {
-                    "column": 1,
-                    "name": name,
-                    "kind": kind.value,
-                    "other": known.value,
-                }
-                self.faults.append(Fault(code="parameter_two_kinds", where=where, params=params))
+                self.faults.append(
+                    Fault.at(
+                        "parameter_two_kinds", *where, column=1, name=name, kind=kind.value, other=known.value
+                    )
+                )
         note([name for name, kind in found.kinds.items() if kind is ParameterKind.LENGTH])
         return found.expression
 

@@ -56,8 +56,7 @@ class MovingRobot:
     ) -> None:
         expected = len(table.rows)
         if len(links) != expected:
-            params = {"expected": expected, "given": len(links)}
-            raise DescriptionError(Fault(code="links_count", where=("links",), params=params))
+            raise DescriptionError(Fault.at("links_count", "links", expected=expected, given=len(links)))
         check_links(links)
         self.chain: Chain = chain_of_table(table)
         self.links = tuple(links)
@@ -160,7 +159,7 @@ class MovingRobot:
         M = self.mass_matrix(q)
         sizes = np.linalg.eigvalsh(M)
         if q.shape[-1] and (sizes[..., 0] <= SINGULAR * sizes[..., -1]).any():
-            raise JointValueError(Fault(code="mass_matrix_singular", where=("links",)))
+            raise JointValueError(Fault.at("mass_matrix_singular", "links"))
         rest = given - self.torque(q, speeds, np.zeros_like(q))
         return np.asarray(np.linalg.solve(M, rest[..., None])[..., 0])
 
@@ -184,7 +183,7 @@ class MovingRobot:
         values = tuple(np.array(configurations(entry, self.n_joints)) for entry in given)
         for entry in values[1:]:
             if entry.shape != values[0].shape:
-                raise JointValueError(Fault(code="joints_malformed", where=("joints",)))
+                raise JointValueError(Fault.at("joints_malformed", "joints"))
         return values
 
 

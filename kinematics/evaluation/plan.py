@@ -208,7 +208,7 @@ def may_overflow(chain: LinkMotions) -> bool:
 
 
 def _overflow(*where: int) -> JointValueError:
-    return JointValueError(Fault(code="result_not_finite", where=("joints", *where)))
+    return JointValueError(Fault.at("result_not_finite", "joints", *where))
 
 
 def _pose(chain: LinkMotions, values: Sequence[Any]) -> list[Scalar]:

@@ -58,17 +58,11 @@ def evaluate(
         value = _value(expression, parameters or {}, joints)
     except KeyError as missing:
         name = str(missing.args[0])
-        raise ParameterError(
-            Fault(
-                code="parameter_missing",
-                where=("parameters", name),
-                params={"name": name},
-            )
-        ) from None
+        raise ParameterError(Fault.at("parameter_missing", "parameters", name, name=name)) from None
     except (ValueError, ZeroDivisionError, OverflowError, TypeError):
         value = math.nan
     if isinstance(value, complex) or not math.isfinite(value):
-        raise ParameterError(Fault(code="value_undefined"))
+        raise ParameterError(Fault.at("value_undefined"))
     return value
 
 

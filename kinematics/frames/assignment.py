@@ -177,10 +177,11 @@ def assign_frames(
     Source: seed 000 §3.2.4; seed 002 steps 1 to 8; seed 004.
     """
     if not EXACT_ANGLE <= parallel_tolerance <= MAX_PARALLEL_TOLERANCE:
-        fault = Fault(
-            code="parallel_tolerance_out_of_range",
-            where=("parallel_tolerance",),
-            params={"least": f"{EXACT_ANGLE:g}", "greatest": f"{MAX_PARALLEL_TOLERANCE:g}"},
+        fault = Fault.at(
+            "parallel_tolerance_out_of_range",
+            "parallel_tolerance",
+            least=f"{EXACT_ANGLE:g}",
+            greatest=f"{MAX_PARALLEL_TOLERANCE:g}",
         )
         raise DescriptionError(fault)
     lines = read_axes(axes)

@@ -90,23 +90,12 @@ def read_axes(axes: Sequence[JointAxis]) -> list[AxisLine]:
             direction; all faults at once, each at ("axes", i, name).
     """
     if not 1 <= len(axes) <= MAX_AXES:
-        raise DescriptionError(
-            Fault(
-                code="axes_wrong_number",
-                where=("axes",),
-                params={"count": len(axes), "limit": MAX_AXES},
-            )
-        )
+        raise DescriptionError(Fault.at("axes_wrong_number", "axes", count=len(axes), limit=MAX_AXES))
     faults: list[Fault] = []
     lines = []
     for i, axis in enumerate(axes):
         if axis.joint not in (JointType.REVOLUTE, JointType.PRISMATIC):
-            faults.append(
-                Fault(
-                    code="axis_joint_unknown",
-                    where=("axes", i, "joint"),
-                )
-            )
+            faults.append(Fault.at("axis_joint_unknown", "axes", i, "joint"))
         point = read_point(axis.point, ("axes", i, "point"), faults)
         direction = read_direction(axis.direction, ("axes", i, "direction"), faults)
         lines.append(AxisLine(axis.joint, point, direction))
@@ -134,12 +123,7 @@ def gripper_frame(gripper: Gripper) -> Transform:
         raise DescriptionError(faults)
     x = cross(jaws, z)
     if norm(x) < 1e-6:
-        raise DescriptionError(
-            Fault(
-                code="gripper_jaws_along_approach",
-                where=("tool", "jaws"),
-            )
-        )
+        raise DescriptionError(Fault.at("gripper_jaws_along_approach", "tool", "jaws"))
     x = unit(x)
     return matrix(Pose(point, x, z))
 
@@ -171,13 +155,7 @@ def read_point(value: Sequence[float], where: tuple[str | int, ...], faults: lis
         x = y = z = math.nan
     if max(abs(x), abs(y), abs(z)) <= MAX_COORDINATE and x == x and y == y and z == z:
         return (x, y, z)
-    faults.append(
-        Fault(
-            code="vector_malformed",
-            where=where,
-            params={"limit": f"{MAX_COORDINATE:g}"},
-        )
-    )
+    faults.append(Fault.at("vector_malformed", *where, limit=f"{MAX_COORDINATE:g}"))
     return ORIGIN
 
 
@@ -191,10 +169,5 @@ def read_direction(value: Sequence[float], where: tuple[str | int, ...], faults:
     if any(vector):
         return unit(vector)
     if len(faults) == before:
-        faults.append(
-            Fault(
-                code="direction_zero",
-                where=where,
-            )
-        )
+        faults.append(Fault.at("direction_zero", *where))
     return (0.0, 0.0, 1.0)

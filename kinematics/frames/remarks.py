@@ -30,23 +30,13 @@ def tilt_remarks(
         angle = float(f"{tilt.angle:.6g}")
         where = ("axes", i, "direction")
         if policy is NearParallel.DUMMY_ROW:
-            remarks.append(
-                Fault(
-                    code="near_parallel_dummy_row",
-                    where=where,
-                    params={"joint": i + 1, "previous": i, "angle": angle},
-                )
-            )
+            remarks.append(Fault.at("near_parallel_dummy_row", *where, joint=i + 1, previous=i, angle=angle))
             continue
         reach = norm(subtract(tilt.pivot, axis_points[i]))
         reach += sum(abs(row.a) + abs(row.d) for row in table.rows[i:])
         displacement = float(f"{2.0 * tilt.angle * reach:.3g}")
         remarks.append(
-            Fault(
-                code="near_parallel",
-                where=where,
-                params={"joint": i + 1, "previous": i, "angle": angle, "displacement": displacement},
-            )
+            Fault.at("near_parallel", *where, joint=i + 1, previous=i, angle=angle, displacement=displacement)
         )
     return remarks
 
@@ -54,14 +44,10 @@ def tilt_remarks(
 def unfit_base(convention: Convention) -> Fault:
     """Return the warning that a given frame cannot be frame 0."""
     standard = convention is Convention.STANDARD
-    return Fault(
-        code="base_not_frame_zero_standard" if standard else "base_not_frame_zero_modified", where=("base",)
-    )
+    return Fault.at("base_not_frame_zero_standard" if standard else "base_not_frame_zero_modified", "base")
 
 
 def unfit_tool(convention: Convention) -> Fault:
     """Return the warning that a given frame cannot be frame N."""
     standard = convention is Convention.STANDARD
-    return Fault(
-        code="tool_not_last_frame_standard" if standard else "tool_not_last_frame_modified", where=("tool",)
-    )
+    return Fault.at("tool_not_last_frame_standard" if standard else "tool_not_last_frame_modified", "tool")

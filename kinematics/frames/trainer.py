@@ -209,13 +209,7 @@ def _settled(
 
 def _read_frames(chosen: Sequence[ChosenFrame | None], count: int) -> list[PartialPose]:
     if len(chosen) > count + 1:
-        raise DescriptionError(
-            Fault(
-                code="frames_too_many",
-                where=("frames",),
-                params={"count": count},
-            )
-        )
+        raise DescriptionError(Fault.at("frames_too_many", "frames", count=count))
     faults: list[Fault] = []
     frames = []
     for i in range(count + 1):
@@ -247,7 +241,7 @@ def _follows(y: Vector, frame: PartialPose) -> bool:
 
 
 def _foreign_y(where: tuple[str | int, ...]) -> Fault:
-    return Fault(code="frame_y_not_z_cross_x", where=where)
+    return Fault.at("frame_y_not_z_cross_x", *where)
 
 
 def _drawn_lines(

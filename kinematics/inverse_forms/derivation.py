@@ -86,7 +86,7 @@ def inverse_form(
             form = _Writer(arm, parts, (*table_parameters(table), *taken)).form()
             if form is not None:
                 return form
-    raise TableError(Fault(code="inverse_form_unknown", where=("rows",)))
+    raise TableError(Fault.at("inverse_form_unknown", "rows"))
 
 
 class _Writer:

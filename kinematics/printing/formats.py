@@ -186,9 +186,4 @@ class MatrixPrinter:
     def _refuse_large(self, matrix: Entered) -> None:
         operations = sum(self._ledger.operations[number] for number in chain.from_iterable(matrix.rows))
         if operations > self._limit:
-            raise FormSizeError(
-                Fault(
-                    code="closed_form_too_large",
-                    params={"limit": self._limit},
-                )
-            )
+            raise FormSizeError(Fault.at("closed_form_too_large", limit=self._limit))

@@ -68,7 +68,7 @@ class EulerSequence:
         """
         i, j, k = (*self.axes, "", "", "")[:3]
         if len(self.axes) != 3 or not set(self.axes) <= set(AXES) or i == j or j == k:
-            raise PoseError(Fault(code="euler_axes_unknown", where=("axes",), params={"axes": self.axes}))
+            raise PoseError(Fault.at("euler_axes_unknown", "axes", axes=self.axes))
 
     @property
     def proper(self) -> bool:

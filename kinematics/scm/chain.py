@@ -109,11 +109,7 @@ def verify(chain: ScmChain) -> tuple[Fault, ...]:
     Source: seed 001 eq. 3.14, 3.15 and note 3.
     """
     return tuple(
-        Fault(
-            code=code,
-            where=("joints", i, entry.value),
-            params={"joint": i + 1},
-        )
+        Fault.at(code, "joints", i, entry.value, joint=i + 1)
         for i, row in enumerate(chain.rows)
         for entry in Entry
         if (code := _offence(row, entry))

@@ -76,16 +76,16 @@ def read_chain(raw: RawChain, limits: Limits = DEFAULT) -> ReadChain:
         DescriptionError: every fault at once, at ("joints", i, entry), ("final", entry) or ("tool", entry).
     """
     if not raw.joints:
-        raise DescriptionError(_fault("scm_chain_empty", "joints"))
+        raise DescriptionError(Fault.at("scm_chain_empty", "joints"))
     if len(raw.joints) > limits.rows:
         raise DescriptionError(
-            _fault("scm_too_many_joints", "joints", joints=len(raw.joints), limit=limits.rows)
+            Fault.at("scm_too_many_joints", "joints", joints=len(raw.joints), limit=limits.rows)
         )
     cells = [row.get(entry) for row in (*raw.joints, raw.final, raw.tool) for entry in ENTRIES]
     length = text_length(cells, limits)
     if length > limits.table_characters:
         raise DescriptionError(
-            _fault("scm_chain_too_long", "joints", length=length, limit=limits.table_characters)
+            Fault.at("scm_chain_too_long", "joints", length=length, limit=limits.table_characters)
         )
     reader = _ChainReader(raw=raw, limits=limits, faults=[], kinds={})
     rows = tuple(reader.row(i, cells) for i, cells in enumerate(raw.joints))
@@ -177,7 +177,7 @@ class _ChainReader:
         return entry, sign or 1
 
     def _refuse(self, code: str, *where: str | int, **params: ParamValue) -> None:
-        self.faults.append(_fault(code, *where, **params))
+        self.faults.append(Fault.at(code, *where, **params))
 
 
 def _terms(expression: Expression) -> tuple[Expression, ...]:
@@ -197,7 +197,3 @@ def _variable_sign(expression: Expression) -> int | None:
         case [Product((Number(weight), JointVariable()))] if weight == Fraction(-1):
             return -1
     return None
-
-
-def _fault(code: str, *where: str | int, **params: ParamValue) -> Fault:
-    return Fault(code=code, where=where, params=params)

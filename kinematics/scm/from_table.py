@@ -112,7 +112,7 @@ def scm_from_numbers(
 
 def _check_joints(count: int) -> None:
     if not count:
-        raise TableError(Fault(code="scm_chain_empty", where=("rows",)))
+        raise TableError(Fault.at("scm_chain_empty", "rows"))
 
 
 def _placement(values: Sequence[float]) -> Placement:

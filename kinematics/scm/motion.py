@@ -76,7 +76,7 @@ def forward_kinematics_scm(
             frames[i] = pose
         transform = pose @ end
     if not (np.isfinite(frames).all() and np.isfinite(transform).all()):
-        raise JointValueError(Fault(code="result_not_finite", where=("joints",)))
+        raise JointValueError(Fault.at("result_not_finite", "joints"))
     return ScmKinematics(transform=transform, links=links, frames=frames, end=end)
 
 

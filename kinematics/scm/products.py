@@ -156,7 +156,7 @@ def jacobian_of_product(product: Matrix, n_joints: int, frame: JacobianFrame) ->
     try:
         J = jacobian_by_differentiation(product, n_joints, frame)
     except ValueError:
-        raise DescriptionError(Fault(code="no_derivative", where=("products",))) from None
+        raise DescriptionError(Fault.at("no_derivative", "products")) from None
     return tuple(tuple(_shorter(entry) for entry in row) for row in J)
 
 
@@ -237,7 +237,7 @@ class _ProductReader:
                 }
             )
         if len(raw) != 4 or any(len(row) != 4 for row in raw):
-            self.faults.append(Fault(code="matrix_not_4x4", where=where))
+            self.faults.append(Fault.at("matrix_not_4x4", *where))
             return _IDENTITY
         rows = tuple(
             tuple(
@@ -247,7 +247,7 @@ class _ProductReader:
             for i, row in enumerate(raw)
         )
         if rows[3] != _IDENTITY[3]:
-            self.faults.append(Fault(code="pose_bottom_row", where=(*where, 3)))
+            self.faults.append(Fault.at("pose_bottom_row", *where, 3))
         return rows
 
     def _cell(self, cell: Cell, position: Position, where: tuple[str | int, ...]) -> Expression:
@@ -262,11 +262,10 @@ class _ProductReader:
             return ZERO
         for name, kind in meaning.kinds.items():
             if self.kinds.setdefault(name, kind) is not kind:
-                self.faults.append(Fault(code="scm_parameter_two_kinds", where=where, params={"name": name}))
+                self.faults.append(Fault.at("scm_parameter_two_kinds", *where, name=name))
         kind = ParameterKind.LENGTH if position is Position.LENGTH else ParameterKind.ANGLE
         for index in joint_variables_in(meaning.expression):
             if not 1 <= index <= LARGEST_VARIABLE:
-                params = {"limit": LARGEST_VARIABLE}
-                self.faults.append(Fault(code="number_too_large", where=where, params=params))
+                self.faults.append(Fault.at("number_too_large", *where, limit=LARGEST_VARIABLE))
             self.joints.setdefault(index, kind)
         return meaning.expression

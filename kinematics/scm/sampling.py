@@ -51,11 +51,7 @@ def random_configurations(
         JointValueError: a limit is not finite, or the lower is above the upper, at ("limits", i).
     """
     faults = [
-        Fault(
-            code="scm_limits_reversed",
-            where=("limits", i),
-            params={"joint": i + 1},
-        )
+        Fault.at("scm_limits_reversed", "limits", i, joint=i + 1)
         for i, (low, high) in enumerate(limits)
         if not (math.isfinite(low) and math.isfinite(high) and low <= high)
     ]

@@ -43,5 +43,5 @@ def _placement(
             entries[entry.value] = valued(placement.entry(entry), values)
         except (ZeroDivisionError, ParameterError):
             entries[entry.value] = ZERO
-            faults.append(Fault(code="value_undefined", where=(*where, entry.value)))
+            faults.append(Fault.at("value_undefined", *where, entry.value))
     return Placement(**entries)

@@ -108,7 +108,7 @@ def largest_minor(table: SymbolicTable, rows: MotionRows) -> tuple[Canonical, bo
     ]
     for rank in range(min(len(kept), len(columns)), 0, -1):
         if comb(len(columns), rank) * comb(len(kept), rank) > MINORS:
-            raise FormSizeError(Fault(code="form_too_large", params={"limit": MINORS}))
+            raise FormSizeError(Fault.at("form_too_large", limit=MINORS))
         minors = [
             ([columns[c] for c in of], chosen)
             for of in combinations(range(len(columns)), rank)

@@ -336,12 +336,7 @@ class Ring:
             raise self._too_large()
 
     def _too_large(self) -> FormSizeError:
-        return FormSizeError(
-            Fault(
-                code="form_too_large",
-                params={"limit": self.limit},
-            )
-        )
+        return FormSizeError(Fault.at("form_too_large", limit=self.limit))
 
 
 def _by_term(left: Mapping[int, int], right: Mapping[int, int], denominator: int) -> Form:

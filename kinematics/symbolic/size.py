@@ -73,7 +73,7 @@ def refuse_longer_than(limit: int, expressions: Iterable[Expression]) -> None:
         FormSizeError: they have.
     """
     if count_operations(expressions) > limit:
-        raise FormSizeError(Fault(code="form_too_large", params={"limit": limit}))
+        raise FormSizeError(Fault.at("form_too_large", limit=limit))
 
 
 def operations_of(node: Expression, below: Sequence[int]) -> int:

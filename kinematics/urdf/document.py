@@ -188,7 +188,7 @@ class UrdfDocument:
 
 def refused(code: str, **params: ParamValue) -> DescriptionError:
     """Return the refusal of a description: it has no place but the joint or link that its parameters name."""
-    return DescriptionError(Fault(code=code, params=params))
+    return DescriptionError(Fault.at(code, **params))
 
 
 def read_document(text: str) -> UrdfDocument:

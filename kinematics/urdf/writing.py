@@ -97,7 +97,7 @@ def urdf_from_table(
     for text, where in ((name, "name"), (base_link, "base_link"), (tip_link, "tip_link")):
         _check_name(text, (where,))
     if base_link == tip_link:
-        raise DescriptionError(Fault(code="urdf_links_alike", where=("tip_link",), params={"link": tip_link}))
+        raise DescriptionError(Fault.at("urdf_links_alike", "tip_link", link=tip_link))
     check_joint_names(names, table.n_joints)
     links = link_names or [f"link_{i}" for i in range(1, table.n_joints + 1)]
     check_link_names(links, table.n_joints)
@@ -239,8 +239,8 @@ class _UrdfWriter:
     def _check(self, lengths: Sequence[float], where: tuple[str | int, ...]) -> None:
         """Make sure that a reader takes these lengths [m]."""
         if not all(abs(length) <= MAX_NUMBER for length in lengths):
-            params = {"limit": MAX_NUMBER / self._metres, "limit_in_metres": MAX_NUMBER}
-            raise DescriptionError(Fault(code="urdf_length_overflow", where=where, params=params))
+            limits = {"limit": MAX_NUMBER / self._metres, "limit_in_metres": MAX_NUMBER}
+            raise DescriptionError(Fault.at("urdf_length_overflow", *where, **limits))
 
 
 def check_joint_names(names: Sequence[str], count: int) -> None:
@@ -251,8 +251,7 @@ def check_joint_names(names: Sequence[str], count: int) -> None:
     """
     fixed = [name for name in names if _FIXED.fullmatch(name)]
     if len(names) != count or len(set(names)) != count or fixed:
-        params = {"expected": count, "given": len(names)}
-        raise DescriptionError(Fault(code="urdf_joint_names", where=("joint_names",), params=params))
+        raise DescriptionError(Fault.at("urdf_joint_names", "joint_names", expected=count, given=len(names)))
     for i, name in enumerate(names):
         _check_name(name, ("joint_names", i))
 
@@ -264,15 +263,14 @@ def check_link_names(names: Sequence[str], count: int) -> None:
         DescriptionError: names that do not fit, at ("link_names",) or ("link_names", i).
     """
     if len(names) != count or len(set(names)) != count:
-        params = {"expected": count, "given": len(names)}
-        raise DescriptionError(Fault(code="urdf_link_names", where=("link_names",), params=params))
+        raise DescriptionError(Fault.at("urdf_link_names", "link_names", expected=count, given=len(names)))
     for i, name in enumerate(names):
         _check_name(name, ("link_names", i))
 
 
 def _check_name(name: str, where: tuple[str | int, ...]) -> None:
     if not name.strip() or not name.isprintable():
-        raise DescriptionError(Fault(code="urdf_name_invalid", where=where))
+        raise DescriptionError(Fault.at("urdf_name_invalid", *where))
 
 
 def _text(value: float) -> str:

@@ -130,7 +130,7 @@ def summits_within(
     on = _on_it(surface, spans, LOOKS)
     if not len(on):
         where = "plane" if conditions.pose is None else "orientation"
-        raise PoseError(Fault(code="workspace_condition_unmet", where=(where,)))
+        raise PoseError(Fault.at("workspace_condition_unmet", where))
     place = surface.seen(on)[0]
     fixed = np.linspace(0, len(on) - 1, STARTS // 2).astype(int)
     chosen = []

@@ -167,7 +167,7 @@ def _conditions(
         point, normal = (np.asarray(vector, dtype=np.float64) for vector in plane)
         length = float(np.linalg.norm(normal))
         if not 0.0 < length < math.inf:
-            raise PoseError(Fault(code="axis_length", where=("plane", "normal")))
+            raise PoseError(Fault.at("axis_length", "plane", "normal"))
         if is_long(np.abs(point).max()):
             raise PoseError(too_long(("plane", "point")))
         level = to_base[:3, :3] @ point + to_base[:3, 3], to_base[:3, :3] @ (normal / length)
@@ -191,7 +191,7 @@ def check_reach(table: NumericTable, base: ArrayLike | None, tool: ArrayLike | N
         PoseError: base or tool is not a rigid transform, or too far away.
     """
     if table.n_joints == 0:
-        raise TableError(Fault(code="workspace_without_joints", where=("rows",)))
+        raise TableError(Fault.at("workspace_without_joints", "rows"))
     check_lengths(table)
     for pose, name in ((base, "base"), (tool, "tool")):
         if pose is not None and is_far(check_transform(pose, where=(name,))):

@@ -28,13 +28,7 @@ def joint_spans(table: NumericTable, limits: JointLimits | None) -> Array:
             continue
         spans[i] = box.low[i], box.high[i]
         if not np.isfinite(spans[i]).all():
-            faults.append(
-                Fault(
-                    code="slide_without_limits",
-                    where=("limits", i),
-                    params={"joint": i + 1},
-                )
-            )
+            faults.append(Fault.at("slide_without_limits", "limits", i, joint=i + 1))
     if faults:
         raise JointValueError(faults)
     return spans

@@ -55,7 +55,7 @@ def _codes(path: Path, tree: ast.Module) -> Iterator[tuple[str, str]]:
     for node in ast.walk(tree):
         if not isinstance(node, ast.Call):
             continue
-        name = node.func.id if isinstance(node.func, ast.Name) else getattr(node.func, "attr", "")
+        name = _maker(node)
         if name not in MAKERS:
             continue
         given = [keyword.value for keyword in node.keywords if keyword.arg == "code"]
@@ -64,6 +64,13 @@ def _codes(path: Path, tree: ast.Module) -> Iterator[tuple[str, str]]:
         for value in given:
             if isinstance(value, ast.Constant) and isinstance(value.value, str):
                 yield value.value, f"{shown(path)}:{node.lineno}"
+
+
+def _maker(call: ast.Call) -> str:
+    """The name of what is called; `Fault.at` is given what every `fault` is."""
+    if ast.unparse(call.func) == "Fault.at":
+        return "fault"
+    return call.func.id if isinstance(call.func, ast.Name) else getattr(call.func, "attr", "")
 
 
 @cache
@@ -137,7 +144,7 @@ def _parameters_given(tree: ast.Module) -> Iterator[tuple[str, set[str], int]]:
     for node in ast.walk(tree):
         if not isinstance(node, ast.Call):
             continue
-        name = node.func.id if isinstance(node.func, ast.Name) else getattr(node.func, "attr", "")
+        name = _maker(node)
         named = {keyword.arg: keyword.value for keyword in node.keywords}
         code = named.get("code") or (node.args[0] if node.args and name == "fault" else None)
         if name not in {"fault", "Fault"} or None in named:
