@@ -29,20 +29,11 @@ def read_table(raw: RawTable, limits: Limits = DEFAULT) -> ReadTable:
         CellError: cells cannot be read, each fault at ("rows", i, cell); table faults are among them.
         TableError: every cell can be read, but the rows do not form a DH table.
     """
-    return _read_by_default(raw) if limits is DEFAULT else _read(raw, limits)
-
-
-@remembered(lambda raw: raw.length, longest=USUAL_TABLE, most=1024, few=16)
-def _read_by_default(raw: RawTable) -> ReadTable:
-    return _read_anew(raw, DEFAULT)
+    return _read(raw, limits)
 
 
 @remembered(lambda raw, limits: raw.length, longest=USUAL_TABLE, most=1024, few=16)
 def _read(raw: RawTable, limits: Limits) -> ReadTable:
-    return _read_anew(raw, limits)
-
-
-def _read_anew(raw: RawTable, limits: Limits) -> ReadTable:
     _refuse_size(raw, limits)
     syntax = [row_syntax(row, limits) for row in raw.rows]
     trees = [row.trees for row in syntax]
