@@ -91,7 +91,7 @@ def cos_sin_arrays(half: NDArray[np.float64], cos: NDArray[np.float64], sin: NDA
 def _exact_places(
     half: NDArray[np.float64], scratch: NDArray[np.float64], other: NDArray[np.float64]
 ) -> tuple[tuple[NDArray[np.intp], ...], NDArray[np.intp]] | None:
-    """Where an angle counts as a multiple of π/12, and which; None where none is anywhere near one."""
+    """Return the indices of the angles that count as multiples of π/12, and which; None if there are none."""
     with np.errstate(over="ignore", invalid="ignore"):
         np.multiply(half, 2.0 / TWELFTH, out=scratch)
         np.rint(scratch, out=other)
@@ -111,7 +111,7 @@ def _cosine(k: int) -> float:
 
 
 def _written(k: int) -> set[float]:
-    """The doubles that come of the ways to write k·π/12."""
+    """Return every double that results from writing k·π/12 in one of the usual ways."""
     turn = Fraction(k, 12)
     n, d = turn.numerator, turn.denominator
     return {

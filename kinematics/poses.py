@@ -223,7 +223,7 @@ def transform_from_axis_angle(
 
 
 def _finite(values: Sequence[float], what: str, names: tuple[str, ...]) -> list[float]:
-    """The values as floats, having made sure of their number and that they are finite."""
+    """Return the values as floats. Raises PoseError if their number is wrong or one is not finite."""
     try:
         numbers = [float(value) for value in values]
     except (TypeError, ValueError, OverflowError):

@@ -45,8 +45,8 @@ _TURNS = {MotionKind.TURN_Z: 2, MotionKind.SHIFT_Z: 2, MotionKind.TURN_X: 0, Mot
 
 
 @dataclass(slots=True)
-class JointPush:
-    """What a unit of one joint's acceleration asks of the joints before it.
+class JointWrench:
+    """The wrench on everything beyond a joint under unit acceleration of that joint.
 
     Attributes:
         force: f.
@@ -64,7 +64,7 @@ class Composite:
         mass: m.
         moment: h, the first moment about the origin.
         inertia: J, about the origin.
-        pushes: of the joints passed, by their number.
+        wrenches: those of the joints passed, by number.
         masses: M_ij of the joints passed, by (i, j) with i ≤ j.
 
     Everything is linear in the mass, the first moments and the moments of inertia of each link. While they
@@ -79,7 +79,7 @@ class Composite:
         self.mass: Form = ZERO_FORM
         self.moment: Triple = [ZERO_FORM] * 3
         self.inertia: Inertia = [[ZERO_FORM] * 3 for _ in range(3)]
-        self.pushes: dict[int, JointPush] = {}
+        self.wrenches: dict[int, JointWrench] = {}
         self.masses: dict[tuple[int, int], Form] = {}
 
     def add(self, link: SymbolicBody) -> None:
@@ -99,20 +99,20 @@ class Composite:
             self.inertia[i][j] = self.inertia[j][i] = ring.add(self.inertia[i][j], entry)
 
     def pass_joint(self, motion: Motion) -> None:
-        """Take joint i's row of M, and what it pushes with; the axis is z here."""
+        """Take joint i's row of M, and its wrench; the axis is z here."""
         ring, joint, turns = self._reader.ring, motion.joint, motion.kind is MotionKind.TURN_Z
         (hx, hy, _), zero = self.moment, ZERO_FORM
         if turns:
-            push = JointPush([ring.scale(hy, -1), hx, zero], [row[2] for row in self.inertia])
+            wrench = JointWrench([ring.scale(hy, -1), hx, zero], [row[2] for row in self.inertia])
         else:
-            push = JointPush([zero, zero, self.mass], [hy, ring.scale(hx, -1), zero])
+            wrench = JointWrench([zero, zero, self.mass], [hy, ring.scale(hx, -1), zero])
         if motion.sign < 0:
-            push = JointPush(
-                [ring.scale(entry, -1) for entry in push.force],
-                [ring.scale(entry, -1) for entry in push.moment],
+            wrench = JointWrench(
+                [ring.scale(entry, -1) for entry in wrench.force],
+                [ring.scale(entry, -1) for entry in wrench.moment],
             )
-        self.pushes[joint] = push
-        for other, known in self.pushes.items():
+        self.wrenches[joint] = wrench
+        for other, known in self.wrenches.items():
             arrives = known.moment[2] if turns else known.force[2]
             self.masses[joint, other] = arrives if motion.sign > 0 else ring.scale(arrives, -1)
 
@@ -138,8 +138,8 @@ class Composite:
         double = ring.multiply(circle[0], circle[0]), ring.multiply(circle[1], circle[1])
         i, j = (axis + 1) % 3, (axis + 2) % 3
         vectors = [self.moment]
-        for push in self.pushes.values():
-            vectors += (push.force, push.moment)
+        for wrench in self.wrenches.values():
+            vectors += (wrench.force, wrench.moment)
         for vector in vectors:
             vector[i], vector[j] = ring.turned(circle, vector[i], vector[j])
         inertia = self.inertia
@@ -163,8 +163,8 @@ class Composite:
             beside = ring.add(inertia[k][axis], ring.multiply(by, moment[k]), -1)
             inertia[k][axis] = inertia[axis][k] = beside
         moment[axis] = ring.add(moment[axis], ring.multiply(self.mass, by))
-        for push in self.pushes.values():
-            force, couple = push.force, push.moment
+        for wrench in self.wrenches.values():
+            force, couple = wrench.force, wrench.moment
             couple[i] = ring.add(couple[i], ring.multiply(by, force[j]), -1)
             couple[j] = ring.add(couple[j], ring.multiply(by, force[i]))
 

@@ -27,7 +27,7 @@ def differences(q: Array, other: Array, arm: Arm) -> Array:
 
 
 def distinct(arm: Arm, target: Array, joints: Array) -> Array:
-    """Return the configurations without repetitions; of several the first is kept.
+    """Return the distinct configurations, each at its first occurrence.
 
     Args:
         arm: the arm.

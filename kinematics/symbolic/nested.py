@@ -58,7 +58,7 @@ class Arena:
     _products: dict[Term, Expression] = field(default_factory=dict)
 
     def branch(self) -> Arena:
-        """Return an arena that knows what this one does now, and learns by itself."""
+        """Return an independent copy: what is added to one is not seen by the other."""
         return Arena(*(getattr(self, known.name).copy() for known in fields(self)))
 
     def circle(self, angle: Angle) -> tuple[Nested, Nested]:

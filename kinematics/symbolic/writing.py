@@ -28,7 +28,7 @@ class MatrixWriter:
         self.base = None if base is None else self.read(base)
 
     def branch(self) -> MatrixWriter:
-        """Return a writer that knows what this one does now, and learns by itself."""
+        """Return an independent copy: what is added to one is not seen by the other."""
         branch = MatrixWriter()
         branch.arena, branch.base = self.arena.branch(), self.base
         return branch

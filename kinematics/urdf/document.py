@@ -187,7 +187,7 @@ class UrdfDocument:
 
 
 def refused(code: str, **params: ParamValue) -> DescriptionError:
-    """Return the refusal of a description: it has no place but the joint or link that its parameters name."""
+    """Return a DescriptionError without a place: its parameters name the joint or link at fault."""
     return DescriptionError(Fault.at(code, **params))
 
 

@@ -150,9 +150,9 @@ class _Joint(NamedTuple):
 
 
 class _UrdfWriter:
-    """Notes joint after joint, then writes them.
+    """Collects joints, then writes them as XML.
 
-    `behind` is what is constant since the last one, `where` what is being noted.
+    `behind` is the constant transform since the last joint, `where` the row being written, for faults.
     """
 
     def __init__(

@@ -35,5 +35,5 @@ def joint_spans(table: NumericTable, limits: JointLimits | None) -> Array:
 
 
 def spread(spans: Array, count: int) -> Array:
-    """Return (count, n) configurations that fill the ranges evenly, always the same ones."""
+    """Return (count, n) low-discrepancy configurations within the ranges, always the same ones."""
     return np.asarray(spans[:, 0] + low_discrepancy(count, len(spans)) * (spans[:, 1] - spans[:, 0]))

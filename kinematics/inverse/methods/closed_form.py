@@ -60,7 +60,7 @@ class FromTheHand:
     reversed: InverseClosedForm
 
     def candidates(self, target: Array) -> Array | None:
-        """See `ClosedForm`."""
+        """See `InverseClosedForm`."""
         found = self.reversed.candidates(inverse_transform(target))
         return None if found is None else -found[:, ::-1]
 
@@ -72,7 +72,7 @@ class WithoutLast:
     longer: InverseClosedForm
 
     def candidates(self, target: Array) -> Array | None:
-        """See `ClosedForm`."""
+        """See `InverseClosedForm`."""
         found = self.longer.candidates(target)
         if found is None:
             return None

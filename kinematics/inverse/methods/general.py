@@ -78,7 +78,7 @@ class GeneralArm:
         return _left_side(z, p)
 
     def candidates(self, target: Array) -> Array | None:
-        """See `ClosedForm`.
+        """See `InverseClosedForm`.
 
         The joints and the target form a loop, which may be cut open before any joint: where axes meet or are
         parallel, cuts differ in whether the equations are independent.

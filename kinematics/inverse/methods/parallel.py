@@ -60,7 +60,7 @@ class ParallelArm:
     size: float
 
     def candidates(self, target: Array) -> Array | None:
-        """See `ClosedForm`."""
+        """See `InverseClosedForm`."""
         moved = target @ self.end
         R, t = moved[:3, :3], moved[:3, 3] / self.size
         ends = self._middle(R, t) if self.first == 1 else self._outside(R, t)

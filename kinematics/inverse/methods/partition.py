@@ -54,7 +54,7 @@ class PartitionedArm:
     size: float
 
     def candidates(self, target: Array) -> Array | None:
-        """See `ClosedForm`."""
+        """See `InverseClosedForm`."""
         moved = target @ inverse_transform(self.end)
         try:
             heads = place_points(self.head, self.points, _applied(moved, self.points), self.size)

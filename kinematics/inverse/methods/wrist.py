@@ -84,7 +84,7 @@ class WristArm:
     size: float
 
     def candidates(self, target: Array) -> Array | None:
-        """See `ClosedForm`."""
+        """See `InverseClosedForm`."""
         found = self.turns_of(target)
         return None if found is None else np.array(found).reshape(-1, 6)
 
