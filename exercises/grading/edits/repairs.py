@@ -50,9 +50,9 @@ class Repaired:
 
     def of(self, table: NumericTable) -> NumericTable | None:
         """Return the table that a table becomes; None where one of two edits is of more than cells."""
+        if len(self.changes) > 1 and any(change.table is not None for change in self.changes):
+            return None
         for change in self.changes:
-            if change.table is not None and len(self.changes) > 1:
-                return None
             table = change.of(table)
         return table
 
@@ -110,8 +110,8 @@ class Accused(NamedTuple):
 def accused(repairs: Sequence[Repaired], table: NumericTable, key: NumericTable) -> Accused:
     """Return what the likeliest repair and the equally good ones accuse.
 
-    Of two edits one is held while the other is compared with what might stand in its stead: that edit of a
-    cell for which there are most.
+    Of two edits of cells one is held while the other is compared with what might stand in its stead: the one
+    for which there are most.
     """
     if not repairs:
         return Accused((), ())
@@ -121,9 +121,11 @@ def accused(repairs: Sequence[Repaired], table: NumericTable, key: NumericTable)
             [repair.changes[0] for repair in repairs if len(repair.changes) == 1], table, key
         )
         return Accused((), alike) if alike else Accused(best, ())
-    choices = [(held, _beside(held, repairs)) for held in best if held.extent is Extent.CELL]
-    held, others = max(choices, key=lambda choice: len(choice[1]), default=(best[0], []))
-    alike = _equally_good(others, held.of(table), key) if len(others) > 1 and held.table is None else ()
+    if repairs[0].of(table) is None:
+        return Accused(best, ())
+    choices = [(held, _beside(held, repairs)) for held in best]
+    held, others = max(choices, key=lambda choice: len(choice[1]))
+    alike = _equally_good(others, held.of(table), key) if len(others) > 1 else ()
     return Accused((held,), alike) if alike else Accused(best, ())
 
 

@@ -4,12 +4,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from itertools import product
+from random import Random
 
 import pytest
 
 from exercises.grading import BaseRule, DirectionRule, HelpLevel, Policy, ToolRule, Verdict, ZeroRule, grade
 from kinematics.table import Convention, DHTable, NumericRow, NumericTable
+from tests.exercises.grading.campaign import drawn_by_hand
 from tests.exercises.grading.written import written
+from tests.kinematics.equivalence.campaign import catalogue
 from tests.kinematics.equivalence.tables import HALF, PUMA, F, P, R, changed, standard
 
 FRAMES = Policy(base=BaseRule.FRAME, tool=ToolRule.FRAME)
@@ -17,6 +21,7 @@ STRICT = Policy(
     base=BaseRule.FRAME, tool=ToolRule.FRAME, zero=ZeroRule.FIGURE, direction=DirectionRule.FIGURE
 )
 FREE = Policy(tool=ToolRule.FREE)
+SIX = [(name, key) for name, key in catalogue() if key.n_joints == 6]
 SCARA = standard((R, 0, 0.35, 0.4, 0), (R, math.pi, 0.25, 0, 0), (P, 0, 0, 0, 0), (R, 0, 0, 0.08, 0))
 Slips = Mapping[tuple[int, str], float]
 
@@ -126,3 +131,18 @@ def test_a_key_without_joints_is_judged_without_a_failure(caplog: pytest.LogCapt
     verdict = grade(written(key), written(standard((R, 0, 0, 0, 0))), STRICT)
     assert (verdict.correct, verdict.score) == (False, 0.0)
     assert not caplog.records
+
+
+@pytest.mark.parametrize("name", ["rx90", "puma560", "irb140"])
+def test_no_explanation_of_a_forgotten_row_and_an_angle_in_degrees_fails(name: str) -> None:
+    """An explanation that fails is logged, and so fails the test."""
+    key = dict(SIX)[name]
+    table = drawn_by_hand(key, Random(name))
+    assert table is not None
+    for missing, row in product(range(1, len(table.rows) + 1), repeat=2):
+        alpha = table.rows[row - 1].alpha
+        if row != missing and alpha:
+            rows = [*changed(table, row, alpha=math.degrees(alpha)).rows]
+            del rows[missing - 1]
+            wrong = DHTable(convention=table.convention, rows=tuple(rows))
+            assert not grade(written(key), written(wrong), FREE, help_level=HelpLevel.REPAIR).correct
