@@ -117,7 +117,11 @@ def read_tree(
         for one in (RawRow(joint=JointType.FIXED, alpha=0, a=0, d=each.b, theta=each.gamma), each.row)
     ]
     raw = RawTable(
-        convention=Convention.MODIFIED, rows=tuple(both), angle_unit=angle_unit, length_unit=length_unit
+        convention=Convention.MODIFIED,
+        rows=tuple(both),
+        angle_unit=angle_unit,
+        length_unit=length_unit,
+        by_row=False,  # the rows that it would count are not those handed in
     )
     try:
         read = read_table(raw, replace(limits, rows=2 * limits.rows))

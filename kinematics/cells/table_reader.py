@@ -37,7 +37,7 @@ def _read(raw: RawTable, limits: Limits) -> ReadTable:
     _refuse_size(raw, limits)
     syntax = [row_syntax(row, limits) for row in raw.rows]
     trees = [row.trees for row in syntax]
-    joints, misnumbered = row_joints([row.joint for row in raw.rows], trees)
+    joints, misnumbered = row_joints([row.joint for row in raw.rows], trees, by_row=raw.by_row)
     rows = [
         row_meaning(row, joint, raw.angle_unit, limits) for row, joint in zip(raw.rows, joints, strict=True)
     ]

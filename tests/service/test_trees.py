@@ -121,6 +121,32 @@ def test_a_tree_without_branches_is_a_modified_table(client: httpx.Client) -> No
     assert answer["ends"][0]["table"]["rows"] == [{"joint": "revolute", **row} for row in rows]
 
 
+def turning(*variables: str) -> list[dict[str, Any]]:
+    return [{"after": i, "alpha": 0, "a": 0, "d": 0, "theta": q} for i, q in enumerate(variables)]
+
+
+@pytest.mark.parametrize(
+    ("variables", "expected"),
+    [
+        (["q2"], [(0, "q2", "q1")]),
+        (["q2", "q4"], [(0, "q2", "q1"), (1, "q4", "q2")]),
+        (["q2", "q1"], [(0, "q2", "q1"), (1, "q1", "q2")]),
+        (["q1", "q4"], [(1, "q4", "q2")]),
+    ],
+)
+def test_variables_are_numbered_by_the_joints_of_the_rows(
+    client: httpx.Client, variables: list[str], expected: list[tuple[int, str, str]]
+) -> None:
+    body = {"tree": {"rows": turning(*variables)}, "joints": [0] * len(variables)}
+    response = client.post(URL, json=body)
+    assert response.status_code == 422, response.text
+    found = [(each["pointer"], each["code"], each["params"]) for each in response.json()["errors"]]
+    assert [(pointer, params["name"], params["expected"]) for pointer, _, params in found] == [
+        (f"/tree/rows/{row}/theta", name, own) for row, name, own in expected
+    ]
+    assert {code for _, code, _ in found} == {"variable_of_other_row"}
+
+
 SLIDES = [{"after": i, "alpha": 0, "a": 0, "theta": 0, "d": f"q{i + 1}"} for i in range(2)]
 
 
