@@ -129,7 +129,8 @@ def summits_within(
     surface = _Surface(table, conditions, spans, tool)
     on = _on_it(surface, spans, LOOKS)
     if not len(on):
-        where = "plane" if conditions.pose is None else "orientation"
+        turned = "axis" if conditions.reach is ArmReach.AXIS else "quaternion"
+        where = "plane" if conditions.pose is None else turned
         raise PoseError(Fault.at("workspace_condition_unmet", where))
     place = surface.seen(on)[0]
     fixed = np.linspace(0, len(on) - 1, STARTS // 2).astype(int)

@@ -109,7 +109,8 @@ def workspace(
         TableError: the table has no joint, or an entry is NaN, infinite or too large.
         JointValueError: limits of the wrong number, reversed or too large, or a sliding joint without them.
         PoseError: base, tool or held is not a rigid transform, or too far away; a normal of no length, at
-            ("plane", "normal"); or no configuration meets the conditions, at ("plane",) or ("orientation",).
+            ("plane", "normal"); or no configuration meets the conditions, at ("plane",), ("axis",)
+            or ("quaternion",).
     """
     check_reach(table, base, tool)
     spans = joint_spans(table, limits)

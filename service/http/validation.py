@@ -7,7 +7,7 @@ import types
 from collections.abc import Iterable, Sequence
 from typing import Any, TypeAlias, Union, get_args, get_origin
 
-from pydantic import BaseModel, TypeAdapter, ValidationError
+from pydantic import BaseModel, Tag, TypeAdapter, ValidationError
 from pydantic_core import ErrorDetails
 from pydantic_core.core_schema import ErrorType
 
@@ -77,7 +77,7 @@ def validated(adapter: TypeAdapter[Any], value: object) -> Any:
 def faults_of(errors: Iterable[ErrorDetails], model: Any = None) -> tuple[Fault, ...]:
     """Return one fault for each of pydantic's findings, at its place below the validated value."""
     allowed: _Allowed = {}
-    return tuple(_fault(error, _place(error["loc"]), model, allowed) for error in errors)
+    return tuple(_fault(error, error["loc"], model, allowed) for error in errors)
 
 
 def request_error(errors: Sequence[Any], body_model: Any = None, most: int = MOST_FAULTS) -> RequestError:
@@ -92,7 +92,7 @@ def request_error(errors: Sequence[Any], body_model: Any = None, most: int = MOS
     found = [error for error in errors if _part(error) is first]
     model = body_model if first is RequestPart.BODY else None
     allowed: _Allowed = {}
-    faults = [_fault(error, _place(error["loc"][1:]), model, allowed) for error in found[:most]]
+    faults = [_fault(error, error["loc"][1:], model, allowed) for error in found[:most]]
     return RequestError(faults, part=first, unlisted=max(0, len(found) - most))
 
 
@@ -100,7 +100,8 @@ def _part(error: Any) -> RequestPart:
     return _PARTS.get(str(error["loc"][0]), RequestPart.BODY) if error["loc"] else RequestPart.BODY
 
 
-def _fault(error: ErrorDetails, where: tuple[int | str, ...], model: Any, allowed: _Allowed) -> Fault:
+def _fault(error: ErrorDetails, loc: tuple[int | str, ...], model: Any, allowed: _Allowed) -> Fault:
+    where = _place(loc)
     kind, context = error["type"], error.get("ctx") or {}
     code = CODES.get(kind, kind if kind not in _PYDANTIC_TYPES else "value_invalid")
     if code == "object_expected" and not where:
@@ -108,9 +109,9 @@ def _fault(error: ErrorDetails, where: tuple[int | str, ...], model: Any, allowe
     params: dict[str, ParamValue] = {"field": _name(where)}
     params |= {name: _plain(value) for name, value in context.items() if name != "error"}
     if code == "field_unknown":
-        if where[:-1] not in allowed:
-            allowed[where[:-1]] = tuple(_fields_at(model, where[:-1]))
-        params["allowed"] = allowed[where[:-1]]
+        if loc[:-1] not in allowed:
+            allowed[loc[:-1]] = tuple(dict.fromkeys(_fields_at(model, loc[:-1])))
+        params["allowed"] = allowed[loc[:-1]]
     elif code in ("number_too_small", "number_too_large"):
         params = {"limit": next(_plain(context[name]) for name in _BOUNDS if name in context)}
     elif code in ("list_too_long", "string_too_long"):
@@ -135,21 +136,33 @@ def _name(where: Sequence[int | str]) -> str:
 
 
 def _place(loc: Iterable[int | str]) -> tuple[int | str, ...]:
-    return tuple(step for step in loc if not str(step).startswith(CHOICE))
+    return tuple(step for step in loc if not _is_tag(step))
+
+
+def _is_tag(step: int | str) -> bool:
+    return str(step).startswith(CHOICE)
 
 
 def _plain(value: object) -> ParamValue:
     return value if isinstance(value, (str, int, float, tuple)) else str(value)
 
 
-def _fields_at(model: Any, where: Sequence[int | str]) -> Iterable[str]:
-    """Names of the fields that an object at this place may have."""
+def _fields_at(model: Any, loc: Sequence[int | str]) -> Iterable[str]:
+    """Names of the fields that an object at this place may have; tags say which branch of a union it is."""
     if isinstance(model, TypeAdapter):
         model = model._type
-    for step in where:
-        model = _below(model, step)
+    for step in loc:
+        model = (_branch(model, step) or model) if _is_tag(step) else _below(model, step)
     found = [candidate for candidate in _alternatives(model) if _is_model(candidate)]
     return [info.alias or name for candidate in found for name, info in candidate.model_fields.items()]
+
+
+def _branch(model: Any, tag: int | str) -> Any:
+    """The branch of a union that has a tag, or None."""
+    if any(isinstance(mark, Tag) and mark.tag == tag for mark in getattr(model, "__metadata__", ())):
+        return model
+    inner = get_args(model)[:1] if hasattr(model, "__metadata__") else _choices(model)
+    return next((found for part in inner if (found := _branch(part, tag)) is not None), None)
 
 
 def _below(model: Any, step: int | str) -> Any:
@@ -165,9 +178,12 @@ def _below(model: Any, step: int | str) -> Any:
 def _alternatives(model: Any) -> list[Any]:
     if hasattr(model, "__metadata__"):
         model = get_args(model)[0]
-    if get_origin(model) in (Union, types.UnionType):
-        return [part for choice in get_args(model) for part in _alternatives(choice)]
-    return [model]
+    choices = _choices(model)
+    return [part for choice in choices for part in _alternatives(choice)] if choices else [model]
+
+
+def _choices(model: Any) -> tuple[Any, ...]:
+    return get_args(model) if get_origin(model) in (Union, types.UnionType) else ()
 
 
 def _is_model(candidate: Any) -> bool:

@@ -223,9 +223,10 @@ def test_sums_of_offsets_are_cells_that_are_read_back(
         ({"table": PUMA_560, "link_names": [*"abcdee"]}, "urdf_link_names", "/link_names"),
         ({"table": PUMA_560, "link_names": [*"abcde", "\n"]}, "urdf_name_invalid", "/link_names/5"),
         ({"table": PUMA_560, "limits": [None]}, "limits_wrong_length", "/limits"),
-        ({"table": PUMA_560, "angle_unit": "deg"}, "option_idle", ""),
-        ({"urdf": "<robot/>", "base": BASE}, "option_idle", ""),
-        ({"table": PUMA_560, "verify": "off"}, "option_idle", ""),
+        ({"table": PUMA_560, "angle_unit": "deg"}, "option_idle", "/angle_unit"),
+        ({"urdf": "<robot/>", "base": BASE}, "option_idle", "/base"),
+        ({"table": PUMA_560, "verify": "off"}, "option_idle", "/verify"),
+        ({"table": PUMA_560, "name": "rob"}, "option_idle", "/name"),
     ],
 )
 def test_what_is_refused(client: httpx.Client, body: dict[str, Any], code: str, pointer: str) -> None:

@@ -165,6 +165,17 @@ def test_arms_without_such_a_form_are_refused(client: httpx.Client, robot: str) 
     assert response.json()["errors"][0]["code"] == "inverse_form_unknown"
 
 
+def test_an_unknown_field_is_told_the_fields_of_its_form(client: httpx.Client) -> None:
+    for form, field, other in (("symbolic", "target", "formats"), ("numeric", "formats", "target")):
+        response = client.post(URL, json={"robot": "puma560", "form": form, field: [0] * 6})
+        faults = [each for each in response.json()["errors"] if each["code"] == "field_unknown"]
+        ((pointer, allowed),) = [(each["pointer"], each["params"]["allowed"]) for each in faults]
+        assert pointer == f"/{field}"
+        assert other in allowed
+        assert field not in allowed
+        assert len(set(allowed)) == len(allowed)
+
+
 @pytest.mark.parametrize(
     ("body", "code"),
     [

@@ -282,6 +282,11 @@ def test_lengths_near_the_end_of_the_doubles(
     assert response.json()["pointer"] == pointer
 
 
+def test_a_position_too_far_away_is_pointed_at(client: httpx.Client) -> None:
+    problem = client.post(URL, json={"robot": "twolink", "position": [1e308, 1e308, 0]}).json()
+    assert (problem["code"], problem["pointer"]) == ("result_not_finite", "/position")
+
+
 def test_what_is_too_long_is_pointed_at_where_it_was_sent(client: httpx.Client) -> None:
     target = np.eye(4).tolist()
     rows = [{"alpha": 0, "a": "1e15*L1", "d": 0, "theta": "q1"}]

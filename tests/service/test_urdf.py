@@ -92,7 +92,7 @@ def test_a_chain_to_every_form(client: httpx.Client, to: str) -> None:
         ({"urdf": TURNING_ARM, "to": "standard"}, "urdf_tip_needed", "/urdf"),
         ({"urdf": TURNING_ARM, "to": "standard", "tip_link": "foot"}, "urdf_link_unknown", "/urdf"),
         ({"urdf": TURNING_ARM, "table": PUMA_560, "to": "standard"}, "one_source", ""),
-        ({"table": PUMA_560, "to": "standard", "tip_link": "hand"}, "option_idle", ""),
+        ({"table": PUMA_560, "to": "standard", "tip_link": "hand"}, "option_idle", "/tip_link"),
         ({"table": PUMA_560, "to": "poe", "limits": []}, "limits_wrong_length", "/limits"),
         ({"table": PUMA_560, "to": "urdf", "limits": [None]}, "limits_wrong_length", "/limits"),
         ({"table": PUMA_560, "to": "urdf", "name": "\n"}, "urdf_name_invalid", "/name"),

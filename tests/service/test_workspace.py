@@ -50,6 +50,9 @@ def test_the_support_plane_with_the_hand_down(client: httpx.Client) -> None:
     assert 0 < len(oriented["points"]) <= 10
 
 
+PINNED = [[10, 10.1]] * 6
+
+
 @pytest.mark.parametrize(
     ("changes", "code", "pointer"),
     [
@@ -57,6 +60,8 @@ def test_the_support_plane_with_the_hand_down(client: httpx.Client) -> None:
         ({"plane": {"normal": [0, 0, 0]}}, "axis_length", "/plane/normal"),
         ({"plane": {"point": [0, 0, 1e300]}}, "result_not_finite", "/plane/point"),
         ({"axis": [0, 0, 0]}, "axis_length", "/axis"),
+        ({"axis": [0, 0, 1], "limits": PINNED}, "workspace_condition_unmet", "/axis"),
+        ({"quaternion": [1, 0, 0, 0], "limits": PINNED}, "workspace_condition_unmet", "/quaternion"),
         ({"axis": [0, 0, 1], "quaternion": [1, 0, 0, 0]}, "quaternion_or_axis", ""),
     ],
 )

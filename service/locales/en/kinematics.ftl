@@ -18,7 +18,7 @@ error-pose_not_finite = This entry is not a finite number.
 error-pose_in_one_row = Sixteen numbers in one list are not a pose: write four rows of four numbers, [[…], […], […], [0, 0, 0, 1]].
 error-inertia_in_one_row = An inertia is not one list of numbers: write three rows of three, [[Ixx, Ixy, Ixz], [Ixy, Iyy, Iyz], [Ixz, Iyz, Izz]], with Ixy = −∫ x y dm.
 error-pose_bottom_row = The bottom row of a pose is 0, 0, 0, 1.
-error-pose_not_orthonormal = The rotation part is not orthonormal (off by { $error }): its columns must be perpendicular unit vectors to within { $tolerance }. Give more digits.
+error-pose_not_orthonormal = The rotation part is not orthonormal (off by { $error }): its columns must be perpendicular unit vectors to within { $tolerance }. Give more digits or, in inverse kinematics, a `tolerance`.
 error-pose_left_handed = The rotation part is left-handed: its determinant is −1, a reflection. It must be +1.
 
 error-notation_wrong_length =

@@ -18,7 +18,7 @@ error-pose_not_finite = Este elemento não é um número finito.
 error-pose_in_one_row = Dezasseis números numa só lista não são uma pose: escreva quatro linhas de quatro números, [[…], […], […], [0, 0, 0, 1]].
 error-inertia_in_one_row = Uma inércia não se escreve numa só lista: escreva três linhas de três, [[Ixx, Ixy, Ixz], [Ixy, Iyy, Iyz], [Ixz, Iyz, Izz]], Ixy = −∫ x y dm.
 error-pose_bottom_row = A última linha de uma pose é 0, 0, 0, 1.
-error-pose_not_orthonormal = A parte de rotação não é ortonormal (desvio de { $error }): as colunas devem ser versores perpendiculares, com tolerância de { $tolerance }. Dê mais casas decimais.
+error-pose_not_orthonormal = A parte de rotação não é ortonormal (desvio de { $error }): as colunas devem ser versores perpendiculares, com tolerância de { $tolerance }. Dê mais casas decimais ou, na cinemática inversa, uma tolerância (`tolerance`).
 error-pose_left_handed = A parte de rotação forma um triedro esquerdo: o determinante é −1, uma reflexão. Deve ser +1.
 
 error-notation_wrong_length =

@@ -5,8 +5,8 @@ from __future__ import annotations
 from enum import StrEnum
 from typing import Annotated, Self, TypeAlias
 
-from pydantic import Field, model_validator
-from pydantic_core import PydanticCustomError
+from pydantic import Field, ValidationError, model_validator
+from pydantic_core import InitErrorDetails, PydanticCustomError
 
 from kinematics.cells import AngleUnit, LengthUnit
 from kinematics.table import JointType
@@ -145,11 +145,18 @@ class ConvertRequest(Wire):
             "verify": self.scm is None,
             "name": self.to is not Target.URDF,
         }
-        found = tuple(name for name, is_idle in idle.items() if is_idle and getattr(self, name) is not None)
+        found = [name for name, is_idle in idle.items() if is_idle and getattr(self, name) is not None]
         if found:
-            raise PydanticCustomError(
-                "option_idle", "leave out {found}: this conversion has no use for it", {"found": found}
-            )
+            says = "leave out {found}: this conversion has no use for it"
+            details = [
+                InitErrorDetails(
+                    type=PydanticCustomError("option_idle", says, {"found": name}),
+                    loc=(name,),
+                    input=getattr(self, name),
+                )
+                for name in found
+            ]
+            raise ValidationError.from_exception_data(type(self).__name__, details)
         return self
 
 

@@ -8,6 +8,7 @@ from typing import Any, Protocol, TypeAlias
 import numpy as np
 
 from kinematics.errors import Fault, PoseError
+from kinematics.inverse.lengths import is_long, too_long
 from kinematics.poses import transform_from_quaternion, transform_from_xyzabc
 from kinematics.se3 import perpendicular, unit
 from service.schemas.kinematics.pose_input import PlacedPose, PoseInput
@@ -66,8 +67,10 @@ def placed_matrix(
     """Return a pose at a position, with an orientation or with its z axis along a direction if one is given.
 
     Raises:
-        PoseError: a quaternion or an axis of no length.
+        PoseError: a quaternion or an axis of no length, or a position too far away.
     """
+    if any(map(is_long, position)):
+        raise PoseError(too_long(("position",)))
     if quaternion is not None:
         return transform_from_quaternion(quaternion, position)
     pose = np.eye(4)
