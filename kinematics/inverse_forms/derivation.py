@@ -78,10 +78,11 @@ def inverse_form(
         tip: the point whose position the target gives, in frame N.
 
     Raises:
-        TableError: code `inverse_form_unknown` of an arm that is not taken apart so.
+        TableError: code `inverse_form_unknown` of an arm that is not taken apart so, at ("rows",), or at the
+            cell that leaves axes neither parallel nor at right angles.
     """
-    arm = signed_arm_of(table, tip)
-    if arm is not None and 1 <= len(arm.joints) <= MOST_JOINTS:
+    if 1 <= table.n_joints <= MOST_JOINTS:
+        arm = signed_arm_of(table, tip)
         for parts in partitions(arm):
             form = _Writer(arm, parts, (*table_parameters(table), *taken)).form()
             if form is not None:

@@ -2,7 +2,8 @@
 
 Where every twist and every constant turn is a multiple of π/2, an axis has the direction of ±x, ±y or ±z, and
 its points have coordinates that are sums of the table's lengths. Any other constant turn about a joint's own
-axis is an offset of that joint.
+axis is an offset of that joint. About a parallel axis it is an offset of the joint before, and the way
+between the two is turned back: Trans(v) Rot_z(β) = Rot_z(β) Trans(Rot_z(-β) v).
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ from dataclasses import dataclass, replace
 from typing import TypeAlias
 
 from kinematics.dh import MotionKind
+from kinematics.errors import Fault, TableError
 from kinematics.expressions import (
     ONE,
     ZERO,
@@ -25,7 +27,7 @@ from kinematics.expressions import (
     pi_fraction,
 )
 from kinematics.symbolic.motions import Motion, motions_of
-from kinematics.table import JointType, SymbolicTable
+from kinematics.table import SymbolicTable
 
 Vector: TypeAlias = tuple[Expression, Expression, Expression]
 Axis: TypeAlias = tuple[int, int, int]
@@ -73,20 +75,22 @@ class SignedArm:
     columns: tuple[Axis, Axis, Axis]
 
 
-def signed_arm_of(table: SymbolicTable, tip: Vector = (ZERO, ZERO, ZERO)) -> SignedArm | None:
-    """Return the arm of a table, or None if an axis is not at right angles to the others.
+def signed_arm_of(table: SymbolicTable, tip: Vector = (ZERO, ZERO, ZERO)) -> SignedArm:
+    """Return the arm of a table.
 
     Args:
         table: the DH table.
         tip: what is to be placed, a point in frame N.
+
+    Raises:
+        TableError: code `inverse_form_unknown`, at the cell that leaves axes neither parallel nor at right
+            angles.
     """
-    walker = _Walker(table)
-    for row in motions_of(table):
+    walker = _Walker()
+    for i, row in enumerate(motions_of(table)):
         for motion in row:
-            if not walker.takes(motion):
-                return None
-    if walker.ahead != ZERO:
-        return None
+            walker.take(motion, i)
+    walker.turn_back()
     x, y, z = (along(axis, tip) for axis in zip(*walker.columns, strict=True))
     return SignedArm(joints=tuple(walker.joints), end=plus(walker.point, (x, y, z)), columns=walker.columns)
 
@@ -94,44 +98,59 @@ def signed_arm_of(table: SymbolicTable, tip: Vector = (ZERO, ZERO, ZERO)) -> Sig
 class _Walker:
     """The frame that has been reached, and the joints passed."""
 
-    def __init__(self, table: SymbolicTable) -> None:
+    def __init__(self) -> None:
         self.columns: tuple[Axis, Axis, Axis] = (_X, _Y, _Z)
         self.point: Vector = (ZERO, ZERO, ZERO)
         self.joints: list[SignedJoint] = []
-        self.ahead: Expression = ZERO
+        self._ahead: Expression = ZERO
+        self._ahead_row = 0
         self._on_axis = False
-        self._types = [row.joint for row in table.rows if row.joint is not JointType.FIXED]
 
-    def takes(self, motion: Motion) -> bool:
-        """Return whether a motion leaves the axes at right angles."""
+    def take(self, motion: Motion, row: int) -> None:
+        """Go on by a motion of a row; see `signed_arm_of` for what is raised."""
+        if motion.kind in (MotionKind.SHIFT_X, MotionKind.TURN_X):
+            self.turn_back()
         x, _, z = self.columns
         if motion.joint:
             turns = motion.kind is MotionKind.TURN_Z
             axis = z if motion.sign > 0 else opposite(z)
-            offset = signed(motion.sign, self.ahead) if turns else ZERO
+            offset = signed(motion.sign, self._ahead) if turns else ZERO
             self.joints.append(
                 SignedJoint(number=motion.joint, turns=turns, axis=axis, point=self.point, offset=offset)
             )
             self._on_axis = turns or self._on_axis
-            self.ahead = ZERO if turns else self.ahead
+            self._ahead = ZERO if turns else self._ahead
         elif motion.kind is MotionKind.SHIFT_Z:
             self.point = plus(self.point, scaled(z, motion.amount))
         elif motion.kind is MotionKind.SHIFT_X:
             self.point = plus(self.point, scaled(x, motion.amount))
             self._on_axis = False
-            return self.ahead == ZERO
         else:
-            return self._turn(motion)
-        return True
+            self._turn(motion, row)
 
-    def _turn(self, motion: Motion) -> bool:
+    def turn_back(self) -> None:
+        """Make a turn that no joint has taken up the offset of a parallel joint before it."""
+        if self._ahead == ZERO:
+            return
+        z = self.columns[2]
+        last = next((i for i in reversed(range(len(self.joints))) if self.joints[i].turns), None)
+        if last is None or not all(dot(joint.axis, z) for joint in self.joints[last:]):
+            raise _oblique(self._ahead_row, "theta")
+        joint = self.joints[last]
+        angle = signed(dot(joint.axis, z), self._ahead)
+        c, s = circular(Function.COS, angle), negate(circular(Function.SIN, angle))
+        self.point = plus(joint.point, turned(joint.axis, c, s, minus(self.point, joint.point)))
+        self.joints[last] = replace(joint, offset=add((joint.offset, angle)))
+        self._ahead = ZERO
+
+    def _turn(self, motion: Motion, row: int) -> None:
         turns = pi_fraction(motion.amount)
         quarters = None if turns is None or (2 * turns).denominator != 1 else int(2 * turns) % 4
         x, y, z = self.columns
         if motion.kind is MotionKind.TURN_X:
             self._on_axis = False
-            if quarters is None or self.ahead != ZERO:
-                return False
+            if quarters is None:
+                raise _oblique(row, "alpha")
             for _ in range(quarters):
                 y, z = z, opposite(y)
         elif quarters is not None:
@@ -143,9 +162,12 @@ class _Walker:
             offset = add((joint.offset, signed(dot(joint.axis, z), motion.amount)))
             self.joints[last] = replace(joint, offset=offset)
         else:
-            self.ahead = add((self.ahead, motion.amount))
+            self._ahead, self._ahead_row = add((self._ahead, motion.amount)), row
         self.columns = (x, y, z)
-        return True
+
+
+def _oblique(row: int, cell: str) -> TableError:
+    return TableError(Fault(code="inverse_form_unknown", where=("rows", row, cell)))
 
 
 def opposite(axis: Axis) -> Axis:
@@ -201,7 +223,9 @@ def turned(axis: Axis, cosine: Expression, sine: Expression, v: Vector) -> Vecto
 
 
 def circular(function: Function, angle: Expression) -> Expression:
-    """Return the sine or cosine of an angle; of 0 what it is."""
-    if angle == ZERO:
-        return ONE if function is Function.COS else ZERO
-    return call(function, angle)
+    """Return the sine or cosine of an angle; of a multiple of π/2 what it is."""
+    turns = pi_fraction(angle)
+    if turns is None or (2 * turns).denominator != 1:
+        return call(function, angle)
+    quarters = int(2 * turns) + (function is Function.COS)
+    return (ZERO, ONE, ZERO, negate(ONE))[quarters % 4]

@@ -165,6 +165,35 @@ def test_arms_without_such_a_form_are_refused(client: httpx.Client, robot: str) 
     assert response.json()["errors"][0]["code"] == "inverse_form_unknown"
 
 
+TURNED_FOOT = {"joint": "fixed", "alpha": 0, "a": 0.1, "d": 0.2, "theta": 20}
+LINKS = [{"alpha": 0, "a": 0.4, "d": 0, "theta": "q1"}, {"alpha": 0, "a": 0.3, "d": 0, "theta": "q2"}]
+
+
+def test_fixed_rows_that_turn_ahead_of_the_joints_are_a_base(client: httpx.Client) -> None:
+    rows = {"convention": "standard", "angle_unit": "deg", "rows": [TURNED_FOOT, *LINKS]}
+    answer = asked(client, table=rows, formats=["python"])
+    assert answer["target"]["position"] == ["t_x", "t_y", "t_z"]
+    names = [name for name in answer["arguments"] if name.startswith("t")]
+    space: dict[str, Any] = {}
+    exec(answer["code"]["python"], space)
+    joints = [0.3, -0.8]
+    foot, elbow, hand = math.radians(20), math.radians(20) + joints[0], math.radians(20) + sum(joints)
+    tip = {
+        "t_x": 0.1 * math.cos(foot) + 0.4 * math.cos(elbow) + 0.3 * math.cos(hand),
+        "t_y": 0.1 * math.sin(foot) + 0.4 * math.sin(elbow) + 0.3 * math.sin(hand),
+        "t_z": 0.2,
+    }
+    found = space["inverse_kinematics"](*(tip[name] for name in names), -1)
+    assert found == pytest.approx(joints, abs=1e-12)
+
+
+def test_a_tilt_between_two_joints_is_pointed_at(client: httpx.Client) -> None:
+    tilted = {"joint": "fixed", "alpha": 30, "a": 0.1, "d": 0, "theta": 0}
+    rows = {"convention": "standard", "angle_unit": "deg", "rows": [LINKS[0], tilted, LINKS[1]]}
+    problem = client.post(URL, json={"form": "symbolic", "table": rows}).json()
+    assert (problem["code"], problem["pointer"]) == ("inverse_form_unknown", "/table/rows/1/alpha")
+
+
 def test_an_unknown_field_is_told_the_fields_of_its_form(client: httpx.Client) -> None:
     for form, field, other in (("symbolic", "target", "formats"), ("numeric", "formats", "target")):
         response = client.post(URL, json={"robot": "puma560", "form": form, field: [0] * 6})

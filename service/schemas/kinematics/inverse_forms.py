@@ -105,7 +105,11 @@ class InverseEquation(InverseDefinition):
 
 
 class InverseTargetNames(Wire):
-    """What the entries of the target are called in the equations."""
+    """What the entries of the target are called in the equations.
+
+    They are r11 … r33, p_x, p_y, p_z; with a base or a tool t11 … t33, t_x, t_y, t_z, as r11 … p_z are then
+    the target seen from frame 0. A 0 is added to either where the robot has such a name.
+    """
 
     reach: InverseReach = Field(description="pose; position: of the target only its position is used")
     rotation: list[list[str]] = Field(description="3×3")

@@ -8,17 +8,15 @@ from itertools import chain
 from typing import Any
 
 from kinematics.errors import Fault, FormSizeError
-from kinematics.expressions import ZERO, Expression, JointVariable, Parameter, walk
+from kinematics.expressions import Expression, JointVariable, Parameter, walk
 from kinematics.inverse_forms import (
     InverseCondition,
     InverseForm,
     InverseStep,
     SingularCase,
-    inverse_form,
 )
 from kinematics.inverse_forms.derivation import MOST_JOINTS
-from kinematics.inverse_forms.outer_frames import with_base_and_tool
-from kinematics.inverse_forms.signed_axes import Vector
+from kinematics.inverse_forms.outer_frames import inverse_form_in_world
 from kinematics.printing import LIMIT, Notation
 from kinematics.printing.equation_lists import (
     MISFIT,
@@ -71,8 +69,7 @@ def written_inverse(task: InverseFormTask) -> bytes:
     """
     parameters = task.parameters
     with located("table"):
-        form = inverse_form(task.table, task.variables, _tip(task.tool))
-    form = with_base_and_tool(form, task.base, task.tool, (*parameters, *task.variables))
+        form = inverse_form_in_world(task.table, task.base, task.tool, task.variables)
     expressions = [*(step.value for step in form.steps), *_values_of(form)]
     printed = [*expressions, *form.case_values, *(step.meaning for step in form.steps if step.meaning)]
     if count_operations(printed) > LIMIT:
@@ -150,12 +147,6 @@ class _Written:
             "value": self.value(case.value),
             "equations": [self.definition(step) for step in case.steps],
         }
-
-
-def _tip(tool: Sequence[Sequence[Expression]] | None) -> Vector:
-    """The tool's origin in frame N."""
-    x, y, z = (ZERO, ZERO, ZERO) if tool is None else (row[3] for row in tool[:3])
-    return x, y, z
 
 
 def _values_of(form: InverseForm) -> list[Expression]:

@@ -11,6 +11,7 @@ from kinematics.errors import TableError
 from kinematics.forward import end_pose
 from kinematics.inverse import ArmReach, solver_of
 from kinematics.inverse_forms import ConditionKind, InverseReach, inverse_form, joint_values
+from kinematics.inverse_forms.outer_frames import inverse_form_in_world
 from kinematics.table import Convention, JointType
 from tests.conftest import EXPLORE
 from tests.kinematics.inverse.models import MODELS
@@ -37,7 +38,7 @@ def drawn(rng, numbers):
 
 def branches_reach(symbols, numbers, values, seed=1):
     """Every branch's residual is rounding, its own configuration is one, and it has all the solver's."""
-    form = inverse_form(symbols)
+    form = inverse_form_in_world(symbols)
     rng = np.random.default_rng(seed)
     reach = ArmReach.POSE if form.reach is InverseReach.POSE else ArmReach.POSITION
     solver = solver_of(numbers, reach=reach)
@@ -244,6 +245,61 @@ def test_arms_of_the_books(name):
     given = {parameter: float(rng.uniform(0.2, 0.9)) for parameter in read.parameters}
     values = parameter_values(read.parameters, read.angle_unit, given)
     branches_reach(read.table, bind_parameters(read, given), values)
+
+
+PUMA = [
+    (90, 0, 0, "q1"),
+    (0, "a2", 0, "q2"),
+    (-90, "a3", "d3", "q3"),
+    (90, 0, "d4", "q4"),
+    (-90, 0, 0, "q5"),
+    (0, 0, "d6", "q6"),
+]
+TURNED = {
+    "two links, bent": table_of(STANDARD, (0, 0.4, 0, "q1"), (0, 0.1, 0, 30), (0, 0.3, 0, "q2")),
+    "two links, bent the other way round": table_of(
+        STANDARD, (180, "l1", "h", "q1 + 10"), (0, "l2", 0.2, 30), (0, 0.1, 0, "beta"), (0, "l3", 0, "-q2")
+    ),
+    "two links, bent, modified": table_of(
+        MODIFIED, (0, 0, 0, "q1"), (0, "l1", 0, 30), (0, "l2", 0, "q2"), (0, "l3", 0, 0)
+    ),
+    "two links behind a fixed row": table_of(
+        STANDARD, (90, 0.1, 0.2, 20), (0, 0.4, 0, "q1"), (0, 0.3, 0, "q2")
+    ),
+    "PUMA behind a fixed row that turns": table_of(STANDARD, (0, 0.1, 0.2, 20), *PUMA),
+    "PUMA behind a fixed row that tilts": table_of(STANDARD, (30, 0.1, 0.2, 0), *PUMA),
+    "PUMA with a tilted tool": table_of(STANDARD, *PUMA, (30, 0.1, 0.2, 20)),
+    "PUMA on a tilted foot, its tool tilted": table_of(
+        STANDARD, (0, "b", 0, 40), ("gamma", 0, 0.1, 0), *PUMA, (0, 0.1, 0, 20), ("gamma", 0, 0, 0)
+    ),
+    "SCARA, bent, slide between": table_of(
+        STANDARD, (0, "l1", 0, "q1"), (0, 0, "q2", 0), (0, "l2", 0, 25), (0, "l3", 0, "q3"), (0, 0, 0, "q4")
+    ),
+}
+
+
+@pytest.mark.parametrize("name", TURNED)
+def test_fixed_rows_turned_by_any_angle(name):
+    read = TURNED[name]
+    rng = np.random.default_rng(4)
+    given = {parameter: float(rng.uniform(0.2, 0.9)) for parameter in read.parameters}
+    values = parameter_values(read.parameters, read.angle_unit, given)
+    branches_reach(read.table, bind_parameters(read, given), values)
+
+
+@pytest.mark.parametrize(
+    ("rows", "where"),
+    [
+        ([(0, 0.4, 0, "q1"), (30, 0.1, 0, 0), (0, 0.3, 0, "q2")], ("rows", 1, "alpha")),
+        ([(90, 0.4, 0, "q1"), (0, 0.1, 0, 30), (0, 0.3, 0, "q2")], ("rows", 1, "theta")),
+        ([(20, 0.4, 0, 0), (0, 0.1, 0, "q1"), (30, 0, 0, 0), (0, 0.3, 0, "q2")], ("rows", 2, "alpha")),
+        ([(30, 0.4, 0, "q1"), (0, 0.3, 0, "q2")], ("rows", 0, "alpha")),
+    ],
+)
+def test_the_cell_that_leaves_axes_oblique_is_named(rows, where):
+    with pytest.raises(TableError) as refused:
+        inverse_form_in_world(table_of(STANDARD, *rows).table)
+    assert [(each.code, each.where) for each in refused.value.faults] == [("inverse_form_unknown", where)]
 
 
 @pytest.mark.parametrize("name", IDLE)
