@@ -22,7 +22,7 @@ from kinematics.cells.refusals import CellRefusal
 from kinematics.cells.substitution import substitute
 from kinematics.cells.variables import variable_index
 from kinematics.dh import MotionKind
-from kinematics.errors import DescriptionError, Fault, FormSizeError
+from kinematics.errors import DescriptionError, Fault, FormSizeError, ParameterError
 from kinematics.expressions import (
     ONE,
     ZERO,
@@ -37,6 +37,7 @@ from kinematics.jacobian import JacobianFrame
 from kinematics.scm.chain import Entry, Placement
 from kinematics.scm.differentiation import jacobian_by_differentiation
 from kinematics.scm.rows import RIGHT_ANGLE
+from kinematics.se3 import ORTHONORMAL_TOLERANCE
 from kinematics.symbolic import Matrix, ProofStatus, canonical, compare, count_operations
 from kinematics.symbolic.motions import Motion
 from kinematics.symbolic.runs import Runs
@@ -167,6 +168,42 @@ def _shorter(entry: Expression) -> Expression:
     except (FormSizeError, ZeroDivisionError):
         return entry
     return normal if count_operations([normal]) < count_operations([entry]) else entry
+
+
+def check_rotations(factors: Sequence[Factor], product: int) -> None:
+    """Make sure that velocities can be had of a product: the rotation parts of its matrices are rotations.
+
+    Numbers are put in for the names, so that rounded entries pass as elsewhere. A part in parameters alone
+    may be a rotation for values that satisfy conditions nobody has stated, and passes.
+
+    Args:
+        factors: what is multiplied, with values put in.
+        product: its number in the question, from 0.
+
+    Raises:
+        DescriptionError: code `matrix_not_rotation`, at ("products", i, k).
+    """
+    faults = [
+        Fault(code="matrix_not_rotation", where=("products", product, k))
+        for k, factor in enumerate(factors)
+        if not isinstance(factor, Placement) and not _may_rotate(factor)
+    ]
+    if faults:
+        raise DescriptionError(faults)
+
+
+def _may_rotate(matrix: Matrix) -> bool:
+    part = tuple(row[:3] for row in matrix[:3])
+    parameters, variables = names_left(part)
+    if parameters and not variables:
+        return True
+    values = {name: 0.37 + 0.61 * i for i, name in enumerate(sorted(parameters))}
+    joints = [0.83 + 0.47 * i for i in range(max(variables, default=0))]
+    try:
+        R = np.array([[float(evaluate(entry, values, joints)) for entry in row] for row in part])
+    except ParameterError:
+        return True
+    return bool(np.abs(R @ R.T - np.eye(3)).max() <= ORTHONORMAL_TOLERANCE and np.linalg.det(R) > 0.0)
 
 
 def names_left(matrix: Matrix) -> tuple[frozenset[str], frozenset[int]]:

@@ -64,12 +64,27 @@ def test_geo_of_two_frames_and_of_a_transform(client: httpx.Client) -> None:
     assert np.allclose(again["xyzabc"], first["xyzabc"])
 
 
-OWN = [
+OWN: list[list[Any]] = [
     ["cos(q1)", "-sin(q1)", 0, "L1*cos(q1)"],
     ["sin(q1)", "cos(q1)", 0, "L1*sin(q1)"],
     [0, 0, 1, 0],
     [0, 0, 0, 1],
 ]
+
+
+MISTYPED = [["2*cos(q1)", *OWN[0][1:]], *OWN[1:]]
+MIRRORED = [*OWN[:2], [0, 0, -1, 0], OWN[3]]
+ROUNDED = [[0.707107, -0.707107, 0, 1], [0.707107, 0.707107, 0, 0], *OWN[2:]]
+UNKNOWN = [["r11", "r12", 0, 0], ["r21", "r22", 0, 0], *OWN[2:]]
+
+
+@pytest.mark.parametrize("matrix", [ROUNDED, UNKNOWN], ids=["rounded", "in parameters alone"])
+def test_rotations_that_are_not_exact_have_jacobians(client: httpx.Client, matrix: list[list[Any]]) -> None:
+    assert "J0" in asked(client, products=[[matrix, {"a": "q1"}]], jacobian=True)["products"][0]
+
+
+def test_a_matrix_that_does_not_rotate_is_multiplied_all_the_same(client: httpx.Client) -> None:
+    assert "J0" not in asked(client, products=[[MISTYPED]])["products"][0]
 
 
 def test_sczip_s2d_and_h2j_of_a_matrix_of_ones_own(client: httpx.Client) -> None:
@@ -114,6 +129,12 @@ def value_of(tree: dict[str, Any], joints: list[float]) -> float:
     ("body", "code", "pointer"),
     [
         ({"products": [[{"a": "atan2(q1, 1)"}]], "jacobian": True}, "no_derivative", "/products"),
+        (
+            {"products": [[OWN], [{"x": 1}, MISTYPED]], "jacobian": True},
+            "matrix_not_rotation",
+            "/products/1/1",
+        ),
+        ({"products": [[MIRRORED]], "jacobian": True}, "matrix_not_rotation", "/products/0/0"),
         ({"products": [[[0, "1/0", 0, 0, 0, 0]]]}, None, "/products/0/0/1"),
         ({"products": [[{"x": "L"}, {"a": "L"}]]}, "scm_parameter_two_kinds", "/products/0/1/a"),
         ({"products": [[{"a": "q99"}]]}, "number_too_large", "/products/0/0/a"),

@@ -16,4 +16,5 @@ error-scm_revolute_second_turn = Joint { $joint } turns about one axis only. Put
 error-scm_limits_reversed = Joint { $joint }: limits are [low, high], both finite, with low not above high.
 error-chain_or_robot = Give exactly one of chain and robot.
 error-scm_six_entries = Six entries are needed: the list [X, Y, Z, A, B, C], or an object with some of x, y, z, a, b, c; those left out are 0.
+error-matrix_not_rotation = The rotation part of this matrix is no rotation: its columns must be perpendicular unit vectors, right-handed, for all values of the joint variables. Only then does it have an angular velocity.
 error-no_derivative = A joint variable appears inside a function that is not differentiated here: write sines and cosines of it.

@@ -16,4 +16,5 @@ error-scm_revolute_second_turn = A junta { $joint } gira em torno de um único e
 error-scm_limits_reversed = Junta { $joint }: os limites são [inferior, superior], ambos finitos, e o inferior não pode exceder o superior.
 error-chain_or_robot = Dê exatamente um dos dois: chain ou robot.
 error-scm_six_entries = São necessárias seis entradas: a lista [X, Y, Z, A, B, C] ou um objeto com algumas de x, y, z, a, b, c; o que faltar vale 0.
+error-matrix_not_rotation = A parte de rotação desta matriz não é uma rotação: as colunas devem ser versores perpendiculares, num triedro direto, para todos os valores das variáveis de junta. Só então ela tem velocidade angular.
 error-no_derivative = Uma variável de junta aparece dentro de uma função que aqui não é derivada: escreva senos e cossenos dela.

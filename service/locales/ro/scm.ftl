@@ -16,4 +16,5 @@ error-scm_revolute_second_turn = Cupla { $joint } se rotește în jurul unei sin
 error-scm_limits_reversed = Cupla { $joint }: limitele sunt [inferioară, superioară], ambele finite; cea inferioară nu o depășește pe cea superioară.
 error-chain_or_robot = Dați exact unul dintre cele două: chain sau robot.
 error-scm_six_entries = Sunt necesare șase intrări: lista [X, Y, Z, A, B, C] sau un obiect cu unele dintre x, y, z, a, b, c; ce lipsește este 0.
+error-matrix_not_rotation = Partea de rotație a acestei matrice nu este o rotație: coloanele ei trebuie să fie versori perpendiculari, într-un triedru drept, pentru toate valorile variabilelor de cuplă. Numai atunci are viteză unghiulară.
 error-no_derivative = O variabilă de cuplă apare într-o funcție care nu se derivează aici: scrieți sinusuri și cosinusuri ale ei.

@@ -49,14 +49,19 @@ class NumericInverseKinematicsRequest(RobotQuestion):
     start: list[Real] | None = Field(
         None, max_length=12, description="joint values; the solution nearest to them comes first"
     )
-    limits: JointRanges | None = None
+    limits: JointRanges | None = Field(
+        None,
+        description="[least, greatest] of each joint in the table's units, null where there is no limit; "
+        "left out, joints are free: those that the catalogue knows of a robot do not apply of themselves",
+    )
     base: PoseInput | None = Field(None, description="pose of frame 0 in the world; the identity if left out")
     tool: PoseInput | None = Field(None, description="pose of the tool in frame N; the identity if left out")
     tolerance: Real | None = Field(
         None,
         json_schema_extra={"exclusiveMinimum": 0, "maximum": LARGEST_TOLERANCE},
         description="how far the target may be off, as a distance in the table's unit and as an angle "
-        "in rad: of a pose rounded to five decimals 1e-5. Left out, what its rotation part shows of rounding",
+        "in rad: of a pose rounded to five decimals 1e-5. At most 0.01 in either sense: a pose in mm with "
+        "one decimal is better asked in m. Left out, what its rotation part shows of rounding",
     )
 
     form: NumericForm = Field("numeric", description="numeric: joint values; symbolic is another request")
@@ -138,7 +143,9 @@ class TargetAnswer(Wire):
     solutions: list[Solution]
     nearest: Nearest | None = Field(None, description="if unreachable: the nearest pose")
     reason: UnreachableReason | None = Field(None, description="if unreachable: why")
-    outside_limits: int = Field(description="solutions and families that were found outside the limits")
+    outside_limits: int = Field(
+        description="solutions and families that were found outside the request's `limits`; 0 without any"
+    )
     tolerance: Real = Field(description="within which the target counts as reached")
 
 

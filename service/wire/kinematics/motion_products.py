@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -17,8 +17,11 @@ from kinematics.expressions import Expression
 from kinematics.jacobian import JacobianFrame
 from kinematics.poses import pose_notations
 from kinematics.printing import Format, MatrixPrinter, Notation, Purpose
+from kinematics.scm.chain import Placement
 from kinematics.scm.products import (
+    Factor,
     ReadProducts,
+    check_rotations,
     compare_matrices,
     jacobian_of_product,
     matrix_in_numbers,
@@ -82,6 +85,7 @@ def written_products(task: ProductsTask) -> bytes:
     """Return the products in the wanted formats, their values and which are equal, as JSON.
 
     Raises:
+        DescriptionError: a Jacobian is wanted of what has none.
         FormSizeError: a matrix has too many operations to be written out.
         ParameterError: an entry has no value.
     """
@@ -90,6 +94,9 @@ def written_products(task: ProductsTask) -> bytes:
         matrices = [matrix_with_values(product_of(factors), task.values) for factors in read.products]
     except ZeroDivisionError:
         raise ParameterError(Fault(code="value_undefined", where=("parameters",))) from None
+    if task.jacobian:
+        for i, factors in enumerate(read.products):
+            check_rotations([_with_values(factor, task.values) for factor in factors], i)
     left = {name for matrix in matrices for name in names_left(matrix)[0]}
     parameters = tuple(name for name in read.parameters if name in left)
     printer = MatrixPrinter(n_joints=read.n_joints, parameters=parameters, notation=task.notation)
@@ -118,6 +125,10 @@ def written_products(task: ProductsTask) -> bytes:
     if task.notation is Notation.SHORT:
         answer["symbols"] = printer.symbols(written)
     return written_out(answer)
+
+
+def _with_values(factor: Factor, values: Mapping[str, Expression]) -> Factor:
+    return factor if isinstance(factor, Placement) else matrix_with_values(factor, values)
 
 
 def _numbers(matrix: Matrix, task: ProductsTask) -> dict[str, Any]:
