@@ -58,12 +58,14 @@ class ReadChain:
         angle_unit: the unit in which its angle parameters are given.
         length_unit: the unit of its lengths and length parameters.
         parameters: what each parameter measures, in the order in which they stand in the chain.
+        variables: the joint variables as typed; q_i where that name is a parameter elsewhere.
     """
 
     chain: ScmChain
     angle_unit: AngleUnit
     length_unit: LengthUnit
     parameters: Mapping[str, ParameterKind]
+    variables: tuple[str, ...]
 
 
 def read_chain(raw: RawChain, limits: Limits = DEFAULT) -> ReadChain:
@@ -87,16 +89,20 @@ def read_chain(raw: RawChain, limits: Limits = DEFAULT) -> ReadChain:
         raise DescriptionError(
             Fault.at("scm_chain_too_long", "joints", length=length, limit=limits.table_characters)
         )
-    reader = _ChainReader(raw=raw, limits=limits, faults=[], kinds={})
+    reader = _ChainReader(raw=raw, limits=limits, faults=[], kinds={}, typed={})
     rows = tuple(reader.row(i, cells) for i, cells in enumerate(raw.joints))
     final, tool = reader.placement("final", raw.final), reader.placement("tool", raw.tool)
     if reader.faults:
         raise DescriptionError(reader.faults)
+    names = [reader.typed.get(joint, f"q{joint}") for joint in range(1, len(rows) + 1)]
     return ReadChain(
         chain=ScmChain(rows=rows, final=final, tool=tool),
         angle_unit=raw.angle_unit,
         length_unit=raw.length_unit,
         parameters=MappingProxyType(reader.kinds),
+        variables=tuple(
+            f"q{joint}" if name in reader.kinds else name for joint, name in enumerate(names, start=1)
+        ),
     )
 
 
@@ -106,6 +112,7 @@ class _ChainReader:
     limits: Limits
     faults: list[Fault]
     kinds: dict[str, ParameterKind]
+    typed: dict[int, str]
 
     def row(self, i: int, cells: RawPlacement) -> ChainRow:
         before = len(self.faults)
@@ -138,7 +145,11 @@ class _ChainReader:
     ) -> Expression:
         def variable_of(name: str) -> Expression | None:
             index = joint if own is not None and name == own else variable_index(name)
-            return None if index is None else JointVariable(index)
+            if index is None:
+                return None
+            if index == joint:
+                self.typed.setdefault(joint, name)
+            return JointVariable(index)
 
         position = Position.ANGLE if entry.is_turn else Position.LENGTH
         try:

@@ -146,11 +146,22 @@ def test_verify_data_refuses_with_every_reason(client: httpx.Client) -> None:
     ]
 
 
+def test_joint_variables_keep_the_names_typed(client: httpx.Client) -> None:
+    rows: list[dict[str, Any]] = [{"z": "L0", "a": "a1"}, {"y": "L1", "b": "a2"}, {"z": "d3"}]
+    asking = {"chain": {"joints": rows}, "formats": ["text"], "notation": "full", "verify": "off"}
+    answer = ask(client, "forward-kinematics", **asking)
+    assert answer["variables"] == ["a1", "a2", "d3"]
+    assert answer["transform"]["text"][0][3] == "d3*cos(a1)*sin(a2) - L1*sin(a1)"
+    assert "d3*" in str(ask(client, "jacobian", **asking)["J0"]["text"])
+    rows[0]["x"] = "d3"
+    assert ask(client, "forward-kinematics", **asking)["variables"] == ["a1", "a2", "q3"]
+
+
 def test_verify_data_may_be_switched_off(client: httpx.Client) -> None:
     question = {"chain": NOT_STRICT, "verify": "off"}
     found = ask(client, "forward-kinematics", **question, parameters={"L1": 1}, joints=[0, 0])
     np.testing.assert_allclose(np.array(found["transform"])[:3, 3], [0, 1, 0], atol=1e-15)
-    assert ask(client, "forward-kinematics", **question)["variables"] == ["q1", "q2"]
+    assert ask(client, "forward-kinematics", **question)["variables"] == ["q1", "d2"]
 
 
 @pytest.mark.parametrize(

@@ -42,6 +42,7 @@ class ChainTask:
     Attributes:
         chain: the chain.
         parameters: names of its parameters.
+        variables: names of its joint variables.
         wanted: which matrices.
         formats: in which formats.
         notation: how sines and cosines are written.
@@ -50,6 +51,7 @@ class ChainTask:
 
     chain: ScmChain
     parameters: tuple[str, ...]
+    variables: tuple[str, ...]
     wanted: Wanted
     formats: tuple[Format, ...]
     notation: Notation
@@ -63,13 +65,14 @@ class ChainTask:
         return cls(
             chain=read.chain,
             parameters=tuple(read.parameters),
+            variables=read.variables,
             wanted=wanted,
             formats=tuple(dict.fromkeys(formats or DEFAULT_FORMATS)),
             notation=notation,
             head={
                 "angle_unit": read.angle_unit.value,
                 "length_unit": read.length_unit.value,
-                "variables": [f"q{i}" for i in range(1, read.chain.n_joints + 1)],
+                "variables": list(read.variables),
                 **_STATED.get(wanted, {}),
             },
         )
@@ -86,7 +89,12 @@ def written_chain(task: ChainTask) -> bytes:
     Raises:
         FormSizeError: a matrix has too many operations to be written out, or is nested too deeply for JSON.
     """
-    printer = MatrixPrinter(n_joints=task.chain.n_joints, parameters=task.parameters, notation=task.notation)
+    printer = MatrixPrinter(
+        n_joints=task.chain.n_joints,
+        parameters=task.parameters,
+        variables=task.variables,
+        notation=task.notation,
+    )
     answer: dict[str, Any] = dict(task.head)
     written: list[Matrix] = []
     for name, found in _matrices(task).items():
