@@ -71,3 +71,14 @@ def test_greek_letters_are_told_as_people_write_them():
         sentence("en", "error-variable_in_constant_cell", {**params, "name": "thetas", "cell": "alphabet"})
         or ""
     )
+
+
+def test_functions_of_two_arguments_are_shown_with_both():
+    shown = {"atan2": "atan2(y, x)", "arctan2": "arctan2(y, x)", "sin": "sin(x)"}
+    for name, call in shown.items():
+        for language in languages():
+            text = sentence(language, "error-function_without_parentheses", {"column": 1, "name": name})
+            assert (text or "").replace("\u2068", "").replace("\u2069", "").endswith(f"{call}."), (
+                language,
+                text,
+            )

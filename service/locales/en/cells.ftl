@@ -33,7 +33,12 @@ error-name_too_long = At character { $column }: a name may have at most { $limit
 error-name_is_not_a_number = At character { $column }: { $name } is not a value. A cell holds finite numbers only.
 error-unit_in_cell = At character { $column }: units are not written in cells. If the unit that is asked for is { $name }, write { $suggestion }; if it is not, convert first.
 error-function_unknown = At character { $column }: { $name } is not a known function. Available: { $functions }. A product is written { $name }*(…).
-error-function_without_parentheses = At character { $column }: write the argument of { $name } in parentheses: { $name }(x).
+error-function_without_parentheses =
+    At character { $column }: write the argument of { $name } in parentheses: { $name }({ $name ->
+        [atan2] y, x
+        [arctan2] y, x
+       *[other] x
+    }).
 error-function_arity =
     { $expected ->
         [one] At character { $column }: { $name } takes one argument, not { $given }.

@@ -33,7 +33,12 @@ error-name_too_long = En el carácter { $column }: un nombre puede tener como m�
 error-name_is_not_a_number = En el carácter { $column }: { $name } no es un valor. Una celda contiene solo números finitos.
 error-unit_in_cell = En el carácter { $column }: las unidades no se escriben en las celdas. Si la unidad que se pide es { $name }, escriba { $suggestion }; si no, convierta antes.
 error-function_unknown = En el carácter { $column }: { $name } no es una función. Las funciones son { $functions }. Un producto se escribe { $name }*(…).
-error-function_without_parentheses = En el carácter { $column }: escriba el argumento de { $name } entre paréntesis: { $name }(x).
+error-function_without_parentheses =
+    En el carácter { $column }: escriba el argumento de { $name } entre paréntesis: { $name }({ $name ->
+        [atan2] y, x
+        [arctan2] y, x
+       *[other] x
+    }).
 error-function_arity =
     { $expected ->
         [one] En el carácter { $column }: { $name } lleva un argumento, no { $given }.

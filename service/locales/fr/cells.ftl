@@ -33,7 +33,12 @@ error-name_too_long = Au caractère { $column } : un nom a au plus { $limit } c
 error-name_is_not_a_number = Au caractère { $column } : { $name } n’est pas une valeur. Une cellule ne contient que des nombres finis.
 error-unit_in_cell = Au caractère { $column } : les unités ne s’écrivent pas dans les cellules. Si l’unité demandée est { $name }, écrivez { $suggestion } ; sinon, convertissez d’abord.
 error-function_unknown = Au caractère { $column } : { $name } n’est pas une fonction. Les fonctions sont { $functions }. Un produit s’écrit { $name }*(…).
-error-function_without_parentheses = Au caractère { $column } : écrivez l’argument de { $name } entre parenthèses : { $name }(x).
+error-function_without_parentheses =
+    Au caractère { $column } : écrivez l’argument de { $name } entre parenthèses : { $name }({ $name ->
+        [atan2] y, x
+        [arctan2] y, x
+       *[other] x
+    }).
 error-function_arity =
     { $expected ->
         [one] Au caractère { $column } : { $name } prend un argument, et non { $given }.

@@ -33,7 +33,12 @@ error-name_too_long = No carácter { $column }: um nome pode ter no máximo { $l
 error-name_is_not_a_number = No carácter { $column }: { $name } não é um valor. Uma célula contém apenas números finitos.
 error-unit_in_cell = No carácter { $column }: unidades não se escrevem nas células. Se a unidade pedida for { $name }, escreva { $suggestion }; se não, converta primeiro.
 error-function_unknown = No carácter { $column }: { $name } não é uma função. As funções são { $functions }. Um produto escreve-se { $name }*(…).
-error-function_without_parentheses = No carácter { $column }: escreva o argumento de { $name } entre parênteses: { $name }(x).
+error-function_without_parentheses =
+    No carácter { $column }: escreva o argumento de { $name } entre parênteses: { $name }({ $name ->
+        [atan2] y, x
+        [arctan2] y, x
+       *[other] x
+    }).
 error-function_arity =
     { $expected ->
         [one] No carácter { $column }: { $name } recebe um argumento, não { $given }.

@@ -33,7 +33,12 @@ error-name_too_long = La caracterul { $column }: un nume poate avea cel mult { $
 error-name_is_not_a_number = La caracterul { $column }: { $name } nu este o valoare. O celulă conține doar numere finite.
 error-unit_in_cell = La caracterul { $column }: unitățile nu se scriu în celule. Dacă unitatea cerută este { $name }, scrieți { $suggestion }; dacă nu, convertiți mai întâi.
 error-function_unknown = La caracterul { $column }: { $name } nu este o funcție. Funcțiile sunt { $functions }. Un produs se scrie { $name }*(…).
-error-function_without_parentheses = La caracterul { $column }: scrieți argumentul lui { $name } între paranteze: { $name }(x).
+error-function_without_parentheses =
+    La caracterul { $column }: scrieți argumentul lui { $name } între paranteze: { $name }({ $name ->
+        [atan2] y, x
+        [arctan2] y, x
+       *[other] x
+    }).
 error-function_arity =
     { $expected ->
         [one] La caracterul { $column }: { $name } are un singur argument, nu { $given }.

@@ -33,7 +33,12 @@ error-name_too_long = Символ { $column }: ім’я може мати що
 error-name_is_not_a_number = Символ { $column }: { $name } не є значенням. Клітинка містить лише скінченні числа.
 error-unit_in_cell = Символ { $column }: одиниці в клітинках не пишуть. Якщо потрібні саме ці одиниці ({ $name }), напишіть { $suggestion }; якщо ні, спершу перетворіть.
 error-function_unknown = Символ { $column }: { $name } не є функцією. Є такі функції: { $functions }. Добуток пишуть { $name }*(…).
-error-function_without_parentheses = Символ { $column }: пишіть аргумент { $name } у дужках: { $name }(x).
+error-function_without_parentheses =
+    Символ { $column }: пишіть аргумент { $name } у дужках: { $name }({ $name ->
+        [atan2] y, x
+        [arctan2] y, x
+       *[other] x
+    }).
 error-function_arity = Символ { $column }: кількість аргументів { $name } має бути { $expected }, а не { $given }.
 
 error-value_missing = Символ { $column }: перед { $symbol } бракує значення.
