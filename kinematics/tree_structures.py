@@ -117,14 +117,11 @@ def read_tree(
         for one in (RawRow(joint=JointType.FIXED, alpha=0, a=0, d=each.b, theta=each.gamma), each.row)
     ]
     raw = RawTable(
-        convention=Convention.MODIFIED,
-        rows=tuple(both),
-        angle_unit=angle_unit,
-        length_unit=length_unit,
-        by_row=False,  # the rows that it would count are not those handed in
+        convention=Convention.MODIFIED, rows=tuple(both), angle_unit=angle_unit, length_unit=length_unit
     )
     try:
-        read = read_table(raw, replace(limits, rows=2 * limits.rows))
+        # rows are not counted: they are not those handed in
+        read = read_table(raw, replace(limits, rows=2 * limits.rows), by_row=False)
     except KinematicsError as error:
         raise type(error)(fault_in_tree(fault) for fault in error.faults) from None
     return ReadTree(read=read, after=tuple(row.after for row in rows))

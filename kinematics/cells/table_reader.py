@@ -18,26 +18,27 @@ from kinematics.remembering import USUAL_TABLE, remembered
 from kinematics.table import CELLS, DHTable
 
 
-def read_table(raw: RawTable, limits: Limits = DEFAULT) -> ReadTable:
+def read_table(raw: RawTable, limits: Limits = DEFAULT, *, by_row: bool = True) -> ReadTable:
     """Return the exact table that a table as handed in means.
 
     Args:
         raw: the table, cells as numbers or text.
         limits: how large it may be.
+        by_row: whether variables may be numbered by row as well as by joint.
 
     Raises:
         CellError: cells cannot be read, each fault at ("rows", i, cell); table faults are among them.
         TableError: every cell can be read, but the rows do not form a DH table.
     """
-    return _read(raw, limits)
+    return _read(raw, limits, by_row)
 
 
-@remembered(lambda raw, limits: raw.length, longest=USUAL_TABLE, most=1024, few=16)
-def _read(raw: RawTable, limits: Limits) -> ReadTable:
+@remembered(lambda raw, limits, by_row: raw.length, longest=USUAL_TABLE, most=1024, few=16)
+def _read(raw: RawTable, limits: Limits, by_row: bool) -> ReadTable:
     _refuse_size(raw, limits)
     syntax = [row_syntax(row, limits) for row in raw.rows]
     trees = [row.trees for row in syntax]
-    joints, misnumbered = row_joints([row.joint for row in raw.rows], trees, by_row=raw.by_row)
+    joints, misnumbered = row_joints([row.joint for row in raw.rows], trees, by_row=by_row)
     rows = [
         row_meaning(row, joint, raw.angle_unit, limits) for row, joint in zip(raw.rows, joints, strict=True)
     ]

@@ -77,14 +77,12 @@ class RawTable:
         rows: the rows, base first.
         angle_unit: unit of plain numbers where an angle stands.
         length_unit: unit of the lengths.
-        by_row: whether variables may be numbered by row as well as by joint.
     """
 
     convention: Convention
     rows: tuple[RawRow, ...]
     angle_unit: AngleUnit = AngleUnit.RAD
     length_unit: LengthUnit = LengthUnit.M
-    by_row: bool = True
     _length: int = field(init=False, repr=False)
     _content: tuple[object, ...] = field(init=False, repr=False)
     _hash: int = field(init=False, repr=False)
@@ -92,7 +90,7 @@ class RawTable:
     def __post_init__(self) -> None:
         object.__setattr__(self, "rows", tuple(self.rows))
         cells = [(row.joint, row.alpha, row.a, row.d, row.theta) for row in self.rows]
-        content = (self.convention, self.angle_unit, self.length_unit, self.by_row, *cells)
+        content = (self.convention, self.angle_unit, self.length_unit, *cells)
         object.__setattr__(self, "_content", content)
         object.__setattr__(self, "_hash", hash(content))
         given = (cell for row in self.rows for cell in (row.alpha, row.a, row.d, row.theta))
