@@ -82,6 +82,12 @@ class Store:
         """Whether rows can be locked one by one."""
         return self.engine.dialect.name == "postgresql"
 
+    def bound_answers(self) -> None:
+        """Give up from now on where PostgreSQL keeps silent; migrations and backups may take longer."""
+        if self.is_postgresql:
+            self.engine.dispose()
+            event.listen(self.engine, "do_connect", _connect_bounded)
+
     @contextmanager
     def reading(self) -> Iterator[sa.Connection]:
         """Open a transaction that sees one state of the database."""
@@ -292,6 +298,14 @@ def _postgresql(url: str) -> sa.Engine:
     event.listen(engine, "checkin", _note_use)
     event.listen(engine, "checkout", _check_idle)
     return engine
+
+
+def _connect_bounded(
+    _dialect: sa.Dialect, _record: ConnectionPoolEntry, arguments: tuple[Any, ...], named: dict[str, Any]
+) -> Any:
+    from courses import postgresql_connection  # a service on SQLite does without the driver
+
+    return postgresql_connection.PostgresqlConnection.connect(*arguments, **named)
 
 
 def _note_use(_: Any, record: ConnectionPoolEntry) -> None:

@@ -67,6 +67,7 @@ class CourseResources:
             is_crowded: whether so many answers wait to be judged that a moment more is nothing.
         """
         self.store: Store = open_store(settings.database_url, settings.data_folder)
+        self.store.bound_answers()
         self.fetcher = Fetcher(frozenset(settings.lti_trusted_origins))
         self.platform_keys = PlatformKeys(self.fetcher)
         self.services = Services(self.fetcher, self.signing)

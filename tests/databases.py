@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import contextlib
 import itertools
+import os
 import shutil
+import signal
 import tempfile
 import warnings
 from collections.abc import Iterator
@@ -39,6 +41,22 @@ def without_waiting_for_the_disk(server: str) -> None:
             connection.execute(sa.text(f"ALTER SYSTEM SET {setting} = off"))
         connection.execute(sa.text("SELECT pg_reload_conf()"))
     engine.dispose()
+
+
+@contextlib.contextmanager
+def frozen(server: str) -> Iterator[None]:
+    """A server whose processes stand still: it takes connections and answers none."""
+    folder = Path(str(sa.make_url(server).query["host"]))
+    first = (folder / "postmaster.pid").read_text().split()[0]
+    children = Path(f"/proc/{first}/task/{first}/children").read_text().split()
+    stopped = [int(process) for process in (first, *children)]
+    for process in stopped:
+        os.kill(process, signal.SIGSTOP)
+    try:
+        yield
+    finally:
+        for process in stopped:
+            os.kill(process, signal.SIGCONT)
 
 
 def _administration(server: str) -> sa.Engine:

@@ -8,6 +8,7 @@ import threading
 import time
 import uuid
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from urllib.parse import parse_qs, urlsplit
 
@@ -16,7 +17,7 @@ import pytest
 import sqlalchemy as sa
 from sqlalchemy import event
 
-from courses import records
+from courses import postgresql_connection, records, storage
 from courses.enrolment import Arrival, arrive
 from courses.model import Role
 from courses.refusals import StorageError, StorageUnavailableError
@@ -24,7 +25,7 @@ from courses.storage import Store, open_store
 from service.course_resources import CourseResources, now
 from service.settings import Settings
 from tests.courses.classroom import joined, platform, submitted
-from tests.databases import new_database
+from tests.databases import frozen, new_database
 from tests.live_service import running
 from tests.lti.test_launches import RIGHT
 
@@ -131,6 +132,55 @@ def test_a_database_that_goes_and_comes_back_loses_nothing(cable: Cable, tmp_pat
         keys = list(connection.scalars(sa.select(records.attempt.c.key)))
     assert sorted(keys) == sorted(set(acknowledged))
     store.close()
+
+
+@pytest.mark.parametrize("idle", [0.0, 1.5], ids=["in use", "idle before"])
+def test_a_frozen_database_is_told_in_bounded_time_and_loses_nothing(
+    postgresql: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, idle: float
+) -> None:
+    monkeypatch.setattr(postgresql_connection, "ANSWER_SECONDS", 2.0)
+    monkeypatch.setattr(storage, "CONNECT_SECONDS", 2)
+    with new_database(postgresql) as url:
+        store = open_store(url, tmp_path)
+        told = {"role": Role.LEARNER, "deployment": "1", "context": "c", "resource": "r"}
+        arrival = Arrival(platform=platform(store), subject="s", exercise_id="puma560", **told)
+        token, _ = arrive(store, arrival, now())
+        acknowledged: list[str] = []
+        with (
+            running(Settings(storage="on", database_url=url, data_folder=tmp_path)) as origin,
+            httpx.Client(base_url=origin, timeout=30, trust_env=False) as client,
+            ThreadPoolExecutor() as threads,
+        ):
+            client.headers["Authorization"] = f"Bearer {token}"
+
+            def submit(key: str) -> httpx.Response:
+                answer = client.post("/api/v1/session/attempts", json=RIGHT, headers={"Idempotency-Key": key})
+                if answer.status_code == 200:
+                    acknowledged.append(key)
+                return answer
+
+            def asked_at_once(*keys: str) -> list[httpx.Response]:
+                asked = [
+                    threads.submit(client.get, "/api/v1/session"),
+                    threads.submit(client.put, "/api/v1/session/draft", json={"draft": RIGHT}),
+                    *(threads.submit(submit, key) for key in keys),
+                ]
+                return [call.result() for call in asked]
+
+            assert all(answer.is_success for answer in asked_at_once("a", "b"))
+            time.sleep(idle)
+            with frozen(postgresql):
+                for _ in range(2):
+                    refused = asked_at_once("b", "c", "d")
+                    assert {answer.status_code for answer in refused} == {503}
+                    assert {answer.json()["code"] for answer in refused} == {"storage_unavailable"}
+                    assert max(answer.elapsed.total_seconds() for answer in refused) < 15
+                assert client.get("/livez").status_code == 200
+            assert all(answer.is_success for answer in asked_at_once("a", "b", "c", "d"))
+        with store.reading() as connection:
+            keys = list(connection.scalars(sa.select(records.attempt.c.key)))
+        assert sorted(keys) == sorted(set(acknowledged))
+        store.close()
 
 
 def eventually_ready(client: httpx.Client) -> tuple[int, str]:
