@@ -14,6 +14,7 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from starlette.requests import ClientDisconnect
+from starlette.routing import BaseRoute, Match
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 from uvicorn.middleware.proxy_headers import ProxyHeadersMiddleware
 
@@ -161,9 +162,25 @@ class OuterMiddleware:
 
 
 def _template(scope: Scope) -> str:
-    """Return the path of the route that served a request, with names for what differs from call to call."""
-    path = getattr(scope.get("route"), "path", None)
+    """Return the path of the route that a request is for, with names for what differs from call to call."""
+    route = scope.get("route")
+    if route is None and "router" not in scope:  # another layer has answered, before any route was looked for
+        route = _route_for(scope)
+    path = getattr(route, "path", None)
     return path if isinstance(path, str) else UNMATCHED
+
+
+def _route_for(scope: Scope) -> BaseRoute | None:
+    """Return the route that would serve a request, or else one that serves its path by another method."""
+    found: BaseRoute | None = None
+    routes: list[BaseRoute] = scope["app"].routes
+    for route in routes:
+        match, _ = route.matches(scope)
+        if match is Match.FULL:
+            return route
+        if match is Match.PARTIAL and found is None:
+            found = route
+    return found
 
 
 def _place_under(scope: Scope, prefix: str) -> None:

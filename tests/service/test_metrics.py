@@ -83,6 +83,30 @@ def test_requests_judgements_and_refusals_are_counted(client: httpx.Client) -> N
     }
 
 
+def test_what_is_answered_before_the_routes_counts_for_its_route(tmp_path: Path) -> None:
+    settings = Settings(
+        storage="off", data_folder=tmp_path, cost_per_minute=5, cors_origins=("https://a.example",)
+    )
+    with running(settings) as url, httpx.Client(base_url=url, timeout=120, trust_env=False) as client:
+        asks = {"Origin": "https://a.example", "Access-Control-Request-Method": "POST"}
+        assert client.options(GRADE, headers=asks).status_code == 200
+        assert [client.post(GRADE, json=RIGHT).status_code for _ in range(2)] == [200, 429]
+        assert client.post("/api/v1/nothing", json={}).status_code == 429
+        found = figures(client)
+    route = "/api/v1/exercises/{exercise_id}/grade"
+    assert figure(found, "framewise_request_seconds_count", route=route, method="OPTIONS", status="200") == 1
+    assert figure(found, "framewise_request_seconds_count", route=route, method="POST", status="429") == 1
+    assert figure(found, "framewise_request_seconds_count", route="none") == 1
+
+
+def test_replays_and_their_refusals_count_for_their_route(client: httpx.Client) -> None:
+    headers = {"Idempotency-Key": "k"}
+    answers = [client.post(GRADE, json=RIGHT, headers=headers) for _ in range(2)]
+    answers.append(client.post(GRADE, json={}, headers=headers))
+    assert [answer.status_code for answer in answers] == [200, 200, 422]
+    assert figure(figures(client), "framewise_request_seconds_count", route="none") == 0
+
+
 def test_callers_cannot_make_series_of_their_own(client: httpx.Client) -> None:
     before = len(figures(client))
     for n in range(20):
