@@ -9,12 +9,27 @@ import sys
 from collections.abc import Iterable
 
 from pydantic import ValidationError
+from pydantic_core import ErrorDetails
 
 from service.http.api_keys import KeyFile
 from service.settings import Settings
 
 _PREFIX = "FRAMEWISE_"
 _FAULTY = "These settings cannot be understood:"
+_WANTED = {
+    "too_short": "at least {min_length} characters are needed; openssl rand -hex {min_length} makes enough",
+    "int_parsing": "a whole number is needed, such as 8",
+    "int_parsing_size": "this number is too large",
+    "float_parsing": "a number is needed, such as 0.5",
+    "bool_parsing": "true or false is needed",
+    "greater_than": "a number above {gt} is needed",
+    "greater_than_equal": "a number of {ge} or more is needed",
+    "less_than_equal": "a number of {le} or less is needed",
+    "enum": "{expected} is needed",
+    "literal_error": "{expected} is needed",
+    "value_error": "{error}",
+}
+"""What would be right, by pydantic's name of what is wrong; its own sentences speak of input and items."""
 
 
 def settings_of_environment() -> Settings:
@@ -28,10 +43,9 @@ def settings_of_environment() -> Settings:
     try:
         settings = Settings()
     except ValidationError as error:
-        faults += [
-            "  " + ": ".join((*(f"{_PREFIX}{str(step).upper()}" for step in fault["loc"][:1]), fault["msg"]))
-            for fault in error.errors()
-        ]
+        for fault in error.errors():
+            named = [f"{_PREFIX}{str(step).upper()}" for step in fault["loc"][:1]]
+            faults.append("  " + ": ".join((*named, _wanted(fault))))
     if faults:
         sys.exit("\n".join((_FAULTY, *faults)))
     return settings
@@ -53,6 +67,10 @@ def require_key_files(settings: Settings) -> None:
         sys.exit("\n".join((_FAULTY, *missing)))
     if settings.api_keys is not None:
         KeyFile(settings.api_keys).all()
+
+
+def _wanted(fault: ErrorDetails) -> str:
+    return _WANTED.get(fault["type"], fault["msg"]).format_map(fault.get("ctx", {}))
 
 
 def _nearest(name: str, known: Iterable[str]) -> str:

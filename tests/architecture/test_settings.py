@@ -87,6 +87,41 @@ def test_a_setting_that_is_wrong_stops_the_service_and_is_named(
 
 
 @pytest.mark.parametrize(
+    ("name", "value", "wanted"),
+    [
+        ("SECRET", "x", "at least 32 characters are needed; openssl rand -hex 32 makes enough"),
+        ("PORT", "many", "a whole number is needed, such as 8"),
+        ("PORT", "99999", "a number of 65535 or less is needed"),
+        ("WORKERS", "0", "a number above 0 is needed"),
+        ("ACCESS_LOG", "maybe", "true or false is needed"),
+        ("STORAGE", "yes", "'on' or 'off' is needed"),
+        ("READ_SECONDS", "x", "a number is needed, such as 0.5"),
+        ("TRUSTED_PROXIES", "10.0.0.1/8", "10.0.0.1/8 has host bits set"),
+        ("HOST", "{x}", "'{x}' is not an address or a name, such as 127.0.0.1; 0.0.0.0 for all"),
+    ],
+)
+def test_a_setting_that_is_wrong_is_told_what_would_be_right(
+    monkeypatch: pytest.MonkeyPatch, name: str, value: str, wanted: str
+) -> None:
+    monkeypatch.setenv(f"FRAMEWISE_{name}", value)
+    with pytest.raises(SystemExit) as caught:
+        main(["config"])
+    assert str(caught.value).endswith(f"FRAMEWISE_{name}: {wanted}")
+
+
+def test_settings_with_which_the_service_would_not_start_are_told_by_their_check(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setenv("FRAMEWISE_EXERCISE_FOLDERS", "/none/here")
+    with pytest.raises(SystemExit, match="2"):
+        main(["config"])
+    assert "folder_missing" in capsys.readouterr().err
+    monkeypatch.setenv("FRAMEWISE_API_KEYS", "/none/keys.json")
+    with pytest.raises(SystemExit, match="FRAMEWISE_API_KEYS: there is no file /none/keys"):
+        main(["config"])
+
+
+@pytest.mark.parametrize(
     ("name", "value"),
     [
         ("PREFIX", "/dh/v1.2"),
