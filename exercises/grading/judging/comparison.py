@@ -64,6 +64,7 @@ class Comparison:
         in_names: some parameter is drawn.
         meant_table: the answer with rounded entries replaced by what they stand for, exact.
         steps: half a unit of the last place of decimals that stand for themselves, by row and cell.
+        typed_steps: the same of all decimals, whatever they stand for.
         by_value: no name stands in the answer.
         exact: the answer is in names, and nothing in it or in the key is known only to some digits, but for
             lengths by which it moves frames to and fro.
@@ -75,6 +76,7 @@ class Comparison:
     in_names: bool
     meant_table: SymbolicTable
     steps: Mapping[Place, float]
+    typed_steps: Mapping[Place, float]
     exact: bool
     by_value: bool
 
@@ -194,6 +196,7 @@ def _comparison(
         in_names=bool(names),
         meant_table=typed.table,
         steps=typed.steps,
+        typed_steps=typed.typed_steps,
         by_value=not submission.parameters,
         exact=bool(names) and _is_exact(key) and (typed.exact or _stands_for_nothing(typed, key)),
     )
@@ -227,7 +230,7 @@ def _meant(
         values.lengths,
     )
     if known.table is submission.table:
-        return Typed(answer, known.steps)
+        return replace(known, table=answer)
     rows = tuple(
         replace(
             row,
@@ -235,7 +238,7 @@ def _meant(
         )
         for row, old, new in zip(answer.rows, submission.table.rows, known.table.rows, strict=True)
     )
-    return Typed(DHTable(convention=answer.convention, rows=rows), known.steps)
+    return replace(known, table=DHTable(convention=answer.convention, rows=rows))
 
 
 @lru_cache(maxsize=256)

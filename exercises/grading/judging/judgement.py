@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 
 from exercises.grading.judging.comparison import Comparison
 from exercises.grading.judging.digits import PER_CENT, beyond_digits
 from exercises.grading.judging.end_lines import ends_beyond_digits
+from exercises.grading.judging.typed import Place
 from kinematics.chain import chain_of_table
 from kinematics.equivalence import Decision, Kind, Mismatch, Policy, decide_draws
 from kinematics.equivalence.decision import EXACT, convention_fits, mechanism_only
@@ -14,6 +16,7 @@ from kinematics.equivalence.diagnosis import diagnose, mismatches_of
 from kinematics.equivalence.invariants import Invariants
 from kinematics.equivalence.reference import prepared, prepared_for
 from kinematics.equivalence.results import Certificate
+from kinematics.table import NumericTable
 
 IMPRECISE = Decision(certificate=None, mismatches=(Mismatch(kind=Kind.PRECISION),), same_robot=False)
 
@@ -81,9 +84,22 @@ def _is_refuted(comparison: Comparison, policy: Policy, draw: int = 0) -> bool:
 
 
 def _beyond_digits(comparison: Comparison, policy: Policy, draw: int = 0) -> Invariants | None:
-    answer = comparison.meant[draw]
+    """What the digits do not explain, neither of the answer as it was meant nor as it was typed.
+
+    A constant in front of a slider may be near a multiple of 15° by chance.
+    """
+    far = _beyond(comparison, comparison.meant[draw], comparison.steps, policy, draw)
+    if far is None or comparison.typed_exactly:
+        return far
+    typed = comparison.submissions[draw], comparison.typed_steps
+    return None if _beyond(comparison, *typed, policy, draw) is None else far
+
+
+def _beyond(
+    comparison: Comparison, answer: NumericTable, steps: Mapping[Place, float], policy: Policy, draw: int
+) -> Invariants | None:
     reference = prepared_for(comparison.references[draw], answer)
-    return beyond_digits(reference, answer, comparison.steps, policy, share_of(comparison))
+    return beyond_digits(reference, answer, steps, policy, share_of(comparison))
 
 
 def diagnosed(comparison: Comparison, policy: Policy) -> Decision:

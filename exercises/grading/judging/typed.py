@@ -45,10 +45,12 @@ class Typed:
         table: the table with rounded entries replaced by what they stand for.
         steps: half a unit of the last place of those that stand for themselves, by row and cell; exact ones
             are left out [rad or length].
+        typed_steps: the same of all decimals, whatever they stand for.
     """
 
     table: SymbolicTable
     steps: Mapping[Place, float]
+    typed_steps: Mapping[Place, float]
 
     @property
     def exact(self) -> bool:
@@ -88,7 +90,8 @@ def meant(
         elif exact != entry:
             rows[i] = replace(rows[i], **{cell: exact})  # type: ignore[arg-type]
     changed = any(new is not old for new, old in zip(rows, table.rows, strict=True))
-    return Typed(DHTable(convention=table.convention, rows=tuple(rows)) if changed else table, left)
+    told = DHTable(convention=table.convention, rows=tuple(rows)) if changed else table
+    return Typed(told, left, steps)
 
 
 def half_steps(
