@@ -109,7 +109,7 @@ def _told(arm: Arm, points: Array, closed: bool, q: Array) -> Family:
 
 
 def _told_freely(arm: Arm, path: FamilyPath, box: Box, q: Array) -> Family:
-    """A path without limits as a family, its members by turns in (-π, π]."""
+    """A path that no limit cuts as a family, each member by turns within the limits, the nearest to zero."""
     family = _told(arm, path.points, path.closed, q)
     members, _ = within_limits(np.array(family.members), arm.revolute, box, arm.size)
     return replace(family, members=tuple(map(tuple, members.tolist())))
