@@ -10,7 +10,8 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache, lru_cache
 
-from exercises.grading.edits.repairs import MOST_WORK, Repaired, accused, find_repairs, own_table_first
+from exercises.grading.edits.accused import accused, own_table_first
+from exercises.grading.edits.repairs import MOST_WORK, Repaired, find_repairs
 from exercises.grading.edits.work import Work
 from exercises.grading.facts import Weights
 from exercises.grading.findings import (

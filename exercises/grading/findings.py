@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
+from exercises.grading.edits.accused import Accused
 from exercises.grading.edits.changes import Change, Extent
 from exercises.grading.edits.misconceptions import HINTS
-from exercises.grading.edits.repairs import Accused, Repaired
+from exercises.grading.edits.repairs import Repaired
 from exercises.grading.verdict import Edit, Feedback, Finding, HelpLevel, LinkFinding, ParamValue, Repair
 from kinematics.equivalence import Decision, Kind, Mismatch, Policy
 from kinematics.table import VARIABLE_CELLS, JointType, NumericTable

@@ -10,6 +10,7 @@ last_row       the row that leads to the frame which is asked for
 sieve          edits that are seen to fail, without measuring
 trials         all edits at once
 repairs        the smallest edits that mend the table
+accused        which of them explain an answer: the likeliest, and what is as good
 in_common      what equally small ones share
 own_table      whether a table is the key's own
 """

@@ -6,19 +6,16 @@ from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from itertools import islice
-from typing import NamedTuple
 
 from exercises.grading.edits.cell_edits import any_cell
 from exercises.grading.edits.changes import Change, Extent, after
 from exercises.grading.edits.fitting import MOST_SIGNS
 from exercises.grading.edits.misconceptions import RANKS
-from exercises.grading.edits.own_table import is_own_table
 from exercises.grading.edits.row_edits import any_row_left_out, joint_left_out, row_left_out
 from exercises.grading.edits.sieve import Sieve
 from exercises.grading.edits.trials import Catalogue, Trial, finishing_reaches, tried, tried_unchanged
 from exercises.grading.edits.wanted_changes import changes_beforehand, changes_of
-from exercises.grading.edits.work import ANYTHING, EVERYWHERE, LENGTHS, Work
-from exercises.grading.judging.digits import PER_CENT
+from exercises.grading.edits.work import ANYTHING, EVERYWHERE, Work
 from kinematics.equivalence.meter import WorkExhaustedError
 from kinematics.equivalence.search import Effort
 from kinematics.table import NumericTable
@@ -69,112 +66,6 @@ def find_repairs(work: Work) -> tuple[Repaired, ...]:
         for repaired in islice(_found(work), MOST_REPAIRS):
             found.append(repaired)  # noqa: PERF402 - what was found before the work ran out counts
     return tuple(found)
-
-
-def own_table_first(
-    repairs: Sequence[Repaired], table: NumericTable, key: NumericTable
-) -> tuple[Repaired, ...]:
-    """Return the repairs, first those as small as any that make an answer the key's own table.
-
-    Who forgets the key's last fixed row has made that slip, though a sign in the row before it might lead to
-    the frame of the tool as well. Where the likeliest repair is two edits, and not both of cells, it stays
-    the first.
-    """
-    if len(repairs) < 2 or repairs[0].of(table) is None:
-        return tuple(repairs)
-
-    def leads_elsewhere(repaired: Repaired) -> bool:
-        made = repaired.of(table)
-        return len(repaired.changes) > len(repairs[0].changes) or made is None or not is_own_table(made, key)
-
-    return tuple(sorted(repairs, key=leads_elsewhere))
-
-
-class Accused(NamedTuple):
-    """The changes by which a wrong answer is explained.
-
-    Attributes:
-        sure: those of the likeliest repair that the equally good ones make as well.
-        alike: besides them one of these is needed, and nobody can say which; none, if there is no choice.
-    """
-
-    sure: tuple[Change, ...]
-    alike: tuple[Change, ...]
-
-    @property
-    def changes(self) -> tuple[Change, ...]:
-        """All of them."""
-        return self.sure + self.alike
-
-
-def accused(repairs: Sequence[Repaired], table: NumericTable, key: NumericTable) -> Accused:
-    """Return what the likeliest repair and the equally good ones accuse.
-
-    Of two edits of cells one is held while the other is compared with what might stand in its stead: the one
-    for which there are most.
-    """
-    if not repairs:
-        return Accused((), ())
-    best = repairs[0].changes
-    if len(best) == 1:
-        alike = _equally_good(
-            [repair.changes[0] for repair in repairs if len(repair.changes) == 1], table, key
-        )
-        return Accused((), alike) if alike else Accused(best, ())
-    if repairs[0].of(table) is None:
-        return Accused(best, ())
-    choices = [(held, _beside(held, repairs)) for held in best]
-    held, others = max(choices, key=lambda choice: len(choice[1]))
-    alike = _equally_good(others, held.of(table), key) if len(others) > 1 else ()
-    return Accused((held,), alike) if alike else Accused(best, ())
-
-
-def _beside(held: Change, repairs: Sequence[Repaired]) -> list[Change]:
-    """The other edits of those pairs of which one edit is this one."""
-    found = []
-    for repair in repairs:
-        others = [change for change in repair.changes if not change.is_nearly(held)]
-        if len(others) == len(repair.changes) - 1 == 1:
-            found.append(others[0])
-    return found
-
-
-def _equally_good(singles: Sequence[Change], table: NumericTable, key: NumericTable) -> tuple[Change, ...]:
-    """Return the single edits that explain an answer as well as the first and likeliest one, and that one.
-
-    A mirrored arm has one handedness that is wrong, and as many signs that set it right, in one row or in
-    several; an offset along parallel axes may be wrong in any of their rows. Edits of a cell are as good as
-    one another, and edits of a row; what concerns the table throughout is told as the likeliest alone. A
-    length that was typed is likelier wrong than a zero, where with that the frames are the key's own, and
-    where it becomes a length of the key and the zero doesn't. An offset is so only in the key's own table to
-    the letter: along parallel axes, what is missing in one row makes it any number in another. A variable was
-    forgotten, rather than a row left out, where there is a row for every joint.
-    """
-    if singles[0].row is None:
-        return ()
-    best, is_offset = singles[0], singles[0].cell == "d"
-    alike = tuple(change for change in singles if change.extent is best.extent and change.row is not None)
-    forgotten = tuple(change for change in alike if change.code == "joint_fixed")
-    if forgotten and len(table.rows) >= key.n_joints:
-        return forgotten
-    typed = tuple(change for change in alike if not change.fills_a_zero(table))
-    if best not in typed or len(typed) == len(alike):
-        return alike
-    if is_own_table(best.of(table), key, either_way=not is_offset):
-        return typed
-    if not is_offset and any(_is_of_the_key(change, key) for change in typed):
-        return tuple(change for change in alike if change in typed or _is_of_the_key(change, key))
-    return alike
-
-
-def _is_of_the_key(change: Change, key: NumericTable) -> bool:
-    """Whether an edit of a cell puts a length there that stands in the key, whatever the frames."""
-    lengths = [abs(length) for row in key.rows for length in (row.a, row.d) if length]
-    return any(
-        cell in LENGTHS and abs(abs(value) - length) <= PER_CENT * length
-        for _, cell, value in change.cells
-        for length in lengths
-    )
 
 
 def _found(work: Work) -> Iterator[Repaired]:
