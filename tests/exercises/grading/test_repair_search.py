@@ -50,7 +50,8 @@ SLIDERS: Rows = [
     ("pi/3", 0.1, 0.2, "q1"), (0.4, 0.2, "q2", 0.5), (0.9, 0.3, "q3", 0.2), ("-pi/4", 0.1, 0.1, "q4")
 ]  # fmt: skip
 NAMED: Rows = [
-    ("pi/3", "a1", "b1", "q1"), (0.4, "a2", "q2", "beta"), (0.9, "a3", "q3", "c"), ("-pi/4", "a4", "d4", "q4")
+    ("pi/3", "a1", "b1", "q1"), (0.4, "a2", "q2", "beta"), (0.9, "a3", "q3", "gamma"),
+    ("-pi/4", "a4", "d4", "q4"),
 ]  # fmt: skip
 SKEW: Rows = [
     (math.radians(twist), a, d, f"q{joint}")
@@ -189,7 +190,7 @@ CASES: dict[str, tuple[ReadTable, ReadTable, Policy, list[str], int]] = {
     ),
     "a slider turned by a name": (
         of(NAMED),
-        of(with_cells(NAMED, (3, 3, "c + 0.4"))),
+        of(with_cells(NAMED, (3, 3, "gamma + 0.4"))),
         FREE,
         ["theta_value 3"],
         1536,
