@@ -190,7 +190,7 @@ def _laid_on(chain: Chain, start: Sequence[float], axes: Sequence[FigureJointAxi
             beyond = compose(here, axis.motion(float(joints[i])))
         here = beyond
     revolute = np.array([not axis.prismatic for axis in chain.axes])
-    joints[revolute] = (joints[revolute] + math.pi) % (2 * math.pi) - math.pi
+    joints[revolute] = (joints[revolute] + math.pi) % math.tau - math.pi
     return joints
 
 

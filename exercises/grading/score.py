@@ -14,6 +14,7 @@ from exercises.grading.edits.repairs import Repaired
 from exercises.grading.edits.work import WORK_OF_ONE_EDIT, Work
 from exercises.grading.facts import Facts, Floats, Weights, fixed_ends
 from exercises.grading.judging.digits import measured_as_typed, tightened
+from exercises.grading.judging.typed import SAME
 from kinematics.chain import Axis, chain_of_table
 from kinematics.equivalence import Decision, DirectionRule, Kind, Policy, ZeroRule
 from kinematics.equivalence.decision import certify, convention_fits
@@ -32,7 +33,6 @@ DECIMALS = 2
 RULES = frozenset({Kind.ZERO, Kind.DIRECTION, Kind.CONVENTION})
 CELL = 1.0
 """What a slip in a cell costs, in facts of weight 1."""
-SAME = 1e-9
 SIGNS = frozenset({"alpha_sign", "a_sign", "d_sign", "variable_sign"})
 
 

@@ -143,6 +143,6 @@ def _changed(table: NumericTable, places: Sequence[Place], changes: Sequence[flo
     rows = list(table.rows)
     for (row, cell), change in zip(places, changes, strict=True):
         value = getattr(rows[row], cell) + change
-        value = math.remainder(value, 2 * math.pi) if cell in ANGLES else value
+        value = math.remainder(value, math.tau) if cell in ANGLES else value
         rows[row] = replace(rows[row], **{cell: value})  # type: ignore[arg-type]
     return DHTable(convention=table.convention, rows=tuple(rows))

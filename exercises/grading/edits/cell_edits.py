@@ -10,15 +10,13 @@ from exercises.grading.edits.changes import Change, Extent, with_row
 from exercises.grading.edits.fitting import fitted_table
 from exercises.grading.edits.work import Work
 from exercises.grading.judging.judgement import share_of
-from exercises.grading.judging.typed import meant_in_radians
+from exercises.grading.judging.typed import SAME, meant_in_radians
 from kinematics.cells import AngleUnit
 from kinematics.equivalence import BaseRule, DirectionRule, Policy, ToolRule, ZeroRule
 from kinematics.expressions import Number, Parameter, Product
 from kinematics.table import VARIABLE_CELLS, JointType
 
 RIGHT_ANGLES = (0.0, math.pi / 2, -math.pi / 2, math.pi)
-# A share of the robot: the arithmetic’s errors.
-SAME = 1e-9
 # Parts of the robot's size: a length beyond them may stand in another unit; what comes of that is judged.
 TOO_LONG, TOO_SHORT = 2.0, 0.02
 
@@ -40,7 +38,7 @@ def alpha_value(work: Work) -> Iterator[Change]:
     for i, row in work.rows:
         supplements = _supplements(row.alpha) if _tells_senses_apart(work.policy) else ()
         for angle in (*RIGHT_ANGLES, *supplements):
-            apart = abs(math.remainder(row.alpha - angle, 2 * math.pi))
+            apart = abs(math.remainder(row.alpha - angle, math.tau))
             if apart > near and not _is_mirrored(row.alpha, angle, near):
                 yield _set("alpha_value", i, "alpha", angle)
         for angle in work.fits.get((i, "alpha"), ()):
@@ -50,7 +48,7 @@ def alpha_value(work: Work) -> Iterator[Change]:
 
 def _is_mirrored(alpha: float, angle: float, near: float) -> bool:
     """Whether an angle is -α, which is another change."""
-    return abs(math.remainder(alpha + angle, 2 * math.pi)) <= near < abs(math.sin(alpha))
+    return abs(math.remainder(alpha + angle, math.tau)) <= near < abs(math.sin(alpha))
 
 
 def _supplements(alpha: float) -> tuple[float, ...]:
@@ -106,7 +104,7 @@ def angle_in_radians(work: Work) -> Iterator[Change]:
     if work.answer.angle_unit is not AngleUnit.DEG:
         return
     for i, cell, angle in _angles(work):
-        if 0 < abs(angle) <= math.radians(2 * math.pi) + SAME:
+        if 0 < abs(angle) <= math.radians(math.tau) + SAME:
             yield _set("cell_in_radians", i, cell, meant_in_radians(angle))
 
 
@@ -125,7 +123,7 @@ def theta_value(work: Work) -> Iterator[Change]:
             continue
         code = "theta_offset" if row.joint is JointType.REVOLUTE else "theta_value"
         for angle in (*RIGHT_ANGLES, -row.theta):
-            if abs(math.remainder(row.theta - angle, 2 * math.pi)) > work.policy.tolerance.angle:
+            if abs(math.remainder(row.theta - angle, math.tau)) > work.policy.tolerance.angle:
                 yield _set(code, i, "theta", angle)
         for angle in work.fits.get((i, "theta"), ()):
             yield _set(code, i, "theta", angle)

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Mapping
 from enum import Enum
 from typing import NamedTuple
 
-from exercises.grading.judging.typed import Place
+from exercises.grading.judging.typed import SAME, Place
 from exercises.grading.verdict import Edit, ParamValue
 from kinematics.equivalence.batches import CellChange
 from kinematics.table import DHRow, DHTable, NumericRow, NumericTable
@@ -95,7 +95,7 @@ class Change(NamedTuple):
         return (
             same
             and self.slip == other.slip
-            and all(math.isclose(one[2], two[2], rel_tol=1e-9, abs_tol=1e-9) for one, two in pairs)
+            and all(math.isclose(one[2], two[2], rel_tol=SAME, abs_tol=SAME) for one, two in pairs)
         )
 
     def fills_a_zero(self, table: NumericTable) -> bool:
@@ -127,7 +127,9 @@ def after(first: Change, second: Change) -> Change:
     """
 
     def origin(row: int) -> int:
-        place = first.places[0][0] if first.places else 0
+        place = first.row
+        if place is None:
+            return row
         if first.code in ("row_missing", "fixed_row_missing"):
             return row - 1 if row > place else row
         if first.code == "row_extra":

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from exercises.grading.edits.work import Work
-from exercises.grading.judging.typed import ANGLES, Place
+from exercises.grading.judging.typed import ANGLES, SAME, Place
 from kinematics.chain import chain_of_table
 from kinematics.equivalence import Policy
 from kinematics.equivalence.batches import CellChange, Variation
@@ -33,8 +33,6 @@ from kinematics.table import VARIABLE_CELLS, NumericTable
 INFLUENCE = 1e-6
 # In units of an invariant’s slack: what is off by less needs no mending.
 OFF = 0.1
-# A share of the robot: solutions that are zero but for the arithmetic.
-NEGLIGIBLE = 1e-9
 # Invariants that are solved for: a cell shows in the worst of them if in any.
 MOST_STRAINED = 4
 # Choices of the axes’ directions that are tried, the best first.
@@ -42,7 +40,7 @@ MOST_SIGNS = 4
 # Parts of the robot's size: from farther off than this, squares of lengths lose what they differ by.
 DISTANT = 2.0
 # [rad] Three evaluations round the circle give A + B cos x + C sin x.
-THIRD = 2.0 * math.pi / 3.0
+THIRD = math.tau / 3.0
 # [rad] By how much a turn about a slider is tried to change.
 SMALL_TURN = 1e-3
 
@@ -113,7 +111,7 @@ def fitting_values(
                 here = 0.0 if distant else _entry(tables, unsolved, place)
                 middle = column + 2 if distant else own
                 values = functions.solved(strained, middle, column, here, angular=angular)
-                solved[-1][place] = [0.0 if abs(x) < NEGLIGIBLE * scale else x for x in values]
+                solved[-1][place] = [0.0 if abs(x) < SAME * scale else x for x in values]
             column += count
     return solved
 
@@ -210,7 +208,7 @@ def _angles(around: Sequence[float], target: float) -> Iterator[float]:
             continue
         spread = math.acos(max(-1.0, min(1.0, cosine)))
         for x in dict.fromkeys((phase + spread, phase - spread)):
-            yield math.remainder(x, 2.0 * math.pi)
+            yield math.remainder(x, math.tau)
 
 
 def _turns(square: float, beside: float, here: float, target: float) -> Iterator[float]:
@@ -220,7 +218,7 @@ def _turns(square: float, beside: float, here: float, target: float) -> Iterator
         return
     for change in (target - now, -target - now, target + now, now - target):
         for half in (0.0, math.pi):
-            yield math.remainder(here + change + half, 2.0 * math.pi)
+            yield math.remainder(here + change + half, math.tau)
 
 
 def fitted_table(

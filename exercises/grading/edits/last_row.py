@@ -15,17 +15,15 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from functools import partial
 
+from exercises.grading.edits.fitting import THIRD
 from exercises.grading.edits.work import Work
+from exercises.grading.judging.typed import SAME
 from kinematics.chain import Axis, Chain, chain_of_table
 from kinematics.equivalence import ToolRule, ZeroRule
 from kinematics.equivalence.decision import certify
 from kinematics.equivalence.search import Effort
 from kinematics.se3 import Motion, compose, from_matrix, inverse, to_matrix
 from kinematics.table import Convention, DHRow, JointType, NumericRow
-
-NEGLIGIBLE = 1e-9
-"""Of an entry of a rotation, and of a length as a share of the robot's size: what the arithmetic leaves."""
-THIRD = math.tau / 3.0
 
 
 def last_row(work: Work) -> NumericRow | None:
@@ -88,7 +86,7 @@ def _off(motion: Motion, convention: Convention) -> tuple[float, float]:
 def _row_of(motion: Motion, convention: Convention, size: float) -> NumericRow | None:
     """Return the row of a motion; None if it is that of no row, or moves nothing."""
     turned, length = _off(motion, convention)
-    if abs(turned) > NEGLIGIBLE or abs(length) > NEGLIGIBLE * size:
+    if abs(turned) > SAME or abs(length) > SAME * size:
         return None
     (r11, r12, _, p1), (r21, _, r23, p2), (_, r32, r33, p3), _ = to_matrix(motion).tolist()
     if convention is Convention.STANDARD:
@@ -97,8 +95,8 @@ def _row_of(motion: Motion, convention: Convention, size: float) -> NumericRow |
     else:
         theta, alpha = math.atan2(-r12, r11), math.atan2(-r23, r33)
         a, d = p1, p2 * r23 + p3 * r33
-    lengths = (0.0 if abs(value) <= NEGLIGIBLE * size else value for value in (a, d))
-    angles = (0.0 if abs(value) <= NEGLIGIBLE else value for value in (theta, alpha))
+    lengths = (0.0 if abs(value) <= SAME * size else value for value in (a, d))
+    angles = (0.0 if abs(value) <= SAME else value for value in (theta, alpha))
     (a, d), (theta, alpha) = lengths, angles
     if not any((a, d, theta, alpha)):
         return None

@@ -1,6 +1,6 @@
 """The catalogue of what students do wrong in a DH table, and how to undo it.
 
-Each misconception is a code, what happened, and a pure function that undoes it wherever it may have happened.
+Each misconception is a code and a pure function that undoes it wherever it may have happened.
 The order is that of likelihood; if several edits explain a wrong answer, the earlier one is reported first:
 so it is one list, however long.
 """
@@ -59,7 +59,6 @@ class Misconception:
 
     Attributes:
         code: stable identifier.
-        story: what the student did.
         changes: every way to undo it in a table.
         told_as: codes of the edits it may lead to, if not its own; the message of each is `repair-<code>`.
         hint: what is told of it from the help level `kind` on, where that is not the wrong facts of its row.
@@ -70,7 +69,6 @@ class Misconception:
     """
 
     code: str
-    story: str
     changes: Callable[[Work], Iterator[Change]]
     told_as: tuple[str, ...] = ()
     hint: str | None = None
@@ -93,16 +91,9 @@ LENGTH_STORIES = ("a_value", "a_missing", "a_not_zero", "a_sign", "cell_length_u
 OFFSET_STORIES = ("d_value", "d_missing", "d_not_zero", "d_sign", "d_offset", *LENGTH_STORIES[-2:])
 
 CATALOGUE: tuple[Misconception, ...] = (
-    Misconception(
-        code="convention",
-        story="wrote the table in the other convention than declared",
-        changes=other_convention,
-        hint="columns_throughout",
-        beforehand=True,
-    ),
+    Misconception(code="convention", changes=other_convention, hint="columns_throughout", beforehand=True),
     Misconception(
         code="angles_in_degrees",
-        story="typed degrees in a table in radians",
         changes=all_in_degrees,
         hint="angles_throughout",
         beforehand=True,
@@ -110,7 +101,6 @@ CATALOGUE: tuple[Misconception, ...] = (
     ),
     Misconception(
         code="angles_in_radians",
-        story="typed radians in a table in degrees",
         changes=all_in_radians,
         hint="angles_throughout",
         beforehand=True,
@@ -118,7 +108,6 @@ CATALOGUE: tuple[Misconception, ...] = (
     ),
     Misconception(
         code="length_unit",
-        story="typed all lengths in a unit that is not the declared one",
         changes=all_in_other_length_unit,
         hint="lengths_throughout",
         beforehand=True,
@@ -126,7 +115,6 @@ CATALOGUE: tuple[Misconception, ...] = (
     ),
     Misconception(
         code="columns_late",
-        story="wrote a and α one row too low: read a standard table as a modified one",
         changes=columns_a_row_late,
         hint="columns_throughout",
         beforehand=True,
@@ -134,167 +122,64 @@ CATALOGUE: tuple[Misconception, ...] = (
     ),
     Misconception(
         code="columns_early",
-        story="wrote a and α one row too high: read a modified table as a standard one",
         changes=columns_a_row_early,
         hint="columns_throughout",
         beforehand=True,
         sizes=ALONG_X,
     ),
     Misconception(
-        code="columns_exchanged",
-        story="wrote two columns in each other's place: a table in another order of columns",
-        changes=columns_exchanged,
-        hint="columns_in_disorder",
-        beforehand=True,
+        code="columns_exchanged", changes=columns_exchanged, hint="columns_in_disorder", beforehand=True
     ),
     Misconception(
-        code="columns_reordered",
-        story="wrote α, a and d in another order of columns, each in another's place",
-        changes=columns_reordered,
-        hint="columns_in_disorder",
-        beforehand=True,
+        code="columns_reordered", changes=columns_reordered, hint="columns_in_disorder", beforehand=True
     ),
     Misconception(
-        code="parameter_misnamed",
-        story="used a name that is not in the figure",
-        changes=parameter_misnamed,
-        hint="names_throughout",
-        beforehand=True,
+        code="parameter_misnamed", changes=parameter_misnamed, hint="names_throughout", beforehand=True
     ),
-    Misconception(
-        code="cell_in_degrees",
-        story="typed one angle in degrees in a table in radians",
-        changes=angle_in_degrees,
-        cells=ANGLES,
-        sizes=TWISTS,
-    ),
-    Misconception(
-        code="cell_in_radians",
-        story="typed one angle in radians in a table in degrees",
-        changes=angle_in_radians,
-        cells=ANGLES,
-        sizes=TWISTS,
-    ),
-    Misconception(
-        code="alpha_sign",
-        story="turned a twist the wrong way",
-        changes=alpha_sign,
-        cells=("alpha",),
-        sizes=NONE,
-    ),
-    Misconception(
-        code="alpha_value",
-        story="took a twist for another one",
-        changes=alpha_value,
-        cells=("alpha",),
-        sizes=TWISTS,
-    ),
+    Misconception(code="cell_in_degrees", changes=angle_in_degrees, cells=ANGLES, sizes=TWISTS),
+    Misconception(code="cell_in_radians", changes=angle_in_radians, cells=ANGLES, sizes=TWISTS),
+    Misconception(code="alpha_sign", changes=alpha_sign, cells=("alpha",), sizes=NONE),
+    Misconception(code="alpha_value", changes=alpha_value, cells=("alpha",), sizes=TWISTS),
     Misconception(
         code="twists_all_reversed",
-        story="turned every twist the wrong way (left-handed)",
         changes=all_twists_turned_round,
         hint="twists_throughout",
         beforehand=True,
         sizes=NONE,
     ),
-    Misconception(
-        code="a_sign",
-        story="measured a length against the x axis",
-        changes=sign_of_length,
-        cells=("a",),
-        sizes=NONE,
-    ),
-    Misconception(
-        code="d_sign",
-        story="measured an offset against the z axis",
-        changes=sign_of_offset,
-        cells=("d",),
-        sizes=NONE,
-    ),
-    Misconception(code="a_d_swapped", story="wrote a under d and d under a", changes=cells_swapped),
+    Misconception(code="a_sign", changes=sign_of_length, cells=("a",), sizes=NONE),
+    Misconception(code="d_sign", changes=sign_of_offset, cells=("d",), sizes=NONE),
+    Misconception(code="a_d_swapped", changes=cells_swapped),
     Misconception(
         code="parameters_swapped",
-        story="used two names for one another",
         changes=parameters_swapped,
         hint="names_throughout",
         beforehand=True,
         sizes=LENGTHS,
     ),
+    Misconception(code="cell_length_unit", changes=length_in_other_unit, cells=("a", "d"), sizes=LENGTHS),
     Misconception(
-        code="cell_length_unit",
-        story="typed one length in a unit that is not the declared one",
-        changes=length_in_other_unit,
-        cells=("a", "d"),
-        sizes=LENGTHS,
+        code="a_value", changes=length_value, cells=("a",), told_as=LENGTH_STORIES, sizes=frozenset({"a"})
     ),
     Misconception(
-        code="a_value",
-        story="left a length out, put one in, or took the wrong one",
-        changes=length_value,
-        cells=("a",),
-        told_as=LENGTH_STORIES,
-        sizes=frozenset({"a"}),
-    ),
-    Misconception(
-        code="d_value",
-        story="left an offset out, put one in, or took the wrong one",
-        changes=offset_value,
-        cells=("d",),
-        told_as=OFFSET_STORIES,
-        sizes=frozenset({"d"}),
+        code="d_value", changes=offset_value, cells=("d",), told_as=OFFSET_STORIES, sizes=frozenset({"d"})
     ),
     Misconception(
         code="theta_value",
-        story="left an angle about z out, or took the wrong one",
         changes=theta_value,
         cells=("theta",),
         told_as=("theta_value", "theta_offset"),
         sizes=NONE,
     ),
+    Misconception(code="variable_sign", changes=sign_of_variable, cells=("theta", "d"), sizes=NONE),
+    Misconception(code="joint_type", changes=joint_of_other_type, beforehand=True),
     Misconception(
-        code="variable_sign",
-        story="counted a variable the wrong way",
-        changes=sign_of_variable,
-        cells=("theta", "d"),
-        sizes=NONE,
+        code="joint_fixed", changes=joint_left_out, told_as=("joint_fixed", "joint_moving"), counts=True
     ),
-    Misconception(
-        code="joint_type",
-        story="took a revolute joint for a prismatic one, or the reverse",
-        changes=joint_of_other_type,
-        beforehand=True,
-    ),
-    Misconception(
-        code="joint_fixed",
-        story="forgot the variable of a joint",
-        changes=joint_left_out,
-        told_as=("joint_fixed", "joint_moving"),
-        counts=True,
-    ),
-    Misconception(
-        code="rows_swapped",
-        story="wrote two rows in the wrong order",
-        changes=rows_swapped,
-        hint="rows_out_of_order",
-        beforehand=True,
-    ),
-    Misconception(
-        code="row_missing", story="left a row out", changes=row_left_out, hint="row_missing", counts=True
-    ),
-    Misconception(
-        code="fixed_row_missing",
-        story="left out the last row, without a variable, that leads to the marked point",
-        changes=fixed_row_left_out,
-        hint="row_missing",
-        sizes=NONE,
-    ),
-    Misconception(
-        code="row_extra",
-        story="wrote a row that is not needed",
-        changes=row_too_many,
-        hint="row_not_needed",
-        counts=True,
-    ),
+    Misconception(code="rows_swapped", changes=rows_swapped, hint="rows_out_of_order", beforehand=True),
+    Misconception(code="row_missing", changes=row_left_out, hint="row_missing", counts=True),
+    Misconception(code="fixed_row_missing", changes=fixed_row_left_out, hint="row_missing", sizes=NONE),
+    Misconception(code="row_extra", changes=row_too_many, hint="row_not_needed", counts=True),
 )
 
 

@@ -8,8 +8,6 @@ from typing import NamedTuple
 from exercises.grading.judging.digits import PER_CENT
 from kinematics.table import Convention, JointType, NumericTable
 
-TURN = 2.0 * math.pi
-
 
 class _Link(NamedTuple):
     """A row of a modified table, but for θ, and for d where that is a variable."""
@@ -27,7 +25,7 @@ class _Link(NamedTuple):
         """Return whether it is another to within a per cent."""
         return (
             self.joint is other.joint
-            and abs(math.remainder(self.alpha - other.alpha, TURN)) <= PER_CENT
+            and abs(math.remainder(self.alpha - other.alpha, math.tau)) <= PER_CENT
             and abs(self.a - other.a) <= PER_CENT * abs(other.a)
             and abs(self.d - other.d) <= PER_CENT * abs(other.d)
         )

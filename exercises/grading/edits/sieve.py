@@ -16,7 +16,7 @@ from typing import NamedTuple
 
 from exercises.grading.edits.changes import Change
 from exercises.grading.edits.work import Work
-from exercises.grading.judging.typed import Place
+from exercises.grading.judging.typed import SAME, Place
 from kinematics.equivalence.invariants import Invariants
 from kinematics.equivalence.measures import PLAIN_OFFSET, Measure, Shape
 from kinematics.remembering import USUAL_ROWS, remembered
@@ -24,9 +24,6 @@ from kinematics.table import Convention, JointType, NumericRow, NumericTable
 
 # A share of the slack: what is off by hardly more than it is left to be measured.
 CLEARLY = 1.01
-# A sine: axes are parallel but for the errors of the arithmetic.
-PARALLEL = 1e-9
-TURN = 2.0 * math.pi
 
 
 class FactPlace(NamedTuple):
@@ -68,12 +65,12 @@ class LegibleFact:
         first, column = self.rows[0], self.column
         value: float = changed.get((first, column), getattr(rows[first], column))
         if column == "alpha":
-            twist = abs(math.remainder(value, TURN))
+            twist = abs(math.remainder(value, math.tau))
             return abs(min(twist, math.pi - twist) - self.target) > self.slack
         if not self.links:
             return abs(abs(value) - self.target) > self.slack
         twists = [changed.get((row, "alpha"), rows[row].alpha) for row in self.links]
-        if any(abs(math.sin(twist)) > PARALLEL for twist in twists):
+        if any(abs(math.sin(twist)) > SAME for twist in twists):
             return False
         way = 1.0
         for row, twist in zip(self.rows[1:], twists, strict=False):

@@ -10,7 +10,7 @@ from operator import neg
 
 from exercises.grading.edits.changes import Change, Extent
 from exercises.grading.edits.work import LENGTHS, Work
-from exercises.grading.judging.typed import ANGLES, Place, meant_in_radians
+from exercises.grading.judging.typed import ANGLES, SAME, Place, meant_in_radians
 from kinematics.cells import AngleUnit
 from kinematics.equivalence.batches import CellChange
 from kinematics.errors import ParameterError
@@ -23,9 +23,7 @@ LENGTH_RATIOS = (1000.0, 0.001, 100.0, 0.01, 10.0, 0.1)
 # Parts of the robot's size, a sieve: what all lengths of a table come to, if it may be this robot at all.
 SMALLEST_EXTENT, LARGEST_EXTENT = 0.05, 300.0
 # [rad] Nobody types more than a turn in radians.
-CLEARLY_DEGREES = 2 * math.pi
-# A share: what is left of sums in another order.
-SAME = 1e-12
+CLEARLY_DEGREES = math.tau
 
 
 def _every_cell(
@@ -86,7 +84,7 @@ def all_in_radians(work: Work) -> Iterator[Change]:
         return
 
     def small(angle: float) -> float:
-        return meant_in_radians(angle) if abs(angle) <= math.radians(CLEARLY_DEGREES) + 1e-9 else angle
+        return meant_in_radians(angle) if abs(angle) <= math.radians(CLEARLY_DEGREES) + SAME else angle
 
     for unit in (meant_in_radians, small):
         yield from _every_cell(work, "angles_in_radians", ANGLES, unit)

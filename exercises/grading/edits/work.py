@@ -12,7 +12,7 @@ from exercises.grading.edits.changes import ROW_CELLS, Change, TableSlip
 from exercises.grading.judging.comparison import Comparison
 from exercises.grading.judging.end_lines import ends_beyond_digits
 from exercises.grading.judging.judgement import share_of
-from exercises.grading.judging.typed import ANGLES, NOTHING_TYPED, Place
+from exercises.grading.judging.typed import ANGLES, NOTHING_TYPED, SAME, Place
 from kinematics.cells import ReadTable
 from kinematics.chain import chain_of_table
 from kinematics.equivalence import Policy
@@ -26,8 +26,6 @@ from kinematics.table import JointType, NumericRow, NumericTable
 
 WORK_OF_ONE_EDIT = 30_000
 """What deciding whether one edit mends the table may cost: no single one uses up the search."""
-SAME = 1e-9
-"""A share: what is left of the errors of the arithmetic."""
 FAR = 10**6
 """Behind the last axis of any chain."""
 EVERYWHERE = (0, FAR)

@@ -7,7 +7,7 @@ from dataclasses import replace
 from itertools import islice, product
 
 from exercises.grading.judging.name_values import Values
-from exercises.grading.judging.typed import Place, half_steps
+from exercises.grading.judging.typed import SAME, Place, half_steps
 from kinematics.cells import ParameterKind, ReadTable
 from kinematics.expressions import Expression, Number, Parameter, negate
 from kinematics.table import DHTable
@@ -61,4 +61,4 @@ def _names_meant(submission: ReadTable, values: Values) -> dict[Place, list[tupl
 
 
 def _is_meant(typed: float, value: float, step: float) -> bool:
-    return abs(typed - value) <= min(step, NAMED * value) + 1e-9 * value
+    return abs(typed - value) <= min(step, NAMED * value) + SAME * value

@@ -30,6 +30,8 @@ from kinematics.table import CELLS, DHTable, JointType, SymbolicTable
 # An angle typed with fewer than two decimals [rad], or less than one [deg], stands for itself.
 COARSEST_ANGLE = 0.01
 ANGLES = ("alpha", "theta")
+SAME = 1e-9
+"""[rad], or a share: millions of roundings to doubles, 1e-16 each, leave no more of what is the same."""
 _MOST_DECIMALS = 40
 """More digits than a double can tell apart: such an entry counts as exact."""
 
@@ -197,4 +199,4 @@ def _nearest(entry: Expression, step: float, known: list[tuple[float, Expression
         return None
     here = evaluate(entry)
     value, exact = min(known, key=lambda one: abs(one[0] - here))
-    return exact if abs(value - here) <= step * (1.0 + 1e-9) else None
+    return exact if abs(value - here) <= step * (1.0 + SAME) else None

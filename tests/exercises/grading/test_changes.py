@@ -12,6 +12,7 @@ from exercises.grading.explanation import Explanation, renumbered
 from exercises.grading.judging.exact_text import angle_text
 from kinematics.cells import AngleUnit
 from kinematics.expressions import Expression, Parameter, add, multiply, number, pi_times
+from kinematics.table import Convention, DHRow, DHTable, JointType
 
 PLACES = ("other", "place", "after")
 
@@ -42,6 +43,32 @@ def test_a_second_edit_is_told_in_the_rows_of_the_answer(
 def test_what_comes_before_every_row_stays_there() -> None:
     second = Change("row_missing", Extent.ROW, 3, params=(("after", 0),))
     assert after(Change("row_extra", Extent.ROW, 0, touched=((0, "a"),)), second).params == (("after", 0),)
+
+
+def test_what_is_told_of_an_edit_counts_rows_from_one() -> None:
+    edit = Change("rows_swapped", Extent.ROW, 1, params=(("other", 4),)).edit
+    assert (edit.row, edit.params) == (2, {"row": 2, "other": 4})
+    throughout = Change("convention", Extent.TABLE).edit
+    assert (throughout.row, throughout.params) == (None, {})
+
+
+def test_edits_are_nearly_the_same_if_they_put_the_same_values_in_the_same_cells() -> None:
+    one = Change("a_value", Extent.CELL, 1, "a", ((1, "a", 0.4),))
+    assert one.is_nearly(one._replace(code="a_sign", cells=((1, "a", 0.4 + 1e-12),)))
+    assert not one.is_nearly(one._replace(cells=((1, "a", 0.4001),)))
+    assert not one.is_nearly(one._replace(cells=((1, "d", 0.4),)))
+    assert not one.is_nearly(one._replace(cells=((1, "a", 0.4), (2, "a", 0.4))))
+    assert not one.is_nearly(one._replace(row=2))
+
+
+def test_a_length_is_filled_in_where_none_was_typed() -> None:
+    row = DHRow(joint=JointType.REVOLUTE, theta=0.0, d=0.2, a=0.0, alpha=0.0)
+    table = DHTable(convention=Convention.STANDARD, rows=(row,))
+    assert Change("a_missing", Extent.CELL, 0, "a").fills_a_zero(table)
+    assert not Change("d_value", Extent.CELL, 0, "d").fills_a_zero(table)
+    assert not Change("alpha_value", Extent.CELL, 0, "alpha").fills_a_zero(table)
+    assert not Change("a_missing", Extent.CELL, 1, "a").fills_a_zero(table)
+    assert not Change("a_d_swapped", Extent.ROW, 0, "a").fills_a_zero(table)
 
 
 def test_rows_of_zeros_count_where_rows_are_numbered() -> None:

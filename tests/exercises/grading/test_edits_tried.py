@@ -264,6 +264,9 @@ def test_only_twists_that_tell_are_counted_among_all() -> None:
 def test_an_empty_table_has_no_order_of_columns() -> None:
     on = work(read("standard", [(0, 0.4, 0, "q1"), (0, 0.3, 0, "q2")]))
     assert tried("columns_reordered", on) == []
+    assert (
+        len(tried("columns_reordered", work(read("standard", [(0, 0.4, 0.2, "q1"), (0, 0.3, 0, "q2")])))) == 2
+    )
     assert tried("columns_exchanged", on) != []
     assert tried("length_unit", work(read("standard", [(0, 0, 0, "q1"), (0, 0, 0, "q2")]))) == []
 
@@ -342,6 +345,51 @@ def test_joints_that_are_missing_spare_or_of_another_type() -> None:
         *[("row_extra", "r0.4 r0.3 p0"), ("row_extra", "r0.1 r0.3 p0")],
         *[("row_extra", "r0.1 r0.4 p0"), ("row_extra", "r0.1 r0.4 r0.3")],
     ]
+
+
+def test_a_joint_is_looked_for_among_its_places() -> None:
+    short: Rows = [ARM[0], (0, 0.4, 0.2, 0), ARM[2], ARM[3]]
+    for place, forgotten, missing in (
+        (1, [], [0]),
+        (2, [1, 1], [1, 2]),
+        (3, [3, 3], []),
+        (4, [], []),
+    ):
+        near = replace(work(read("standard", short)), reach=(place, place))
+        assert [change.row for change in CHANGES["joint_fixed"](near)] == forgotten
+        assert list(dict.fromkeys(change.row for change in CHANGES["row_missing"](near))) == missing
+    behind = replace(work(read("standard", ARM[:2])), reach=(3, 3))
+    change = next(CHANGES["row_missing"](behind))
+    assert (change.row, dict(change.params)) == (2, {"place": 3, "after": 2})
+    assert [one.cells[0][2] for one in CHANGES["row_missing"](behind)] == list(cell_edits.RIGHT_ANGLES)
+    more: Rows = [*ARM[:2], ("pi/6", 0.3, 0, "q3"), (0, 0, "q4", 0.3)]
+    near = replace(work(read("standard", more)), reach=(2, 2))
+    for code in ("joint_fixed", "row_extra"):
+        assert [change.row for change in CHANGES[code](near)] == [1]
+
+
+def test_a_cell_and_a_row_that_the_whole_robot_asks_for() -> None:
+    """In a right table every cell that is no variable is what is asked for; in a wrong one the wrong cell."""
+    right = work(read("standard", ARM), USUAL)
+
+    def asked_for(on: Work) -> list[tuple[int | None, str]]:
+        return [(change.row, SIGNS[change.cell or ""]) for change in cell_edits.any_cell(on, 0)]
+
+    assert asked_for(right) == [
+        *((row, sign) for row in (0, 1) for sign in ("a", "α", "d")),
+        *((2, sign) for sign in ("a", "α", "θ")),
+        *((3, sign) for sign in ("a", "α", "d", "θ")),
+    ]
+    angles = [(0, "α"), (1, "α"), (2, "α"), (2, "θ"), (3, "α"), (3, "θ")]
+    assert asked_for(replace(right, angular=True)) == angles
+    off = work(read("standard", with_cells(ARM, (1, 1, 0.3))), USUAL)
+    (change,) = cell_edits.any_cell(off, 0)
+    assert (change.code, change.row, change.cell) == ("a_value", 0, "a")
+    assert change.cells[0][2] == pytest.approx(0.1, rel=1e-4)
+    slip = TableSlip(0, "a")
+    assert len(list(cell_edits.any_cell(replace(off, only=slip), 0))) == 1
+    assert list(cell_edits.any_cell(replace(off, only=TableSlip(4, "d")), 0)) == []
+    assert list(cell_edits.any_cell(replace(off, only=slip._replace(code="a_d_swapped")), 0)) == []
 
 
 @pytest.mark.parametrize(
@@ -458,6 +506,10 @@ def test_before_a_joint_too_few_what_leaves_one_too_few_is_undone() -> None:
         *("convention", "angles_in_degrees", "length_unit", "columns_late", "columns_early"),
         *("columns_exchanged", "columns_reordered", "twists_all_reversed", "joint_type", "rows_swapped"),
     }
+    named = read("standard", [("beta", "a2", 0, "q1"), (0, "b", "h", 0)])
+    key = read("standard", [("beta", "a1", 0, "q1"), (0, "a2", "h", "q2")])
+    of_names = {change.code for change in changes_beforehand(work(named, USUAL, key))}
+    assert {"parameter_misnamed", "parameters_swapped"} <= of_names
     types = [rows(change.table) for change in changes_beforehand(on) if change.code == "joint_type"]
     assert types == ["r0.1 p0.4 f0.05"]
     assert list(changes_beforehand(ON_WRONG)) == []
