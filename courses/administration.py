@@ -44,4 +44,4 @@ def check_administrator(store: Store, token: str, now: datetime) -> None:
     own = sa.and_(table.c.code_hash == hashed(token), table.c.purpose == _SESSION, table.c.expires > now)
     with store.asking() as connection:
         if connection.execute(sa.select(table.c.purpose).where(own)).first() is None:
-            raise SessionError(Fault(code="administrator_unknown"))
+            raise SessionError(Fault.at("administrator_unknown"))

@@ -122,7 +122,7 @@ def _revision(line: str) -> str:
     revision = str(head.get("revision"))
     if revision not in revisions():
         params = {"found": revision, "known": newest_revision()}
-        raise StorageError(Fault(code="schema_newer", params=params))
+        raise StorageError(Fault.at("schema_newer", **params))
     return revision
 
 
@@ -150,7 +150,7 @@ def _check_empty(connection: sa.Connection) -> None:
         if table is prepared_answer:
             continue  # a service that has been started on the database has prepared some
         if connection.execute(sa.select(sa.literal(1)).select_from(table).limit(1)).first() is not None:
-            raise StorageError(Fault(code="storage_not_empty", params={"table": table.name}))
+            raise StorageError(Fault.at("storage_not_empty", table=table.name))
 
 
 def _batches(
@@ -195,4 +195,4 @@ def _advance_sequences(connection: sa.Connection) -> None:
 
 
 def _unreadable(file: Path, reason: str) -> StorageError:
-    return StorageError(Fault(code="backup_unreadable", params={"file": str(file), "reason": reason}))
+    return StorageError(Fault.at("backup_unreadable", file=str(file), reason=reason))

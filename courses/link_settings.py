@@ -74,7 +74,7 @@ def read(exercise_id: str | None, values: Mapping[str, Any]) -> LinkSettings:
     if settings.points == 0.0:
         reader.refuse("points", "a number above 0")
     if policy.opens and policy.closes and policy.opens >= policy.closes:
-        reader.faults.append(Fault(code="closes_before_opening", where=("closes",)))
+        reader.faults.append(Fault.at("closes_before_opening", "closes"))
     if reader.faults:
         raise LinkSettingsError(reader.faults)
     return settings
@@ -89,9 +89,7 @@ class _SettingsReader:
 
     def refuse(self, name: str, known: str) -> None:
         """Keep a fault of one value."""
-        self.faults.append(
-            Fault(code="setting_invalid", where=(name,), params={"name": name, "known": known})
-        )
+        self.faults.append(Fault.at("setting_invalid", name, name=name, known=known))
 
     def whole(self, name: str, otherwise: int | None, least: int, most: int) -> int | None:
         """Return a whole number, or what it is otherwise."""

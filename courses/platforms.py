@@ -256,7 +256,7 @@ def check_invitation(store: Store, secret: str, now: datetime) -> None:
     wanted = sa.select(records.registration.c.id).where(_usable(secret, now))
     with store.reading() as connection:
         if connection.execute(wanted).first() is None:
-            raise SessionError(Fault(code="invitation_used"))
+            raise SessionError(Fault.at("invitation_used"))
 
 
 def use_invitation(store: Store, secret: str, now: datetime) -> None:
@@ -268,4 +268,4 @@ def use_invitation(store: Store, secret: str, now: datetime) -> None:
     used = sa.update(records.registration).where(_usable(secret, now)).values(used_at=now)
     with store.writing() as connection:
         if connection.execute(used).rowcount != 1:
-            raise SessionError(Fault(code="invitation_used"))
+            raise SessionError(Fault.at("invitation_used"))

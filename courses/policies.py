@@ -116,13 +116,13 @@ def refusal(policy: AttemptPolicy, made: int, allowance: Allowance, now: datetim
         now: the time.
     """
     if policy.opens is not None and now < policy.opens:
-        return Fault(code="attempts_not_open", params={"opens": policy.opens.isoformat()})
+        return Fault.at("attempts_not_open", opens=policy.opens.isoformat())
     closes = deadline(policy, allowance)
     if policy.mode is Mode.EXAM and closes is not None and now > closes:
-        return Fault(code="attempts_closed", params={"closes": closes.isoformat()})
+        return Fault.at("attempts_closed", closes=closes.isoformat())
     allowed = attempts_allowed(policy, allowance)
     if allowed is not None and made >= allowed:
-        return Fault(code="attempts_used", params={"allowed": allowed})
+        return Fault.at("attempts_used", allowed=allowed)
     return None
 
 

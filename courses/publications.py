@@ -68,7 +68,7 @@ def publish(store: Store, draft: ExerciseDraft, at: datetime) -> Publication:
         known = sa.select(publication.c.digest).where(publication.c.address == found.address)
         if connection.scalar(known) is None:
             if (connection.scalar(sa.select(sa.func.count()).select_from(publication)) or 0) >= MOST:
-                raise PublicationError(Fault(code="publications_full", params={"limit": MOST}))
+                raise PublicationError(Fault.at("publications_full", limit=MOST))
             row = {"address": found.address, "digest": digest, "content": content, "published": at}
             insert_once(connection, publication, row)
     return found

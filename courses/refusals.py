@@ -30,7 +30,7 @@ class StorageUnavailableError(StorageError):
     """
 
     def __init__(self, *, is_gone: bool) -> None:
-        super().__init__(Fault(code="storage_unavailable"))
+        super().__init__(Fault.at("storage_unavailable"))
         self.is_gone = is_gone
 
 
@@ -50,7 +50,7 @@ class StaffOnlyError(CourseError):
     """What was asked for is open to the course's staff."""
 
     def __init__(self) -> None:
-        super().__init__(Fault(code="staff_only"))
+        super().__init__(Fault.at("staff_only"))
 
 
 class PublicationError(CourseError):
@@ -61,9 +61,9 @@ class NoExerciseError(CourseError):
     """No exercise has been chosen for the link yet."""
 
     def __init__(self) -> None:
-        super().__init__(Fault(code="link_without_exercise"))
+        super().__init__(Fault.at("link_without_exercise"))
 
 
 def unknown_record(kind: str) -> UnknownRecordError:
     """Return the refusal of a record that is not there, or belongs to another course."""
-    return UnknownRecordError(Fault(code="record_unknown", params={"kind": kind}))
+    return UnknownRecordError(Fault.at("record_unknown", kind=kind))

@@ -30,7 +30,7 @@ def advance(connection: sa.Connection, target: str) -> None:
     current = revision_in(connection)
     if current and current not in {script.revision for script in scripts.walk_revisions()}:
         params = {"found": current, "known": scripts.get_current_head() or ""}
-        raise StorageError(Fault(code="schema_newer", params=params))
+        raise StorageError(Fault.at("schema_newer", **params))
     with EnvironmentContext(
         config, scripts, fn=lambda revision, _: scripts._upgrade_revs(target, revision)
     ) as environment:

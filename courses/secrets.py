@@ -71,7 +71,7 @@ def redeem_code(store: Store, purpose: str, code: str, now: datetime) -> dict[st
         row = connection.execute(sa.select(table).where(wanted).with_for_update()).first()
         used = connection.execute(sa.delete(table).where(wanted)).rowcount
     if row is None or used != 1 or row.expires <= now:
-        raise SessionError(Fault(code="code_used"))
+        raise SessionError(Fault.at("code_used"))
     content: dict[str, Any] = row.content
     return content
 
@@ -87,7 +87,7 @@ def check_code(store: Store, purpose: str, code: str, now: datetime) -> None:
     with store.reading() as connection:
         expires = connection.scalar(sa.select(table.c.expires).where(wanted))
     if expires is None or expires <= now:
-        raise SessionError(Fault(code="code_used"))
+        raise SessionError(Fault.at("code_used"))
 
 
 def remember_nonce(store: Store, platform_id: int, value: str, expires: datetime) -> bool:

@@ -89,7 +89,7 @@ def sessions_of(store: Store, tokens: Sequence[str], now: datetime) -> list[Cour
         _renew(store, old, now)
     links: dict[int, Link] = {}
     return [
-        _session(rows[each], links) if each in rows else SessionError(Fault(code="session_expired"))
+        _session(rows[each], links) if each in rows else SessionError(Fault.at("session_expired"))
         for each in hashes
     ]
 

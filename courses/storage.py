@@ -220,7 +220,7 @@ def connect(url: str, folder: Path) -> Store:
         (folder / FILE_NAME).open("a").close()
         (folder / FILE_NAME).chmod(0o600)
     except OSError as error:
-        fault = Fault(code="storage_folder", params={"folder": str(folder), "reason": error.strerror or ""})
+        fault = Fault.at("storage_folder", folder=str(folder), reason=error.strerror or "")
         raise StorageError(fault) from error
     return Store(_sqlite((folder / FILE_NAME).resolve()), (folder / FILE_NAME).resolve())
 
@@ -284,9 +284,9 @@ def _postgresql(url: str) -> sa.Engine:
     try:
         address = sa.make_url(url)
     except ArgumentError as error:
-        raise StorageError(Fault(code="storage_address")) from error
+        raise StorageError(Fault.at("storage_address")) from error
     if address.get_backend_name() not in ("postgresql", "postgres"):
-        raise StorageError(Fault(code="storage_address"))
+        raise StorageError(Fault.at("storage_address"))
     address = address.set(drivername="postgresql+psycopg")
     engine = sa.create_engine(
         address,
@@ -360,11 +360,11 @@ def _written(value: object) -> str:
 
 def _unusable(store: Store, error: BaseException | None) -> StorageError:
     params = {"location": store.location, "reason": reason_of(error)}
-    return StorageError(Fault(code="storage_unusable", params=params))
+    return StorageError(Fault.at("storage_unusable", **params))
 
 
 def _missing(location: str) -> StorageError:
-    return StorageError(Fault(code="storage_missing", params={"location": location}))
+    return StorageError(Fault.at("storage_missing", location=location))
 
 
 def reason_of(error: BaseException | None) -> str:

@@ -45,9 +45,7 @@ def _not_asked(instance: Instance, raw: RawAnswer) -> list[Fault]:
     """Return what is wrong before anything is read."""
     known = tuple(part.kind for part in instance.exercise.parts)
     if not raw.parts:
-        return [Fault(code="answer_empty", params={"known": known})]
+        return [Fault.at("answer_empty", known=known)]
     return [
-        Fault(code="part_not_asked", where=(kind,), params={"part": kind, "known": known})
-        for kind in raw.parts
-        if kind not in known
+        Fault.at("part_not_asked", kind, part=kind, known=known) for kind in raw.parts if kind not in known
     ]

@@ -24,7 +24,7 @@ def inconsistencies(exercise: Exercise) -> Iterator[Fault]:
     yield from _name_faults(exercise)
     yield from _part_faults(exercise)
     for i in unmet_needs(exercise):
-        yield Fault(code="need_unmet", where=(FILE, "needs", i), params={"name": exercise.needs[i]})
+        yield Fault.at("need_unmet", FILE, "needs", i, name=exercise.needs[i])
 
 
 def values_in_radians(
@@ -50,14 +50,7 @@ def _figure_faults(exercise: Exercise) -> list[Fault]:
     )
     unknown = [name for name in exercise.figure.lengths if name not in values]
     if unknown:
-        return [
-            Fault(
-                code="parameter_unused",
-                where=(FILE, "figure", "lengths", name),
-                params={"name": name},
-            )
-            for name in unknown
-        ]
+        return [Fault.at("parameter_unused", FILE, "figure", "lengths", name, name=name) for name in unknown]
     for drawn in (False, True):
         try:
             build_scene(exercise.figure, exercise.reference.table, values, signed_axes=False, drawn=drawn)
@@ -70,11 +63,7 @@ def _name_faults(exercise: Exercise) -> list[Fault]:
     """Names in statements that stand neither in the table nor in the figure."""
     known = {parameter.name for parameter in exercise.parameters} | _figure_names(exercise.figure)
     return [
-        Fault(
-            code="statement_name_unknown",
-            where=(f"statement.{language}.md",),
-            params={"name": name},
-        )
+        Fault.at("statement_name_unknown", f"statement.{language}.md", name=name)
         for language, text in exercise.statements.items()
         for name in sorted(names_in(text) - known)
     ]

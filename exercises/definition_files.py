@@ -33,14 +33,14 @@ def read_definition(files: Mapping[str, bytes]) -> Mapping[str, Any]:
         DefinitionError: it is not there, or no TOML.
     """
     if FILE not in files:
-        raise DefinitionError(Fault(code="exercise_file_missing", where=(FILE,)))
+        raise DefinitionError(Fault.at("exercise_file_missing", FILE))
     try:
         return tomllib.loads(files[FILE].decode())
     except (
         ValueError,
         RecursionError,
     ) as error:  # what is no TOML, no UTF-8, a number of endless digits, too deep
-        fault = Fault(code="exercise_file_not_toml", where=(FILE,), params={"reason": str(error)})
+        fault = Fault.at("exercise_file_not_toml", FILE, reason=str(error))
         raise DefinitionError(fault) from error
 
 
@@ -56,7 +56,7 @@ def read_statements(files: Mapping[str, bytes]) -> Mapping[str, str]:
             try:
                 found[named[1]] = files[name].decode().strip()
             except UnicodeDecodeError as error:
-                raise DefinitionError(Fault(code="statement_not_text", where=(name,))) from error
+                raise DefinitionError(Fault.at("statement_not_text", name)) from error
     return found
 
 

@@ -146,5 +146,5 @@ def seed_text(seed: str | int | None) -> str | None:
     """
     text = None if seed is None else str(seed)
     if text is not None and len(text) > SEED_CHARACTERS:
-        raise AnswerError(Fault(code="seed_too_long", where=("seed",), params={"limit": SEED_CHARACTERS}))
+        raise AnswerError(Fault.at("seed_too_long", "seed", limit=SEED_CHARACTERS))
     return text

@@ -35,7 +35,7 @@ class Library:
         self._files: dict[str, Mapping[str, bytes]] = {}
         missing = [folder for folder in folders if not folder.is_dir()]
         if missing:
-            raise DefinitionError(Fault(code="folder_missing", params={"folder": str(f)}) for f in missing)
+            raise DefinitionError(Fault.at("folder_missing", folder=str(f)) for f in missing)
         found = (entry for folder in self._folders for entry in folder.iterdir())
         self.ids: tuple[str, ...] = tuple(sorted({e.name for e in found if (e / FILE).is_file()}))
 
@@ -52,11 +52,7 @@ class Library:
                 if kept is not None:
                     return kept
                 raise UnknownExerciseError(
-                    Fault(
-                        code="exercise_unknown",
-                        where=("exercise_id",),
-                        params={"id": exercise_id, "known": ", ".join(self.ids)},
-                    )
+                    Fault.at("exercise_unknown", "exercise_id", id=exercise_id, known=", ".join(self.ids))
                 )
             holding = self._holding(exercise_id)
             found = files_of_folder(holding / exercise_id)

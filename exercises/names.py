@@ -40,7 +40,7 @@ def unknown_name(
         "close": close or "",
         "known": known or "–",
     }
-    return Fault(code="name_unknown", where=where, params=params)
+    return Fault.at("name_unknown", *where, **params)
 
 
 def table_faults(read: ReadTable, exercise: Exercise) -> list[Fault]:
@@ -98,7 +98,7 @@ def in_own_names(
     unknown = sorted({*names, *idle} - _known(exercise) - set(others))
     if unknown:
         raise CellError(
-            Fault(code="joint_variable_in_number", where=where, params={"name": name})
+            Fault.at("joint_variable_in_number", *where, name=name)
             if is_constant and variable_index(name) is not None
             else unknown_name(name, exercise, where, others)
             for name in unknown
@@ -109,7 +109,7 @@ def in_own_names(
     try:
         return substitute(expression, meanings)
     except ZeroDivisionError:
-        raise CellError(Fault(code="value_undefined", where=where)) from None
+        raise CellError(Fault.at("value_undefined", *where)) from None
 
 
 def _meanings(names: Collection[str], exercise: Exercise) -> dict[str, Expression]:

@@ -39,11 +39,11 @@ def text_faults(text: str, longest: int) -> Iterator[Fault]:
     None of it would ever be taken for markup; it would be shown as it stands, which nobody wants to read.
     """
     if len(text) > longest:
-        yield Fault(code="text_too_long", params={"limit": longest})
+        yield Fault.at("text_too_long", limit=longest)
     if found := _TAG.search(text):
-        yield Fault(code="text_markup", params={"found": found[0]})
+        yield Fault.at("text_markup", found=found[0])
     if control := _CONTROL.search(text.replace("\r\n", "\n")):
-        yield Fault(code="text_control_character", params={"found": f"U+{ord(control[0]):04X}"})
+        yield Fault.at("text_control_character", found=f"U+{ord(control[0]):04X}")
 
 
 def variable_html(name: str) -> str:

@@ -21,21 +21,15 @@ def checked_statements(statements: Mapping[str, str], faults: list[Fault]) -> Ma
     for language, text in statements.items():
         name = statement_file(language)
         if not STATEMENT.fullmatch(name):
-            faults.append(
-                Fault(
-                    code="exercise_key_unknown",
-                    where=(name,),
-                    params={"key": language, "known": ", ".join(LANGUAGES)},
-                )
-            )
+            faults.append(Fault.at("exercise_key_unknown", name, key=language, known=", ".join(LANGUAGES)))
         elif not text.strip():
-            faults.append(Fault(code="statement_missing", where=(name,), params={"language": language}))
+            faults.append(Fault.at("statement_missing", name, language=language))
         else:
             faults += (fault.within(name) for fault in text_faults(text, LONGEST_STATEMENT))
     if not statements:
         first = LANGUAGES[0]
         where = (statement_file(first),)
-        faults.append(Fault(code="statement_missing", where=where, params={"language": first}))
+        faults.append(Fault.at("statement_missing", *where, language=first))
     return MappingProxyType(dict(statements))
 
 

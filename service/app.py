@@ -276,21 +276,15 @@ async def _refuse_http(request: Request, error: Exception) -> Response:
         allow = ", ".join(methods)
         if request.method == "OPTIONS":
             return Response(status_code=204, headers={"Allow": allow})
-        fault = Fault(
-            code="method_not_allowed",
-            params={"method": request.method, "allowed": methods},
-        )
+        fault = Fault.at("method_not_allowed", method=request.method, allowed=methods)
         return await _refuse(request, MethodError(fault, headers={"Allow": allow}))
     if error.status_code == 404:
         if _is_for_a_reader(request):
             return missing_page(request)
-        fault = Fault(
-            code="address_unknown",
-            params={"path": request.url.path},
-        )
+        fault = Fault.at("address_unknown", path=request.url.path)
         return await _refuse(request, NotFoundError(fault, part=RequestPart.PATH))
     if error.status_code == 400:
-        return await _refuse(request, BodyError(Fault(code="body_invalid")))
+        return await _refuse(request, BodyError(Fault.at("body_invalid")))
     raise error
 
 

@@ -114,7 +114,7 @@ async def object_body(request: ApiRequest) -> Mapping[str, Any]:
     """
     body = await request.json()
     if not isinstance(body, dict):
-        raise RequestError(Fault(code="setting_invalid", params={"name": "body", "known": "object"}))
+        raise RequestError(Fault.at("setting_invalid", name="body", known="object"))
     return body
 
 

@@ -107,7 +107,7 @@ class CourseResources:
             SessionError: nobody is.
         """
         if not token:
-            raise SessionError(Fault(code="session_expired"))
+            raise SessionError(Fault.at("session_expired"))
         session = await self.sign_in(token)
         who = Proven("person", session.person.id)
         if token not in self._people:

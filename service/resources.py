@@ -86,7 +86,7 @@ class Resources:
             NotFoundError: storage is switched off.
         """
         if self.courses is None:
-            raise NotFoundError(Fault(code="storage_off"), part=RequestPart.PATH)
+            raise NotFoundError(Fault.at("storage_off"), part=RequestPart.PATH)
         return self.courses
 
     def _occupancy(self) -> Occupancy:

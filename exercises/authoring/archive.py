@@ -112,4 +112,4 @@ def _unpacked(archive: zipfile.ZipFile, entry: zipfile.ZipInfo) -> bytes:
 
 
 def _refused(code: str, **params: str | int) -> DefinitionError:
-    return DefinitionError(Fault(code=code, params=params))
+    return DefinitionError(Fault.at(code, **params))

@@ -72,7 +72,7 @@ def files_of_draft(draft: ExerciseDraft) -> dict[str, bytes]:
     try:
         files = {FILE: toml_text(draft.definition).encode()}
     except ValueError as error:
-        fault = Fault(code="exercise_file_not_toml", where=(FILE,), params={"reason": str(error)})
+        fault = Fault.at("exercise_file_not_toml", FILE, reason=str(error))
         raise DefinitionError(fault) from error
     for language in sorted(draft.statements):
         files[statement_file(language)] = f"{draft.statements[language].strip()}\n".encode()
@@ -86,9 +86,7 @@ def check_id(exercise_id: str) -> None:
         DefinitionError: it is not made of Latin letters, digits and single hyphens, or too long.
     """
     if len(exercise_id) > LONGEST_ID or not _ID.fullmatch(exercise_id):
-        raise DefinitionError(
-            Fault(code="exercise_id_invalid", where=("id",), params={"id": exercise_id[:80]})
-        )
+        raise DefinitionError(Fault.at("exercise_id_invalid", "id", id=exercise_id[:80]))
 
 
 def _check_size(definition: Mapping[str, Any]) -> None:
@@ -104,4 +102,4 @@ def _check_size(definition: Mapping[str, Any]) -> None:
         if not level:
             return
     params = {"entries": MOST_ENTRIES, "values": MOST_VALUES, "deepest": DEEPEST}
-    raise DefinitionError(Fault(code="draft_too_large", where=(FILE,), params=params))
+    raise DefinitionError(Fault.at("draft_too_large", FILE, **params))

@@ -63,7 +63,7 @@ def scaffold(exercise_id: str, source: ExerciseSource, into: Path) -> Path:
     draft = started(exercise_id, source)
     folder = into / exercise_id
     if folder.exists():
-        raise DefinitionError(Fault(code="exercise_exists", params={"id": exercise_id}))
+        raise DefinitionError(Fault.at("exercise_exists", id=exercise_id))
     folder.mkdir(parents=True)
     for name, content in files_of_draft(draft).items():
         (folder / name).write_bytes(content)

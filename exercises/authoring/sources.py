@@ -98,13 +98,7 @@ def from_robot(robot_id: str) -> ExerciseSource:
     """
     if robot_id not in catalogue.robot_ids():
         known = ", ".join(catalogue.robot_ids())
-        raise DefinitionError(
-            Fault(
-                code="exercise_robot_unknown",
-                where=("robot",),
-                params={"robot": robot_id[:100], "known": known},
-            )
-        )
+        raise DefinitionError(Fault.at("exercise_robot_unknown", "robot", robot=robot_id[:100], known=known))
     found = catalogue.robot(robot_id)
     return ExerciseSource(table=found.raw, values=dict(found.parameters), robot=robot_id)
 
@@ -223,4 +217,4 @@ def _document(path: Path) -> dict[str, Any]:
 
 
 def _unreadable(path: Path, reason: str) -> Fault:
-    return Fault(code="source_unreadable", where=(path.name,), params={"reason": reason})
+    return Fault.at("source_unreadable", path.name, reason=reason)

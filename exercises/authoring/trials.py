@@ -55,7 +55,7 @@ def _at_its_source(fault: Fault, document: Mapping[str, Any]) -> Fault:
     key, name = "lengths" if form == "axes" else "parameters", str(fault.params.get("name"))
     values = content.get(key) if isinstance(content, dict) else None
     place = (key, name) if isinstance(values, dict) and name in values else ()
-    return Fault(code=fault.code, where=("source", form, *place), params=fault.params)
+    return Fault.at(fault.code, "source", form, *place, **fault.params)
 
 
 def trial(draft: ExerciseDraft) -> PolicyAdmission:
@@ -107,9 +107,7 @@ def check_rows(draft: ExerciseDraft) -> None:
     rows = reference.get("rows") if isinstance(reference, dict) else None
     if isinstance(rows, list) and len(rows) > MOST_ROWS:
         params = {"count": len(rows), "limit": MOST_ROWS}
-        raise DefinitionError(
-            Fault(code="draft_too_many_rows", where=(FILE, "reference", "rows"), params=params)
-        )
+        raise DefinitionError(Fault.at("draft_too_many_rows", FILE, "reference", "rows", **params))
 
 
 def _read(draft: ExerciseDraft) -> Exercise:
@@ -127,5 +125,5 @@ def _drawn(exercise: Exercise) -> Instance:
 def _with_table(draft: ExerciseDraft) -> Exercise:
     exercise = _read(draft)
     if exercise.part(TABLE) is None:
-        raise DefinitionError(Fault(code="draft_without_table", where=(FILE, "parts")))
+        raise DefinitionError(Fault.at("draft_without_table", FILE, "parts"))
     return exercise

@@ -78,14 +78,12 @@ class Points:
         try:
             return evaluate(expression, self.values)
         except ParameterError as error:
-            self.faults.extend(
-                Fault(code=fault.code, where=where, params=fault.params) for fault in error.faults
-            )
+            self.faults.extend(Fault.at(fault.code, *where, **fault.params) for fault in error.faults)
             return 0.0
 
     def fault(self, code: str, where: tuple[str | int, ...], **params: str | float) -> None:
         """Keep a fault."""
-        self.faults.append(Fault(code=code, where=where, params=params))
+        self.faults.append(Fault.at(code, *where, **params))
 
     def _complete(self) -> None:
         """Add what follows from the table: what is left out, and the usual points."""

@@ -227,7 +227,7 @@ class Reading:
 
     def fault(self, code: str, *where: str | int, **params: Any) -> None:
         """Keep a fault at a place in the whole answer."""
-        self.faults.append(Fault(code=code, where=where, params=params))
+        self.faults.append(Fault.at(code, *where, **params))
 
     def is_row_of(
         self, count: int, row: Sequence[Any], *where: str | int, code: str = "joint_row_length"
@@ -332,7 +332,7 @@ class PartType(ABC, Generic[P, Raw, Read]):
     def given_away(self, exercise: Exercise, *others: str) -> Iterator[Fault]:
         """Yield a fault where the key, which this part shows, is asked for by the table or by other parts."""
         if any(exercise.part(kind) is not None for kind in (TABLE, *others)):
-            yield Fault(code="key_given_away", where=("kind",))
+            yield Fault.at("key_given_away", "kind")
 
     def draw(self, part: P, exercise: Exercise, picker: Picker) -> Any:
         """Return what is drawn for one student beside the robot's dimensions; None if nothing is."""

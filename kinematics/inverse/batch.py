@@ -178,12 +178,7 @@ def _checked(targets: ArrayLike) -> tuple[Array, Array]:
     """The targets, made sure to be rigid motions, and their tolerances."""
     poses = np.asarray(targets, dtype=np.float64)
     if poses.ndim != 3 or poses.shape[1:] != (4, 4):
-        raise PoseError(
-            Fault(
-                code="targets_wrong_shape",
-                where=("target",),
-            )
-        )
+        raise PoseError(Fault.at("targets_wrong_shape", "target"))
     if not len(poses):
         return poses, np.empty(0)
     R = poses[:, :3, :3]

@@ -83,7 +83,7 @@ def read_goal(target: ArrayLike, tolerance: float | None, where: tuple[str | int
         return Goal(pose, _least_tolerance(*pose[:3, 3].tolist()))
     if tolerance is not None and not 0.0 < tolerance <= LARGEST_TOLERANCE:
         params = {"limit": LARGEST_TOLERANCE}
-        raise PoseError(Fault(code="pose_tolerance_out_of_range", where=("tolerance",), params=params))
+        raise PoseError(Fault.at("pose_tolerance_out_of_range", "tolerance", **params))
     allowed = max(ORTHONORMAL_TOLERANCE, ROUNDED_ENTRIES * (tolerance or 0.0))
     pose = check_transform(target, where=where, tolerance=allowed)
     if is_far(pose):

@@ -40,13 +40,7 @@ def read_limits(limits: JointLimits | None, revolute: Sequence[bool]) -> Box:
     if limits is None:
         return Box(np.full(n_joints, -np.inf), np.full(n_joints, np.inf))
     if len(limits) != n_joints:
-        raise JointValueError(
-            Fault(
-                code="limits_wrong_length",
-                where=("limits",),
-                params={"expected": n_joints, "given": len(limits)},
-            )
-        )
+        raise JointValueError(Fault.at("limits_wrong_length", "limits", expected=n_joints, given=len(limits)))
     low, high = np.empty(n_joints), np.empty(n_joints)
     faults = []
     for i, pair in enumerate(limits):
@@ -66,10 +60,10 @@ def _fault(i: int, low: float, high: float, turns: bool) -> Fault | None:
     where = ("limits", i)
     params: dict[str, ParamValue] = {"joint": i + 1}
     if not low <= high or low == math.inf or high == -math.inf:
-        return Fault(code="limits_reversed", where=where, params=params)
+        return Fault.at("limits_reversed", *where, **params)
     if turns and (low > FARTHEST_TURN or high < -FARTHEST_TURN):
         params["limit"] = FARTHEST_TURN
-        return Fault(code="limits_too_far", where=where, params=params)
+        return Fault.at("limits_too_far", *where, **params)
     if not turns and any(math.isfinite(end) and is_long(end) for end in (low, high)):
         return too_long(where)
     return None

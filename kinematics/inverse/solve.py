@@ -94,13 +94,7 @@ def _prepared(
 ) -> tuple[Arm, InverseClosedForm | None, ClearWrist | None, LockedArms | None]:
     check_lengths(table)
     if not 1 <= table.n_joints <= MAX_JOINTS:
-        raise TableError(
-            Fault(
-                code="inverse_joint_count",
-                where=("rows",),
-                params={"count": table.n_joints, "limit": MAX_JOINTS},
-            )
-        )
+        raise TableError(Fault.at("inverse_joint_count", "rows", count=table.n_joints, limit=MAX_JOINTS))
     ends = [None if T is None else np.frombuffer(T).reshape(4, 4) for T in (base, tool)]
     arm = replace(arm_of(table, *ends), reach=reach)
     closed_form = closed_form_of(arm)

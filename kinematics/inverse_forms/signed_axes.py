@@ -167,7 +167,7 @@ class _Walker:
 
 
 def _oblique(row: int, cell: str) -> TableError:
-    return TableError(Fault(code="inverse_form_unknown", where=("rows", row, cell)))
+    return TableError(Fault.at("inverse_form_unknown", "rows", row, cell))
 
 
 def opposite(axis: Axis) -> Axis:

@@ -184,7 +184,7 @@ def check_rotations(factors: Sequence[Factor], product: int) -> None:
         DescriptionError: code `matrix_not_rotation`, at ("products", i, k).
     """
     faults = [
-        Fault(code="matrix_not_rotation", where=("products", product, k))
+        Fault.at("matrix_not_rotation", "products", product, k)
         for k, factor in enumerate(factors)
         if not isinstance(factor, Placement) and not _may_rotate(factor)
     ]

@@ -149,7 +149,7 @@ def _mark(hand_in: HandIn, settings: ClassSettings) -> Mark:
         return _ungraded(hand_in, settings.exercise or "", hand_in.faults, settings)
     named = settings.exercise or hand_in.found.exercise
     if named is None:
-        return _ungraded(hand_in, "", (Fault(code="exercise_not_named"),), settings)
+        return _ungraded(hand_in, "", (Fault.at("exercise_not_named"),), settings)
     library = _library(settings.folders)
     exercise_id = exercise_named(named, library) or named
     answer: dict[str, object] = {}

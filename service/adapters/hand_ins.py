@@ -189,4 +189,4 @@ def _is_table(name: str) -> bool:
 
 
 def _unreadable(code: str, name: str, **params: str | int) -> RequestError:
-    return RequestError(Fault(code=code, params={"file": PurePosixPath(name).name, **params}))
+    return RequestError(Fault.at(code, file=PurePosixPath(name).name, **params))

@@ -39,14 +39,14 @@ def answered(command: str, body: bytes, language: str, library: Library) -> dict
     if command == _HEALTH:
         return {"command": _HEALTH, "result": _health(library)}
     if command not in _COMMANDS:
-        fault = Fault(code="function_command_unknown", params={"known": (*_COMMANDS, _HEALTH)})
+        fault = Fault.at("function_command_unknown", known=(*_COMMANDS, _HEALTH))
         return _error(fault, language)
     name, carry_out = _COMMANDS[command]
     try:
         call = FunctionCall.model_validate_json(body)
     except ValidationError as error:
         places = ", ".join(".".join(map(str, fault["loc"])) or fault["msg"] for fault in error.errors()[:5])
-        return _error(Fault(code="function_call_invalid", params={"places": places}), language)
+        return _error(Fault.at("function_call_invalid", places=places), language)
     request = _request(call, check=name == _PREVIEW)
     language = mued.language_wanted(request, language)
     try:

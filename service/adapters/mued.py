@@ -61,9 +61,7 @@ def judged(request: EvaluateRequest, language: str, library: Library) -> JudgedA
     submission = request.submission
     if submission.type not in EVALUATED:
         known = tuple(kind.value for kind in EVALUATED)
-        raise NotEvaluatedError(
-            Fault(code="artefact_unknown", params={"type": submission.type.value, "known": known})
-        )
+        raise NotEvaluatedError(Fault.at("artefact_unknown", type=submission.type.value, known=known))
     exercise_id = _exercise(request, library)
     answer = _answer(submission.content)
     if isinstance(answer.get("table"), Mapping):
@@ -164,4 +162,4 @@ def _exercise(request: EvaluateRequest, library: Library) -> str:
     for candidate in candidates:
         if isinstance(candidate, str) and (found := exercise_named(candidate, library)):
             return found
-    raise NotEvaluatedError(Fault(code="exercise_not_named"))
+    raise NotEvaluatedError(Fault.at("exercise_not_named"))

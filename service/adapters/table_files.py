@@ -300,4 +300,4 @@ def _text(value: object) -> str | None:
 
 
 def _refused(code: str, name: str, **params: Any) -> RequestError:
-    return RequestError(Fault(code=code, where=(name,), params={"file": PurePosixPath(name).name, **params}))
+    return RequestError(Fault.at(code, name, file=PurePosixPath(name).name, **params))

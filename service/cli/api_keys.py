@@ -35,7 +35,7 @@ def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
 def _file() -> KeyFile:
     path = settings_of_environment().api_keys
     if path is None:
-        raise RequestError(Fault(code="setting_missing", params={"name": "FRAMEWISE_API_KEYS"}))
+        raise RequestError(Fault.at("setting_missing", name="FRAMEWISE_API_KEYS"))
     return KeyFile(path)
 
 
@@ -66,5 +66,5 @@ def _list(options: argparse.Namespace) -> int:
 
 def _revoke(options: argparse.Namespace) -> int:
     if not _file().revoke(options.id):
-        raise RequestError(Fault(code="api_key_unknown", params={"id": options.id}))
+        raise RequestError(Fault.at("api_key_unknown", id=options.id))
     return 0

@@ -40,7 +40,7 @@ def opened_store(*, only_if_there: bool = False) -> Iterator[Store]:
     """
     settings = settings_of_environment()
     if settings.storage == "off":
-        raise StorageError(Fault(code="storage_off"))
+        raise StorageError(Fault.at("storage_off"))
     store = open_store(settings.database_url, settings.data_folder, only_if_there=only_if_there)
     try:
         yield store

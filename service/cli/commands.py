@@ -64,7 +64,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return FAILED
     except OSError as error:
         params = {"file": str(error.filename or "–"), "reason": error.strerror or str(error)}
-        faults = (Fault(code="file_unusable", params=params),)
+        faults = (Fault.at("file_unusable", **params),)
     for fault in faults:
         sys.stderr.write(f"framewise: {fault_line(fault, options.lang)}\n")
     return UNUSABLE

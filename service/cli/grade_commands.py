@@ -68,7 +68,7 @@ def _grade(options: argparse.Namespace) -> int:
         )
         return HOSTS[options.host](assignment, path)
     if path is None:
-        raise RequestError(Fault(code="grade_path_needed"))
+        raise RequestError(Fault.at("grade_path_needed"))
     settings = ClassSettings(
         exercise=options.exercise,
         language=options.lang,

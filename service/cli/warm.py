@@ -82,7 +82,7 @@ def _asked(resources: Resources, what: str, variants: int | None) -> Iterator[Pr
         return
     links = links_of_course(resources.courses.store, what) if resources.courses is not None else []
     if not links:
-        raise NotFoundError(Fault(code="nothing_to_warm", params={"name": what}))
+        raise NotFoundError(Fault.at("nothing_to_warm", name=what))
     for settings, seeds in links:
         if settings.exercise_id is None:
             continue

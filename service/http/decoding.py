@@ -127,14 +127,14 @@ def _read_large(body: bytes, limits: JsonLimits) -> Any:
         raise BodyError(_syntax_faults(body, error)) from None
     rest = replace(limits, long=frozenset())
     if len(body) - (stop - start) > LONGEST_REST:
-        raise BodySizeError(Fault(code="body_too_large", params={"limit": AT_ONCE}))
+        raise BodySizeError(Fault.at("body_too_large", limit=AT_ONCE))
     try:
         value = decode_json(body[:start] + b"[]" + body[stop:], rest)
     except BodyError:  # once more, with as much room in the place of the list: what is wrong has its line
         decode_json(body[:start] + blank(body, start, stop) + body[stop:], rest)
         raise
     if type(value) is not dict or value.get(name) != []:
-        raise BodySizeError(Fault(code="body_too_large", params={"limit": AT_ONCE}))
+        raise BodySizeError(Fault.at("body_too_large", limit=AT_ONCE))
     value[name] = found
     return value
 
@@ -208,7 +208,7 @@ def _refuse_many(body: bytes, limits: JsonLimits) -> None:
         if len(body) > limit and body.count(sign) > limit:
             if _is_deep(body):
                 raise BodyError(_too_deep())
-            raise BodySizeError(Fault(code="json_too_many_values", params={"limit": limit}))
+            raise BodySizeError(Fault.at("json_too_many_values", limit=limit))
 
 
 def _is_deep(body: bytes) -> bool:
@@ -226,7 +226,7 @@ def _refuse_wide(value: Any, limits: JsonLimits) -> None:
         widest = max(map(len, objects), default=0)
         if widest > limits.fields:
             params = {"given": widest, "limit": limits.fields}
-            raise BodySizeError(Fault(code="json_too_many_fields", params=params))
+            raise BodySizeError(Fault.at("json_too_many_fields", **params))
         if objects and objects[0] is value:
             inner = [item for name, item in value.items() if name not in limits.long]
         else:
@@ -241,9 +241,9 @@ def _duplicate_faults(body: bytes) -> Iterator[Fault]:
     except RecursionError:  # Python's reader goes less deep than the one that took the body
         found = []
     for where in found:
-        yield Fault(code="json_duplicate_key", where=where, params={"key": str(where[-1])})
+        yield Fault.at("json_duplicate_key", *where, key=str(where[-1]))
     if not found:
-        yield Fault(code="json_duplicate_key", params={"key": "…"})
+        yield Fault.at("json_duplicate_key", key="…")
 
 
 def _duplicates(body: bytes) -> Iterator[tuple[str | int, ...]]:
@@ -298,11 +298,7 @@ def _syntax_faults(body: bytes, error: orjson.JSONDecodeError) -> Iterator[Fault
         yield _syntax_fault(body, error)
         return
     for where in _not_finite(body) or [()]:
-        yield Fault(
-            code="json_not_finite",
-            where=where,
-            params=place,
-        )
+        yield Fault.at("json_not_finite", *where, **place)
 
 
 def _not_finite(body: bytes) -> list[tuple[str | int, ...]]:
@@ -319,16 +315,13 @@ def _not_finite(body: bytes) -> list[tuple[str | int, ...]]:
 
 def _syntax_fault(body: bytes, error: orjson.JSONDecodeError) -> Fault:
     if not body.strip():
-        return Fault(code="body_missing")
+        return Fault.at("body_missing")
     if _UTF8_MESSAGE in error.msg:
-        return Fault(code="json_not_utf8")
+        return Fault.at("json_not_utf8")
     if _DEPTH_MESSAGE in error.msg:
         return _too_deep()
-    return Fault(
-        code="json_invalid",
-        params={"line": error.lineno, "column": error.colno, "reason": error.msg},
-    )
+    return Fault.at("json_invalid", line=error.lineno, column=error.colno, reason=error.msg)
 
 
 def _too_deep() -> Fault:
-    return Fault(code="json_too_deep")
+    return Fault.at("json_too_deep")

@@ -25,11 +25,11 @@ async def form_of(request: Request) -> dict[str, str]:
     async for piece in request.stream():
         received += piece
         if len(received) > LARGEST_FORM:
-            raise BodyError(Fault(code="posted_form_too_large", params={"limit": LARGEST_FORM}))
+            raise BodyError(Fault.at("posted_form_too_large", limit=LARGEST_FORM))
     try:
         return dict(parse_qsl(received.decode(), keep_blank_values=True, max_num_fields=MOST_FIELDS))
     except ValueError:
-        raise BodyError(Fault(code="form_invalid")) from None
+        raise BodyError(Fault.at("form_invalid")) from None
 
 
 def own_root(request: Request, public_url: str) -> str:

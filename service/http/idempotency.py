@@ -79,7 +79,7 @@ class IdempotencyMiddleware:
         try:
             if not 0 < len(key) <= LONGEST_KEY:
                 raise BodyError(
-                    Fault(code="idempotency_key_length", where=_WHERE, params={"limit": LONGEST_KEY}),
+                    Fault.at("idempotency_key_length", *_WHERE, limit=LONGEST_KEY),
                     part=RequestPart.HEADER,
                 )
             slot = _slot(scope, fields, key)
@@ -89,7 +89,7 @@ class IdempotencyMiddleware:
             elif not answer.asked:
                 raise _conflict()
             elif await _digest(receive) != answer.asked:
-                fault = Fault(code="idempotency_key_reused", where=_WHERE)
+                fault = Fault.at("idempotency_key_reused", *_WHERE)
                 raise RequestError(fault, part=RequestPart.HEADER)
             else:
                 await _replay(answer, send)
@@ -163,7 +163,7 @@ def _is_final(status: int) -> bool:
 
 
 def _conflict() -> ConflictError:
-    fault = Fault(code="idempotency_key_in_use", where=_WHERE)
+    fault = Fault.at("idempotency_key_in_use", *_WHERE)
     return ConflictError(fault, part=RequestPart.HEADER, headers={"Retry-After": "1"})
 
 

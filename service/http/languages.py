@@ -38,11 +38,7 @@ def language_of(request: Request) -> str:
     if asked not in languages():
         known = ", ".join(languages())
         raise RequestError(
-            Fault(
-                code="language_unknown",
-                where=("lang",),
-                params={"language": asked[:20], "known": known},
-            ),
+            Fault.at("language_unknown", "lang", language=asked[:20], known=known),
             part=RequestPart.QUERY,
         )
     return asked

@@ -128,7 +128,7 @@ def token_of(fields: Mapping[bytes, bytes], query: bytes) -> str | None:
 
 
 def _refusal(code: str) -> ForbiddenError:
-    return ForbiddenError(Fault(code=code, where=(HEADER,)), part=RequestPart.HEADER)
+    return ForbiddenError(Fault.at(code, HEADER), part=RequestPart.HEADER)
 
 
 def _signature(payload: str, secret: bytes) -> str:

@@ -95,9 +95,7 @@ class LinkGuard:
     def _check(self, path: str, context: LinkContext) -> None:
         """Refuse a path that the context, or its exercise, switches off."""
         if not may_open(path, context, self._library):
-            raise ForbiddenError(
-                Fault(code="switched_off", where=(path,), params={"path": path}), part=RequestPart.PATH
-            )
+            raise ForbiddenError(Fault.at("switched_off", path, path=path), part=RequestPart.PATH)
 
 
 def may_open(path: str, context: LinkContext, library: Library) -> bool:

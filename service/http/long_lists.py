@@ -80,7 +80,7 @@ def first_list(body: bytes, names: Iterable[str]) -> tuple[str, int]:
             start = body.find(b"[", behind)
             if start >= 0 and body[behind:start].strip() == b":":
                 return name, start
-    raise BodySizeError(Fault(code="body_too_large", params={"limit": AT_ONCE}))
+    raise BodySizeError(Fault.at("body_too_large", limit=AT_ONCE))
 
 
 def items(body: bytes, start: int) -> tuple[list[Any], int]:
@@ -122,7 +122,7 @@ def _piece(body: bytes, begun: int, sign: bytes) -> tuple[list[Any], int, bool]:
             if cut < 0 or error.pos < len(error.doc) - 1:
                 raise _error_at(body, place, error.msg) from None
         cut += 1
-    raise BodySizeError(Fault(code="body_too_large", params={"limit": AT_ONCE}))
+    raise BodySizeError(Fault.at("body_too_large", limit=AT_ONCE))
 
 
 def blank(body: bytes, start: int, stop: int) -> bytes:

@@ -138,7 +138,7 @@ class MeteringMiddleware:
         needed = _scope_of(path_of(scope), scope["method"])
         if needed not in key.scopes:
             params = {"needed": needed.value, "scopes": tuple(found.value for found in key.scopes)}
-            fault = Fault(code="api_key_scope", where=("Authorization",), params=params)
+            fault = Fault.at("api_key_scope", "Authorization", **params)
             raise ForbiddenError(fault, part=RequestPart.HEADER)
         return key
 
@@ -152,7 +152,7 @@ class MeteringMiddleware:
         wait = max(1, math.ceil(charged.wait))
         headers = {"ratelimit-limit": most, "ratelimit-remaining": charged.left, "ratelimit-reset": wait}
         if not charged.allowed:
-            fault = Fault(code="rate_exceeded", params={"limit": most, "seconds": wait})
+            fault = Fault.at("rate_exceeded", limit=most, seconds=wait)
             told = {name: str(value) for name, value in headers.items()}
             raise RateError(fault, headers={**told, "Retry-After": str(wait)})
         return [(name.encode(), str(value).encode()) for name, value in headers.items()]
@@ -194,5 +194,5 @@ def _scope_of(path: str, method: str) -> KeyScope:
 
 
 def _unauthorized(code: str) -> UnauthorizedError:
-    fault = Fault(code=code, where=("Authorization",))
+    fault = Fault.at(code, "Authorization")
     return UnauthorizedError(fault, part=RequestPart.HEADER, headers={"WWW-Authenticate": "Bearer"})

@@ -143,10 +143,7 @@ class OuterMiddleware:
         return prefix if PREFIX.fullmatch(prefix) else ""
 
     async def _send_internal_error(self, scope: Scope, send: Send, request_id: str) -> None:
-        fault = Fault(
-            code="internal_error",
-            params={"id": request_id},
-        )
+        fault = Fault.at("internal_error", id=request_id)
         languages = [value for name, value in scope["headers"] if name == b"accept-language"]
         language = language_for(languages[0].decode("latin-1") if languages else None)
         body = Problem(status=INTERNAL, faults=(fault,), request_id=request_id).encoded(

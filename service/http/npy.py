@@ -45,17 +45,12 @@ def read_npy(body: bytes) -> NDArray[np.float64]:
     """
     shape, fortran, dtype, start = _header(body)
     if dtype.hasobject:
-        raise BodyError(Fault(code="npy_object_refused"))
+        raise BodyError(Fault.at("npy_object_refused"))
     if dtype.kind not in "fiu":
-        raise BodyError(Fault(code="npy_type_unsupported", params={"type": str(dtype)[:40]}))
+        raise BodyError(Fault.at("npy_type_unsupported", type=str(dtype)[:40]))
     promised, present = math.prod(shape) * dtype.itemsize, len(body) - start
     if promised != present:
-        raise BodyError(
-            Fault(
-                code="npy_length_mismatch",
-                params={"promised": promised, "present": present},
-            )
-        )
+        raise BodyError(Fault.at("npy_length_mismatch", promised=promised, present=present))
     flat = np.frombuffer(body, dtype=dtype, offset=start)
     try:
         array = flat.reshape(shape, order="F" if fortran else "C")
@@ -97,9 +92,4 @@ def _header(body: bytes) -> tuple[tuple[int, ...], bool, np.dtype[np.generic], i
 
 
 def _invalid(rule: str) -> BodyError:
-    return BodyError(
-        Fault(
-            code="npy_header_invalid",
-            params={"rule": rule},
-        )
-    )
+    return BodyError(Fault.at("npy_header_invalid", rule=rule))

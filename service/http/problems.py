@@ -151,7 +151,7 @@ class UnavailableError(ServiceError):
 
 def busy() -> BusyError:
     """Return the refusal of work for which there is no slot."""
-    fault = Fault(code="busy", params={"seconds": RETRY_SECONDS})
+    fault = Fault.at("busy", seconds=RETRY_SECONDS)
     return BusyError(fault, headers={"Retry-After": str(RETRY_SECONDS)})
 
 

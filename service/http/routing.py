@@ -148,7 +148,7 @@ class ApiRequest(Request):
                 async with asyncio.timeout_at(start + timeout + received / SLOWEST_UPLOAD):
                     message = await self._receive()
             except TimeoutError:
-                raise BodyTimeoutError(Fault(code="body_timed_out", params={"seconds": timeout})) from None
+                raise BodyTimeoutError(Fault.at("body_timed_out", seconds=timeout)) from None
             if message["type"] == "http.disconnect":
                 raise ClientDisconnect
             piece = message.get("body", b"")
@@ -174,10 +174,7 @@ class ApiRequest(Request):
         """
         if self.headers.get("content-encoding", "identity") != "identity":
             raise MediaTypeError(
-                Fault(
-                    code="content_encoding_unsupported",
-                    where=("Content-Encoding",),
-                ),
+                Fault.at("content_encoding_unsupported", "Content-Encoding"),
                 part=RequestPart.HEADER,
                 headers={"Accept-Encoding": "identity"},
             )
@@ -186,11 +183,7 @@ class ApiRequest(Request):
             name, _, value = parameter.partition("=")
             if name.strip().lower() == "charset" and value.strip(' "').lower() not in _UTF8:
                 raise MediaTypeError(
-                    Fault(
-                        code="charset_unsupported",
-                        where=("Content-Type",),
-                        params={"charset": value.strip(' "')},
-                    ),
+                    Fault.at("charset_unsupported", "Content-Type", charset=value.strip(' "')),
                     part=RequestPart.HEADER,
                 )
         return media_type.strip().lower()
@@ -224,11 +217,7 @@ class ApiRequest(Request):
         chosen = preferred_media_type(", ".join(self.headers.getlist("accept")), offers)
         if chosen is None:
             raise NotAcceptableError(
-                Fault(
-                    code="not_acceptable",
-                    where=("Accept",),
-                    params={"offers": offers},
-                ),
+                Fault.at("not_acceptable", "Accept", offers=offers),
                 part=RequestPart.HEADER,
             )
         return chosen
@@ -310,20 +299,11 @@ def api_router(*tags: str | Enum, route_class: type[ApiRoute] = ApiRoute) -> API
 def unsupported_media_type(media_type: str, *offers: str) -> MediaTypeError:
     """Return the refusal of a body in a media type that a call does not read."""
     return MediaTypeError(
-        Fault(
-            code="media_type_unsupported",
-            where=("Content-Type",),
-            params={"given": media_type or "none", "offers": offers},
-        ),
+        Fault.at("media_type_unsupported", "Content-Type", given=media_type or "none", offers=offers),
         part=RequestPart.HEADER,
         headers={"Accept-Post": ", ".join(offers)},
     )
 
 
 def _too_large(limit: int) -> BodySizeError:
-    return BodySizeError(
-        Fault(
-            code="body_too_large",
-            params={"limit": limit},
-        )
-    )
+    return BodySizeError(Fault.at("body_too_large", limit=limit))

@@ -126,7 +126,7 @@ def _fault(error: ErrorDetails, loc: tuple[int | str, ...], model: Any, allowed:
         params = {"pattern": str(context.get("pattern", ""))}
     elif code == "value_invalid":
         params = {"reason": error["msg"]}
-    return Fault(code=code, where=where, params=params)
+    return Fault.at(code, *where, **params)
 
 
 def _name(where: Sequence[int | str]) -> str:

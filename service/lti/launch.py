@@ -99,27 +99,27 @@ def read_launch(token: str, expected: Expected, keys: PlatformKeys, now: datetim
 def _verified(token: str, platform: LtiPlatform, keys: PlatformKeys) -> Mapping[str, Any]:
     """The claims of a token whose signature is the platform's. Its header chooses a key, and nothing else."""
     if len(token) > LONGEST_TOKEN:
-        raise LaunchError(Fault(code="lti_token_malformed"))
+        raise LaunchError(Fault.at("lti_token_malformed"))
     try:
         header = jws.extract_compact(token.encode()).headers()
     except (JoseError, ValueError, TypeError, RecursionError):
-        raise LaunchError(Fault(code="lti_token_malformed")) from None
+        raise LaunchError(Fault.at("lti_token_malformed")) from None
     algorithm, kid = header.get("alg"), header.get("kid")
     if algorithm != ALGORITHM:
         params = {"algorithm": str(algorithm)[:20]}
-        raise LaunchError(Fault(code="lti_token_algorithm", params=params))
+        raise LaunchError(Fault.at("lti_token_algorithm", **params))
     if not isinstance(kid, str) or not kid:
-        raise LaunchError(Fault(code="lti_token_key"))
+        raise LaunchError(Fault.at("lti_token_key"))
     key = keys.key(platform, kid)
     try:
         claims = jwt.decode(token, key, [ALGORITHM]).claims
     except (JoseError, ValueError, TypeError, RecursionError):
-        raise LaunchError(Fault(code="lti_token_signature")) from None
+        raise LaunchError(Fault.at("lti_token_signature")) from None
     try:
         _check_identifiers(claims)
         told: Mapping[str, Any] = _well_formed(claims)
     except RecursionError:
-        raise LaunchError(Fault(code="lti_token_malformed")) from None
+        raise LaunchError(Fault.at("lti_token_malformed")) from None
     return told
 
 
@@ -162,9 +162,9 @@ def _check_parties(claims: Mapping[str, Any], platform: LtiPlatform) -> None:
 def _check_times(claims: Mapping[str, Any], now: datetime) -> None:
     expires, issued = _instant(claims, "exp"), _instant(claims, "iat")
     if expires <= now - LEEWAY:
-        raise LaunchError(Fault(code="lti_token_expired"))
+        raise LaunchError(Fault.at("lti_token_expired"))
     if issued > now + LEEWAY or issued < now - OLDEST:
-        raise LaunchError(Fault(code="lti_token_early"))
+        raise LaunchError(Fault.at("lti_token_early"))
 
 
 def _instant(claims: Mapping[str, Any], name: str) -> datetime:
@@ -182,7 +182,7 @@ def _check_nonce(claims: Mapping[str, Any], expected: Expected, now: datetime) -
     if not isinstance(nonce, str) or nonce != expected.nonce:
         raise wrong_claim("nonce")
     if not expected.use_nonce(nonce, now + NONCE_LIFE):
-        raise LaunchError(Fault(code="lti_nonce_used"))
+        raise LaunchError(Fault.at("lti_nonce_used"))
 
 
 def _message(claims: Mapping[str, Any], subject: str | None, expected: Expected) -> Launch:
@@ -196,7 +196,7 @@ def _message(claims: Mapping[str, Any], subject: str | None, expected: Expected)
         raise missing_claim("deployment_id")
     if not expected.knows_deployment(deployment):
         params = {"deployment": deployment}
-        raise LaunchError(Fault(code="lti_deployment_unknown", params=params))
+        raise LaunchError(Fault.at("lti_deployment_unknown", **params))
     target = claims.get(f"{names.LTI}target_link_uri")
     if message_type == names.RESOURCE_LINK_REQUEST and target != expected.target:
         raise wrong_claim("target_link_uri")

@@ -35,12 +35,12 @@ class PlatformError(RequestError):
 
 def missing_claim(name: str) -> LaunchError:
     """Return the refusal of a message that lacks a claim."""
-    return LaunchError(Fault(code="lti_claim_missing", params={"claim": name}))
+    return LaunchError(Fault.at("lti_claim_missing", claim=name))
 
 
 def wrong_claim(name: str) -> LaunchError:
     """Return the refusal of a message whose claim does not belong to this launch."""
-    return LaunchError(Fault(code="lti_claim_wrong", params={"claim": name}))
+    return LaunchError(Fault.at("lti_claim_wrong", claim=name))
 
 
 def unreachable(address: str, reason: ParamValue, **more: float | None) -> PlatformError:
@@ -48,7 +48,7 @@ def unreachable(address: str, reason: ParamValue, **more: float | None) -> Platf
     params = {"address": address.partition("?")[0], "reason": reason}
     status, retry_after = more.get("status"), more.get("retry_after")
     return PlatformError(
-        Fault(code="lti_unreachable", params=params),
+        Fault.at("lti_unreachable", **params),
         status=None if status is None else int(status),
         retry_after=retry_after,
     )

@@ -41,16 +41,16 @@ def read_login(parameters: Mapping[str, str], own_origin: str) -> LoginRequest:
     given = {name: value for name, value in parameters.items() if name in KNOWN and value}
     for name in REQUIRED:
         if name not in given:
-            raise LoginError(Fault(code="lti_parameter_missing", params={"name": name}))
+            raise LoginError(Fault.at("lti_parameter_missing", name=name))
     for name, value in given.items():
         if len(value) > LONGEST:
-            raise LoginError(Fault(code="lti_parameter_missing", params={"name": name}))
+            raise LoginError(Fault.at("lti_parameter_missing", name=name))
     try:
         same = origin_of(given["target_link_uri"]) == own_origin
     except ValueError:
         same = False
     if not same:
-        raise LoginError(Fault(code="lti_target_foreign"))
+        raise LoginError(Fault.at("lti_target_foreign"))
     return LoginRequest(
         issuer=given["iss"],
         login_hint=given["login_hint"],

@@ -76,7 +76,7 @@ class PlatformKeys:
         if now >= until or (kid not in keys and now - fetched >= REFETCHED_AFTER):
             keys = self._fetch(platform.jwks_uri, now)
         if kid not in keys:
-            raise LaunchError(Fault(code="lti_token_key"))
+            raise LaunchError(Fault.at("lti_token_key"))
         return keys[kid]
 
     def _fetch(self, address: str, now: float) -> dict[str, RSAKey]:

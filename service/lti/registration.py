@@ -148,4 +148,4 @@ def _is_address(text: str) -> bool:
 
 
 def _lacks(name: str) -> LoginError:
-    return LoginError(Fault(code="lti_configuration_invalid", params={"name": name}))
+    return LoginError(Fault.at("lti_configuration_invalid", name=name))

@@ -118,7 +118,7 @@ def rotate(path: Path, retire: Sequence[str] = ()) -> ReceiptKeys:
     """
     old = read_keys(path).keys if path.exists() else ()
     if unknown := [kid for kid in retire if kid not in {key.kid for key in old}]:
-        raise RequestError(Fault(code="receipt_kid_unknown", params={"id": unknown[0], "file": path.name}))
+        raise RequestError(Fault.at("receipt_kid_unknown", id=unknown[0], file=path.name))
     keys = (_key(Ed25519PrivateKey.generate()), *(key for key in old if key.kid not in retire))
     document = {"keys": [key.as_dict(private=True) for key in keys]}
     draft = path.with_name(f"{path.name}.{os.getpid()}.{time.monotonic_ns()}")

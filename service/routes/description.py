@@ -62,11 +62,7 @@ async def problem(
     """Return the sentence behind a code, its parameters in braces: where the `type` of a problem leads."""
     language = language_for(request.headers.get("accept-language"))
     if code not in refusal_codes():
-        fault = Fault(
-            code="problem_unknown",
-            where=("code",),
-            params={"code": code[:80]},
-        )
+        fault = Fault.at("problem_unknown", "code", code=code[:80])
         raise NotFoundError(fault, part=RequestPart.PATH)
     response.headers["Content-Language"] = language
     response.headers["Vary"] = "Accept-Language"

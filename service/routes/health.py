@@ -98,7 +98,7 @@ async def metrics(resources: AppResources) -> Response:
     scores that wait to be sent.
     """
     if resources.settings.metrics == "off":
-        raise NotFoundError(Fault(code="address_unknown", params={"path": "/metrics"}), part=RequestPart.PATH)
+        raise NotFoundError(Fault.at("address_unknown", path="/metrics"), part=RequestPart.PATH)
     told = await resources.limiters[WorkKind.COURSES].run(resources.metrics.exposition)
     return Response(told, media_type=CONTENT_TYPE_LATEST, headers={"Cache-Control": "no-store"})
 

@@ -205,7 +205,7 @@ def judged_submission(
     settings, arrived, seed = session.link.settings, now(), seed_of(session)
     check_open(session, arrived)
     if seen is not None and seen != grader.version(settings):
-        raise AttemptError(Fault(code="exercise_changed"))
+        raise AttemptError(Fault.at("exercise_changed"))
     judged = grader.judge(settings, seed, wire, session.made + 1)
     attempt = Attempt(
         link_id=session.link.id,

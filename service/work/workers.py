@@ -206,12 +206,12 @@ class _Shared:
 
 def _out_of_time(seconds: float) -> RequestError:
     whole = int(seconds) if seconds == math.floor(seconds) else seconds
-    return RequestError(Fault(code="computation_out_of_time", params={"seconds": whole}))
+    return RequestError(Fault.at("computation_out_of_time", seconds=whole))
 
 
 def _aborted() -> UnavailableError:
-    return UnavailableError(Fault(code="computation_aborted"))
+    return UnavailableError(Fault.at("computation_aborted"))
 
 
 def _out_of_memory(limit: int) -> RequestError:
-    return RequestError(Fault(code="computation_out_of_memory", params={"megabytes": limit // 1024**2}))
+    return RequestError(Fault.at("computation_out_of_memory", megabytes=limit // 1024**2))

@@ -151,7 +151,7 @@ def comparisons(
         given = {name: float(value) for name, value in values.given.items()}
         _within_bounds(bind(key.table, given))
         _within_bounds(bind(submission.table, given))
-        raise ParameterError(Fault(code="tables_without_value"))
+        raise ParameterError(Fault.at("tables_without_value"))
     return tuple(found)
 
 
@@ -284,7 +284,7 @@ def _within_bounds(table: NumericTable) -> NumericTable:
     else:
         return table
     raise ParameterError(
-        Fault(code="result_not_finite", where=("rows", i, cell))
+        Fault.at("result_not_finite", "rows", i, cell)
         for i, row in enumerate(table.rows)
         for cell in CELLS
         if abs(getattr(row, cell)) > LARGEST_ENTRY

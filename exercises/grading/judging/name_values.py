@@ -97,7 +97,7 @@ def _fault(
     else:
         return None
     params = {"name": spelled[:40], "other": name or ""}
-    return Fault(code=code, where=("parameters", spelled), params=params)
+    return Fault.at(code, "parameters", spelled, **params)
 
 
 def drawn_value(name: str, attempt: int, values: Values) -> float:

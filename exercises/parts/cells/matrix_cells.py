@@ -43,7 +43,7 @@ def read_matrix(
         CellError: it is not 4×4, or cells cannot be read; every fault, each with the place of its cell.
     """
     if len(cells) != 4 or any(len(row) != 4 for row in cells):
-        raise CellError(Fault(code="matrix_not_4x4", where=where))
+        raise CellError(Fault.at("matrix_not_4x4", *where))
     found = _read_cells(cells, joint_types, angle_unit, where)
     faults = [entry for row in found for entry in row if isinstance(entry, Fault)]
     if faults:

@@ -63,7 +63,7 @@ def number_of(
     except KinematicsError:
         value = math.nan
     if not math.isfinite(value):
-        raise CellError(Fault(code="value_not_real", where=where))
+        raise CellError(Fault.at("value_not_real", *where))
     return value
 
 

@@ -75,20 +75,11 @@ def schematic_faults(answer: Schematic) -> list[Fault]:
     """Return what keeps an answer from being graded; places inside the part's answer."""
     faults: list[Fault] = []
     if JointType.FIXED in answer.joints:
-        faults.append(
-            Fault(
-                code="schematic_fixed_joint",
-                where=("joints", answer.joints.index(JointType.FIXED)),
-            )
-        )
+        faults.append(Fault.at("schematic_fixed_joint", "joints", answer.joints.index(JointType.FIXED)))
     pairs = max(len(answer.joints) - 1, 0)
     if len(answer.relations) != pairs:
         faults.append(
-            Fault(
-                code="schematic_relations_count",
-                where=("relations",),
-                params={"joints": len(answer.joints), "expected": pairs},
-            )
+            Fault.at("schematic_relations_count", "relations", joints=len(answer.joints), expected=pairs)
         )
     return faults
 

@@ -186,11 +186,7 @@ class WorkspacePartType(PartType[WorkspacePart, RadiiCells, ByName[WorkspaceAnsw
         """Yield the points that the figure does not mark."""
         for key, name in (("point", part.point), ("from", part.origin)):
             if name is not None and name not in exercise.figure.marks:
-                yield Fault(
-                    code="unknown_point",
-                    where=(key,),
-                    params={"name": name, "known": ", ".join(exercise.figure.marks)},
-                )
+                yield Fault.at("unknown_point", key, name=name, known=", ".join(exercise.figure.marks))
 
     def task(self, part: WorkspacePart, instance: Instance) -> PartTask:
         """Ask for the least and the greatest distance."""
@@ -290,11 +286,9 @@ def _radius(cell: Cell, name: str, reading: Reading) -> float:
         expression = in_own_names(typed, reading.instance.exercise, is_constant=True)
         value = evaluate(expression, reading.values)
     except KinematicsError as error:
-        raise type(error)(
-            Fault(code=fault.code, where=(name,), params=fault.params) for fault in error.faults
-        ) from None
+        raise type(error)(Fault.at(fault.code, name, **fault.params) for fault in error.faults) from None
     if value < 0:
-        raise CellError(Fault(code="radius_negative", where=(name,)))
+        raise CellError(Fault.at("radius_negative", name))
     return value
 
 

@@ -101,13 +101,9 @@ class InverseKinematicsType(PartType[InverseKinematicsPart, JointAnswerCells, Jo
         policy = exercise.policy
         free = policy.base is not BaseRule.FRAME or policy.tool is not ToolRule.FRAME
         if exercise.part(TABLE) is not None and free:
-            yield Fault(code="pose_frames_free", where=("kind",))
+            yield Fault.at("pose_frames_free", "kind")
         if part.reach is ArmReach.AXIS:
-            yield Fault(
-                code="exercise_value_unknown",
-                where=("reach",),
-                params={"key": "reach", "known": "pose, position"},
-            )
+            yield Fault.at("exercise_value_unknown", "reach", key="reach", known="pose, position")
 
     def draw(self, part: InverseKinematicsPart, exercise: Exercise, picker: Picker) -> DrawnPose:
         """Return the student's joint values, and what becomes of their pose."""

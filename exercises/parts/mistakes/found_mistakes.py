@@ -88,7 +88,7 @@ class MistakeType(PartType[M, Raw, Read]):
     def inconsistencies(self, part: M, exercise: Exercise) -> Iterator[Fault]:
         """Yield a fault where nothing can be planted, or where another part would give the key away."""
         if not self.can_be_planted(part, exercise):
-            yield Fault(code="no_mistake_does_harm", where=("mistakes",))
+            yield Fault.at("no_mistake_does_harm", "mistakes")
         yield from self.given_away(exercise)
 
     def can_be_planted(self, part: M, exercise: Exercise) -> bool:

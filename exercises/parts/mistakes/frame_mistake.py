@@ -104,11 +104,7 @@ class FrameMistakeType(MistakeType[MistakePart, FoundFrameMistakeCells, ByName[F
         with suppress(DefinitionError):
             able = _ways(generate(exercise))
             if not any(code in able for code in part.mistakes):
-                yield Fault(
-                    code="frame_mistakes_not_shown",
-                    where=("mistakes",),
-                    params={"known": ", ".join(able)},
-                )
+                yield Fault.at("frame_mistakes_not_shown", "mistakes", known=", ".join(able))
 
     def draw(self, part: MistakePart, exercise: Exercise, picker: Picker) -> tuple[str, str]:
         """Return what decides the student's mistake; the frames follow from the student's dimensions."""

@@ -84,13 +84,13 @@ def read_conditions(
     """
     text = str(cell)
     if len(text) > LONGEST:
-        return [Fault(code="cell_too_long", where=where, params={"length": len(text), "limit": LONGEST})]
+        return [Fault.at("cell_too_long", *where, length=len(text), limit=LONGEST)]
     text = _without_integers(text)
     if _NO_EQUATION.search(text) or not text.strip(_DASHES):
         return [_no_condition(cell, where)]
     equations = list(islice(_equations(text.replace("==", "=")), MOST_CONDITIONS + 1))
     if len(equations) > MOST_CONDITIONS:
-        return [Fault(code="conditions_too_many", where=where, params={"limit": MOST_CONDITIONS})]
+        return [Fault.at("conditions_too_many", *where, limit=MOST_CONDITIONS)]
     if not equations or any("=" in equation.right for equation in equations):
         return [_no_condition(cell, where)]
     return [_condition(equation, joint_types, angle_unit, where) for equation in equations]
@@ -121,7 +121,7 @@ def _without_integers(text: str) -> str:
 
 
 def _no_condition(cell: Cell, where: Where) -> Fault:
-    return Fault(code="condition_not_equation", where=where, params={"text": str(cell).strip()[:80] or "–"})
+    return Fault.at("condition_not_equation", *where, text=str(cell).strip()[:80] or "–")
 
 
 def _equations(text: str) -> Iterator[_Equation]:
@@ -167,7 +167,7 @@ def _function(
         if isinstance(right, Fault):
             return right
         if _outside(right.expression) & turning:
-            return Fault(code="condition_angle_nonlinear", where=where)
+            return Fault.at("condition_angle_nonlinear", *where)
         difference = add((left.expression, negate(right.expression)))
         return CellMeaning(expression=difference, kinds={**left.kinds, **right.kinds})
     sides = [read(equation.left, Position.ANGLE)]
@@ -190,15 +190,15 @@ def _angle_equation(angle: Expression, period: Fraction | None, where: Where) ->
     weights = [weight for part, weight in angle_of(angle).parts if isinstance(part, JointVariable)]
     others = [part for part, _ in angle_of(angle).parts if not isinstance(part, JointVariable)]
     if not weights or any(joint_variables_in(part) for part in others):
-        return Fault(code="condition_angle_nonlinear", where=where)
+        return Fault.at("condition_angle_nonlinear", *where)
     common = Fraction(
         gcd(*(weight.numerator for weight in weights)), _least_multiple([w.denominator for w in weights])
     )
     if period is None:
-        return Fault(code="condition_period", where=where)
+        return Fault.at("condition_period", *where)
     turns = Fraction(2) * common / abs(period) if period else Fraction(1)
     if turns.denominator != 1 or turns > MOST_TURNS:
-        return Fault(code="condition_period", where=where)
+        return Fault.at("condition_period", *where)
     return call(Function.SIN, multiply((Number(turns / common / 2), angle)))
 
 

@@ -159,12 +159,12 @@ class MotionType(PartType[MotionPart, MotionCells, EquationsAnswer]):
         used = set(bodies.kinds) - set(exercise.reference.parameters)
         given = {weight.name for weight in part.weights}
         for name in sorted(used - given):
-            yield Fault(code="parameter_missing", where=("weights", name), params={"name": name})
+            yield Fault.at("parameter_missing", "weights", name, name=name)
         for name in sorted(given - used):
-            yield Fault(code="parameter_unused", where=("weights", name), params={"name": name})
+            yield Fault.at("parameter_unused", "weights", name, name=name)
         for joint in range(1, exercise.reference.table.n_joints + 1):
             if rate_name(joint) in bodies.kinds:
-                yield Fault(code="name_of_rate", where=("links",), params={"name": rate_name(joint)})
+                yield Fault.at("name_of_rate", "links", name=rate_name(joint))
 
     def draw(self, part: MotionPart, exercise: Exercise, picker: Picker) -> Mapping[str, Fraction]:
         """Return the student's values of what the links weigh."""

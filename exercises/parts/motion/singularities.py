@@ -140,11 +140,11 @@ class SingularitiesType(PartType[SingularitiesPart, SingularityCells, Singularit
             yield from error.faults
             return
         if not only or not joint_variables_in(minor.expression()):
-            yield Fault(code="singularities_no_families", where=("motion",))
+            yield Fault.at("singularities_no_families", "motion")
         usual = {parameter.name: float(parameter.value) for parameter in exercise.parameters}
         arm = _arm(part, exercise, usual)
         if part.joints is not None and not lost_motions_at(arm, in_radians(exercise, part.joints)):
-            yield Fault(code="not_singular", where=("joints",))
+            yield Fault.at("not_singular", "joints")
 
     def draw(
         self, part: SingularitiesPart, exercise: Exercise, picker: Picker

@@ -136,7 +136,7 @@ class FrameChainType(PartType[FrameChainPart, FrameChainCells, ByName[Matrices]]
         pairs = [(("known", i), pair) for i, pair in enumerate(part.known)] + [(("asked",), part.asked)]
         for where, pair in pairs:
             if not all(0 <= frame <= last for frame in pair):
-                yield Fault(code="unknown_frame", where=where, params={"last": last})
+                yield Fault.at("unknown_frame", *where, last=last)
 
     def draw(self, part: FrameChainPart, exercise: Exercise, picker: Picker) -> tuple[Fraction, ...]:
         """Return the student's joint values [the exercise's units]."""

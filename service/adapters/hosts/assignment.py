@@ -42,7 +42,7 @@ class Assignment:
         told = answer.pop("exercise", None)
         named = self.exercise or told
         if not isinstance(named, str):
-            return NotGraded(faults=(Fault(code="exercise_not_named"),))
+            return NotGraded(faults=(Fault.at("exercise_not_named"),))
         exercise_id = exercise_named(named) or named
         if isinstance(answer.get("table"), Mapping):
             answer["table"] = with_joint_types(exercise_id, answer["table"])
@@ -67,7 +67,7 @@ class Assignment:
                     return self.grade_table({"table": table, "exercise": found.found.exercise})
                 return self.grade_table(table)
             refused = refused or NotGraded(faults=found.faults)
-        return refused or NotGraded(faults=(Fault(code="file_without_table", params={"file": path.name}),))
+        return refused or NotGraded(faults=(Fault.at("file_without_table", file=path.name),))
 
     def worth(self, judged: JudgedAnswer) -> tuple[float, float]:
         """Return what an answer earned and what the assignment is worth, in the host's points."""

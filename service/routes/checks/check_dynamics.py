@@ -67,7 +67,7 @@ def _checked(body: CheckDynamicsRequest, settings: Settings, language: str) -> C
         gravity=None if body.g is None else _row(body.g, found.read, question, "g"),
     )
     if body.M is body.C is body.h is body.g is None:
-        raise JointValueError(Fault(code="motion_empty"))
+        raise JointValueError(Fault.at("motion_empty"))
     answer = replace(answer, rounded=_rounded(body, answer, found.read, question))
     verdict = judge_dynamics(question, answer, body.tolerance)
     told: dict[str, Any] = {
@@ -95,7 +95,7 @@ def _matrix(
     expected = question.table.n_joints
     if len(rows) != expected:
         params = {"expected": expected, "given": len(rows)}
-        raise JointValueError(Fault(code="motion_row_count", where=(name,), params=params))
+        raise JointValueError(Fault.at("motion_row_count", name, **params))
     return tuple(_row(row, read, question, name, i) for i, row in enumerate(rows))
 
 

@@ -59,14 +59,14 @@ def _checked(body: CheckScrewsRequest, robot: PreparedRobot, language: str) -> C
     n = len(robot.table.joint_types)
     if len(body.screws) != n:
         params = {"expected": n, "given": len(body.screws)}
-        raise DescriptionError(Fault(code="screw_count", where=("screws",), params=params))
+        raise DescriptionError(Fault.at("screw_count", "screws", **params))
     pose = pose_matrix(body.home, robot.angle, "home")
     if len(pose) != 4 or any(len(row) != 4 for row in pose):
-        raise DescriptionError(Fault(code="matrix_not_4x4", where=("home",)))
+        raise DescriptionError(Fault.at("matrix_not_4x4", "home"))
     screws, home = np.array(body.screws), np.array(pose)
     for name, values in (("screws", screws), ("home", home)):
         if np.abs(values).max() > LARGEST:
-            raise DescriptionError(Fault(code="screw_too_large", where=(name,), params={"limit": LARGEST}))
+            raise DescriptionError(Fault.at("screw_too_large", name, limit=LARGEST))
     if body.order is ScrewOrder.ANGULAR_FIRST:
         screws = np.hstack([screws[:, 3:], screws[:, :3]])
     with traced(body):

@@ -75,7 +75,7 @@ def _checked(
     with traced(body):
         check_lengths(robot.table)
     if body.conditions is None and body.lost is None:
-        raise JointValueError(Fault(code="conditions_empty"))
+        raise JointValueError(Fault.at("conditions_empty"))
     values = form_values(body, robot)
     arm = arm_of(robot.read.table, body.motion, tuple(sorted(values.items())))
     lost = None if body.lost is None else _lost(body, robot, arm)
@@ -148,5 +148,5 @@ def _lost(body: CheckSingularitiesRequest, robot: PreparedRobot, arm: SingularAr
     check_count(given, expected, ("lost",))
     joints = values_in_radians(body.joints or [], robot.joint_units, "joints")
     if not lost_motions_at(arm, joints):
-        raise JointValueError(Fault(code="not_singular", where=("joints",)))
+        raise JointValueError(Fault.at("not_singular", "joints"))
     return bool(lost_motion_is_right(arm, joints, given))

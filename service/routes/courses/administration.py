@@ -58,7 +58,7 @@ async def _body(request: ApiRequest) -> Mapping[str, Any]:
 
 
 def _invalid(name: str, known: str) -> RequestError:
-    return RequestError(Fault(code="setting_invalid", where=(name,), params={"name": name, "known": known}))
+    return RequestError(Fault.at("setting_invalid", name, name=name, known=known))
 
 
 @router.post("/administration/open")

@@ -68,7 +68,7 @@ def _choice(asked: Mapping[str, str], name: str, known: Mapping[str, _Result]) -
         return None
     if text not in known:
         params = {"name": name, "known": ", ".join(known)}
-        raise RequestError(Fault(code="setting_invalid", where=(name,), params=params))
+        raise RequestError(Fault.at("setting_invalid", name, **params))
     return known[text]
 
 
@@ -84,4 +84,4 @@ def _day(text: str | None) -> date | None:
         return date.fromisoformat(text)
     except ValueError:
         params = {"name": "day", "known": "2027-03-01"}
-        raise RequestError(Fault(code="setting_invalid", where=("day",), params=params)) from None
+        raise RequestError(Fault.at("setting_invalid", "day", **params)) from None

@@ -152,7 +152,7 @@ async def give_allowance(request: ApiRequest) -> Response:
     ):
         if type(value) is not int or not 0 <= value <= most:
             params = {"name": name, "known": f"0 … {most}"}
-            raise RequestError(Fault(code="setting_invalid", where=(name,), params=params))
+            raise RequestError(Fault.at("setting_invalid", name, **params))
     allowance = Allowance(extra_time=timedelta(minutes=minutes), extra_attempts=attempts)
     person = str(body.get("person"))
     await staff.run(allow, staff.store, link.id, person, allowance, now())

@@ -205,16 +205,16 @@ def _platform_for(courses: CourseResources, asked: LoginRequest) -> Platform:
     found = platforms_of(courses.store, asked.issuer, asked.client_id)
     params = {"issuer": asked.issuer[:200]}
     if not found:
-        raise LoginError(Fault(code="lti_platform_unknown", params=params))
+        raise LoginError(Fault.at("lti_platform_unknown", **params))
     if len(found) > 1:
-        raise LoginError(Fault(code="lti_platform_ambiguous", params=params))
+        raise LoginError(Fault.at("lti_platform_ambiguous", **params))
     if found[0].status is not PlatformStatus.ACTIVE:
-        raise LoginError(Fault(code="lti_platform_inactive", params=params))
+        raise LoginError(Fault.at("lti_platform_inactive", **params))
     try:
         http_address(found[0].authorization_endpoint)
     except ValueError:  # an earlier version has stored whatever was typed
         params = {"name": "authorization_endpoint"}
-        raise LoginError(Fault(code="lti_configuration_invalid", params=params)) from None
+        raise LoginError(Fault.at("lti_configuration_invalid", **params)) from None
     return found[0]
 
 
@@ -223,16 +223,16 @@ def _launch(request: Request, given: Mapping[str, str]) -> Response:
     state = given.get("state", "")
     met = redeem_login(courses.store, state, now()) if state else None
     if met is None:
-        raise LaunchError(Fault(code="lti_state_unknown"))
+        raise LaunchError(Fault.at("lti_state_unknown"))
     known = _is_browser(request.cookies.get(_cookie_name(state), ""), met)
     frame = met.request.get("lti_storage_target") or given.get("lti_storage_target")
     if not known and not frame:
-        raise LaunchError(Fault(code="lti_browser_unknown"), members={"again": dict(met.request)})
+        raise LaunchError(Fault.at("lti_browser_unknown"), members={"again": dict(met.request)})
     if "error" in given:
         reason = f"{given['error']} {given.get('error_description', '')}".strip()[:200]
-        raise LaunchError(Fault(code="lti_launch_refused", params={"reason": reason}))
+        raise LaunchError(Fault.at("lti_launch_refused", reason=reason))
     if not given.get("id_token"):
-        raise LoginError(Fault(code="lti_parameter_missing", params={"name": "id_token"}))
+        raise LoginError(Fault.at("lti_parameter_missing", name="id_token"))
     platform = platform_by_id(courses.store, met.platform_id)
     expected = Expected(
         platform=platform,
@@ -264,7 +264,7 @@ def _confirm(request: Request, given: Mapping[str, str]) -> Response:
     courses = resources_of(request).with_courses()
     pending = redeem_code(courses.store, "pending", given.get("code", ""), now())
     if not hmac.compare_digest(hashed(given.get("value", "")), pending["browser_hash"]):
-        raise LaunchError(Fault(code="lti_browser_unknown"), members={"again": pending["request"]})
+        raise LaunchError(Fault.at("lti_browser_unknown"), members={"again": pending["request"]})
     return _opened(request, courses, pending["launch"])
 
 
@@ -316,7 +316,7 @@ def _register(request: Request, secret: str) -> Response:
     configuration = request.query_params.get("openid_configuration", "")
     if not configuration:
         params = {"name": "openid_configuration"}
-        raise LoginError(Fault(code="lti_parameter_missing", params=params))
+        raise LoginError(Fault.at("lti_parameter_missing", **params))
     use_invitation(courses.store, secret, now())
     found = register(
         courses.fetcher, configuration, request.query_params.get("registration_token"), _tool(request)

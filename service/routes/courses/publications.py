@@ -74,4 +74,4 @@ async def _admit(request: ApiRequest, choice: str | None) -> None:
         if session.role is not Role.STAFF:
             raise StaffOnlyError
         return
-    raise ForbiddenError(Fault(code="publishing_closed", params={"who": allowed.value}))
+    raise ForbiddenError(Fault.at("publishing_closed", who=allowed.value))

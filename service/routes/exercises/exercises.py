@@ -228,7 +228,7 @@ def refuse_beyond(attempts: int | None, attempt: int | None) -> None:
         ForbiddenError: there are no more attempts.
     """
     if attempts is not None and attempt is not None and attempt > attempts:
-        fault = Fault(code="attempts_used_up", where=("attempt",), params={"limit": attempts})
+        fault = Fault.at("attempts_used_up", "attempt", limit=attempts)
         raise ForbiddenError(fault)
 
 

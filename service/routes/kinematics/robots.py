@@ -48,11 +48,7 @@ async def robot(
     language = language_of(request)
     known = catalogue.robot_ids()
     if robot_id not in known:
-        fault = Fault(
-            code="robot_unknown",
-            where=("robot_id",),
-            params={"robot": robot_id, "known": known},
-        )
+        fault = Fault.at("robot_unknown", "robot_id", robot=robot_id, known=known)
         raise NotFoundError(fault, part=RequestPart.PATH)
     return text_response(request, _written(robot_id, language), JSON, _headers(language))
 

@@ -236,4 +236,4 @@ def _refuse_length(limits: Sequence[Any], prepared: PreparedChain) -> None:
     n = prepared.chain.n_joints
     if len(limits) != n:
         params = {"expected": n, "given": len(limits)}
-        raise JointValueError(Fault(code="limits_wrong_length", where=("limits",), params=params))
+        raise JointValueError(Fault.at("limits_wrong_length", "limits", **params))

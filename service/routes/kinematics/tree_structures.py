@@ -70,7 +70,7 @@ def _answer(body: TreeRequest, limits: Limits) -> TreeAnswer:
     joints = values_in_radians(body.joints, robot.joint_units, "joints")
     count = len(tree.after)
     unknown = [
-        Fault(code="frame_unknown", where=("ends", i), params={"given": end, "count": count})
+        Fault.at("frame_unknown", "ends", i, given=end, count=count)
         for i, end in enumerate(body.ends or ())
         if not 1 <= end <= count
     ]

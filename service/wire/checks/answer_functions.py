@@ -118,7 +118,7 @@ def _with_rate_named(
     if found is None:
         return entry
     typed, name = found
-    return Fault(code="rate_in_marks", where=where, params={"text": typed, "suggestion": name})
+    return Fault.at("rate_in_marks", *where, text=typed, suggestion=name)
 
 
 def _without_value(name: str, known: Collection[str], where: Where) -> Fault:
@@ -129,7 +129,7 @@ def _without_value(name: str, known: Collection[str], where: Where) -> Fault:
         "close": close or "",
         "known": tuple(known) or "–",
     }
-    return Fault(code="name_without_value", where=where, params=params)
+    return Fault.at("name_without_value", *where, **params)
 
 
 def check_count(row: Sequence[Any], expected: int, where: Where) -> None:
@@ -140,7 +140,7 @@ def check_count(row: Sequence[Any], expected: int, where: Where) -> None:
     """
     if len(row) != expected:
         params = {"expected": expected, "given": len(row)}
-        raise JointValueError(Fault(code="joint_row_length", where=where, params=params))
+        raise JointValueError(Fault.at("joint_row_length", *where, **params))
 
 
 def angles_of_jacobian(body: CheckJacobianRequest | CheckJacobianFormRequest) -> EulerSequence | None:
@@ -151,9 +151,9 @@ def angles_of_jacobian(body: CheckJacobianRequest | CheckJacobianFormRequest) ->
         PoseError: there is no such sequence of angles.
     """
     if body.jacobian is None and body.joint_forces is None:
-        raise JointValueError(Fault(code="jacobian_empty"))
+        raise JointValueError(Fault.at("jacobian_empty"))
     if body.joint_forces is not None and body.wrench is None:
-        raise JointValueError(Fault(code="wrench_missing", where=("wrench",)))
+        raise JointValueError(Fault.at("wrench_missing", "wrench"))
     with located("angles"):
         return None if body.angles is None else body.angles.sequence()
 

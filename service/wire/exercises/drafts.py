@@ -57,7 +57,7 @@ def _placed(fault: Fault) -> Fault:
 
 
 def _at(fault: Fault, *where: str | int) -> Fault:
-    return Fault(code=fault.code, where=where, params=fault.params)
+    return Fault.at(fault.code, *where, **fault.params)
 
 
 def exercise_of(draft: ExerciseDraft) -> Exercise:

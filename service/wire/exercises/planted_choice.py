@@ -34,6 +34,6 @@ def chosen_mistake(
     except ExerciseError as error:
         raise RequestError(error.faults) from None
     if not ways:
-        raise TableError(Fault(code="not_plantable", where=(field,)))
+        raise TableError(Fault.at("not_plantable", field))
     code = picker.choice(tuple(ways), "mistake")
     return code, picker.choice(ways[code], "place")

@@ -102,7 +102,7 @@ def weighed(question: WeighedRobot, settings: Settings) -> WeighedTable:
         with located("table"):
             read = read_table(question.table.raw(), settings.cell_limits)
     if links is None:
-        raise DescriptionError(Fault(code="links_missing", where=("links",)))
+        raise DescriptionError(Fault.at("links_missing", "links"))
     bodies = read_bodies(read, links, question.gravity, settings.cell_limits)
     return WeighedTable(read=read, metric=in_length_unit(read, LengthUnit.M), bodies=bodies, usual=usual)
 
@@ -169,7 +169,7 @@ def numeric_answer(question: NumericDynamicsRequest, settings: Settings) -> dict
 
 def _check_finite(answer: Mapping[str, Any]) -> None:
     if not all(np.isfinite(value).all() for value in answer.values() if not isinstance(value, str)):
-        raise DescriptionError(Fault(code="dynamics_not_finite", where=("links",)))
+        raise DescriptionError(Fault.at("dynamics_not_finite", "links"))
 
 
 def dynamics_task(question: SymbolicDynamicsRequest, settings: Settings) -> DynamicsTask:
@@ -184,9 +184,7 @@ def dynamics_task(question: SymbolicDynamicsRequest, settings: Settings) -> Dyna
     rates = [rate_name(joint) for joint in range(1, read.table.n_joints + 1)]
     taken = [name for name in rates if name in kinds]
     if taken:
-        raise DescriptionError(
-            Fault(code="name_of_rate", where=("links",), params={"name": name}) for name in taken
-        )
+        raise DescriptionError(Fault.at("name_of_rate", "links", name=name) for name in taken)
     values = exact_values(replace(read, parameters=kinds), question.parameters)
     metres = Number(Fraction(read.length_unit.metres_per_unit))
     for name in values.keys() & bodies.lengths:

@@ -73,7 +73,7 @@ def written_inverse(task: InverseFormTask) -> bytes:
     expressions = [*(step.value for step in form.steps), *_values_of(form)]
     printed = [*expressions, *form.case_values, *(step.meaning for step in form.steps if step.meaning)]
     if count_operations(printed) > LIMIT:
-        raise FormSizeError(Fault(code="closed_form_too_large", params={"limit": LIMIT}))
+        raise FormSizeError(Fault.at("closed_form_too_large", limit=LIMIT))
     names = Names(
         notation=task.notation,
         parameters=frozenset((*parameters, *(step.name for step in form.steps if not step.joint))),

@@ -102,11 +102,7 @@ async def solved_each(
         ],
         faults=fault_entries(
             [
-                Fault(
-                    code="target_unanswered",
-                    where=("targets", i),
-                    params={"answered": len(answers), "seconds": round(seconds, 3)},
-                )
+                Fault.at("target_unanswered", "targets", i, answered=len(answers), seconds=round(seconds, 3))
                 for i in range(len(answers), len(targets))
             ],
             language_of(api),

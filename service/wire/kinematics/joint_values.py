@@ -84,13 +84,7 @@ def read_array(array: Floats, robot: PreparedRobot, batch_limit: int) -> list[fl
         BodySizeError: more configurations than the limit.
     """
     if array.ndim not in (1, 2):
-        raise RequestError(
-            Fault(
-                code="joints_wrong_dimensions",
-                where=("joints",),
-                params={"dimensions": array.ndim},
-            )
-        )
+        raise RequestError(Fault.at("joints_wrong_dimensions", "joints", dimensions=array.ndim))
     _refuse_lengths([(array.shape[-1], ("joints",))], robot)
     if array.ndim == 1:
         return [value * unit for value, unit in zip(array.tolist(), robot.joint_units, strict=True)]
@@ -105,20 +99,14 @@ def refuse_large_batch(given: int, limit: int) -> None:
         BodySizeError: it has.
     """
     if given > limit:
-        raise BodySizeError(
-            Fault(
-                code="batch_too_large",
-                where=("joints",),
-                params={"given": given, "limit": limit},
-            )
-        )
+        raise BodySizeError(Fault.at("batch_too_large", "joints", given=given, limit=limit))
 
 
 def _refuse_lengths(found: Iterable[tuple[int, tuple[str | int, ...]]], robot: PreparedRobot) -> None:
     expected = len(robot.joint_units)
     wrong = ((given, where) for given, where in found if given != expected)
     faults = [
-        Fault(code="joints_wrong_length", where=where, params={"expected": expected, "given": given})
+        Fault.at("joints_wrong_length", *where, expected=expected, given=given)
         for given, where in islice(wrong, MOST_FAULTS)
     ]
     if faults:

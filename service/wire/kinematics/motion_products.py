@@ -93,7 +93,7 @@ def written_products(task: ProductsTask) -> bytes:
     try:
         matrices = [matrix_with_values(product_of(factors), task.values) for factors in read.products]
     except ZeroDivisionError:
-        raise ParameterError(Fault(code="value_undefined", where=("parameters",))) from None
+        raise ParameterError(Fault.at("value_undefined", "parameters")) from None
     if task.jacobian:
         for i, factors in enumerate(read.products):
             check_rotations([_with_values(factor, task.values) for factor in factors], i)

@@ -90,7 +90,7 @@ def checked_rotation(request: CheckRotationRequest, say: Callable[[str], str]) -
         failed = failed_properties(expected, request.tolerance)
         if failed:
             params = {"property": failed[0].value}
-            raise PoseError(Fault(code="expected_not_rotation", where=("matrix",), params=params))
+            raise PoseError(Fault.at("expected_not_rotation", "matrix", **params))
         built = _built(request.expected, unit)
     with located("answer"):
         found = _judged(expected, request, built, unit)
@@ -153,7 +153,7 @@ def _built(given: OrientationModel, unit: Callable[[float], float]) -> Built | N
 
 def _angle(given: OrientationModel) -> float:
     if given.angle is None:
-        raise PoseError(Fault(code="axis_and_angle", where=("angle",)))
+        raise PoseError(Fault.at("axis_and_angle", "angle"))
     return given.angle
 
 
@@ -164,7 +164,7 @@ def _sequence_of(given: OrientationModel) -> EulerSequence:
 def _one_of(given: OrientationModel | OrientationAnswerModel, names: tuple[str, ...]) -> str:
     found = [name for name in names if getattr(given, name) is not None]
     if len(found) != 1:
-        raise PoseError(Fault(code="one_notation", params={"known": names}))
+        raise PoseError(Fault.at("one_notation", known=names))
     return found[0]
 
 

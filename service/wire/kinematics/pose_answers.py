@@ -104,11 +104,7 @@ def check_points(robot: PreparedRobot, points: Sequence[LinkPoint]) -> None:
     """
     count = len(robot.table.rows)
     faults = [
-        Fault(
-            code="frame_unknown",
-            where=("points", i, "frame"),
-            params={"given": point.frame, "count": count},
-        )
+        Fault.at("frame_unknown", "points", i, "frame", given=point.frame, count=count)
         for i, point in enumerate(points)
         if point.frame > count
     ]
@@ -268,5 +264,5 @@ def _later(fault: Fault, start: int) -> Fault:
     """A block's fault, counted from the start of the batch."""
     match fault.where:
         case (name, int(i), *rest):
-            return Fault(code=fault.code, where=(name, start + i, *rest), params=fault.params)
+            return Fault.at(fault.code, name, start + i, *rest, **fault.params)
     return fault

@@ -79,7 +79,7 @@ def placed_matrix(
         return pose
     x, y, z = axis
     if not any(axis):
-        raise PoseError(Fault(code="axis_length", where=("axis",)))
+        raise PoseError(Fault.at("axis_length", "axis"))
     direction = unit((x, y, z))
     across = perpendicular(direction)
     pose[:3, 0], pose[:3, 2] = across, direction

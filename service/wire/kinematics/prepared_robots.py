@@ -111,13 +111,7 @@ def listed_robot(robot_id: str) -> catalogue.Robot:
         return catalogue.robot(robot_id)
     except KeyError:
         known = catalogue.robot_ids()
-        raise RequestError(
-            Fault(
-                code="robot_unknown",
-                where=("robot",),
-                params={"robot": robot_id, "known": known},
-            )
-        ) from None
+        raise RequestError(Fault.at("robot_unknown", "robot", robot=robot_id, known=known)) from None
 
 
 def robot_of(read: ReadTable, parameters: Mapping[str, float]) -> PreparedRobot:

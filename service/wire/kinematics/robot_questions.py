@@ -132,10 +132,7 @@ def _in_query(request: ApiRequest) -> Mapping[str, Any]:
         return {"robot": given["robot"]}
     if set(given) != {"request"}:
         raise RequestError(
-            Fault(
-                code="query_missing",
-                where=("request",),
-            ),
+            Fault.at("query_missing", "request"),
             part=RequestPart.QUERY,
         )
     try:

@@ -129,7 +129,7 @@ def written_out(answer: Mapping[str, Any]) -> bytes:
     except orjson.JSONEncodeError as error:
         if "ecursion" not in str(error):
             raise
-        raise FormSizeError(Fault(code="closed_form_too_deep")) from None
+        raise FormSizeError(Fault.at("closed_form_too_deep")) from None
 
 
 def written_jacobians(task: SymbolicTask) -> bytes:

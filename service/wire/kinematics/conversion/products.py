@@ -37,7 +37,7 @@ def described_product(request: ConvertRequest, _settings: Settings) -> RobotDesc
             meant = JointType.REVOLUTE if any(one.angular) else JointType.PRISMATIC
             if one.joint not in (None, meant):
                 params = {"joint": i + 1}
-                raise DescriptionError(Fault(code="screw_of_other_type", where=("screws", i), params=params))
+                raise DescriptionError(Fault.at("screw_of_other_type", "screws", i, **params))
         unit = request.angle_unit or AngleUnit.RAD
         home = check_transform(pose_matrix(given.home, unit.radians, "home"), where=("home",))
         product = screws_module.ProductOfExponentials(screws=screws, home=home)
