@@ -227,11 +227,7 @@ def renumbered(told: Explanation, kept: Sequence[int], rows: int) -> Explanation
         return kept[row - 1] + 1 if row <= len(kept) else rows + row - len(kept)
 
     def params(given: Mapping[str, ParamValue]) -> dict[str, ParamValue]:
-        changed = {
-            name: number(value)
-            for name in _ROW_PARAMS
-            if isinstance(value := given.get(name), int) and value > 0
-        }
+        changed = {name: number(value) for name in _ROW_PARAMS if isinstance(value := given.get(name), int)}
         if isinstance(after := given.get("after"), int) and after > 0:
             changed["after"] = number(after)
         return {**given, **changed}

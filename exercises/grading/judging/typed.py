@@ -21,7 +21,6 @@ from kinematics.expressions import (
     Number,
     evaluate,
     negate,
-    parameters_in,
     pi_fraction,
     pi_times,
 )
@@ -73,8 +72,8 @@ def meant(
     Args:
         table: the table as read.
         unit: in which its angles were typed.
-        angles: exact values that a rounded angle may stand for, beside multiples of π/12.
-        lengths: exact values that a rounded length may stand for.
+        angles: exact values, without names, that a rounded angle may stand for, beside multiples of π/12.
+        lengths: exact values, without names, that a rounded length may stand for.
         last_places: units of the last place of decimals whose values do not show it.
         given: lengths that the exercise gives: what is one of them to its last digit is not rounded.
     """
@@ -178,9 +177,8 @@ def _of_decimal(value: Fraction) -> float:
 
 @lru_cache(maxsize=256)
 def _with_signs(values: tuple[Expression, ...]) -> list[tuple[float, Expression]]:
-    """Values without parameters, with either sign, as numbers and exactly."""
-    plain = dict.fromkeys(value for value in values if not parameters_in(value))
-    signed = dict.fromkeys(entry for value in plain for entry in (value, negate(value)))
+    """Values with either sign, as numbers and exactly."""
+    signed = dict.fromkeys(entry for value in values for entry in (value, negate(value)))
     return [(evaluate(entry), entry) for entry in signed]
 
 
