@@ -9,7 +9,7 @@ from dataclasses import replace
 
 import pytest
 
-from exercises.grading import BaseRule, DirectionRule, Policy, ToolRule, ZeroRule
+from exercises.grading import BaseRule, DirectionRule, Finding, Policy, ToolRule, ZeroRule, grade
 from exercises.grading.edits.repairs import MOST_WORK, find_repairs
 from exercises.grading.explanation import work_on
 from exercises.grading.judging.comparison import comparisons
@@ -252,3 +252,142 @@ def test_repairs_and_their_price(
         for one in find_repairs(work)
     ]
     assert (found, MOST_WORK - work.meter.left) == (repairs, spent)
+
+
+# the score; of each row which facts are wrong or missing; what is told, and of which row
+VERDICTS: dict[str, tuple[float, str, list[str]]] = {
+    "one cell of names": (0.89, ".... .... .... ..x. .... ....", ["not_equivalent", "offset_wrong 4"]),
+    "two cells of names": (
+        0.78,
+        ".... x... .... ..x. .... ....",
+        ["not_equivalent", "length_wrong 2", "offset_wrong 4"],
+    ),
+    "a row of names missing": (
+        0.78,
+        ".... .... .... .... .... ++++",
+        ["not_equivalent", "joint_count_wrong", "row_missing 3"],
+    ),
+    "the other convention and a cell": (
+        0.89,
+        ".... .... x... .... .... ....",
+        ["not_equivalent", "length_wrong 3"],
+    ),
+    "two cells of numbers": (
+        0.78,
+        ".... x... .... ..x. .... ....",
+        ["not_equivalent", "length_wrong 2", "offset_wrong 4"],
+    ),
+    "a row missing and a cell": (
+        0.36,
+        ".... x... .... .... .... ++++",
+        ["not_equivalent", "joint_count_wrong", "length_wrong 2", "row_missing 4"],
+    ),
+    "a row too many": (
+        0.78,
+        ".... .... .... xxxx .... .... ....",
+        ["not_equivalent", "joint_count_wrong", "row_not_needed 4"],
+    ),
+    "two rows missing": (0.0, "???? ???? ???? ????", ["not_equivalent", "joint_count_wrong"]),
+    "three rows missing": (0.0, "???? ???? ????", ["not_equivalent", "joint_count_wrong"]),
+    "another type of joint": (0.75, ".... .... ...x ....", ["not_equivalent", "joint_type_wrong 3"]),
+    "an offset that may stand in any row": (
+        0.25,
+        ".... x... .... ..x.",
+        ["not_equivalent", "length_wrong 2", "offset_wrong 4"],
+    ),
+    "a twist before a slider": (0.83, ".... .x.. .... .... .... ....", ["not_equivalent", "twist_wrong 2"]),
+    "a twist between sliders": (0.8, ".... .x.. .... ....", ["not_equivalent", "twist_wrong 2"]),
+    "an angle about a slider": (0.8, ".... .... ..x. ....", ["not_equivalent", "angle_wrong 3"]),
+    "a row missing beside a slider": (
+        0.6,
+        ".... .... .... ++++",
+        ["not_equivalent", "joint_count_wrong", "row_missing 2"],
+    ),
+    "a fixed row missing for a frame": (
+        0.86,
+        ".... .... .... ++++",
+        ["right_robot", "tool_frame_missed", "row_missing 4"],
+    ),
+    "a fixed row missing for a point": (
+        0.67,
+        ".... x... x...",
+        ["right_robot", "tool_point_missed", "one_of_these", "length_wrong 2", "length_wrong 3"],
+    ),
+    "an offset at the base": (
+        0.86,
+        "..x. .... .... ....",
+        ["right_robot", "base_frame_missed", "offset_wrong 1"],
+    ),
+    "a variable that counts backwards": (
+        0.93,
+        ".... ...x .... ....",
+        ["right_robot", "direction_missed", "variable_direction_wrong 2"],
+    ),
+    "another zero and a length": (
+        0.57,
+        "x... ...x .... ....",
+        ["not_equivalent", "length_wrong 1", "variable_zero_wrong 2"],
+    ),
+    "a variable forgotten": (
+        0.0,
+        ".... ...x .... ....",
+        ["not_equivalent", "joint_count_wrong", "joint_type_wrong 2", "repairs_one_row 2"],
+    ),
+    "a slider turned by a name": (0.8, ".... .... ..x. ....", ["not_equivalent", "angle_wrong 3"]),
+    "a named row missing beside a slider": (
+        0.6,
+        ".... .... .... ++++",
+        ["not_equivalent", "joint_count_wrong", "row_missing 2"],
+    ),
+    "the first named row missing": (
+        0.6,
+        ".... .... .... ++++",
+        ["not_equivalent", "joint_count_wrong", "row_missing 1"],
+    ),
+    "an angle in degrees and a row missing": (
+        0.57,
+        ".x.. .... .... .... .... ++++",
+        ["not_equivalent", "joint_count_wrong", "twist_wrong 1", "row_missing 4"],
+    ),
+    "two columns exchanged and a row missing": (
+        0.21,
+        "x.x. x.x. x.x. .... x.x. ++++",
+        ["not_equivalent", "joint_count_wrong", "columns_in_disorder", "row_missing 4"],
+    ),
+    "two rows exchanged and a cell": (
+        0.5,
+        ".... xxxx xxxx .... x... ....",
+        ["not_equivalent", "rows_out_of_order 2", "length_wrong 5"],
+    ),
+    "a tool and a cell": (
+        0.79,
+        ".... x... .... .... .... x...",
+        ["not_equivalent", "length_wrong 2", "length_wrong 6"],
+    ),
+    "three cells": (
+        0.79,
+        ".... x... ..x. .xx. ..x. ....",
+        [
+            "not_equivalent",
+            "length_wrong 2",
+            "offset_wrong 3",
+            "offset_wrong 4",
+            "twist_wrong 4",
+            "offset_wrong 5",
+        ],
+    ),
+}
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_what_is_told_and_lost(name: str) -> None:
+    """A fact of a row: length, twist, offset, joint; `.` right, `x` wrong, `?` not judged, `+` missing."""
+    key, answer, policy, _, _ = CASES[name]
+    verdict = grade(key, answer, policy)
+    marks = {Finding.OK: ".", Finding.WRONG: "x", Finding.UNKNOWN: "?", Finding.MISSING: "+"}
+    rows = " ".join(
+        "".join(marks[fact] for fact in (link.length, link.twist, link.offset, link.joint))
+        for link in verdict.links
+    )
+    told = [f"{entry.code} {entry.row or ''}".strip() for entry in verdict.feedback]
+    assert (verdict.score, rows, told) == VERDICTS[name]
