@@ -16,7 +16,7 @@ publications     published exercises, by content
 prepared_answers  figures and closed forms made before
 platforms        platforms and keys
 administration, audit, privacy  who may do what, who did, and what people may ask for
-storage          the database, opened and used in transactions
+storage          the database, opened and used in transactions; engines, its connections
 postgresql_connection  one that gives up where the server keeps silent
 records, column_types  its relations
 statements       what SQLite and PostgreSQL write alike

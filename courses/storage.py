@@ -7,29 +7,24 @@ A transaction that was committed survives the end of the process, however it end
 from __future__ import annotations
 
 import fcntl
-import json
 import logging
 import os
 import secrets
-import time
 from collections.abc import Iterator
 from contextlib import contextmanager
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Any
 
 import sqlalchemy as sa
-from sqlalchemy import event
 from sqlalchemy.exc import (
-    ArgumentError,
     DisconnectionError,
     InterfaceError,
     OperationalError,
     SQLAlchemyError,
 )
 from sqlalchemy.exc import TimeoutError as PoolTimeoutError
-from sqlalchemy.pool import ConnectionPoolEntry
 
+from courses.engines import WRITES, bound_connections, postgresql, sqlite
 from courses.records import one_time_code
 from courses.refusals import StorageError, StorageUnavailableError
 from kinematics.errors import Fault
@@ -38,22 +33,11 @@ MIGRATIONS = Path(__file__).resolve().parent / "migrations"
 _REVISION = sa.table("alembic_version", sa.column("version_num"))
 """Where Alembic notes what it has applied."""
 FILE_NAME = "framewise.sqlite"
-BUSY_SECONDS = 30.0
-"""How long a writer waits for another one on SQLite."""
-CONNECTIONS = 16
-"""Connections that stay open, and as many again under load: the threads that judge and store are fewer, and
-PostgreSQL allows a hundred by default."""
 _LOCK = 0x6672616D65776973  # "framewis", the advisory lock of migrations on PostgreSQL
-CONNECT_SECONDS = 5
-"""How long PostgreSQL may take to answer a new connection."""
-TRUSTED_SECONDS = 1.0
-"""A connection that was used so lately is not asked whether it still stands."""
 _UNDONE = "40"
 """Class of the SQLSTATEs of a transaction that was undone for the sake of another one, such as a deadlock."""
 _TRIED_BYTES = 65_536
 """What is written to see whether there is room again: more than most attempts take."""
-_WRITES = "writes"
-_USED = "used"
 _log = logging.getLogger("framewise.storage")
 
 
@@ -86,7 +70,7 @@ class Store:
         """Give up from now on where PostgreSQL keeps silent; migrations and backups may take longer."""
         if self.is_postgresql:
             self.engine.dispose()
-            event.listen(self.engine, "do_connect", _connect_bounded)
+            bound_connections(self.engine)
 
     @contextmanager
     def reading(self) -> Iterator[sa.Connection]:
@@ -108,7 +92,7 @@ class Store:
         self._check_file()
         try:
             with _answering(), self.engine.connect() as connection:
-                connection = connection.execution_options(**{_WRITES: True})
+                connection = connection.execution_options(**{WRITES: True})
                 with connection.begin():
                     yield connection
                     self._check_file()
@@ -214,7 +198,7 @@ def connect(url: str, folder: Path) -> Store:
         StorageError: the address or the folder cannot be used.
     """
     if url:
-        return Store(_postgresql(url), None)
+        return Store(postgresql(url), None)
     try:
         folder.mkdir(parents=True, exist_ok=True)
         (folder / FILE_NAME).open("a").close()
@@ -222,7 +206,7 @@ def connect(url: str, folder: Path) -> Store:
     except OSError as error:
         fault = Fault.at("storage_folder", folder=str(folder), reason=error.strerror or "")
         raise StorageError(fault) from error
-    return Store(_sqlite((folder / FILE_NAME).resolve()), (folder / FILE_NAME).resolve())
+    return Store(sqlite((folder / FILE_NAME).resolve()), (folder / FILE_NAME).resolve())
 
 
 def migrate(store: Store) -> None:
@@ -278,84 +262,6 @@ def _alone(store: Store) -> Iterator[None]:
         finally:
             connection.execute(sa.select(sa.func.pg_advisory_unlock(_LOCK)))
             connection.commit()
-
-
-def _postgresql(url: str) -> sa.Engine:
-    try:
-        address = sa.make_url(url)
-    except ArgumentError as error:
-        raise StorageError(Fault.at("storage_address")) from error
-    if address.get_backend_name() not in ("postgresql", "postgres"):
-        raise StorageError(Fault.at("storage_address"))
-    address = address.set(drivername="postgresql+psycopg")
-    engine = sa.create_engine(
-        address,
-        pool_size=CONNECTIONS,
-        max_overflow=CONNECTIONS,
-        connect_args={"connect_timeout": CONNECT_SECONDS, "client_encoding": "utf8"},
-        json_serializer=_written,
-    )
-    event.listen(engine, "checkin", _note_use)
-    event.listen(engine, "checkout", _check_idle)
-    return engine
-
-
-def _connect_bounded(
-    _dialect: sa.Dialect, _record: ConnectionPoolEntry, arguments: tuple[Any, ...], named: dict[str, Any]
-) -> Any:
-    from courses import postgresql_connection  # a service on SQLite does without the driver
-
-    return postgresql_connection.PostgresqlConnection.connect(*arguments, **named)
-
-
-def _note_use(_: Any, record: ConnectionPoolEntry) -> None:
-    record.info[_USED] = time.monotonic()
-
-
-def _check_idle(connection: Any, record: ConnectionPoolEntry, _: Any) -> None:
-    """Replace a connection that has ended while it was idle; one that was just used costs no round trip.
-
-    Raises:
-        DisconnectionError: it has ended; the pool opens another.
-    """
-    now = time.monotonic()
-    if now - record.info.get(_USED, now) < TRUSTED_SECONDS:
-        return
-    try:
-        connection.execute("SELECT 1")
-        connection.rollback()
-    except connection.Error as error:
-        raise DisconnectionError from error
-
-
-def _sqlite(file: Path) -> sa.Engine:
-    engine = sa.create_engine(
-        sa.URL.create("sqlite+pysqlite", database=str(file)),
-        connect_args={"timeout": BUSY_SECONDS, "check_same_thread": False},
-        pool_size=CONNECTIONS,
-        max_overflow=CONNECTIONS,
-        json_serializer=_written,
-    )
-    event.listen(engine, "connect", _prepare)
-    event.listen(engine, "begin", _begin)
-    return engine
-
-
-def _prepare(connection: Any, _: ConnectionPoolEntry) -> None:
-    """Let SQLAlchemy begin transactions itself, and flush every commit."""
-    connection.isolation_level = None
-    for pragma in ("journal_mode = WAL", "synchronous = FULL", "foreign_keys = ON"):
-        connection.execute(f"PRAGMA {pragma}")
-
-
-def _begin(connection: sa.Connection) -> None:
-    """A writer takes its turn at once: a reader that turns writer could be refused."""
-    immediate = connection.get_execution_options().get(_WRITES)
-    connection.exec_driver_sql("BEGIN IMMEDIATE" if immediate else "BEGIN")
-
-
-def _written(value: object) -> str:
-    return json.dumps(value, ensure_ascii=False, separators=(",", ":"), allow_nan=False)
 
 
 def _unusable(store: Store, error: BaseException | None) -> StorageError:

@@ -17,7 +17,7 @@ import pytest
 import sqlalchemy as sa
 from sqlalchemy import event
 
-from courses import postgresql_connection, records, storage
+from courses import engines, postgresql_connection, records
 from courses.enrolment import Arrival, arrive
 from courses.model import Role
 from courses.refusals import StorageError, StorageUnavailableError
@@ -139,7 +139,7 @@ def test_a_frozen_database_is_told_in_bounded_time_and_loses_nothing(
     postgresql: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, idle: float
 ) -> None:
     monkeypatch.setattr(postgresql_connection, "ANSWER_SECONDS", 2.0)
-    monkeypatch.setattr(storage, "CONNECT_SECONDS", 2)
+    monkeypatch.setattr(engines, "CONNECT_SECONDS", 2)
     with new_database(postgresql) as url:
         store = open_store(url, tmp_path)
         told = {"role": Role.LEARNER, "deployment": "1", "context": "c", "resource": "r"}
