@@ -18,7 +18,7 @@ Test = Callable[..., None]
 MOST = (
     None
     if os.environ.get("FRAMEWISE_EXPLORE")
-    else {GenerationMode.POSITIVE: 20, GenerationMode.NEGATIVE: 160}
+    else {GenerationMode.POSITIVE: 20, GenerationMode.NEGATIVE: 100}
 )
 """Covering cases of a call, allowed and forbidden; a call has up to 1 150, `make explore` sends all.
 

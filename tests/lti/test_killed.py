@@ -13,7 +13,7 @@ import subprocess
 import sys
 import threading
 import uuid
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 import httpx
@@ -100,7 +100,14 @@ def _submit(origin: str, token: str, acknowledged: set[str], stop: threading.Eve
 class killed:
     """A service in a process of its own, killed at the end."""
 
-    def __init__(self, database: str, folder: Path, told: Mapping[str, str] = {}, port: int = 0) -> None:
+    def __init__(
+        self,
+        database: str,
+        folder: Path,
+        told: Mapping[str, str] = {},
+        port: int = 0,
+        program: Sequence[str] = ("-m", "service"),
+    ) -> None:
         environment = {
             **os.environ,
             **told,
@@ -108,7 +115,7 @@ class killed:
             "FRAMEWISE_DATABASE_URL": database,
             "FRAMEWISE_DATA_FOLDER": str(folder),
         }
-        command = [sys.executable, "-m", "service", "serve", "--port", str(port)]
+        command = [sys.executable, *program, "serve", "--port", str(port)]
         pipes = {"stdout": subprocess.DEVNULL, "stderr": subprocess.PIPE}
         self.process = subprocess.Popen(command, env=environment, start_new_session=True, **pipes)
 

@@ -16,7 +16,6 @@ import sqlalchemy as sa
 from courses import records
 from courses.enrolment import arrive
 from courses.model import LinkSettings, Role
-from courses.regrading import BATCH
 from courses.storage import Store, open_store
 from exercises.library import packaged
 from kinematics.cells import DEFAULT
@@ -28,7 +27,13 @@ from tests.lti.classes import eventually
 from tests.lti.measuring import filled
 from tests.lti.test_killed import killed
 
-STUDENTS, ATTEMPTS = 60, 5
+STUDENTS, ATTEMPTS = 12, 5
+BATCH = 20
+"""Attempts of one transaction, fewer than usual, so that a small class has several."""
+PROGRAM = (
+    "-c",
+    f"from courses import regrading; regrading.BATCH = {BATCH}; from service.__main__ import main; main()",
+)
 
 
 @pytest.fixture(params=["sqlite", "postgresql"])
@@ -69,7 +74,7 @@ def test_a_regrading_that_was_killed_goes_on(database: str, tmp_path: Path) -> N
         with pytest.raises(httpx.HTTPError):
             regraded(origin, link.id, token)
 
-    with killed(database, tmp_path) as (origin, process):
+    with killed(database, tmp_path, program=PROGRAM) as (origin, process):
         os.setpriority(os.PRIO_PROCESS, process.pid, 19)  # on a busy machine, too, it is seen halfway
         asking = threading.Thread(target=ask, args=(origin,))
         asking.start()
