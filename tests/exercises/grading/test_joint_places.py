@@ -7,7 +7,7 @@ from random import Random
 
 import pytest
 
-from exercises.grading import Policy, ToolRule, grade
+from exercises.grading import BaseRule, Policy, ToolRule, grade
 from exercises.grading.edits.joint_places import joint_places
 from exercises.grading.edits.work import Work
 from exercises.grading.explanation import work_on
@@ -21,10 +21,13 @@ FREE = Policy(tool=ToolRule.FREE)
 SIX = [(name, key) for name, key in catalogue() if key.n_joints == 6]
 
 
-def work(key: NumericTable, answer: NumericTable) -> Work:
+FRAMES = Policy(base=BaseRule.FRAME, tool=ToolRule.FRAME)
+
+
+def work(key: NumericTable, answer: NumericTable, policy: Policy = FREE) -> Work:
     tables = written(key), written(answer)
     (way,) = comparisons(*tables, None)
-    return work_on(way, tables, FREE)
+    return work_on(way, tables, policy)
 
 
 def without(table: NumericTable, row: int) -> NumericTable:
@@ -57,6 +60,18 @@ def test_where_links_differ_there_is_one_place_beside_the_joint_itself(name: str
     assert more == [[(joint, joint + 1)] for joint in range(2, 6)]
     fewer = [joint_places([work(key, without(table, row))]) for row in table.joint_rows[:3]]
     assert fewer == [[(joint, joint + 1)] for joint in range(1, 4)]
+
+
+@pytest.mark.parametrize("name", ["irb140", "kr100p", "kr2150k", "lrmate200id"])
+def test_frames_at_the_ends_stay_where_they_are(name: str) -> None:
+    """Axes are counted from the one to the joint, and behind it from the other."""
+    table = drawn_by_hand(dict(SIX)[name], Random(name))
+    assert table is not None
+    more = [joint_places([work(table, with_more(table, row), FRAMES)]) for row in table.joint_rows]
+    assert more == [[(joint, joint + 1)] for joint in range(1, 7)]
+    fewer = [joint_places([work(table, without(table, row), FRAMES)]) for row in table.joint_rows]
+    assert fewer[:3] == [[(joint, joint + 1)] for joint in range(1, 4)]
+    assert all(start <= joint <= end for joint, ((start, end),) in enumerate(fewer, 1))
 
 
 def test_a_length_wrong_on_the_far_side_leaves_no_place() -> None:
