@@ -225,3 +225,17 @@ def test_rules_that_are_broken_are_named_in_order() -> None:
         assert found.same_robot
         assert [one.kind for one in found.mismatches] == kinds
     assert decide(PUMA, PUMA_CRAIG, FREE).accepted
+
+
+def test_exactly_parallel_axes_come_before_nearly_parallel_ones() -> None:
+    """Further notions of what is parallel are looked at only where they make another chain of groups."""
+    tolerance = Policy().tolerance
+    plain = prepared(PUMA)
+    assert list(plain.levels(BaseRule.FREE, ZeroRule.FREE, tolerance)) == [0]
+    nearly = prepared(changed(PUMA, 2, alpha=0.003))
+    levels = list(nearly.levels(BaseRule.FREE, ZeroRule.FREE, tolerance))
+    assert levels[0] == 0
+    assert len(levels) > 1
+    assert levels == sorted(set(levels))
+    exact = Tolerance(length=1e-9, angle=1e-9)
+    assert list(nearly.levels(BaseRule.FREE, ZeroRule.FREE, exact)) == [0]
