@@ -1,6 +1,6 @@
 """The parts of an exercise, in rooms: each kind is one module with `PART`, found by `registry`.
 
-protocol     what a kind is
+protocol     what a kind is; task, what it asks, as a page shows it
 context      what the parts of an answer are judged by: the key, the student's own table
 samples      points at which functions are compared
 report       what is said of one

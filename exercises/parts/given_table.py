@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from exercises.instance import Instance
-from exercises.parts.protocol import GivenNumbers
+from exercises.parts.task import GivenNumbers
 from exercises.written_table import written_table
 from kinematics.cells import ReadTable
 from kinematics.table import COLUMNS, Convention

@@ -12,8 +12,9 @@ from playwright.sync_api import Locator, Page, expect
 from exercises.definition import Part
 from exercises.instance import generate
 from exercises.parts.context import Context
-from exercises.parts.protocol import Answer, FieldShape, FormField
+from exercises.parts.protocol import Answer
 from exercises.parts.registry import part_type
+from exercises.parts.task import FieldShape, FormField
 from service.messages import sentence
 from tests.exercises.packaged import exercise, exercise_ids
 from tests.web.conftest import OpenPage, Watch

@@ -24,7 +24,7 @@ from exercises.parts.cells.by_name import ByName, read_by_name
 from exercises.parts.cells.number_cells import number_of
 from exercises.parts.context import Context
 from exercises.parts.forward.figure_frames import figure_axes, key_frames, lengths_in_frame
-from exercises.parts.protocol import Length, PartTask, PartType, Reading
+from exercises.parts.protocol import Length, PartType, Reading
 from exercises.parts.report import (
     Credit,
     Disclosure,
@@ -35,6 +35,7 @@ from exercises.parts.report import (
     share_earned,
     told_from,
 )
+from exercises.parts.task import PartTask
 from kinematics.cells import Cell, ReadTable
 from kinematics.cells.meaning import Position
 from kinematics.expressions import Number, pi_times

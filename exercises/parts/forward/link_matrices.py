@@ -27,8 +27,9 @@ from exercises.parts.cells.matrix_cells import CellMatrix, read_known_matrix, wr
 from exercises.parts.cells.symbolic_matrix import SymbolicMatrix
 from exercises.parts.context import Context
 from exercises.parts.forward.value import is_robot
-from exercises.parts.protocol import TABLE, Length, PartTask, PartType, Reading
+from exercises.parts.protocol import TABLE, Length, PartType, Reading
 from exercises.parts.report import Credit, Fact, PartReport, fact, judged, told_from
+from exercises.parts.task import PartTask
 from kinematics.se3 import inverse_transform
 
 

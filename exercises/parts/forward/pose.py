@@ -36,8 +36,9 @@ from exercises.parts.context import Context
 from exercises.parts.definition_keys import TOLERANCE, DefinitionKey, Start, joint_keys, usual_joints
 from exercises.parts.forward.transform import transform_is_robot
 from exercises.parts.joint_draws import drawn_joints, read_joints
-from exercises.parts.protocol import TABLE, PartTask, PartType, Reading, RobotFacts
+from exercises.parts.protocol import TABLE, PartType, Reading, RobotFacts
 from exercises.parts.report import Credit, PartReport, judged, told_from
+from exercises.parts.task import PartTask
 from exercises.reading import Reader
 from kinematics.cells import AngleUnit
 from kinematics.equivalence import Tolerance

@@ -20,8 +20,9 @@ from exercises.definition import Part
 from exercises.grading import Feedback, Finding, HelpLevel
 from exercises.instance import Instance
 from exercises.parts.context import Context
-from exercises.parts.protocol import Length, PartTask, PartType, Reading
+from exercises.parts.protocol import Length, PartType, Reading
 from exercises.parts.report import Credit, Fact, PartReport, judged, told_from
+from exercises.parts.task import PartTask
 from kinematics.chain import Axis, chain_of_table, size_of
 from kinematics.errors import Fault
 from kinematics.se3 import cross_arrays

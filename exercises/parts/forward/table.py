@@ -10,8 +10,9 @@ from exercises.definition import Part
 from exercises.grading import HelpLevel
 from exercises.instance import Instance
 from exercises.parts.context import Context
-from exercises.parts.protocol import TABLE, PartTask, PartType, Reading
+from exercises.parts.protocol import TABLE, PartType, Reading
 from exercises.parts.report import Credit, PartReport, judged
+from exercises.parts.task import PartTask
 from exercises.selftest.mistakes import MISTAKES
 from exercises.written_table import written_table
 from kinematics.cells import RawTable, ReadTable, read_table

@@ -25,8 +25,9 @@ from exercises.parts.cells.by_name import ByName, read_by_name
 from exercises.parts.context import Context
 from exercises.parts.definition_keys import TOLERANCE, DefinitionKey, KeyShape, Start, joint_names
 from exercises.parts.forward.reach import Interval, Reach, reach
-from exercises.parts.protocol import PartTask, PartType, Reading, RobotFacts
+from exercises.parts.protocol import PartType, Reading, RobotFacts
 from exercises.parts.report import Credit, PartReport, fact, judged, told_from
+from exercises.parts.task import PartTask
 from exercises.reading import Reader
 from kinematics.cells import AngleUnit, Cell, ParameterKind, read_cell
 from kinematics.chain import chain_of_table

@@ -26,18 +26,9 @@ from exercises.parts.inverse.joint_cells import MOST_ROWS, JointAnswerCells, kep
 from exercises.parts.inverse.joint_feedback import joint_feedback
 from exercises.parts.inverse.pose_question import DrawnPose, InverseKinematicsPart, question_of, target_of
 from exercises.parts.joint_draws import PoseCase, SolutionsAsked, drawn_joints, joint_labels, read_joints
-from exercises.parts.protocol import (
-    TABLE,
-    FieldShape,
-    FormField,
-    GivenNumbers,
-    PartTask,
-    PartType,
-    Reading,
-    RobotFacts,
-    choice_field,
-)
+from exercises.parts.protocol import TABLE, PartType, Reading, RobotFacts
 from exercises.parts.report import Credit, Fact, PartReport, fact, judged, told_from
+from exercises.parts.task import FieldShape, FormField, GivenNumbers, PartTask, choice_field
 from exercises.reading import Reader
 from kinematics.answers.joint_answers import in_other_frames, judge_joints
 from kinematics.answers.joint_questions import USUAL_TOLERANCE

@@ -21,8 +21,9 @@ from exercises.instance import Instance
 from exercises.parts.context import Context
 from exercises.parts.given_table import given_table
 from exercises.parts.mistakes.planting import FACTS, PLANTABLE, plantable
-from exercises.parts.protocol import PartTask, PartType, Reading, choice_field
+from exercises.parts.protocol import PartType, Reading
 from exercises.parts.report import Credit, PartReport, fact, judged, told_from
+from exercises.parts.task import PartTask, choice_field
 from exercises.selftest.variants import some_lengths, variant
 from kinematics.cells import ReadTable
 from kinematics.equivalence import ToolRule

@@ -27,14 +27,9 @@ from exercises.parts.mistakes.planting import (
     planted,
     usable,
 )
-from exercises.parts.protocol import (
-    FieldShape,
-    FormField,
-    PartTask,
-    Reading,
-    choice_field,
-)
+from exercises.parts.protocol import Reading
 from exercises.parts.report import PartReport
+from exercises.parts.task import FieldShape, FormField, PartTask, choice_field
 from exercises.written_table import written_table
 from kinematics.cells import Cell, RawTable, ReadTable, read_table
 from kinematics.errors import Fault

@@ -18,8 +18,9 @@ from exercises.instance import Instance
 from exercises.parts.context import Context
 from exercises.parts.definition_keys import DefinitionKey, choices
 from exercises.parts.mistakes.planting import read_mistakes
-from exercises.parts.protocol import FormField, PartType, Raw, Read, Reading, RobotFacts, choice_field
+from exercises.parts.protocol import PartType, Raw, Read, Reading, RobotFacts
 from exercises.parts.report import Credit, Disclosure, Fact, PartReport, fact, judged, told_from
+from exercises.parts.task import FormField, choice_field
 from exercises.reading import Reader
 from kinematics.errors import Fault
 

@@ -21,16 +21,9 @@ from exercises.parts.cells.number_cells import number_of
 from exercises.parts.context import Context
 from exercises.parts.forward.figure_frames import figure_axes, key_frames, lengths_in_frame
 from exercises.parts.mistakes.found_mistakes import FoundStep, MistakePart, MistakeType, MistakeWords
-from exercises.parts.protocol import (
-    FieldShape,
-    FormField,
-    GivenNumbers,
-    Length,
-    PartTask,
-    Reading,
-    choice_field,
-)
+from exercises.parts.protocol import Length, Reading
 from exercises.parts.report import PartReport
+from exercises.parts.task import FieldShape, FormField, GivenNumbers, PartTask, choice_field
 from kinematics.cells import Cell
 from kinematics.cells.meaning import Position
 from kinematics.errors import Fault

@@ -31,17 +31,9 @@ from exercises.parts.mistakes.planted_matrices import (
     plantable_in,
 )
 from exercises.parts.mistakes.planting import read_mistakes
-from exercises.parts.protocol import (
-    FieldShape,
-    FormField,
-    GivenNumbers,
-    Length,
-    PartTask,
-    Reading,
-    RobotFacts,
-    choice_field,
-)
+from exercises.parts.protocol import Length, Reading, RobotFacts
 from exercises.parts.report import PartReport
+from exercises.parts.task import FieldShape, FormField, GivenNumbers, PartTask, choice_field
 from exercises.reading import Reader
 from kinematics.answers.left_open import EXACT, left_open
 from kinematics.cells import Cell

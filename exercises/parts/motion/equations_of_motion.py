@@ -23,16 +23,9 @@ from exercises.parts.context import Context
 from exercises.parts.definition_keys import TOLERANCE, DefinitionKey, KeyShape, Start, choices, joint_names
 from exercises.parts.given_table import given_table
 from exercises.parts.motion.motion_cells import MotionCells, read_motion
-from exercises.parts.protocol import (
-    FieldShape,
-    FormField,
-    GivenNumbers,
-    PartTask,
-    PartType,
-    Reading,
-    RobotFacts,
-)
+from exercises.parts.protocol import PartType, Reading, RobotFacts
 from exercises.parts.report import Credit, Disclosure, Fact, PartReport, fact, judged, share_earned, told_from
+from exercises.parts.task import FieldShape, FormField, GivenNumbers, PartTask
 from exercises.reading import Reader
 from kinematics.answers.dynamics_answers import (
     DynamicsMistake,

@@ -23,18 +23,10 @@ from exercises.parts.definition_keys import (
     choices,
     sequence_keys,
 )
-from exercises.parts.protocol import (
-    TABLE,
-    FieldShape,
-    FormField,
-    Length,
-    PartType,
-    Reading,
-    RobotFacts,
-    choice_field,
-)
+from exercises.parts.protocol import TABLE, Length, PartType, Reading, RobotFacts
 from exercises.parts.report import Credit, Disclosure, Fact, PartReport, fact, judged, share_earned, told_from
 from exercises.parts.rotations.drawn_orientations import read_sequence
+from exercises.parts.task import FieldShape, FormField, choice_field
 from exercises.reading import Reader
 from kinematics.answers.jacobian_answers import JacobianMistake, JacobianVerdict
 from kinematics.answers.screw_answers import ScrewOrder

@@ -37,7 +37,8 @@ from exercises.parts.motion.jacobian_cells import (
     read_angles,
     told_question,
 )
-from exercises.parts.protocol import TABLE, GivenNumbers, PartTask, Reading, RobotFacts
+from exercises.parts.protocol import TABLE, Reading, RobotFacts
+from exercises.parts.task import GivenNumbers, PartTask
 from exercises.reading import Reader
 from kinematics.answers.form_samples import FormRobot
 from kinematics.answers.jacobian_answers import JacobianMistake, JacobianVerdict

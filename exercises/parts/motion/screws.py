@@ -20,8 +20,9 @@ from exercises.parts.cells.matrix_cells import CellMatrix, read_numbers
 from exercises.parts.cells.number_cells import on_paper, read_numbers_of
 from exercises.parts.context import Context
 from exercises.parts.joint_draws import key_numbers
-from exercises.parts.protocol import FieldShape, FormField, Length, PartTask, PartType, Reading, choice_field
+from exercises.parts.protocol import Length, PartType, Reading
 from exercises.parts.report import Credit, PartReport, fact, judged, share_earned, told_from
+from exercises.parts.task import FieldShape, FormField, PartTask, choice_field
 from kinematics.answers.axis_pairs import pairs_on_one_line
 from kinematics.answers.screw_answers import (
     ScrewAnswer,

@@ -20,18 +20,9 @@ from exercises.parts.definition_keys import DefinitionKey, Start, choice, joint_
 from exercises.parts.given_table import given_table
 from exercises.parts.joint_draws import drawn_joints, in_radians, read_joints
 from exercises.parts.motion.conditions import read_conditions
-from exercises.parts.protocol import (
-    TABLE,
-    FieldShape,
-    FormField,
-    GivenNumbers,
-    Length,
-    PartTask,
-    PartType,
-    Reading,
-    RobotFacts,
-)
+from exercises.parts.protocol import TABLE, Length, PartType, Reading, RobotFacts
 from exercises.parts.report import Credit, Fact, PartReport, fact, judged, told_from
+from exercises.parts.task import FieldShape, FormField, GivenNumbers, PartTask
 from exercises.reading import Reader
 from kinematics.answers.left_open import Rounded
 from kinematics.answers.lost_motions import lost_motion_is_right, lost_motions_at

@@ -30,16 +30,9 @@ from exercises.parts.definition_keys import (
     usual_joints,
 )
 from exercises.parts.joint_draws import drawn_joints, key_frames, read_joints
-from exercises.parts.protocol import (
-    FieldShape,
-    FormField,
-    GivenNumbers,
-    PartTask,
-    PartType,
-    Reading,
-    RobotFacts,
-)
+from exercises.parts.protocol import PartType, Reading, RobotFacts
 from exercises.parts.report import Credit, PartReport, fact, judged, told_from
+from exercises.parts.task import FieldShape, FormField, GivenNumbers, PartTask
 from exercises.reading import Reader
 from kinematics.errors import Fault
 from kinematics.rotations.frame_chains import ChainFactor, ChainMistake, chain_product, judge_chain

@@ -32,16 +32,7 @@ from exercises.parts.definition_keys import (
     choices,
     sequence_keys,
 )
-from exercises.parts.protocol import (
-    FieldShape,
-    FormField,
-    GivenNumbers,
-    PartTask,
-    PartType,
-    Reading,
-    RobotFacts,
-    choice_field,
-)
+from exercises.parts.protocol import PartType, Reading, RobotFacts
 from exercises.parts.report import Credit, Fact, PartReport, judged, told_from
 from exercises.parts.rotations.drawn_orientations import drawn_triple, read_sequence, read_triple
 from exercises.parts.rotations.orientation_cells import (
@@ -49,6 +40,7 @@ from exercises.parts.rotations.orientation_cells import (
     OrientationCells,
     OrientationNotation,
 )
+from exercises.parts.task import FieldShape, FormField, GivenNumbers, PartTask, choice_field
 from exercises.reading import Reader
 from kinematics.cells import AngleUnit, Cell
 from kinematics.cells.meaning import Position

@@ -16,9 +16,10 @@ from exercises.instance import Instance
 from exercises.parts.cells.number_cells import DECIMALS
 from exercises.parts.context import Context
 from exercises.parts.definition_keys import DEGREES, RADIANS, DefinitionKey, KeyShape, Start, sequence_keys
-from exercises.parts.protocol import GivenNumbers, PartTask, PartType, Reading, RobotFacts, choice_field
+from exercises.parts.protocol import PartType, Reading, RobotFacts
 from exercises.parts.report import Credit, PartReport, fact, judged, told_from
 from exercises.parts.rotations.drawn_orientations import drawn_triple, read_sequence, read_triple
+from exercises.parts.task import GivenNumbers, PartTask, choice_field
 from exercises.reading import Reader
 from kinematics.rotations.matrices import Matrix3, matrix3
 from kinematics.rotations.properties import RotationProperty, failed_properties

@@ -12,9 +12,9 @@ from exercises.answers import RawAnswer
 from exercises.departure import Departure
 from exercises.drawings import KeyPose
 from exercises.grading import Basis, HelpLevel, Verdict
-from exercises.parts.protocol import FieldShape
 from exercises.parts.registry import part_type, part_types
 from exercises.parts.report import PartReport
+from exercises.parts.task import FieldShape
 from service.schemas.base import WHOLE, Real, Vector3, Wire
 from service.schemas.choices import forbidding, together
 from service.schemas.derived import model_of, raw_of, wire_type

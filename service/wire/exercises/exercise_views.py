@@ -15,8 +15,9 @@ from exercises.instance import Instance, kept_instance
 from exercises.library import Library
 from exercises.needs import unneeded_dimensions
 from exercises.parts.mistakes.frame_mistake import frames_shown
-from exercises.parts.protocol import TABLE, FormField, GivenNumbers
+from exercises.parts.protocol import TABLE
 from exercises.parts.registry import part_type
+from exercises.parts.task import FormField, GivenNumbers
 from exercises.statements import first_sentence, to_html
 from service.http.link_context import LinkContext
 from service.messages import languages, sentence
