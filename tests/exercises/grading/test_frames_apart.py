@@ -6,8 +6,11 @@ import math
 
 import pytest
 
+from exercises.grading import Policy, ToolRule, grade
 from exercises.grading.judging.frames import _apart, _Noticed
 from kinematics.se3 import Motion, compose, rotation_about, translation
+from tests.exercises.grading.test_grade import KEY, PUMA, PUMA_CRAIG, with_cells
+from tests.exercises.grading.written import Cell, read
 
 NOTICED = _Noticed(angle=0.01, length=0.5)
 X, Y, Z = (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
@@ -70,3 +73,52 @@ def test_whole_degrees_are_a_whole_number() -> None:
 
 def test_an_end_that_is_hardly_turned_is_not_reversed() -> None:
     assert not list(_apart(about(X, 0.5), 3, None, NOTICED))
+
+
+REVERSED: list[tuple[int, int, Cell]] = [(2, 0, "-pi/2"), (4, 0, "pi/2"), (3, 2, "-d3")]
+OTHER = ("other_convention", None, {"convention": "modified"})
+
+
+@pytest.mark.parametrize(
+    ("convention", "cells", "told"),
+    [
+        ("standard", [(1, 2, 0.3)], [("origin_slid", None, {"frame": 0})]),
+        ("standard", [(1, 3, "q1 + pi/2")], [("same_frames", None, {})]),
+        (
+            "standard",
+            [(4, 0, "-pi/2"), (5, 0, "pi/2")],
+            [("x_turned", 4, {"frame": 4, "degrees": 180}), ("x_turned", 5, {"frame": 5, "degrees": 180})],
+        ),
+        (
+            "standard",
+            [(6, 2, 0.1), (6, 0, "pi")],
+            [("end_axis_reversed", 6, {"frame": 6}), ("origin_slid", 6, {"frame": 6})],
+        ),
+        ("standard", [(6, 0, "pi/3")], [("frame_elsewhere", 6, {"frame": 6})]),
+        ("standard", [(6, 1, 0.3)], [("axis_moved", 6, {"frame": 6})]),
+        (
+            "modified",
+            [(5, 0, "-pi/2"), (6, 0, "pi/2")],
+            [OTHER, *(("variable_offset", k, {"joint": k, "offset": "pi"}) for k in (4, 6))],
+        ),
+        ("modified", [(4, 3, "-q4")], [OTHER, ("variable_reversed", 4, {"joint": 4})]),
+        ("modified", REVERSED, [OTHER, *(("axis_reversed", k, {"frame": k, "joint": k}) for k in (2, 3))]),
+        (
+            "modified",
+            [(1, 2, 0.3), (2, 3, "q2 + pi/2")],
+            [
+                OTHER,
+                ("variable_offset", 2, {"joint": 2, "offset": "-pi/2"}),
+                ("origin_slid", None, {"frame": 0}),
+            ],
+        ),
+        ("modified", [(6, 2, 0.2)], [OTHER, ("origin_slid", 6, {"frame": 6})]),
+    ],
+)
+def test_what_is_told_of_the_frames_of_a_right_answer(
+    convention: str, cells: list[tuple[int, int, Cell]], told: list[tuple[str, int | None, dict[str, object]]]
+) -> None:
+    rows = PUMA if convention == "standard" else PUMA_CRAIG
+    verdict = grade(KEY, read(convention, with_cells(rows, *cells)), Policy(tool=ToolRule.FREE))
+    assert verdict.correct
+    assert [(entry.code, entry.row, dict(entry.params)) for entry in verdict.feedback] == told
