@@ -12,8 +12,10 @@ import pytest
 from exercises.grading import BaseRule, DirectionRule, Finding, Policy, ToolRule, ZeroRule, grade
 from exercises.grading.edits.repairs import MOST_WORK, find_repairs
 from exercises.grading.explanation import work_on
+from exercises.grading.facts import Weights
 from exercises.grading.judging.comparison import comparisons
-from exercises.grading.judging.judgement import with_a_telling_draw_first
+from exercises.grading.judging.judgement import REFUTED, with_a_telling_draw_first
+from exercises.grading.score import lost
 from kinematics.cells import ReadTable
 from kinematics.equivalence.meter import Meter
 from tests.exercises.grading.test_grade import PUMA, SCARA, VALUES, with_cells
@@ -391,3 +393,24 @@ def test_what_is_told_and_lost(name: str) -> None:
     )
     told = [f"{entry.code} {entry.row or ''}".strip() for entry in verdict.feedback]
     assert (verdict.score, rows, told) == VERDICTS[name]
+
+
+@pytest.mark.parametrize(
+    ("key", "cells", "facts"),
+    [
+        (SLIDERS, [(3, 3, 1.0)], 1.0),
+        (
+            SLIDERS,
+            [(2, 0, 1.0), (3, 3, 1.0)],
+            2.0,
+        ),  # beside another twist, too
+        (SLIDERS, [(2, 2, 0.5), (2, 3, "q2")], 3.0),
+        (SLIDERS, [], 0.0),
+    ],
+)
+def test_facts_that_are_wrong_are_counted(
+    key: Rows, cells: list[tuple[int, int, Cell]], facts: float
+) -> None:
+    tables = of(key), of(with_cells(key, *cells))
+    work = work_on(comparisons(*tables, {})[0], tables, FREE)
+    assert lost(REFUTED, work, Weights()) == facts
