@@ -200,6 +200,14 @@ def test_a_line_at_an_end_is_held_to_the_digits(
     assert grade(read("standard", TWISTED), answer, policy).correct is right
 
 
+@pytest.mark.parametrize(("typed", "right"), [(0, True), (0.003, False)])
+def test_a_tool_on_the_last_axis_stays_on_it(typed: float, right: bool) -> None:
+    """Behind a slider, too, though 3 mm are within the tolerance of poses."""
+    rows: Rows = [*TWISTED[:3], (0, 0, 0.1, "q4")]
+    answer = read("standard", with_cells(rows, (4, 1, typed)))
+    assert grade(read("standard", rows), answer, Policy(tool=ToolRule.AXIS)).correct is right
+
+
 def test_multiples_of_names_are_exact() -> None:
     assert number(2) != number(3)
     assert half_steps(read("standard", with_cells(PUMA, (2, 1, "a2/3 + d4"))).table, AngleUnit.RAD) == {}
