@@ -122,3 +122,15 @@ def test_what_is_told_of_the_frames_of_a_right_answer(
     verdict = grade(KEY, read(convention, with_cells(rows, *cells)), Policy(tool=ToolRule.FREE))
     assert verdict.correct
     assert [(entry.code, entry.row, dict(entry.params)) for entry in verdict.feedback] == told
+
+
+def test_frames_between_joints_move_with_the_joint_before_them() -> None:
+    """Another zero of the second variable moves the last frame, and none that a fixed row makes before it."""
+    rows: list[tuple[Cell, Cell, Cell, Cell]] = [
+        ("pi/2", 0.1, 0, "q1"),
+        (0.4, 0.2, 0.1, 0.2),
+        (0.3, 0.2, 0, "q2"),
+    ]
+    answer = read("standard", with_cells(rows, (3, 3, "q2 + pi/2")))
+    verdict = grade(read("standard", rows), answer, Policy(tool=ToolRule.FRAME))
+    assert [entry.code for entry in verdict.feedback] == ["same_frames"]
