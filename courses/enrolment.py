@@ -10,8 +10,8 @@ from typing import Any
 import sqlalchemy as sa
 
 from courses import records
-from courses.link_settings import LinkSettingsError, read, written
-from courses.model import CourseSession, LinkSettings, Platform, Role
+from courses.link_settings import stored, written
+from courses.model import CourseSession, Platform, Role
 from courses.secrets import hashed, new_token, pseudonym
 from courses.sessions import SESSION
 from courses.statements import upsert
@@ -126,17 +126,10 @@ def _link(connection: sa.Connection, arrival: Arrival, course_id: int) -> int:
         for name, value in (("line_item", arrival.line_item), ("line_items", arrival.line_items))
         if value
     }
-    first = {"exercise_id": arrival.exercise_id, "settings": written(_settings_of(arrival))}
+    settings = stored(arrival.exercise_id, arrival.settings)
+    first = {"exercise_id": arrival.exercise_id, "settings": written(settings)}
     upsert(connection, records.link, key, changed, first)
     return _id(connection, records.link, **key)
-
-
-def _settings_of(arrival: Arrival) -> LinkSettings:
-    """Settings that the link brings; the defaults where the platform has garbled them."""
-    try:
-        return read(arrival.exercise_id, arrival.settings)
-    except LinkSettingsError:
-        return LinkSettings(exercise_id=arrival.exercise_id)
 
 
 def _id(connection: sa.Connection, table: sa.Table, **key: Any) -> int:

@@ -1,8 +1,8 @@
-"""Settings of a link as JSON, and read back; what a lecturer's page sends is read by the same function."""
+"""Settings of a link as JSON: what a lecturer sends is checked, what is stored is read as it stands."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from datetime import UTC, datetime
 from typing import Any, TypeVar
 
@@ -10,6 +10,7 @@ from courses.model import LinkSettings
 from courses.policies import AttemptPolicy, Counting, FeedbackTiming, Mode
 from courses.refusals import CourseError
 from exercises.access import MOST_VARIANTS
+from exercises.grading import HelpLevel
 from kinematics.errors import Fault
 
 Choice = TypeVar("Choice", Mode, Counting, FeedbackTiming)
@@ -44,13 +45,44 @@ def written(settings: LinkSettings) -> dict[str, Any]:
     }
 
 
-def read(exercise_id: str | None, values: Mapping[str, Any]) -> LinkSettings:
-    """Return the settings from JSON; what is left out has its default.
+def read(
+    exercise_id: str | None, values: Mapping[str, Any], *, parts: Collection[str], languages: Collection[str]
+) -> LinkSettings:
+    """Return settings that somebody has just made; what is left out has its default.
+
+    Args:
+        exercise_id: the exercise.
+        values: the settings as JSON.
+        parts: kinds of the exercise's parts.
+        languages: those that the service speaks.
 
     Raises:
-        LinkSettingsError: a value cannot be meant; each with its place.
+        LinkSettingsError: a value cannot be meant, or there is no such setting; each with its place.
     """
     reader = _SettingsReader(values)
+    settings = _understood(exercise_id, reader)
+    if any(part not in parts for part in settings.parts):
+        reader.refuse("parts", ", ".join(parts))
+    if settings.language is not None and settings.language not in languages:
+        reader.refuse("language", ", ".join(languages))
+    allowed = tuple(written(settings))
+    for name in values:
+        if name not in allowed:
+            reader.faults.append(Fault.at("field_unknown", name, field=name, allowed=allowed))
+    if reader.faults:
+        raise LinkSettingsError(reader.faults)
+    return settings
+
+
+def stored(exercise_id: str | None, values: Mapping[str, Any]) -> LinkSettings:
+    """Return settings that stand in the database, or that a platform's link brings.
+
+    What cannot be meant has its default: whoever opens the link cannot mend it.
+    """
+    return _understood(exercise_id, _SettingsReader(values))
+
+
+def _understood(exercise_id: str | None, reader: _SettingsReader) -> LinkSettings:
     policy = AttemptPolicy(
         attempts=reader.whole("attempts", None, 1, MOST_ATTEMPTS),
         counting=reader.choice("counting", Counting.BEST),
@@ -61,23 +93,22 @@ def read(exercise_id: str | None, values: Mapping[str, Any]) -> LinkSettings:
         feedback_after=reader.whole("feedback_after", 1, 1, MOST_ATTEMPTS) or 1,
         mode=reader.choice("mode", Mode.PRACTICE),
     )
-    settings = LinkSettings(
+    if policy.opens and policy.closes and policy.opens >= policy.closes:
+        reader.faults.append(Fault.at("closes_before_opening", "closes"))
+    points = reader.number("points", 1.0, 0.0, MOST_POINTS)
+    if points == 0.0:
+        reader.refuse("points", "a number above 0")
+        points = 1.0
+    return LinkSettings(
         exercise_id=exercise_id,
-        parts=tuple(str(part) for part in values.get("parts") or ()),
-        help=reader.text("help"),
-        points=reader.number("points", 1.0, 0.0, MOST_POINTS),
-        per_student=bool(values.get("per_student", False)),
+        parts=reader.texts("parts"),
+        help=reader.help_level("help"),
+        points=points,
+        per_student=reader.whether("per_student"),
         variants=reader.whole("variants", None, 1, MOST_VARIANTS),
         language=reader.text("language"),
         policy=policy,
     )
-    if settings.points == 0.0:
-        reader.refuse("points", "a number above 0")
-    if policy.opens and policy.closes and policy.opens >= policy.closes:
-        reader.faults.append(Fault.at("closes_before_opening", "closes"))
-    if reader.faults:
-        raise LinkSettingsError(reader.faults)
-    return settings
 
 
 class _SettingsReader:
@@ -117,6 +148,32 @@ class _SettingsReader:
         if value is None or (isinstance(value, str) and len(value) <= 64):
             return value or None
         self.refuse(name, "≤ 64")
+        return None
+
+    def texts(self, name: str) -> tuple[str, ...]:
+        """Return a list of texts."""
+        value = self.values.get(name) or []
+        if isinstance(value, list) and all(isinstance(each, str) for each in value):
+            return tuple(dict.fromkeys(value))
+        self.refuse(name, "[…]")
+        return ()
+
+    def whether(self, name: str) -> bool:
+        """Return yes or no."""
+        value = self.values.get(name)
+        if value is None or isinstance(value, bool):
+            return bool(value)
+        self.refuse(name, "false, true")
+        return False
+
+    def help_level(self, name: str) -> str | None:
+        """Return the most help given; None for what the exercise gives."""
+        value = self.values.get(name)
+        if not value:
+            return None
+        if isinstance(value, str) and value in set(HelpLevel):
+            return value
+        self.refuse(name, ", ".join(HelpLevel))
         return None
 
     def choice(self, name: str, otherwise: Choice) -> Choice:

@@ -11,7 +11,7 @@ import sqlalchemy as sa
 from courses import records
 from courses.attempts import attempt_of
 from courses.gradebook import regrade
-from courses.link_settings import read, written
+from courses.link_settings import stored, written
 from courses.model import Attempt, Link, LinkSettings
 from courses.outbox import release_scores
 from courses.policies import Allowance
@@ -45,7 +45,7 @@ def link_of(row: Any, link_id: int, title: str) -> Link:
         course_id=row.course_id,
         resource=row.resource,
         title=title,
-        settings=read(row.exercise_id, row.settings),
+        settings=stored(row.exercise_id, row.settings),
         line_item=row.line_item,
         line_items=row.line_items,
         released_at=row.released_at,
@@ -73,7 +73,7 @@ def newest_links(store: Store, count: int) -> list[LinkSettings]:
     """Return what the newest links ask."""
     wanted = sa.select(_LINK.c.exercise_id, _LINK.c.settings).order_by(_LINK.c.id.desc()).limit(count)
     with store.reading() as connection:
-        return [read(row.exercise_id, row.settings) for row in connection.execute(wanted)]
+        return [stored(row.exercise_id, row.settings) for row in connection.execute(wanted)]
 
 
 def change_settings(store: Store, link_id: int, settings: LinkSettings, now: datetime) -> None:

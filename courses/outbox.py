@@ -15,7 +15,7 @@ from typing import Any
 import sqlalchemy as sa
 
 from courses import records
-from courses.link_settings import read
+from courses.link_settings import stored
 from courses.model import ScoreToSend
 from courses.storage import Store
 
@@ -82,7 +82,7 @@ def _to_send(row: Any) -> ScoreToSend:
         resource=row.resource,
         title=row.title or row.exercise_id or "",
         score=row.score,
-        points=read(row.exercise_id, row.settings).points,
+        points=stored(row.exercise_id, row.settings).points,
         revision=row.revision,
         tries=row.tries,
         timestamp=row.timestamp,

@@ -17,7 +17,7 @@ import sqlalchemy as sa
 from courses import records
 from courses.attempts import attempt_of, check_open, finding_rows, path_of_codes, shown_now
 from courses.gradebook import GradeChange, store_changes
-from courses.link_settings import read
+from courses.link_settings import stored
 from courses.model import Attempt, CourseSession
 from courses.policies import Allowance, Counted, advanced
 from courses.refusals import AttemptError, unknown_record
@@ -157,7 +157,7 @@ def _standings(
         if row is None or submission.student in found:
             continue
         if row.link_id not in rules:
-            rules[row.link_id] = read(row.exercise_id, row.settings)
+            rules[row.link_id] = stored(row.exercise_id, row.settings)
         policy = rules[row.link_id].policy
         attempts = session.link.settings.policy.attempts if policy.attempts is None else policy.attempts
         link = replace(

@@ -9,13 +9,15 @@ from typing import Any, TypeVar
 from fastapi import Response
 
 from courses.audit import log_access
+from courses.link_settings import read
 from courses.links import link_in
-from courses.model import CourseSession, Link, Role
+from courses.model import CourseSession, Link, LinkSettings, Role
 from courses.refusals import StaffOnlyError, unknown_record
 from kinematics.errors import Fault
 from service.course_resources import CourseResources, bearer_token, now
 from service.http.problems import RequestError
 from service.http.routing import JSON, ApiRequest
+from service.messages import languages
 from service.resources import resources_of
 from service.wire.exercises.ungraded import known_exercise
 from service.wire.exercises.verdicts import encoded
@@ -118,11 +120,14 @@ async def object_body(request: ApiRequest) -> Mapping[str, Any]:
     return body
 
 
-def existing_exercise(request: ApiRequest, exercise_id: object) -> str:
-    """Return the id of an exercise that is served.
+def settings_in(request: ApiRequest, body: Mapping[str, Any]) -> LinkSettings:
+    """Return the exercise and the rules that a body gives a link.
 
     Raises:
-        NotFoundError: there is none of this id.
+        NotFoundError: there is no such exercise.
+        LinkSettingsError: a rule cannot be meant.
     """
     with known_exercise():
-        return resources_of(request).exercises.exercise(str(exercise_id)).id
+        exercise = resources_of(request).exercises.exercise(str(body.get("exercise")))
+    rules = {name: value for name, value in body.items() if name != "exercise"}
+    return read(exercise.id, rules, parts=[part.kind for part in exercise.parts], languages=languages())

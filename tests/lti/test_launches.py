@@ -48,6 +48,9 @@ def test_a_teacher_chooses_the_exercise_of_a_course_link_at_the_first_launch(
     path = f"course/links/{found['link']}"
     refused = teacher.api("PUT", f"{path}/settings", {"exercise": "puma560", "attempts": 0})
     assert refused.json()["code"] == "setting_invalid"
+    slips = {"exercise": "puma560", "help": "hints", "parts": "table", "penalti": 0.1}
+    told = teacher.api("PUT", f"{path}/settings", slips)
+    assert [fault["pointer"] for fault in told.json()["errors"]] == ["/parts", "/help", "/penalti"]
     chosen = {"exercise": "puma560", "points": 5, "parts": ["table"], "counting": "last"}
     assert found["links"][0]["exercise_title"] is None
     assert teacher.api("PUT", f"{path}/settings", chosen).status_code == 200
@@ -157,6 +160,14 @@ def test_rules_hold_over_http(browser: Browser) -> None:
     session = browser.api("GET", "session").json()
     assert (session["grade"], session["attempts"][0]["score"]) == (None, None)
     assert browser.api("GET", "session/attempts/1").json()["report"] is None
+
+
+def test_a_setting_that_a_platform_garbled_keeps_nobody_from_handing_in(browser: Browser) -> None:
+    rules = {"attempts": 2, "help": "hints", "parts": 5}
+    custom = {"exercise": "puma560", "settings": json.dumps(rules)}
+    browser.launch("gil", hint(resource="garbled", custom=custom))
+    assert browser.api("POST", "session/attempts", WRONG).json()["attempt"] == 1
+    assert browser.api("GET", "session").json()["attempts_allowed"] == 2
 
 
 def test_a_draft_is_there_after_a_relaunch(browser: Browser, another_browser: Callable[[], Browser]) -> None:

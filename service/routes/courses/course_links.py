@@ -13,7 +13,7 @@ from fastapi.responses import StreamingResponse
 
 from courses.attempt_export import exported_attempts
 from courses.enrolment import preview
-from courses.link_settings import read, written
+from courses.link_settings import written
 from courses.links import allow, change_settings, release_feedback, reports_of
 from courses.outbox import resend
 from courses.policies import Allowance
@@ -22,7 +22,7 @@ from courses.secrets import issue_code
 from courses.statistics import class_overview, link_statistics, misconceptions, undelivered, unexplained
 from exercises.errors import ExerciseError
 from kinematics.errors import Fault
-from service.course_callers import existing_exercise, json_response, object_body, staff_of
+from service.course_callers import json_response, object_body, settings_in, staff_of
 from service.course_resources import now
 from service.http.languages import language_of
 from service.http.problems import RequestError
@@ -84,7 +84,7 @@ async def put_settings(request: ApiRequest) -> Response:
     """Give a link its exercise and rules."""
     staff = await staff_of(request)
     link, body = await staff.link(), await object_body(request)
-    settings = read(existing_exercise(request, body.get("exercise")), body)
+    settings = settings_in(request, body)
     await staff.run(change_settings, staff.store, link.id, settings, now())
     await staff.log("settings", link=link.id, exercise=settings.exercise_id)
     return json_response({"exercise": settings.exercise_id, **written(settings)})

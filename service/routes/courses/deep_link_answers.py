@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from fastapi import Response
 
-from courses.link_settings import read
 from courses.platforms import platform_by_id
 from courses.secrets import redeem_code
-from service.course_callers import existing_exercise, in_thread, json_response, object_body
+from service.course_callers import in_thread, json_response, object_body, settings_in
 from service.course_resources import now
 from service.http.forms import own_root
 from service.http.languages import language_of
@@ -26,23 +25,24 @@ async def answer_deep_link(request: ApiRequest) -> Response:
     """Return the signed answer to a platform that asked for a link: an exercise with its rules."""
     courses = resources_of(request).with_courses()
     body = await object_body(request)
-    exercise_id = existing_exercise(request, body.get("exercise"))
-    settings = read(exercise_id, body)
+    choice = str(body.get("choice"))
+    chosen = {name: value for name, value in body.items() if name != "choice"}
+    settings = settings_in(request, chosen)
     exercise = asked_exercise(resources_of(request).exercises, settings)
+    rules = {name: value for name, value in chosen.items() if name != "exercise"}
     title = exercise.title(language_of(request))
     root = own_root(request, resources_of(request).settings.public_url)
 
     def work() -> dict[str, str]:
-        asked = redeem_code(courses.store, "deep-link", str(body.get("choice")), now())
+        asked = redeem_code(courses.store, "deep-link", choice, now())
         platform = platform_by_id(courses.store, asked["platform"])
-        told = {name: value for name, value in body.items() if name not in ("choice", "exercise")}
         item = ContentItem(
             address=f"{root}lti/launch",
             title=title,
             text="",
-            custom=custom_of(exercise_id, told),
+            custom=custom_of(exercise.id, rules),
             points=settings.points if takes_line_items(asked["settings"]) else None,
-            tag=exercise_id,
+            tag=exercise.id,
         )
         token = response_token(
             platform, asked["deployment"], asked["settings"], [item], courses.signing(), now()

@@ -15,7 +15,8 @@ const CHOICES = {
 function local(text) {
   if (!text) return "";
   const time = new Date(text);
-  return new Date(time.getTime() - time.getTimezoneOffset() * 60000).toISOString().slice(0, 16);
+  const written = new Date(time.getTime() - time.getTimezoneOffset() * 60000).toISOString();
+  return written.slice(0, time.getSeconds() ? 19 : 16);
 }
 
 /**
@@ -47,7 +48,11 @@ export function settingsForm(exercises, settings, save, action) {
   const number = (name, attributes) =>
     field(name, el("input", { type: "number", name, ...attributes, value: settings[name] ?? "" }));
   /** @param {string} name */
-  const time = (name) => field(name, el("input", { type: "datetime-local", name, value: local(settings[name]) }));
+  const time = (name) => {
+    const value = local(settings[name]);
+    const step = value.length > 16 ? 1 : 60;
+    return field(name, el("input", { type: "datetime-local", name, step, value }));
+  };
   const parts = el("fieldset", { class: "wide" });
   const exercise = /** @type {HTMLSelectElement} */ (
     el(
@@ -91,7 +96,7 @@ export function settingsForm(exercises, settings, save, action) {
         class: "lecturer-form",
         onsubmit: (event) => {
           event.preventDefault();
-          save(settingsOf(form));
+          save({ ...settingsOf(form), language: settings.language ?? null });
         },
       },
       field("exercise", exercise),
