@@ -1,7 +1,8 @@
 """A connection to PostgreSQL that gives up where the server keeps silent: it is frozen, or the network cut.
 
 The driver waits for an answer without end. The options of TCP would not do: the machine of a frozen server
-still acknowledges what is sent.
+still acknowledges what is sent. Nor does silence alone say that it is frozen: the statistics of a large class
+take a while. So a second connection asks the server what it is doing.
 """
 
 from __future__ import annotations
@@ -13,16 +14,24 @@ from typing import Any, TypeVar
 import psycopg
 from psycopg import capabilities
 from psycopg.abc import PQGen
+from psycopg.conninfo import make_conninfo
 
 ANSWER_SECONDS = 10.0
-"""How long PostgreSQL may keep silent on a statement."""
+"""How long PostgreSQL may keep silent on a statement before it is asked whether it works on it."""
+LONGEST_SECONDS = 120.0
+"""How long it may work on a statement."""
 _CANCEL_SECONDS = 1.0
 """How long it may take to hear that nobody waits for the statement any more."""
+_AT_WORK = """
+    SELECT state = 'active' AND coalesce(wait_event_type, '') NOT IN ('Client', 'Lock')
+    FROM pg_stat_activity WHERE pid = %s
+"""
+"""Who waits for us has answered, and the network is cut; who waits for a lock may do so without end."""
 
 _Result = TypeVar("_Result")
 
 
-class PostgresqlConnection(psycopg.Connection[Any]):
+class _Bounded(psycopg.Connection[Any]):
     """Ends itself when the server has said nothing for a time."""
 
     def wait(self, gen: PQGen[_Result], *args: Any, **kwargs: Any) -> _Result:
@@ -35,20 +44,27 @@ class PostgresqlConnection(psycopg.Connection[Any]):
 
     def _while_it_answers(self, gen: PQGen[_Result]) -> PQGen[_Result]:
         """Pass on what the driver waits for; it says several times a second whether anything has come."""
-        heard = time.monotonic()
+        asked = heard = time.monotonic()
         try:
             wanted = next(gen)
             while True:
                 ready = yield wanted
                 if ready:
-                    heard = time.monotonic()
-                elif time.monotonic() - heard > ANSWER_SECONDS:
-                    self._end()
-                    raise psycopg.OperationalError(f"the server said nothing for {ANSWER_SECONDS:g} s")
+                    asked = heard = time.monotonic()
+                elif time.monotonic() - asked > ANSWER_SECONDS:
+                    if time.monotonic() - heard > LONGEST_SECONDS or not self._is_at_work():
+                        self._end()
+                        silence = time.monotonic() - heard
+                        raise psycopg.OperationalError(f"the server said nothing for {silence:.0f} s")
+                    asked = time.monotonic()
                 wanted = gen.send(ready)
         except StopIteration as end:
             found: _Result = end.value
             return found
+
+    def _is_at_work(self) -> bool:
+        """Whether the server is known to work on what this connection waits for."""
+        return False
 
     def _end(self) -> None:
         """Close the connection; a server that is only slow need not finish what nobody waits for."""
@@ -56,3 +72,17 @@ class PostgresqlConnection(psycopg.Connection[Any]):
             with contextlib.suppress(psycopg.Error):
                 self.cancel_safe(timeout=_CANCEL_SECONDS)
         self.pgconn.finish()
+
+
+class PostgresqlConnection(_Bounded):
+    """Ends itself when the server no longer works on what it was asked."""
+
+    def _is_at_work(self) -> bool:
+        """Ask the server by another connection."""
+        address = make_conninfo(self.info.dsn, password=self.info.password or None)
+        try:
+            with _Bounded.connect(address) as another:
+                found = another.execute(_AT_WORK, [self.info.backend_pid]).fetchone()
+        except psycopg.Error:
+            return False
+        return found is not None and bool(found[0])

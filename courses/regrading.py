@@ -71,8 +71,11 @@ def begin(store: Store, link_id: int, scope: Scope, version: str, now: datetime)
 
 def rejudge(store: Store, run: int, judge: Judge) -> int:
     """Judge what the run has not judged yet, batch after batch; return how many attempts it judged."""
-    count = 0
-    while batch := _waiting(store, run):
+    count = last = 0
+    while (batch := _waiting(store, run, last)) or last:
+        if not batch:  # what has begun to count meanwhile may be older
+            last = 0
+            continue
         found = judge(batch)
         with store.writing() as connection:
             connection.execute(
@@ -89,14 +92,17 @@ def rejudge(store: Store, run: int, judge: Judge) -> int:
                 ],
             )
         count += len(found)
+        last = batch[-1].id
     return count
 
 
-def _waiting(store: Store, run: int) -> list[Attempt]:
+def _waiting(store: Store, run: int, last: int) -> list[Attempt]:
+    """Return the next attempts after one: what a run has done is not read again for every batch."""
     with store.reading() as connection:
         own = connection.execute(sa.select(_RUN).where(_RUN.c.id == run)).one()
         done = sa.select(_DONE.c.attempt_id).where(_DONE.c.regrading_id == run)
-        wanted = sa.select(_ATTEMPT).where(_ATTEMPT.c.link_id == own.link_id, _ATTEMPT.c.id.not_in(done))
+        later = _ATTEMPT.c.link_id == own.link_id, _ATTEMPT.c.id > last
+        wanted = sa.select(_ATTEMPT).where(*later, _ATTEMPT.c.id.not_in(done))
         if own.scope == Scope.COUNTED:
             grade = records.grade
             wanted = wanted.join(

@@ -183,6 +183,27 @@ def test_a_frozen_database_is_told_in_bounded_time_and_loses_nothing(
         store.close()
 
 
+def test_a_server_that_works_is_waited_for_and_one_that_waits_is_not(
+    postgresql: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(postgresql_connection, "ANSWER_SECONDS", 0.3)
+    monkeypatch.setattr(postgresql_connection, "LONGEST_SECONDS", 3.0)
+    with new_database(postgresql) as url:
+        store = open_store(url, tmp_path)
+        store.bound_answers()
+        platform(store)
+        with store.reading() as connection:
+            assert connection.scalar(sa.text("SELECT 1 FROM pg_sleep(1.2)")) == 1
+        with pytest.raises(StorageUnavailableError), store.reading() as connection:
+            connection.execute(sa.text("SELECT pg_sleep(30)"))
+        turn = sa.select(records.platform).with_for_update()
+        with store.writing() as first:
+            first.execute(turn)
+            with pytest.raises(StorageUnavailableError), store.writing() as second:
+                second.execute(turn)
+        store.close()
+
+
 def eventually_ready(client: httpx.Client) -> tuple[int, str]:
     """The state two seconds later, when what was known is asked again."""
     time.sleep(2.1)
