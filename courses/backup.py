@@ -110,7 +110,7 @@ def restore(store: Store, file: Path) -> int:
     except SQLAlchemyError as error:
         raise _unreadable(file, reason_of(error)) from error
     except (OSError, EOFError, ValueError, zlib.error) as error:
-        raise _unreadable(file, str(error)) from error
+        raise _unreadable(file, getattr(error, "strerror", None) or str(error)) from error
     return count
 
 

@@ -47,6 +47,16 @@ class ClassSettings:
     folders: tuple[Path, ...] = ()
 
 
+def require_exercise(name: str, folders: tuple[Path, ...]) -> None:
+    """Make sure that there is an exercise of a name, which holds for a whole class.
+
+    Raises:
+        UnknownExerciseError: there is none.
+    """
+    library = Library(folders)
+    library.exercise(exercise_named(name, library) or name)
+
+
 def grade_class(found: Iterable[HandIn], settings: ClassSettings, jobs: int | None = None) -> Iterator[Mark]:
     """Yield the mark of every hand-in, in their order.
 

@@ -11,6 +11,9 @@ from service.cli.environment import count, settings_of_environment
 from service.http.api_keys import KeyFile, KeyScope
 from service.http.problems import RequestError
 
+MOST_DAYS = 36_500
+"""A century; dates end after the year 9999."""
+
 
 def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
     """Declare `keys` with what can be done with them."""
@@ -18,9 +21,11 @@ def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
     commands = parser.add_subparsers(required=True, metavar="what")
 
     made = commands.add_parser("add", help="make a key; its text is shown this once")
-    made.add_argument("--scope", nargs="+", choices=tuple(KeyScope), default=list(KeyScope))
+    made.add_argument(
+        "--scope", nargs="+", choices=[scope.value for scope in KeyScope], default=list(KeyScope)
+    )
     made.add_argument("--note", default="", help="whose it is")
-    made.add_argument("--days", type=count, help="days after which it is refused")
+    made.add_argument("--days", type=_days, help="days after which it is refused")
     made.add_argument("--cost-per-minute", type=count, help="its own limit")
     made.set_defaults(run=_add)
 
@@ -30,6 +35,13 @@ def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
     revoked = commands.add_parser("revoke", help="refuse a key from now on")
     revoked.add_argument("id", help="its id, as `list` shows it")
     revoked.set_defaults(run=_revoke)
+
+
+def _days(text: str) -> int:
+    """Return for how many days a key is good."""
+    if (days := count(text)) > MOST_DAYS:
+        raise argparse.ArgumentTypeError(f"at most {MOST_DAYS} days are possible, not {text}")
+    return days
 
 
 def _file() -> KeyFile:

@@ -14,7 +14,7 @@ from exercises.grading import HelpLevel
 from kinematics.cells import AngleUnit, LengthUnit
 from kinematics.errors import Fault
 from kinematics.table import Convention
-from service.adapters.class_grading import ClassSettings, grade_class, misconceptions
+from service.adapters.class_grading import ClassSettings, grade_class, misconceptions, require_exercise
 from service.adapters.gradebook import GradebookFormat, Mark, write_marks
 from service.adapters.hand_ins import count_files, hand_ins, left_out
 from service.adapters.hosts import HOSTS
@@ -69,12 +69,17 @@ def _grade(options: argparse.Namespace) -> int:
         return HOSTS[options.host](assignment, path)
     if path is None:
         raise RequestError(Fault.at("grade_path_needed"))
+    if not path.exists():
+        raise RequestError(Fault.at("file_missing", file=path.name))
+    folders = settings_of_environment().exercise_folders
+    if options.exercise is not None:
+        require_exercise(options.exercise, folders)
     settings = ClassSettings(
         exercise=options.exercise,
         language=options.lang,
         help_level=options.tell,
         per_student=options.per_student,
-        folders=settings_of_environment().exercise_folders,
+        folders=folders,
     )
     found = grade_class(hand_ins(path, tables), settings, options.jobs)
     counted = _Counted(_with_progress(found, count_files(path)))

@@ -8,6 +8,7 @@ import sys
 from urllib.parse import urlsplit
 
 from courses.administration import invite_administrator
+from courses.links import LONGEST_NUMBER
 from courses.model import Platform, PlatformStatus
 from courses.platforms import (
     add_deployment,
@@ -19,7 +20,7 @@ from courses.platforms import (
     set_status,
 )
 from service.cli.backups import opened_store
-from service.cli.environment import settings_of_environment
+from service.cli.environment import count, settings_of_environment
 from service.course_resources import CourseResources, now
 from service.lti.fetching import http_address, origin_of
 from service.lti.signing_keys import key_set
@@ -37,24 +38,24 @@ def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
     for status in PlatformStatus:
         verb = {"pending": "suspend", "active": "activate", "disabled": "disable"}[status.value]
         parser = actions.add_parser(verb, help=f"let a platform be {status.value}")
-        parser.add_argument("platform", type=int)
+        parser.add_argument("platform", type=_number)
         parser.set_defaults(run=_set_status, status=status)
     remove = actions.add_parser("remove", help="forget a platform with all its courses")
-    remove.add_argument("platform", type=int)
+    remove.add_argument("platform", type=_number)
     remove.add_argument("--yes", action="store_true", required=True, help="attempts and grades are lost")
     remove.set_defaults(run=_remove)
     deployment = actions.add_parser("deployment", help="let a deployment of a platform launch")
-    deployment.add_argument("platform", type=int)
+    deployment.add_argument("platform", type=_number)
     deployment.add_argument("deployment", type=_identifier)
     deployment.set_defaults(run=_add_deployment)
     invitation = actions.add_parser("invite", help="print an address for dynamic registration, good once")
-    invitation.add_argument("root", help="address of this service as the platform reaches it")
+    invitation.add_argument("root", type=_address, help="address of this service as the platform reaches it")
     invitation.add_argument("--note", default="", help="for whom it is")
     invitation.set_defaults(run=_invite)
     administer = actions.add_parser(
         "administer", help="print an address that opens the platforms' page, good once"
     )
-    administer.add_argument("root", help="address of this service as your browser reaches it")
+    administer.add_argument("root", type=_address, help="address of this service as your browser reaches it")
     administer.set_defaults(run=_administer)
     keys = actions.add_parser("keys", help="print the public keys")
     keys.set_defaults(run=_keys, rotate=False, at_once=False)
@@ -80,6 +81,13 @@ def _declare_add(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--name", default="")
     parser.add_argument("--names-shared", action="store_true", help="store the names that it shares")
     parser.set_defaults(run=_add)
+
+
+def _number(text: str) -> int:
+    """Return the number of a platform, as `platforms` lists it."""
+    if len(text) > LONGEST_NUMBER:
+        raise argparse.ArgumentTypeError(f"no platform has a number such as {text}")
+    return count(text)
 
 
 def _address(text: str) -> str:

@@ -41,10 +41,13 @@ def test_a_folder_is_graded_into_a_file(tmp_path: Path, capsys: pytest.CaptureFi
 
 def test_what_cannot_be_found_is_said(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["grade", str(tmp_path / "nowhere"), "--exercise", "twolink"]) == 2
-    assert "file_missing" in capsys.readouterr().err
+    told = capsys.readouterr()
+    assert "file_missing" in told.err
     (tmp_path / "a.csv").write_text(RIGHT)
-    assert main(["grade", str(tmp_path / "a.csv"), "--exercise", "r2d2", "--jobs", "1"]) == 0
-    assert "exercise_unknown" in capsys.readouterr().out
+    assert main(["grade", str(tmp_path / "a.csv"), "--exercise", "r2d2", "--jobs", "1"]) == 2
+    told_of_exercise = capsys.readouterr()
+    assert "exercise_unknown" in told_of_exercise.err
+    assert (told.out, told_of_exercise.out) == ("", "")
 
 
 @pytest.mark.parametrize("packed", [False, True])
@@ -219,6 +222,28 @@ def test_what_is_counted_is_counted_from_one(
     with pytest.raises(SystemExit):
         main(arguments)
     assert "a whole number from 1 on" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("arguments", "told"),
+    [
+        (["lti", "activate", "9" * 30], "no platform has a number such as 999"),
+        (["lti", "disable", "x"], "a whole number from 1 on"),
+        (["lti", "deployment", "9" * 30, "1"], "no platform has a number such as 999"),
+        (["lti", "invite", "ftp://lms.example.edu"], "an address is needed"),
+        (["lti", "administer", "framewise.example.edu"], "an address is needed"),
+        (["keys", "add", "--scope", "write"], "invalid choice: 'write'"),
+        (["keys", "add", "--days", "9" * 12], "at most 36500 days"),
+    ],
+)
+def test_a_slip_is_told_before_anything_is_done(
+    arguments: list[str], told: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    with pytest.raises(SystemExit):
+        main(arguments)
+    err = capsys.readouterr().err
+    assert told in err
+    assert "KeyScope." not in err
 
 
 def test_no_more_variants_are_prepared_than_are_shared_out(capsys: pytest.CaptureFixture[str]) -> None:
