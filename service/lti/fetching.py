@@ -27,7 +27,9 @@ if TYPE_CHECKING:  # its command line and its certificates take 6 MB: only who s
     import httpx
 
 TIMEOUT = 5.0
-"""Seconds that a platform may take to answer."""
+"""Seconds that a platform may take to begin its answer, and to go on with it."""
+WHOLE_ANSWER = 20.0
+"""Seconds for the whole of it: a thread that reads what drips in is missing to everybody's launches."""
 LARGEST = 1024 * 1024
 """Largest answer that is read [byte]."""
 _HOST = re.compile(r"[a-z0-9_-]+(\.[a-z0-9_-]+)*|[0-9a-f:.]+")
@@ -112,6 +114,7 @@ class Fetcher:
         import httpx
 
         url, extensions, host = self._checked(address)
+        latest = time.monotonic() + WHOLE_ANSWER
         sent = {"Accept": "application/json", **(headers or {}), "Host": host}
         try:
             with self._client.stream(
@@ -122,6 +125,8 @@ class Fetcher:
                     body += piece
                     if len(body) > LARGEST:
                         raise unreachable(address, f"> {LARGEST}")
+                    if time.monotonic() > latest:
+                        raise unreachable(address, f"> {WHOLE_ANSWER:g} s")
                 return FetchedAnswer(
                     address=address, status=answer.status_code, headers=answer.headers, body=bytes(body)
                 )

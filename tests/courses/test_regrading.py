@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 import csv
+import json
+from collections.abc import Callable, Iterator
 from dataclasses import replace
 
 import pytest
 import sqlalchemy as sa
 
 from courses import records
-from courses.attempt_export import exported_attempts
+from courses.attempt_export import ExportedAttempt, exported_attempts
 from courses.attempts import path_of_codes
 from courses.judged import AttemptFilter, attempts_behind
 from courses.links import change_settings
@@ -20,7 +22,7 @@ from courses.refusals import UnknownRecordError
 from courses.regrading import Rejudged, Scope, apply, begin, changes, rejudge
 from courses.statistics import class_overview, link_statistics, misconceptions, unexplained
 from courses.storage import Store
-from service.wire.courses.course_views import attempt_record, csv_of
+from service.wire.courses.course_views import attempt_record, csv_of, json_of
 from tests.courses.classroom import NOW, joined, submitted
 from tests.courses.test_attempts import WRONG, minutes
 
@@ -53,8 +55,33 @@ def test_an_export_holds_what_counts(store: Store) -> None:
     codes = ["repair:alpha_sign@2", "wrong:pose"]
     assert [first[name] for name in kept] == [1, 0.875, 7.0, 8.0, True, False, codes, WRONG]
     assert [second[name] for name in kept[:7]] == [2, 0.75, 4.0, 8.0, False, False, []]
-    rows = list(csv.DictReader("".join(csv_of(exported_attempts(store, link))).splitlines()))
+    rows = list(csv.DictReader(b"".join(csv_of(exported_attempts(store, link))).decode().splitlines()))
     assert [(row["counted"], row["codes"]) for row in rows] == [("1", " ".join(codes)), ("0", "")]
+    told = json.loads(b"".join(json_of(exported_attempts(store, link))))
+    assert told == {"attempts": [first, second]}
+    assert json.loads(b"".join(json_of([]))) == {"attempts": []}
+
+
+@pytest.mark.parametrize("written", [csv_of, json_of])
+def test_a_file_begins_before_all_of_it_is_read(
+    store: Store, written: Callable[..., Iterator[bytes]]
+) -> None:
+    """The attempts of a large class took more memory than a container has."""
+    ann = joined(store, "ann")
+    submitted(store, ann, 0.5, report=WRONG)
+    (one,) = exported_attempts(store, ann.link)
+    read = 0
+
+    def many() -> Iterator[ExportedAttempt]:
+        nonlocal read
+        for read in range(1, 10_001):  # noqa: B007
+            yield one
+
+    blocks = written(many())
+    assert len(next(blocks)) >= 65_536
+    assert read < 10_000
+    list(blocks)
+    assert read == 10_000
 
 
 def test_numbers_follow_the_judgement_that_counts(store: Store) -> None:

@@ -2,10 +2,15 @@
 
 from __future__ import annotations
 
+import contextlib
+import socket
+import threading
+import time
 from collections.abc import Iterator, Mapping
 
 import pytest
 
+from service.lti import fetching
 from service.lti.fetching import FetchedAnswer, Fetcher
 from service.lti.launch_errors import PlatformError
 from tests.lti.key_server import KeyServer
@@ -61,6 +66,31 @@ def test_a_trusted_origin_is_asked_however_it_is_written(server: KeyServer, writ
     document, _ = fetcher.get_json(f"{server.root}/jwks")
     assert document["keys"]
     fetcher.close()
+
+
+def test_an_answer_that_drips_in_is_given_up(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Each piece came in time, so that the thread read on for as long as the platform liked."""
+    monkeypatch.setattr(fetching, "WHOLE_ANSWER", 0.0)
+    with socket.create_server(("127.0.0.1", 0)) as listener:
+        root = f"http://127.0.0.1:{listener.getsockname()[1]}"
+
+        def drip() -> None:
+            connection, _ = listener.accept()
+            with connection, contextlib.suppress(OSError):
+                connection.recv(4096)
+                connection.sendall(b"HTTP/1.1 200 OK\r\nContent-Length: 100000\r\n\r\n")
+                while True:
+                    connection.sendall(b" ")
+                    time.sleep(0.01)
+
+        thread = threading.Thread(target=drip)
+        thread.start()
+        fetcher = Fetcher(frozenset({root}))
+        with pytest.raises(PlatformError) as refused:
+            fetcher.get_json(f"{root}/jwks")
+        assert [fault.code for fault in refused.value.faults] == ["lti_unreachable"]
+        fetcher.close()
+        thread.join()
 
 
 def answered(**headers: str) -> FetchedAnswer:

@@ -5,13 +5,14 @@ Every look at a student's work is in the audit log.
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable, Iterator
 from datetime import timedelta
 from typing import Any
 
 from fastapi import Response
 from fastapi.responses import StreamingResponse
 
-from courses.attempt_export import exported_attempts
+from courses.attempt_export import ExportedAttempt, exported_attempts
 from courses.enrolment import preview
 from courses.link_settings import written
 from courses.links import allow, change_settings, release_feedback, reports_of
@@ -26,9 +27,9 @@ from service.course_callers import json_response, object_body, settings_in, staf
 from service.course_resources import now
 from service.http.languages import language_of
 from service.http.problems import RequestError
-from service.http.routing import ApiRequest, DirectRoute, api_router
+from service.http.routing import JSON, ApiRequest, DirectRoute, api_router
 from service.resources import resources_of
-from service.wire.courses.course_views import attempt_record, csv_of, with_examples
+from service.wire.courses.course_views import csv_of, json_of, with_examples
 
 router = api_router("courses", route_class=DirectRoute)
 router.include_in_schema = False
@@ -169,15 +170,23 @@ async def resend_scores(request: ApiRequest) -> Response:
     return json_response({"scores": count})
 
 
-@router.get("/course/links/{link}/export.{form}")
-async def export(request: ApiRequest) -> Response:
-    """Return every attempt of a link's students, as CSV or JSON."""
+@router.get("/course/links/{link}/export.csv")
+async def export_csv(request: ApiRequest) -> Response:
+    """Return every attempt of a link's students as CSV."""
+    return await _export(request, csv_of, "text/csv; charset=utf-8")
+
+
+@router.get("/course/links/{link}/export.json")
+async def export_json(request: ApiRequest) -> Response:
+    """Return every attempt of a link's students as JSON."""
+    return await _export(request, json_of, JSON)
+
+
+async def _export(
+    request: ApiRequest, written_as: Callable[[Iterable[ExportedAttempt]], Iterator[bytes]], media: str
+) -> Response:
     staff = await staff_of(request)
     link = await staff.link()
     await staff.log("export", link=link.id)
-    found = exported_attempts(staff.store, link)
-    headers = {"Cache-Control": "no-store"}
-    if request.path_params["form"] == "csv":
-        return StreamingResponse(csv_of(found), media_type="text/csv; charset=utf-8", headers=headers)
-    records = await staff.run(lambda: [attempt_record(each) for each in found])
-    return json_response({"attempts": records})
+    blocks = written_as(exported_attempts(staff.store, link))
+    return StreamingResponse(blocks, media_type=media, headers={"Cache-Control": "no-store"})

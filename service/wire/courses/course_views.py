@@ -9,6 +9,7 @@ from typing import Any
 
 from courses.attempt_export import ExportedAttempt
 from service.wire.courses.session_views import stored_report
+from service.wire.exercises.verdicts import encoded
 
 COLUMNS = (
     "person",
@@ -26,6 +27,8 @@ COLUMNS = (
 )
 PLACES = 6
 """Decimals of scores and points: what floating-point arithmetic leaves behind them is not shown."""
+_BLOCK = 65_536
+"""Bytes that are sent at a time: a thread is asked for every block."""
 _FORMULA = ("=", "+", "-", "@", "\t", "\r")
 
 
@@ -51,8 +54,35 @@ def attempt_record(found: ExportedAttempt) -> dict[str, Any]:
     }
 
 
-def csv_of(attempts: Iterable[ExportedAttempt]) -> Iterator[str]:
-    """Yield the attempts as CSV, a line at a time; no cell is a formula to a spreadsheet."""
+def csv_of(attempts: Iterable[ExportedAttempt]) -> Iterator[bytes]:
+    """Yield the attempts as CSV, block by block; no cell is a formula to a spreadsheet."""
+    return _blocks(line.encode() for line in _lines(attempts))
+
+
+def json_of(attempts: Iterable[ExportedAttempt]) -> Iterator[bytes]:
+    """Yield the attempts as JSON, block by block: those of a large class fit into no memory."""
+    return _blocks(_pieces(attempts))
+
+
+def _blocks(pieces: Iterable[bytes]) -> Iterator[bytes]:
+    block = bytearray()
+    for piece in pieces:
+        block += piece
+        if len(block) >= _BLOCK:
+            yield bytes(block)
+            block.clear()
+    yield bytes(block)
+
+
+def _pieces(attempts: Iterable[ExportedAttempt]) -> Iterator[bytes]:
+    separator = b'{"attempts":['
+    for found in attempts:
+        yield separator + encoded(attempt_record(found))
+        separator = b","
+    yield b"]}" if separator == b"," else separator + b"]}"
+
+
+def _lines(attempts: Iterable[ExportedAttempt]) -> Iterator[str]:
     yield _line(COLUMNS)
     for found in attempts:
         record = attempt_record(found)
