@@ -71,6 +71,22 @@ def test_messages_are_found_as_fluent_finds_them(language: str) -> None:
             assert sentence(language, entry.id.name, named) == whole.format_pattern(pattern, named)[0]
 
 
+@pytest.mark.parametrize(
+    ("language", "one", "many"),
+    [
+        ("en", "1 byte,", "1,024 bytes,"),
+        ("es", "1 byte,", "1.024 bytes,"),
+        ("fr", "1 octet,", "octets,"),
+        ("pt", "1 byte,", "bytes,"),
+        ("ro", "1 octet,", "1.024 de octeți,"),
+        ("uk", "1 байт —", "байти —"),
+    ],
+)
+def test_a_limit_is_counted_as_the_language_counts(language: str, one: str, many: str) -> None:
+    assert one in (sentence(language, "error-body_too_large", {"limit": 1}) or "")
+    assert many in (sentence(language, "error-body_too_large", {"limit": 1024}) or "")
+
+
 def test_an_unknown_message_is_none() -> None:
     assert sentence("ro", "error-of-nobody") is None
 

@@ -246,6 +246,23 @@ def test_a_fault_leaves_the_summary_when_its_cell_is_typed_into(open_page: OpenP
     expect(summary).to_be_hidden()
 
 
+def test_a_refusal_that_concerns_no_cell_accuses_none(open_page: OpenPage, watch: Watch) -> None:
+    """As when somebody is no longer signed in, or all attempts are used."""
+    watch.allow("status of 409")
+    page = open_page("/exercises/scara")
+    put_table(page, dict(SCARA))
+    told = "You have used all attempts."
+    fault = {"code": "attempts_used", "pointer": "", "detail": told, "params": {}}
+    problem = {"type": "about:blank", "title": "No", "status": 409, **fault, "errors": [fault]}
+    page.route("**/grade", lambda route: route.fulfill(status=409, json=problem))
+    page.locator("button[type=submit].primary").click()
+    summary = page.locator("dh-table-editor .editor-summary")
+    expect(summary).to_contain_text(told)
+    expect(summary).to_contain_text("That did not work:")
+    expect(summary).not_to_contain_text("attention")
+    expect(summary).to_be_focused()
+
+
 def test_a_reading_of_an_older_table_says_nothing_of_the_newer(open_page: OpenPage, watch: Watch) -> None:
     page = open_page("/exercises/scara")
     read = Held(page, "**/understand")

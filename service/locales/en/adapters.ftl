@@ -1,6 +1,10 @@
 # Files of students, other systems' autograders, SCORM packages, receipts.
 
-error-file_too_large = { $file } is larger than { $limit } bytes; a table takes a few kilobytes.
+error-file_too_large =
+    { $file } is larger than { $limit ->
+        [one] { $limit } byte
+       *[other] { $limit } bytes
+    }; a table takes a few kilobytes.
 error-file_missing = There is no file or folder { $file }.
 error-grade_path_needed = A file, a folder or a zip archive is needed: - or nothing stands for the standard input only with --for.
 error-file_unreadable = { $file } cannot be read: { $reason }.

@@ -3,12 +3,20 @@ error-text_too_long = The text is too long; at most { $limit } characters are al
 error-text_control_character = The text holds the control character { $found }, which cannot be seen. Delete it.
 error-statement_not_text = The statement is not valid UTF-8 text.
 error-draft_too_large = The definition is larger than one of a robot can be: a table or a list has at most { $entries } entries, all together have { $values }, and they are nested { $deepest } deep at most.
-error-archive_too_large = The archive is too large; one exercise has at most { $limit } bytes.
+error-archive_too_large =
+    The archive is too large; one exercise has at most { $limit ->
+        [one] { $limit } byte
+       *[other] { $limit } bytes
+    }.
 error-archive_not_zip = This is not a readable zip archive.
 error-archive_too_many_files = The archive holds { $count } files; the folder of an exercise has at most { $limit }.
 error-archive_entry = { $name } does not belong to an exercise: one folder with { $known } and statement.<language>.md files, and nothing else.
 error-archive_method = { $name } is encrypted or compressed in a way that is not read here. Use a plain zip.
-error-archive_file_too_large = { $name } is too large; a file of an exercise has at most { $limit } bytes.
+error-archive_file_too_large =
+    { $name } is too large; a file of an exercise has at most { $limit ->
+        [one] { $limit } byte
+       *[other] { $limit } bytes
+    }.
 error-archive_no_exercise = The archive holds no exercise: one folder with { $known } is expected.
 error-source_form = An exercise is started from one of { $known }.
 error-drawing_too_many_axes = There are { $count } axes; at most { $limit } can be drawn.

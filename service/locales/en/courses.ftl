@@ -46,5 +46,9 @@ error-publishing_closed =
 error-link_without_exercise = No exercise has been chosen for this link yet. A teacher chooses it by opening the link.
 error-invitation_used = This registration address has been used already, or is too old. Ask for a new one.
 error-storage_off = This installation keeps no courses: its storage is switched off.
-error-posted_form_too_large = The form is larger than { $limit } bytes.
+error-posted_form_too_large =
+    The form is larger than { $limit ->
+        [one] { $limit } byte
+       *[other] { $limit } bytes
+    }.
 error-form_invalid = The body is not a form (application/x-www-form-urlencoded).

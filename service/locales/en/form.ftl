@@ -90,6 +90,7 @@ form-row-moved = Row { $row } is now row { $to }
 form-row-cell = row { $row }, { $name }
 form-cell-label = Row { $row }, { $name } [{ $unit }]
 form-cell-empty = Empty: write 0 if it is zero.
+form-refused = That did not work:
 form-faults =
     { $count ->
         [one] One cell needs your attention:

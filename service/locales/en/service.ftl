@@ -29,7 +29,11 @@ error-media_type_unsupported =
        *[other] The body is declared as { $given }.
     } This call reads { $offers }: say so in the header Content-Type.
 error-not_acceptable = This call answers in { $offers }; the Accept header allows none of these.
-error-body_too_large = The body is larger than { $limit } bytes, the most that this call reads.
+error-body_too_large =
+    The body is larger than { $limit ->
+        [one] { $limit } byte
+       *[other] { $limit } bytes
+    }, the most that this call reads.
 error-method_not_allowed = This address supports { $allowed }, not { $method }.
 error-address_unknown = There is nothing at { $path }. The document /api/v1/openapi.json lists every call.
 error-problem_unknown = No refusal has the code { $code }.
@@ -85,7 +89,11 @@ error-npy_header_invalid =
         [header] its header must be complete, at most 4096 bytes long, and name descr, fortran_order and shape
        *[shape] its shape must be a tuple of sizes that an array can have
     }.
-error-npy_length_mismatch = The npy header declares { $promised } bytes of data; { $present } follow it.
+error-npy_length_mismatch =
+    The npy header declares { $promised ->
+        [one] { $promised } byte
+       *[other] { $promised } bytes
+    } of data; { $present } follow it.
 error-npy_object_refused = The npy file holds Python objects, which are never unpickled. Send an array of numbers.
 error-npy_type_unsupported = The npy file holds { $type }. Send real numbers, such as float64 (<f8).
 error-npy_one_part = An npy file holds one array. Name one part: { $allowed }.

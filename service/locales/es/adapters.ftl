@@ -1,6 +1,10 @@
 # Ficheros de estudiantes, correctores de otros sistemas, paquetes SCORM, comprobantes.
 
-error-file_too_large = { $file } ocupa más de { $limit } bytes; una tabla ocupa unos pocos kilobytes.
+error-file_too_large =
+    { $file } ocupa más de { $limit ->
+        [one] { $limit } byte
+       *[other] { $limit } bytes
+    }; una tabla ocupa unos pocos kilobytes.
 error-file_missing = No existe ningún archivo ni carpeta { $file }.
 error-grade_path_needed = Hace falta un archivo, una carpeta o un archivo zip: solo con --for, - o nada representa la entrada estándar.
 error-file_unreadable = No se puede leer { $file }: { $reason }.

@@ -3,12 +3,20 @@ error-text_too_long = El texto es demasiado largo; se admiten como máximo { $li
 error-text_control_character = El texto contiene el carácter de control { $found }, que no se ve. Bórrelo.
 error-statement_not_text = El enunciado no es texto en UTF-8.
 error-draft_too_large = La definición es mayor de lo que puede ser la de un robot: una tabla o lista tiene como máximo { $entries } entradas, todas juntas { $values }, y se anidan como máximo { $deepest } niveles.
-error-archive_too_large = El archivo comprimido es demasiado grande; un ejercicio ocupa como máximo { $limit } bytes.
+error-archive_too_large =
+    El archivo comprimido es demasiado grande; un ejercicio ocupa como máximo { $limit ->
+        [one] { $limit } byte
+       *[other] { $limit } bytes
+    }.
 error-archive_not_zip = Esto no es un archivo zip legible.
 error-archive_too_many_files = El archivo comprimido contiene { $count } archivos; la carpeta de un ejercicio tiene como máximo { $limit }.
 error-archive_entry = { $name } no forma parte de un ejercicio: una carpeta con { $known } y archivos statement.<idioma>.md, y nada más.
 error-archive_method = { $name } está cifrado o comprimido de una forma que aquí no se lee. Use un zip corriente.
-error-archive_file_too_large = { $name } es demasiado grande; un archivo de un ejercicio tiene como máximo { $limit } bytes.
+error-archive_file_too_large =
+    { $name } es demasiado grande; un archivo de un ejercicio tiene como máximo { $limit ->
+        [one] { $limit } byte
+       *[other] { $limit } bytes
+    }.
 error-archive_no_exercise = El archivo comprimido no contiene ningún ejercicio: se espera una carpeta con { $known }.
 error-source_form = Un ejercicio se empieza a partir de uno de { $known }.
 error-drawing_too_many_axes = Hay { $count } ejes; se pueden dibujar como máximo { $limit }.

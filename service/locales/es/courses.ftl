@@ -46,5 +46,9 @@ error-publishing_closed =
 error-link_without_exercise = Todavía no se ha elegido un ejercicio para este enlace. Lo elige un docente al abrir el enlace.
 error-invitation_used = Esta dirección de registro ya se ha usado o es demasiado antigua. Pida una nueva.
 error-storage_off = Esta instalación no guarda cursos: su almacenamiento está desactivado.
-error-posted_form_too_large = El formulario supera los { $limit } bytes.
+error-posted_form_too_large =
+    El formulario supera los { $limit ->
+        [one] { $limit } byte
+       *[other] { $limit } bytes
+    }.
 error-form_invalid = El cuerpo no es un formulario (application/x-www-form-urlencoded).

@@ -90,6 +90,7 @@ form-row-moved = La fila { $row } es ahora la fila { $to }
 form-row-cell = fila { $row }, { $name }
 form-cell-label = Fila { $row }, { $name } [{ $unit }]
 form-cell-empty = Vacía: escriba 0 si es cero.
+form-refused = No ha sido posible:
 form-faults =
     { $count ->
         [one] Hay que revisar una celda:

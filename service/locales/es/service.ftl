@@ -29,7 +29,11 @@ error-media_type_unsupported =
        *[other] El cuerpo se anuncia como { $given }.
     } Esta llamada lee { $offers }: indíquelo en la cabecera Content-Type.
 error-not_acceptable = Esta llamada responde en { $offers }; la cabecera Accept lo excluye todo.
-error-body_too_large = El cuerpo tiene más de { $limit } bytes, lo máximo que lee esta llamada.
+error-body_too_large =
+    El cuerpo tiene más de { $limit ->
+        [one] { $limit } byte
+       *[other] { $limit } bytes
+    }, lo máximo que lee esta llamada.
 error-method_not_allowed = Esta dirección conoce { $allowed }, pero no { $method }.
 error-address_unknown = No hay nada en { $path }. El documento /api/v1/openapi.json enumera todas las llamadas.
 error-problem_unknown = Ningún rechazo tiene el código { $code }.
@@ -85,7 +89,11 @@ error-npy_header_invalid =
         [header] su cabecera debe estar completa, tener como máximo 4096 bytes y nombrar descr, fortran_order y shape
        *[shape] shape debe ser una tupla de dimensiones que pueda tener un array
     }.
-error-npy_length_mismatch = La cabecera npy promete { $promised } bytes de datos; le siguen { $present }.
+error-npy_length_mismatch =
+    La cabecera npy promete { $promised ->
+        [one] { $promised } byte
+       *[other] { $promised } bytes
+    } de datos; le siguen { $present }.
 error-npy_object_refused = El archivo npy contiene objetos de Python, que nunca se deserializan. Envíe una matriz de números.
 error-npy_type_unsupported = El archivo npy contiene { $type }. Envíe números reales, como float64 (<f8).
 error-npy_one_part = Un archivo npy contiene una sola matriz. Nombre una parte: { $allowed }.

@@ -1,6 +1,10 @@
 # Fichiers d’étudiants, correcteurs d’autres systèmes, paquets SCORM, reçus.
 
-error-file_too_large = { $file } dépasse { $limit } octets ; un tableau tient en quelques kilooctets.
+error-file_too_large =
+    { $file } dépasse { $limit ->
+        [one] { $limit } octet
+       *[other] { $limit } octets
+    } ; un tableau tient en quelques kilooctets.
 error-file_missing = Il n’y a ni fichier ni dossier { $file }.
 error-grade_path_needed = Il faut un fichier, un dossier ou une archive zip : - ou rien ne désigne l’entrée standard qu’avec --for.
 error-file_unreadable = { $file } ne peut pas être lu : { $reason }.

@@ -3,12 +3,20 @@ error-text_too_long = Le texte est trop long ; { $limit } caractères au plus s
 error-text_control_character = Le texte contient le caractère de contrôle { $found }, qui ne se voit pas. Supprimez-le.
 error-statement_not_text = L’énoncé n’est pas un texte en UTF-8.
 error-draft_too_large = La définition est plus grande que celle d’un robot peut l’être : une table ou une liste a { $entries } entrées au plus, toutes ensemble { $values }, sur { $deepest } niveaux au plus.
-error-archive_too_large = L’archive est trop grande ; un exercice a { $limit } octets au plus.
+error-archive_too_large =
+    L’archive est trop grande ; un exercice a { $limit ->
+        [one] { $limit } octet
+       *[other] { $limit } octets
+    } au plus.
 error-archive_not_zip = Ce n’est pas une archive zip lisible.
 error-archive_too_many_files = L’archive contient { $count } fichiers ; le dossier d’un exercice en a { $limit } au plus.
 error-archive_entry = { $name } ne fait pas partie d’un exercice : un dossier avec { $known } et des fichiers statement.<langue>.md, et rien d’autre.
 error-archive_method = { $name } est chiffré ou compressé d’une manière qui n’est pas lue ici. Utilisez un zip ordinaire.
-error-archive_file_too_large = { $name } est trop grand ; un fichier d’un exercice a { $limit } octets au plus.
+error-archive_file_too_large =
+    { $name } est trop grand ; un fichier d’un exercice a { $limit ->
+        [one] { $limit } octet
+       *[other] { $limit } octets
+    } au plus.
 error-archive_no_exercise = L’archive ne contient pas d’exercice : un dossier avec { $known } est attendu.
 error-source_form = Un exercice se commence à partir de l’un de { $known }.
 error-drawing_too_many_axes = Il y a { $count } axes ; on peut en dessiner { $limit } au plus.

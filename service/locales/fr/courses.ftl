@@ -46,5 +46,9 @@ error-publishing_closed =
 error-link_without_exercise = Aucun exercice n’a encore été choisi pour ce lien. Un enseignant le choisit en ouvrant le lien.
 error-invitation_used = Cette adresse d’enregistrement a déjà servi ou est trop ancienne. Demandez-en une nouvelle.
 error-storage_off = Cette installation ne conserve pas de cours : son stockage est désactivé.
-error-posted_form_too_large = Le formulaire dépasse { $limit } octets.
+error-posted_form_too_large =
+    Le formulaire dépasse { $limit ->
+        [one] { $limit } octet
+       *[other] { $limit } octets
+    }.
 error-form_invalid = Le corps n’est pas un formulaire (application/x-www-form-urlencoded).

@@ -90,6 +90,7 @@ form-row-moved = La ligne { $row } est maintenant la ligne { $to }
 form-row-cell = ligne { $row }, { $name }
 form-cell-label = Ligne { $row }, { $name } [{ $unit }]
 form-cell-empty = Vide : écrivez 0 si c’est zéro.
+form-refused = Cela n’a pas fonctionné :
 form-faults =
     { $count ->
         [one] Une cellule est à revoir :

@@ -29,7 +29,11 @@ error-media_type_unsupported =
        *[other] Le corps est annoncé comme { $given }.
     } Cet appel lit { $offers } : indiquez-le dans l’en-tête Content-Type.
 error-not_acceptable = Cet appel répond en { $offers } ; l’en-tête Accept exclut tout cela.
-error-body_too_large = Le corps dépasse { $limit } octets, le maximum que lit cet appel.
+error-body_too_large =
+    Le corps dépasse { $limit ->
+        [one] { $limit } octet
+       *[other] { $limit } octets
+    }, le maximum que lit cet appel.
 error-method_not_allowed = Cette adresse connaît { $allowed }, mais pas { $method }.
 error-address_unknown = Il n’y a rien à { $path }. Le document /api/v1/openapi.json énumère tous les appels.
 error-problem_unknown = Aucun refus n’a le code { $code }.
@@ -85,7 +89,11 @@ error-npy_header_invalid =
         [header] son en-tête doit être complet, compter au plus 4096 octets et nommer descr, fortran_order et shape
        *[shape] shape doit être un n-uplet de dimensions qu’un tableau peut avoir
     }.
-error-npy_length_mismatch = L’en-tête npy promet { $promised } octets de données ; il en suit { $present }.
+error-npy_length_mismatch =
+    L’en-tête npy promet { $promised ->
+        [one] { $promised } octet
+       *[other] { $promised } octets
+    } de données ; il en suit { $present }.
 error-npy_object_refused = Le fichier npy contient des objets Python, qui ne sont jamais désérialisés. Envoyez un tableau de nombres.
 error-npy_type_unsupported = Le fichier npy contient { $type }. Envoyez des nombres réels, par exemple float64 (<f8).
 error-npy_one_part = Un fichier npy contient un seul tableau. Nommez une partie : { $allowed }.

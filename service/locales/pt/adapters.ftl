@@ -1,6 +1,10 @@
 # Ficheiros de estudantes, avaliadores de outros sistemas, pacotes SCORM, recibos.
 
-error-file_too_large = { $file } ocupa mais de { $limit } bytes; uma tabela ocupa poucos quilobytes.
+error-file_too_large =
+    { $file } ocupa mais de { $limit ->
+        [one] { $limit } byte
+       *[other] { $limit } bytes
+    }; uma tabela ocupa poucos quilobytes.
 error-file_missing = Não existe nenhum ficheiro nem pasta { $file }.
 error-grade_path_needed = É preciso um ficheiro, uma pasta ou um arquivo zip: só com --for é que - ou nada representa a entrada padrão.
 error-file_unreadable = Não é possível ler { $file }: { $reason }.

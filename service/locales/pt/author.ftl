@@ -3,12 +3,20 @@ error-text_too_long = O texto é demasiado longo; são admitidos no máximo { $l
 error-text_control_character = O texto contém o carácter de controlo { $found }, que não se vê. Apague-o.
 error-statement_not_text = O enunciado não é texto em UTF-8.
 error-draft_too_large = A definição é maior do que a de um robô pode ser: uma tabela ou lista tem no máximo { $entries } entradas, todas juntas { $values }, e no máximo { $deepest } níveis.
-error-archive_too_large = O arquivo é demasiado grande; um exercício tem no máximo { $limit } bytes.
+error-archive_too_large =
+    O arquivo é demasiado grande; um exercício tem no máximo { $limit ->
+        [one] { $limit } byte
+       *[other] { $limit } bytes
+    }.
 error-archive_not_zip = Isto não é um arquivo zip legível.
 error-archive_too_many_files = O arquivo contém { $count } ficheiros; a pasta de um exercício tem no máximo { $limit }.
 error-archive_entry = { $name } não pertence a um exercício: uma pasta com { $known } e ficheiros statement.<língua>.md, e nada mais.
 error-archive_method = { $name } está cifrado ou comprimido de uma forma que aqui não se lê. Use um zip comum.
-error-archive_file_too_large = { $name } é demasiado grande; um ficheiro de um exercício tem no máximo { $limit } bytes.
+error-archive_file_too_large =
+    { $name } é demasiado grande; um ficheiro de um exercício tem no máximo { $limit ->
+        [one] { $limit } byte
+       *[other] { $limit } bytes
+    }.
 error-archive_no_exercise = O arquivo não contém nenhum exercício: espera-se uma pasta com { $known }.
 error-source_form = Um exercício começa a partir de um de { $known }.
 error-drawing_too_many_axes = Há { $count } eixos; podem desenhar-se no máximo { $limit }.

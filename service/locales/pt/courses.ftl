@@ -46,5 +46,9 @@ error-publishing_closed =
 error-link_without_exercise = Ainda não foi escolhido um exercício para esta ligação. Um docente escolhe-o ao abrir a ligação.
 error-invitation_used = Este endereço de registo já foi usado ou é demasiado antigo. Peça um novo.
 error-storage_off = Esta instalação não guarda disciplinas: o seu armazenamento está desligado.
-error-posted_form_too_large = O formulário tem mais de { $limit } bytes.
+error-posted_form_too_large =
+    O formulário tem mais de { $limit ->
+        [one] { $limit } byte
+       *[other] { $limit } bytes
+    }.
 error-form_invalid = O corpo não é um formulário (application/x-www-form-urlencoded).

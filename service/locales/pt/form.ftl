@@ -90,6 +90,7 @@ form-row-moved = A linha { $row } é agora a linha { $to }
 form-row-cell = linha { $row }, { $name }
 form-cell-label = Linha { $row }, { $name } [{ $unit }]
 form-cell-empty = Vazia: escreva 0 se for zero.
+form-refused = Não foi possível:
 form-faults =
     { $count ->
         [one] Uma célula precisa de atenção:

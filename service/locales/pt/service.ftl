@@ -29,7 +29,11 @@ error-media_type_unsupported =
        *[other] O corpo é anunciado como { $given }.
     } Esta chamada lê { $offers }: indique-o no cabeçalho Content-Type.
 error-not_acceptable = Esta chamada responde em { $offers }; o cabeçalho Accept exclui tudo isso.
-error-body_too_large = O corpo tem mais de { $limit } bytes, o máximo que esta chamada lê.
+error-body_too_large =
+    O corpo tem mais de { $limit ->
+        [one] { $limit } byte
+       *[other] { $limit } bytes
+    }, o máximo que esta chamada lê.
 error-method_not_allowed = Este endereço conhece { $allowed }, mas não { $method }.
 error-address_unknown = Não há nada em { $path }. O documento /api/v1/openapi.json lista todas as chamadas.
 error-problem_unknown = Nenhuma recusa tem o código { $code }.
@@ -85,7 +89,11 @@ error-npy_header_invalid =
         [header] o cabeçalho tem de estar completo, ter no máximo 4096 bytes e indicar descr, fortran_order e shape
        *[shape] shape tem de ser um tuplo de dimensões que um array possa ter
     }.
-error-npy_length_mismatch = O cabeçalho npy promete { $promised } bytes de dados; seguem-se { $present }.
+error-npy_length_mismatch =
+    O cabeçalho npy promete { $promised ->
+        [one] { $promised } byte
+       *[other] { $promised } bytes
+    } de dados; seguem-se { $present }.
 error-npy_object_refused = O ficheiro npy contém objetos Python, que nunca são desserializados. Envie uma matriz de números.
 error-npy_type_unsupported = O ficheiro npy contém { $type }. Envie números reais, como float64 (<f8).
 error-npy_one_part = Um ficheiro npy contém uma só matriz. Indique uma parte: { $allowed }.

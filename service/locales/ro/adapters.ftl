@@ -1,6 +1,11 @@
 # Fișiere ale studenților, evaluatori ai altor sisteme, pachete SCORM, recipise.
 
-error-file_too_large = { $file } depășește { $limit } octeți; un tabel ocupă câțiva kiloocteți.
+error-file_too_large =
+    { $file } depășește { $limit ->
+        [one] { $limit } octet
+        [few] { $limit } octeți
+       *[other] { $limit } de octeți
+    }; un tabel ocupă câțiva kiloocteți.
 error-file_missing = Nu există niciun fișier sau dosar { $file }.
 error-grade_path_needed = Este nevoie de un fișier, un dosar sau o arhivă zip: doar cu --for, - sau nimic înseamnă intrarea standard.
 error-file_unreadable = { $file } nu poate fi citit: { $reason }.

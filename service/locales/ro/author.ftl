@@ -3,12 +3,22 @@ error-text_too_long = Textul este prea lung; sunt admise cel mult { $limit } car
 error-text_control_character = Textul conține caracterul de control { $found }, care nu se vede. Ștergeți-l.
 error-statement_not_text = Enunțul nu este text în UTF-8.
 error-draft_too_large = Definiția este mai mare decât poate fi cea a unui robot: un tabel sau o listă are cel mult { $entries } intrări, toate împreună { $values }, pe cel mult { $deepest } niveluri.
-error-archive_too_large = Arhiva este prea mare; un exercițiu are cel mult { $limit } octeți.
+error-archive_too_large =
+    Arhiva este prea mare; un exercițiu are cel mult { $limit ->
+        [one] { $limit } octet
+        [few] { $limit } octeți
+       *[other] { $limit } de octeți
+    }.
 error-archive_not_zip = Aceasta nu este o arhivă zip care poate fi citită.
 error-archive_too_many_files = Arhiva conține { $count } fișiere; dosarul unui exercițiu are cel mult { $limit }.
 error-archive_entry = { $name } nu aparține unui exercițiu: un dosar cu { $known } și fișiere statement.<limbă>.md, și nimic altceva.
 error-archive_method = { $name } este criptat sau comprimat într-un mod care nu se citește aici. Folosiți un zip obișnuit.
-error-archive_file_too_large = { $name } este prea mare; un fișier al unui exercițiu are cel mult { $limit } octeți.
+error-archive_file_too_large =
+    { $name } este prea mare; un fișier al unui exercițiu are cel mult { $limit ->
+        [one] { $limit } octet
+        [few] { $limit } octeți
+       *[other] { $limit } de octeți
+    }.
 error-archive_no_exercise = Arhiva nu conține niciun exercițiu: se așteaptă un dosar cu { $known }.
 error-source_form = Un exercițiu se începe de la una dintre { $known }.
 error-drawing_too_many_axes = Sunt { $count } axe; se pot desena cel mult { $limit }.

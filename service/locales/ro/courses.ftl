@@ -47,5 +47,10 @@ error-publishing_closed =
 error-link_without_exercise = Pentru această legătură nu s-a ales încă un exercițiu. Un profesor îl alege deschizând legătura.
 error-invitation_used = Această adresă de înregistrare a fost deja folosită sau este prea veche. Cereți una nouă.
 error-storage_off = Această instalare nu păstrează cursuri: stocarea ei este oprită.
-error-posted_form_too_large = Formularul depășește { $limit } octeți.
+error-posted_form_too_large =
+    Formularul depășește { $limit ->
+        [one] { $limit } octet
+        [few] { $limit } octeți
+       *[other] { $limit } de octeți
+    }.
 error-form_invalid = Corpul nu este un formular (application/x-www-form-urlencoded).

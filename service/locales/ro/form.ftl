@@ -92,6 +92,7 @@ form-row-moved = Rândul { $row } este acum rândul { $to }
 form-row-cell = rândul { $row }, { $name }
 form-cell-label = Rândul { $row }, { $name } [{ $unit }]
 form-cell-empty = Gol: scrieți 0 dacă este zero.
+form-refused = Nu a reușit:
 form-faults =
     { $count ->
         [one] O celulă trebuie corectată:

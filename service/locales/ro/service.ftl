@@ -29,7 +29,12 @@ error-media_type_unsupported =
        *[other] Corpul este anunțat ca { $given }.
     } Acest apel citește { $offers }: precizați aceasta în antetul Content-Type.
 error-not_acceptable = Acest apel răspunde în { $offers }; antetul Accept le exclude pe toate.
-error-body_too_large = Corpul are mai mult de { $limit } octeți, cât citește cel mult acest apel.
+error-body_too_large =
+    Corpul are mai mult de { $limit ->
+        [one] { $limit } octet
+        [few] { $limit } octeți
+       *[other] { $limit } de octeți
+    }, cât citește cel mult acest apel.
 error-method_not_allowed = Această adresă cunoaște { $allowed }, dar nu și { $method }.
 error-address_unknown = La { $path } nu există nimic. Documentul /api/v1/openapi.json enumeră toate apelurile.
 error-problem_unknown = Niciun refuz nu are codul { $code }.
@@ -89,7 +94,12 @@ error-npy_header_invalid =
         [header] antetul trebuie să fie complet, să aibă cel mult 4096 de octeți și să numească descr, fortran_order și shape
        *[shape] shape trebuie să fie un tuplu de dimensiuni pe care le poate avea un tablou
     }.
-error-npy_length_mismatch = Antetul npy promite { $promised } octeți de date; urmează { $present }.
+error-npy_length_mismatch =
+    Antetul npy promite { $promised ->
+        [one] { $promised } octet
+        [few] { $promised } octeți
+       *[other] { $promised } de octeți
+    } de date; urmează { $present }.
 error-npy_object_refused = Fișierul npy conține obiecte Python, care nu sunt niciodată deserializate. Trimiteți un tablou de numere.
 error-npy_type_unsupported = Fișierul npy conține { $type }. Trimiteți numere reale, de exemplu float64 (<f8).
 error-npy_one_part = Un fișier npy conține un singur tablou. Numiți o singură parte: { $allowed }.

@@ -1,6 +1,11 @@
 # Файли студентів, перевірники інших систем, пакети SCORM, квитанції.
 
-error-file_too_large = { $file } займає понад { $limit } байтів; таблиця займає кілька кілобайтів.
+error-file_too_large =
+    { $file } займає понад { $limit ->
+        [one] { $limit } байт
+        [few] { $limit } байти
+       *[other] { $limit } байтів
+    }; таблиця займає кілька кілобайтів.
 error-file_missing = Файлу чи теки { $file } немає.
 error-grade_path_needed = Потрібен файл, тека або архів zip: лише з --for дефіс або відсутність аргументу означає стандартний ввід.
 error-file_unreadable = { $file } не вдається прочитати: { $reason }.

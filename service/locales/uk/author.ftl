@@ -3,12 +3,22 @@ error-text_too_long = Текст задовгий; дозволено щонай
 error-text_control_character = Текст містить керівний символ { $found }, якого не видно. Вилучіть його.
 error-statement_not_text = Умова не є текстом у кодуванні UTF-8.
 error-draft_too_large = Опис більший, ніж може бути опис робота: таблиця чи список має щонайбільше { $entries } записів, усі разом — { $values }, а вкладеність не перевищує { $deepest }.
-error-archive_too_large = Архів завеликий; вправа має щонайбільше { $limit } байтів.
+error-archive_too_large =
+    Архів завеликий; вправа має щонайбільше { $limit ->
+        [one] { $limit } байт
+        [few] { $limit } байти
+       *[other] { $limit } байтів
+    }.
 error-archive_not_zip = Це не zip-архів, який можна прочитати.
 error-archive_too_many_files = Архів містить { $count } файлів; у теці вправи їх щонайбільше { $limit }.
 error-archive_entry = { $name } не належить до вправи: одна тека з { $known } і файлами statement.<мова>.md, і більше нічого.
 error-archive_method = { $name } зашифровано або стиснуто способом, який тут не читається. Візьміть звичайний zip.
-error-archive_file_too_large = { $name } завеликий; файл вправи має щонайбільше { $limit } байтів.
+error-archive_file_too_large =
+    { $name } завеликий; файл вправи має щонайбільше { $limit ->
+        [one] { $limit } байт
+        [few] { $limit } байти
+       *[other] { $limit } байтів
+    }.
 error-archive_no_exercise = В архіві немає вправи: очікується одна тека з { $known }.
 error-source_form = Вправу починають з одного з: { $known }.
 error-drawing_too_many_axes = Осей { $count }; накреслити можна щонайбільше { $limit }.

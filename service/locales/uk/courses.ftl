@@ -47,5 +47,10 @@ error-publishing_closed =
 error-link_without_exercise = Для цього посилання ще не вибрано вправи. Її вибирає викладач, відкривши посилання.
 error-invitation_used = Цю адресу реєстрації вже використано, або вона застаріла. Попросіть нову.
 error-storage_off = Ця установка не зберігає курсів: сховище вимкнено.
-error-posted_form_too_large = Форма більша за { $limit } байт.
+error-posted_form_too_large =
+    Форма більша за { $limit ->
+        [one] { $limit } байт
+        [few] { $limit } байти
+       *[other] { $limit } байтів
+    }.
 error-form_invalid = Тіло запиту не є формою (application/x-www-form-urlencoded).

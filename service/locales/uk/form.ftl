@@ -94,6 +94,7 @@ form-row-moved = Рядок { $row } тепер рядок { $to }
 form-row-cell = рядок { $row }, { $name }
 form-cell-label = Рядок { $row }, { $name } [{ $unit }]
 form-cell-empty = Порожньо: якщо нуль, напишіть 0.
+form-refused = Не вдалося:
 form-faults =
     { $count ->
         [one] { $count } клітинка потребує уваги:

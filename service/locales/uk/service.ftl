@@ -29,7 +29,12 @@ error-media_type_unsupported =
        *[other] Тіло запиту оголошено як { $given }.
     } Цей виклик читає { $offers }: зазначте це в заголовку Content-Type.
 error-not_acceptable = Цей виклик відповідає у форматі { $offers }; заголовок Accept виключає все це.
-error-body_too_large = Тіло запиту більше за { $limit } байт — найбільше, що читає цей виклик.
+error-body_too_large =
+    Тіло запиту більше за { $limit ->
+        [one] { $limit } байт
+        [few] { $limit } байти
+       *[other] { $limit } байтів
+    } — найбільше, що читає цей виклик.
 error-method_not_allowed = Ця адреса знає { $allowed }, але не { $method }.
 error-address_unknown = За адресою { $path } нічого немає. Усі виклики перелічено в документі /api/v1/openapi.json.
 error-problem_unknown = Жодна відмова не має коду { $code }.
@@ -89,7 +94,12 @@ error-npy_header_invalid =
         [header] його заголовок має бути повним, не довшим за 4096 байт і називати descr, fortran_order і shape
        *[shape] shape має бути кортежем розмірів, які може мати масив
     }.
-error-npy_length_mismatch = Заголовок npy обіцяє { $promised } байт даних; за ним іде { $present }.
+error-npy_length_mismatch =
+    Заголовок npy обіцяє { $promised ->
+        [one] { $promised } байт
+        [few] { $promised } байти
+       *[other] { $promised } байтів
+    } даних; за ним іде { $present }.
 error-npy_object_refused = Файл npy містить об’єкти Python, які ніколи не десеріалізуються. Надішліть масив чисел.
 error-npy_type_unsupported = Файл npy містить { $type }. Надішліть дійсні числа, наприклад float64 (<f8).
 error-npy_one_part = Файл npy містить один масив. Назвіть одну частину: { $allowed }.

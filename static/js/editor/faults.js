@@ -103,7 +103,8 @@ export class Faults {
 
   #count() {
     this.summary.hidden = this.#refused.length === 0;
-    if (this.#refused.length) this.title.textContent = t("form-faults", { count: this.#refused.length });
+    const count = this.#refused.filter(({ row }) => row >= 0).length;
+    if (this.#refused.length) this.title.textContent = count ? t("form-faults", { count }) : t("form-refused");
   }
 
   /** @param {any} options @param {string} convention */
