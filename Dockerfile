@@ -23,10 +23,12 @@ RUN apt-get update \
     && apt-get install --yes --no-install-recommends binutils \
     && rm -rf /var/lib/apt/lists/*
 WORKDIR /build
-COPY requirements.lock ./
+COPY requirements.lock requirements-telemetry.lock ./
+# With traces: docker build --build-arg LOCK=requirements-telemetry.lock .
+ARG LOCK
 RUN python -m venv /opt/framewise \
     && /opt/framewise/bin/pip install --no-cache-dir --no-compile --disable-pip-version-check --require-hashes \
-       --only-binary :all: -r requirements.lock \
+       --only-binary :all: -r "${LOCK:-requirements.lock}" \
     && /opt/framewise/bin/python -m pip uninstall --yes setuptools pip \
     && find /opt/framewise -path '*/babel/locale-data/*.dat' ! -name root.dat ! -name en.dat ! -name es.dat \
        ! -name fr.dat ! -name pt.dat ! -name ro.dat ! -name uk.dat -delete \

@@ -65,7 +65,8 @@ accessibility: $(VENV)/.dev vendor ## axe-core on every page at every width in a
 	EVERYTHING=1 $(PY) -m pytest -n 0 tests/web/test_accessibility.py
 
 lock: $(VENV)/.dev ## renew the hash locks from pyproject.toml
-	for lock in "requirements.lock" "requirements-dev.lock --group dev" ; do \
+	for lock in "requirements.lock" "requirements-telemetry.lock --extra telemetry --constraint requirements.lock" \
+	  "requirements-dev.lock --group dev" ; do \
 	  $(PY) -m uv pip compile pyproject.toml --universal --generate-hashes --no-header --no-annotate \
 	    --python-version 3.11 --quiet -o $$lock ; done
 	$(PY) -m uv pip compile --group node --universal --generate-hashes --no-header --no-annotate \

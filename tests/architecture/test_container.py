@@ -229,6 +229,20 @@ def test_everything_is_installed_from_hash_locks() -> None:
     assert all("--require-hashes" in install for install in installs)
 
 
+def test_an_image_can_be_built_that_sends_traces() -> None:
+    """By its own lock: the service's packages as they are, and those of the extra beside them."""
+
+    def locked(name: str) -> set[str]:
+        return set(re.findall(r"^\S+==\S+", (ROOT / name).read_text(encoding="utf-8"), flags=re.MULTILINE))
+
+    added = locked("requirements-telemetry.lock") - locked("requirements.lock")
+    assert locked("requirements.lock") <= locked("requirements-telemetry.lock")
+    named = {line.partition("==")[0] for line in added}
+    assert {"opentelemetry-sdk", "opentelemetry-exporter-otlp-proto-http"} <= named
+    (install,) = (rest for key, rest in stages()["packages"].steps if key == "RUN" and "pip install" in rest)
+    assert '-r "${LOCK:-requirements.lock}"' in install
+
+
 def test_the_image_holds_what_it_serves_and_nothing_more(image: Path) -> None:
     app = image / "app"
     assert {path.name for path in app.iterdir()} == {

@@ -83,6 +83,22 @@ def test_the_outermost_proxy_says_itself_where_a_request_comes_from() -> None:
     ]
 
 
+def test_the_image_is_named_in_one_place() -> None:
+    kustomization = yaml.safe_load((FOLDER / "kustomization.yaml").read_text(encoding="utf-8"))
+    (ours,) = kustomization["images"]
+    assert ours["newTag"]
+    images = [container["image"] for pod in pods(MANIFESTS) for container in pod["containers"]]
+    assert sum(image.partition(":")[0] == ours["name"] for image in images) == 3
+
+
+def test_a_job_of_an_older_version_stands_in_nobodys_way_for_long() -> None:
+    """Kubernetes refuses to change one: the manifests of a new version could not be applied for a day."""
+    (job,) = (found for found in MANIFESTS if found["kind"] == "Job")
+    assert job["spec"]["ttlSecondsAfterFinished"] <= 600
+    told = (ROOT / "docs" / "operations.md").read_text(encoding="utf-8")
+    assert f"kubectl delete job {job['metadata']['name']} --ignore-not-found" in told
+
+
 def test_labels_select_the_pods_that_they_mean() -> None:
     by_kind = {found["kind"]: found for found in MANIFESTS if found["metadata"]["name"] == "framewise"}
     labels = by_kind["Deployment"]["spec"]["template"]["metadata"]["labels"]
