@@ -20,7 +20,7 @@ from courses.attempts import Code, attempt_of, finding_rows, path_of_codes
 from courses.links import regrade_people
 from courses.model import Attempt
 from courses.refusals import unknown_record
-from courses.statements import record_of
+from courses.statements import insert_all_once, record_of
 from courses.storage import Store
 
 _RUN, _DONE, _ATTEMPT = records.regrading, records.regraded, records.attempt
@@ -78,8 +78,9 @@ def rejudge(store: Store, run: int, judge: Judge) -> int:
             continue
         found = judge(batch)
         with store.writing() as connection:
-            connection.execute(
-                sa.insert(_DONE),
+            insert_all_once(  # another lecturer may have asked for the same meanwhile
+                connection,
+                _DONE,
                 [
                     {
                         "regrading_id": run,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import csv
 import json
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
 
 import pytest
@@ -15,7 +15,7 @@ from courses.attempt_export import ExportedAttempt, exported_attempts
 from courses.attempts import path_of_codes
 from courses.judged import AttemptFilter, attempts_behind
 from courses.links import change_settings
-from courses.model import LinkSettings, Role
+from courses.model import Attempt, LinkSettings, Role
 from courses.outbox import delivered, lease_scores
 from courses.policies import AttemptPolicy
 from courses.refusals import UnknownRecordError
@@ -82,6 +82,22 @@ def test_a_file_begins_before_all_of_it_is_read(
     assert read < 10_000
     list(blocks)
     assert read == 10_000
+
+
+def test_two_lecturers_regrade_at_once(store: Store) -> None:
+    ann = joined(store, "ann")
+    submitted(store, ann, 0.5, report=WRONG)
+
+    def judge(batch: Sequence[Attempt]) -> list[Rejudged]:
+        return [Rejudged(attempt_id=each.id, score=1.0, correct=True, path=()) for each in batch]
+
+    def judge_beside_another(batch: Sequence[Attempt]) -> list[Rejudged]:
+        assert rejudge(store, begin(store, ann.link.id, Scope.ALL, "2", NOW), judge) == 1
+        return judge(batch)
+
+    run = begin(store, ann.link.id, Scope.ALL, "2", NOW)
+    rejudge(store, run, judge_beside_another)
+    assert [(found["before"], found["after"]) for found in changes(store, run)] == [(0.5, 1.0)]
 
 
 def test_numbers_follow_the_judgement_that_counts(store: Store) -> None:
