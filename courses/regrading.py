@@ -53,19 +53,27 @@ Judge = Callable[[Sequence[Attempt]], Sequence[Rejudged]]
 """Judges a batch; may use several processes."""
 
 
-def begin(store: Store, link_id: int, scope: Scope, version: str, now: datetime) -> int:
-    """Return a run; one of this link, scope and version that was not applied yet is taken up again."""
+def begin(store: Store, link_id: int, scope: Scope, basis: str, now: datetime) -> int:
+    """Return a run; one of this link, scope and basis that was not applied yet is taken up again.
+
+    Args:
+        store: the database.
+        link_id: whose attempts are judged again.
+        scope: which of them.
+        basis: what the judgements depend on, besides the attempts: on another one they are made anew.
+        now: the time.
+    """
     same = sa.and_(
         _RUN.c.link_id == link_id,
         _RUN.c.scope == scope.value,
-        _RUN.c.version == version,
+        _RUN.c.version == basis,
         _RUN.c.applied.is_(None),
     )
     with store.writing() as connection:
         found = connection.execute(sa.select(_RUN.c.id).where(same)).scalar()
         if found is not None:
             return int(found)
-        values = {"link_id": link_id, "scope": scope.value, "version": version, "started": now}
+        values = {"link_id": link_id, "scope": scope.value, "version": basis, "started": now}
         return int(connection.execute(sa.insert(_RUN).values(values).returning(_RUN.c.id)).scalar_one())
 
 

@@ -26,6 +26,7 @@ from exercises.library import Library
 from kinematics.cells import Limits
 from kinematics.errors import Fault
 from service.course_resources import now
+from service.revision import revision
 from service.schemas.exercises.exercises import AnswerBase, ExerciseAnswer
 from service.wire.courses.session_views import seed_of
 from service.wire.exercises.verdicts import encoded
@@ -71,6 +72,14 @@ class Grader:
         """
         asked = asked_exercise(self.library, settings)
         return self.edition(self.library, asked.id) if self.edition else str(asked.version)
+
+    def basis(self, settings: LinkSettings) -> str:
+        """Return what a judgement made now depends on, besides the attempt: content, parts asked, program.
+
+        Raises:
+            NoExerciseError: none has been chosen.
+        """
+        return " ".join((self.version(settings), ",".join(sorted(settings.parts)), revision()[:16]))
 
     def judge(
         self, settings: LinkSettings, seed: str | None, wire: AnswerBase, attempt: int

@@ -170,6 +170,23 @@ def test_a_setting_that_a_platform_garbled_keeps_nobody_from_handing_in(browser:
     assert browser.api("GET", "session").json()["attempts_allowed"] == 2
 
 
+def test_a_look_at_a_regrading_does_not_stand_in_the_way_of_another(
+    browser: Browser, another_browser: Callable[[], Browser]
+) -> None:
+    """What was found when other parts were asked was found again, as long as it was not applied."""
+    link = hint(resource="asked", context="course-3", custom={"exercise": "puma560"})
+    browser.launch("kim", link)
+    whole = browser.api("POST", "session/attempts", RIGHT).json()["total"]["score"]
+    teacher = another_browser()
+    teacher.launch("tina", hint([TEACHER], resource="asked", context="course-3"))
+    path = f"course/links/{teacher.api('GET', 'course').json()['link']}"
+    assert teacher.api("POST", f"{path}/regradings", {"scope": "all"}).json()["changes"] == []
+    chosen = {"exercise": "puma560", "parts": ["table"]}
+    assert teacher.api("PUT", f"{path}/settings", chosen).status_code == 200
+    (found,) = teacher.api("POST", f"{path}/regradings", {"scope": "all"}).json()["changes"]
+    assert (found["before"], found["after"]) == (pytest.approx(whole), 1.0)
+
+
 def test_a_draft_is_there_after_a_relaunch(browser: Browser, another_browser: Callable[[], Browser]) -> None:
     link = hint(resource="draft", custom=CUSTOM)
     browser.launch("dora", link)

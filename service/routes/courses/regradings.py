@@ -27,7 +27,7 @@ async def regrade(request: ApiRequest) -> Response:
 
     def work() -> dict[str, Any]:
         version = grader.version(link.settings)
-        run = begin(staff.store, link.id, scope, version, now())
+        run = begin(staff.store, link.id, scope, grader.basis(link.settings), now())
         with RegradingProcesses(grader, link.settings, resources_of(request).settings) as judge:
             rejudge(staff.store, run, judge)
         return {"run": run, "version": version, "changes": changes(staff.store, run)}
