@@ -25,6 +25,7 @@ from pathlib import Path
 
 import pytest
 
+from service.messages import languages
 from tests.architecture.serving import fetched, serving
 from tests.architecture.sources import ROOT
 
@@ -241,6 +242,11 @@ def test_an_image_can_be_built_that_sends_traces() -> None:
     assert {"opentelemetry-sdk", "opentelemetry-exporter-otlp-proto-http"} <= named
     (install,) = (rest for key, rest in stages()["packages"].steps if key == "RUN" and "pip install" in rest)
     assert '-r "${LOCK:-requirements.lock}"' in install
+
+
+def test_the_image_counts_and_dates_in_every_language() -> None:
+    (install,) = (rest for key, rest in stages()["packages"].steps if key == "RUN" and "pip install" in rest)
+    assert set(re.findall(r"! -name (\w+)\.dat", install)) == {"root", *languages()}
 
 
 def test_the_image_holds_what_it_serves_and_nothing_more(image: Path) -> None:
