@@ -26,8 +26,9 @@ function local(text) {
  * @param {string} action what the button says
  */
 export function settingsForm(exercises, settings, save, action) {
-  /** @param {string} name @param {any} control */
-  const field = (name, control) => el("label", {}, t(`lecturer-${name.replaceAll("_", "-")}`), control);
+  /** @param {string} name @param {any} control @param {string} [more] */
+  const field = (name, control, more = "") =>
+    el("label", {}, `${t(`lecturer-${name.replaceAll("_", "-")}`)}${more}`, control);
   /** @param {string} name */
   const select = (name) =>
     field(
@@ -51,7 +52,8 @@ export function settingsForm(exercises, settings, save, action) {
   const time = (name) => {
     const value = local(settings[name]);
     const step = value.length > 16 ? 1 : 60;
-    return field(name, el("input", { type: "datetime-local", name, step, value }));
+    const { timeZone } = new Intl.DateTimeFormat().resolvedOptions();
+    return field(name, el("input", { type: "datetime-local", name, step, value }), ` (${timeZone})`);
   };
   const parts = el("fieldset", { class: "wide" });
   const exercise = /** @type {HTMLSelectElement} */ (

@@ -170,7 +170,9 @@ export class CourseSession {
       refusal,
       return_url: back,
     } = this.told;
-    const format = new Intl.DateTimeFormat(language, { dateStyle: "medium", timeStyle: "short" });
+    const day = /** @type {const} */ ({ year: "numeric", month: "short", day: "numeric" });
+    const zoned = /** @type {const} */ ({ ...day, hour: "numeric", minute: "2-digit", timeZoneName: "short" });
+    const format = new Intl.DateTimeFormat(language, zoned);
     const when = (/** @type {string} */ time) => format.format(new Date(time));
     const isBefore = (/** @type {string | null} */ time) => time !== null && new Date() < new Date(time);
     const facts = [
