@@ -27,12 +27,14 @@ class EquationTemplate(NamedTuple):
         step: an equation.
         closing: the lines after.
         argument: one argument of the function.
+        unused: a line for an argument that no equation holds, in a language whose compilers warn of it.
     """
 
     opening: str
     step: str
     closing: str
     argument: str = "{}"
+    unused: str = ""
 
 
 class Language(Printer):
@@ -112,11 +114,17 @@ class Language(Printer):
         lines = [self.purpose.meaning]
         if self.program.n_joints:
             lines.append(f"q: the {self.program.n_joints} joint variables. All angles are in radians.")
+        return [prefix + line for line in [*lines, *self._renamed()]]
+
+    def _renamed(self) -> list[str]:
         changed = [(old, new) for old, new in self.arguments.items() if new != old]
         renamed = [f"{new} is {old}" for old, new in changed if IDENTIFIER.fullmatch(old)]
-        if renamed:
-            lines.append(f"Renamed: {', '.join(renamed)}.")
-        return [prefix + line for line in lines]
+        return [f"Renamed: {', '.join(renamed)}."] if renamed else []
+
+    def unused(self, lines: Iterable[str], *others: str) -> list[str]:
+        """Return the arguments, and other names, that some lines of code do not hold."""
+        written = set(IDENTIFIER.findall(" ".join(lines)))
+        return [name for name in (*self.arguments.values(), *others) if name not in written]
 
     def imports(self) -> list[str]:
         """Return what the function needs before it, known once everything is written."""
@@ -167,13 +175,15 @@ class Language(Printer):
             "imports": "".join(f"{line}\n" for line in self.imports()),
             "function": self.function,
             "arguments": self.signature(template.argument).removeprefix(", "),
-            "meaning": self.purpose.meaning,
+            "meaning": " ".join([self.purpose.meaning, *self._renamed()]),
             "result": self.result,
             "count": len(column),
             "entries": ", ".join(column),
             "assigned": "\n".join(f"    {self.result}[{i}] = {entry};" for i, entry in enumerate(column)),
         }
-        return "\n".join([template.opening.format(**words), *steps, template.closing.format(**words), ""])
+        unused = self.unused([*steps, *column]) if template.unused else []
+        opening = [template.opening.format(**words), *map(template.unused.format, unused)]
+        return "\n".join([*opening, *steps, template.closing.format(**words), ""])
 
     @abstractmethod
     def _lines(self) -> list[str]:

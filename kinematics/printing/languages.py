@@ -134,6 +134,7 @@ class C(Language, C99CodePrinter):
         "    const double {} = {};",
         "{assigned}\n}}",
         "double {}",
+        "    (void){};",
     )
 
     def _lines(self) -> list[str]:
@@ -141,8 +142,7 @@ class C(Language, C99CodePrinter):
         result = f"double {self.result}[{rows}][{columns}]" if columns else f"double *{self.result}"
         steps = self.steps("    const double {} = {};")
         entries = self.assigned(f"    {self.result}[{{}}][{{}}] = {{}};")
-        written = set(IDENTIFIER.findall(" ".join([*steps, *entries])))
-        unused = [name for name in ("q", *self.arguments.values(), self.result) if name not in written]
+        unused = self.unused([*steps, *entries], "q", self.result)
         return [
             "#include <math.h>",
             "",

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from kinematics.catalogue import robot
-from kinematics.cells import bind_parameters, parameter_values
+from kinematics.cells import RawRow, RawTable, bind_parameters, parameter_values, read_table
 from kinematics.expressions import JointVariable, Parameter, negate, power
 from kinematics.forward import end_pose
 from kinematics.inverse_forms import InverseReach, inverse_form, joint_values
@@ -23,6 +23,7 @@ from kinematics.printing.equation_lists import (
 )
 from kinematics.printing.formats import EquationFormat
 from kinematics.printing.notation import Names
+from kinematics.table import Convention
 
 ROBOTS = ["puma560", "stanford", "ur5", "scara", "twolink", "scorbot"]
 
@@ -75,12 +76,26 @@ def test_c(robot_id, tmp_path):
         lines += [f'for (int i = 0; i < {n}; i++) printf("%.17g ", q[i]);', 'puts("");']
     (tmp_path / "all.c").write_text("\n".join([*lines, "return 0; }"]))
     program = str(tmp_path / "all")
-    flags = ["-std=c99", "-Wall", "-Wextra", "-Werror", "-Wno-unused-parameter"]
+    flags = ["-std=c99", "-Wall", "-Wextra", "-Werror"]
     subprocess.run([compiler, *flags, "-o", program, str(tmp_path / "all.c"), "-lm"], check=True)
     printed = subprocess.run([program], check=True, capture_output=True, text=True).stdout
     assert np.allclose(
         [list(map(float, line.split())) for line in printed.splitlines()], expected, atol=1e-12
     )
+
+
+@pytest.mark.parametrize("chosen", [chosen for chosen in EquationFormat if chosen.is_source])
+def test_a_length_that_is_a_word_of_the_language_is_renamed_and_a_comment_says_so(chosen):
+    rows = (RawRow(theta="q1", d=0, a="class", alpha=0), RawRow(theta="q2", d=0, a="end", alpha=0))
+    form = inverse_form(read_table(RawTable(convention=Convention.STANDARD, rows=rows)).table)
+    equations = [NamedValue(step.name, step.joint, step.value) for step in form.steps]
+    names = [*form.position, *form.branches, "class", "end"]
+    source = source_of(equations, names, joints_of(2), chosen)
+    renamed = {word for word in ("class", "end") if f"{word}_" in source}
+    said = [line for line in source.splitlines() if "Renamed: " in line]
+    assert renamed
+    assert len(said) == 1
+    assert all(f"{word}_ is {word}" in said[0] for word in renamed)
 
 
 @pytest.mark.parametrize("robot_id", ROBOTS)
