@@ -101,7 +101,7 @@ class MatrixPrinter:
         self._limit = limit
         self._names = Names(
             notation=notation,
-            parameters=frozenset(parameters),
+            parameters=frozenset((*parameters, *variables)),
             separated=n_joints > 9,
             variables=tuple(variables),
         )

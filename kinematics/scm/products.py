@@ -8,14 +8,14 @@ Source: seed 001 §2, eq. 2.1 to 2.5 (motions), 2.10 to 2.12 (products), 3.24 (H
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.cells import DEFAULT, AngleUnit, Cell, LengthUnit, Limits, ParameterKind
+from kinematics.cells import DEFAULT, AngleUnit, Cell, LengthUnit, Limits, ParameterKind, canonical_name
 from kinematics.cells.entries import cell_meaning
 from kinematics.cells.meaning import Position
 from kinematics.cells.refusals import CellRefusal
@@ -63,6 +63,7 @@ class ReadProducts:
         length_unit: the unit of lengths.
         parameters: what each parameter measures.
         joints: kind of each joint variable that occurs, by its number: angle or length.
+        named: the names of the joint variables, if they were given.
     """
 
     products: tuple[tuple[Factor, ...], ...]
@@ -70,11 +71,17 @@ class ReadProducts:
     length_unit: LengthUnit
     parameters: Mapping[str, ParameterKind]
     joints: Mapping[int, ParameterKind]
+    named: tuple[str, ...] = ()
 
     @property
     def n_joints(self) -> int:
-        """The largest number of a joint variable."""
-        return max(self.joints, default=0)
+        """The number of joint variables: as many as have names, or the largest number of one."""
+        return len(self.named) or max(self.joints, default=0)
+
+    @property
+    def variables(self) -> tuple[str, ...]:
+        """The names of the joint variables."""
+        return self.named or tuple(f"q{k}" for k in range(1, self.n_joints + 1))
 
 
 def read_products(
@@ -82,21 +89,26 @@ def read_products(
     angle_unit: AngleUnit = AngleUnit.RAD,
     length_unit: LengthUnit = LengthUnit.M,
     limits: Limits = DEFAULT,
+    variables: Sequence[str] | None = None,
 ) -> ReadProducts:
     """Return the products that factors as handed in mean.
 
-    q_i and θ_i are joint variables, other names parameters.
+    The names in `variables` are joint variables, q_i and θ_i if there are none; other names are parameters.
 
     Args:
         raw: for each product its factors: entries x, y, z, a, b, c by name, or a 4×4 of cells.
         angle_unit: unit of plain numbers where an angle stands.
         length_unit: unit of the lengths.
         limits: how large a cell may be.
+        variables: names of joint variables 1 … n, as in h2j(H, [a1 a2 d3]).
 
     Raises:
-        DescriptionError: every fault, at ("products", i, k) and below it the entry, or row and column.
+        DescriptionError: every fault, at ("products", i, k) and below it the entry, or row and column; at
+            ("variables", i) what is no name or the name of two.
     """
-    reader = _ProductReader(angle_unit, limits, [], {}, {})
+    named, faults = _names(variables or ())
+    numbers = {name: number for number, name in enumerate(named, start=1)}
+    reader = _ProductReader(angle_unit, limits, numbers.get if named else variable_index, faults, {}, {})
     products = tuple(
         tuple(reader.factor(factor, ("products", i, k)) for k, factor in enumerate(factors))
         for i, factors in enumerate(raw)
@@ -109,7 +121,20 @@ def read_products(
         length_unit=length_unit,
         parameters=reader.kinds,
         joints=reader.joints,
+        named=named,
     )
+
+
+def _names(given: Sequence[str]) -> tuple[tuple[str, ...], list[Fault]]:
+    """The canonical names of joint variables, and what is wrong with them."""
+    names: list[str] = []
+    faults = []
+    for i, text in enumerate(given):
+        name = canonical_name(text)
+        if name is None or name in names:
+            faults.append(Fault.at("variable_name_invalid", "variables", i, name=text, joint=i + 1))
+        names.append(name or text)
+    return tuple(names), faults
 
 
 def product_of(factors: Sequence[Factor]) -> Matrix:
@@ -258,6 +283,7 @@ def _motions(placement: Placement) -> Iterator[Motion]:
 class _ProductReader:
     angle_unit: AngleUnit
     limits: Limits
+    index: Callable[[str], int | None]
     faults: list[Fault]
     kinds: dict[str, ParameterKind]
     joints: dict[int, ParameterKind]
@@ -289,7 +315,7 @@ class _ProductReader:
 
     def _cell(self, cell: Cell, position: Position, where: tuple[str | int, ...]) -> Expression:
         def variable_of(name: str) -> Expression | None:
-            index = variable_index(name)
+            index = self.index(name)
             return None if index is None else JointVariable(index)
 
         try:

@@ -54,7 +54,7 @@ ROBOTS = {  # what there is of a robot: its joints, rows, parameters, links
 GEOMETRY = {  # four rows of four numbers are seldom a pose, zeros point nowhere, and angles lock
     *("pose_bottom_row", "pose_not_orthonormal", "pose_left_handed", "direction_zero", "axis_length"),
     *("quaternion_length", "expected_not_rotation", "frame_y_not_z_cross_x", "vector_malformed"),
-    *("screw_of_other_type", "angles_locked", "matrix_not_rotation"),
+    *("screw_of_other_type", "angles_locked", "matrix_not_rotation", "variable_name_invalid"),
 }
 BEYOND_A_SCHEMA = CELLS | EXERCISES | ROBOTS | GEOMETRY
 """Codes of refusals of what has the right shape."""

@@ -106,6 +106,48 @@ def test_sczip_s2d_and_h2j_of_a_matrix_of_ones_own(client: httpx.Client) -> None
     assert "symbols" not in full
 
 
+def test_the_documents_own_matrix_is_differentiated_by_the_names_that_it_has(client: httpx.Client) -> None:
+    """H2J of what SCM printed, h2j(H, [a1 a2 d3]): the same Jacobian as by inspection of the chain."""
+    chain = {"joints": [{"z": "L0", "a": "a1"}, {"y": "L1", "b": "a2"}, {"z": "d3"}]}
+    values, joints = {"L0": 0.412, "L1": 0.154}, [30, 60, 0.5]
+    printed = client.post("/api/v1/scm/forward-kinematics", json={"chain": chain, "notation": "full"}).json()
+    own = printed["transform"]["text"]
+    answer = asked(
+        client,
+        products=[[own], chain["joints"]],
+        variables=["a_1", "a2", "d3"],
+        parameters=values,
+        joints=joints,
+        angle_unit="deg",
+        jacobian=True,
+        formats=["json", "text"],
+    )
+    assert answer["variables"] == ["a1", "a2", "d3"]
+    assert answer["parameters"] == []
+    assert answer["equal_to_first"] == ["proved", "proved"]
+    product = answer["products"][0]
+    assert product["transform"]["text"][0][3] == "d3*c1*s2 - 0.154*s1"
+    inspected = client.post(
+        "/api/v1/scm/jacobian",
+        json={"chain": {**chain, "angle_unit": "deg"}, "parameters": values, "joints": joints},
+    ).json()
+    angles = [math.radians(30), math.radians(60), 0.5]
+    for name in ("J0", "Jn"):
+        numbers = [[value_of(entry, angles) for entry in row] for row in product[name]["json"]]
+        assert np.allclose(numbers, inspected[name], atol=1e-12)
+    assert product["numbers"][2][3] == pytest.approx(0.412 + 0.5 * math.cos(math.radians(60)))
+
+
+def test_variables_that_were_named_are_the_only_ones(client: httpx.Client) -> None:
+    answer = asked(
+        client, products=[[{"a": "c1"}, {"x": "q1"}]], variables=["c1", "d2"], jacobian=True, formats=["text"]
+    )
+    assert answer["parameters"] == ["q1"]
+    transform, J0 = answer["products"][0]["transform"], answer["products"][0]["J0"]
+    assert transform["text"][0] == ["cos(c1)", "-s1", "0", "q1*cos(c1)"]
+    assert [row[1] for row in J0["text"]] == ["0"] * 6
+
+
 def test_the_jacobian_of_a_chain_is_that_of_its_product(client: httpx.Client) -> None:
     """H2J of the matrix, and inspection of the chain it came from: seed 001 eq. 3.22 to 3.24."""
     chain = {"joints": [{"z": "h", "a": "q1"}, {"x": "L", "b": "q2"}, {"z": "q3"}], "final": {"x": "w"}}
@@ -141,6 +183,21 @@ def value_of(tree: dict[str, Any], joints: list[float]) -> float:
         ({"products": [[{"x": "1/L"}]], "parameters": {"L": 0}}, "value_undefined", "/parameters"),
         ({"products": [[{"x": "L"}]], "parameters": {"M": 0}}, None, "/parameters/M"),
         ({"products": [[{"a": "q1"}]], "joints": [1, 2]}, "joints_wrong_length", "/joints"),
+        (
+            {"products": [[{"a": "a1"}]], "variables": ["a1", "a_1"]},
+            "variable_name_invalid",
+            "/variables/1",
+        ),
+        (
+            {"products": [[{"a": "a1"}]], "variables": ["a1 + a2"]},
+            "variable_name_invalid",
+            "/variables/0",
+        ),
+        (
+            {"products": [[{"a": "a1"}]], "variables": ["a1"], "joints": [1, 2]},
+            "joints_wrong_length",
+            "/joints",
+        ),
         ({"products": [[[[1, 2], [3]]]]}, "matrix_not_4x4", "/products/0/0"),
         ({"products": [[[[0] * 4] * 4]]}, "pose_bottom_row", "/products/0/0/3"),
         ({"products": [[[0] * 5]]}, "scm_six_entries", "/products/0/0"),

@@ -17,4 +17,5 @@ error-scm_limits_reversed = Joint { $joint }: limits are [low, high], both finit
 error-chain_or_robot = Give exactly one of chain and robot.
 error-scm_six_entries = Six entries are needed: the list [X, Y, Z, A, B, C], or an object with some of x, y, z, a, b, c; those left out are 0.
 error-matrix_not_rotation = The rotation part of this matrix is no rotation: its columns must be perpendicular unit vectors, right-handed, for all values of the joint variables. Only then does it have an angular velocity.
+error-variable_name_invalid = { $name } cannot be the name of joint variable { $joint }: a name is a word with an index, such as a1, and each variable has its own.
 error-no_derivative = A joint variable appears inside a function that is not differentiated here: write sines and cosines of it.

@@ -17,4 +17,5 @@ error-scm_limits_reversed = Articulation { $joint } : les limites sont [inféri
 error-chain_or_robot = Donnez exactement l’un des deux : chain ou robot.
 error-scm_six_entries = Il faut six entrées : la liste [X, Y, Z, A, B, C], ou un objet avec certaines des clés x, y, z, a, b, c ; ce qui manque vaut 0.
 error-matrix_not_rotation = La partie rotation de cette matrice n’est pas une rotation : ses colonnes doivent être des vecteurs unitaires perpendiculaires, en trièdre direct, pour toutes les valeurs des variables articulaires. Sinon elle n’a pas de vitesse angulaire.
+error-variable_name_invalid = { $name } ne peut pas nommer la variable articulaire { $joint } : un nom est un mot avec un indice, comme a1, et chaque variable a le sien.
 error-no_derivative = Une variable articulaire apparaît dans une fonction qui n’est pas dérivée ici : écrivez-en des sinus et des cosinus.

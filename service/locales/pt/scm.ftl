@@ -17,4 +17,5 @@ error-scm_limits_reversed = Junta { $joint }: os limites são [inferior, superio
 error-chain_or_robot = Dê exatamente um dos dois: chain ou robot.
 error-scm_six_entries = São necessárias seis entradas: a lista [X, Y, Z, A, B, C] ou um objeto com algumas de x, y, z, a, b, c; o que faltar vale 0.
 error-matrix_not_rotation = A parte de rotação desta matriz não é uma rotação: as colunas devem ser versores perpendiculares, num triedro direto, para todos os valores das variáveis de junta. Só então ela tem velocidade angular.
+error-variable_name_invalid = { $name } não pode ser o nome da variável de junta { $joint }: um nome é uma palavra com um índice, como a1, e cada variável tem o seu.
 error-no_derivative = Uma variável de junta aparece dentro de uma função que aqui não é derivada: escreva senos e cossenos dela.

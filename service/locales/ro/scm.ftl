@@ -17,4 +17,5 @@ error-scm_limits_reversed = Cupla { $joint }: limitele sunt [inferioară, superi
 error-chain_or_robot = Dați exact unul dintre cele două: chain sau robot.
 error-scm_six_entries = Sunt necesare șase intrări: lista [X, Y, Z, A, B, C] sau un obiect cu unele dintre x, y, z, a, b, c; ce lipsește este 0.
 error-matrix_not_rotation = Partea de rotație a acestei matrice nu este o rotație: coloanele ei trebuie să fie versori perpendiculari, într-un triedru drept, pentru toate valorile variabilelor de cuplă. Numai atunci are viteză unghiulară.
+error-variable_name_invalid = { $name } nu poate fi numele variabilei de cuplă { $joint }: un nume este un cuvânt cu un indice, ca a1, și fiecare variabilă îl are pe al ei.
 error-no_derivative = O variabilă de cuplă apare într-o funcție care nu se derivează aici: scrieți sinusuri și cosinusuri ale ei.

@@ -58,8 +58,14 @@ class ScmProductsRequest(Wire):
     products: list[Annotated[list[MotionFactor], Field(min_length=1, max_length=MOST_FACTORS)]] = Field(
         min_length=1,
         max_length=MOST_PRODUCTS,
-        description="each a list of motions, multiplied from left to right; q1, q2, … are joint variables, "
-        "other names parameters",
+        description="each a list of motions, multiplied from left to right; q1, q2, …, or the names in "
+        "`variables`, are joint variables, other names parameters",
+    )
+    variables: list[Annotated[str, Field(min_length=1, max_length=64)]] | None = Field(
+        None,
+        min_length=1,
+        max_length=LARGEST_VARIABLE,
+        description="names of the joint variables, as in h2j(H, [a1 a2 d3]); q1, q2, … if left out",
     )
     angle_unit: Annotated[AngleUnit, Field(strict=False)] = Field(
         AngleUnit.RAD, description="unit of every angle: motions, joints, parameters and answer"
@@ -69,7 +75,9 @@ class ScmProductsRequest(Wire):
     )
     parameters: SomeParameters = Field(default_factory=dict)
     joints: list[Real] | None = Field(
-        None, max_length=LARGEST_VARIABLE, description="values of q1 … qn, for the products in numbers (S2D)"
+        None,
+        max_length=LARGEST_VARIABLE,
+        description="values of the joint variables, for the products in numbers (S2D)",
     )
     jacobian: bool = Field(False, description="whether J0 and Jn of every product are wanted (H2J)")
     formats: list[Annotated[Format, Field(strict=False)]] | None = Field(
@@ -110,7 +118,9 @@ class ScmProduct(WrittenJacobians):
 class ScmProductsAnswer(Units):
     """The products, and which of them are equal."""
 
-    variables: list[str] = Field(description="q1 … qn, up to the last one that occurs")
+    variables: list[str] = Field(
+        description="names of the joint variables: as given, or q1 … qn up to the last one that occurs"
+    )
     parameters: list[str] = Field(description="the parameters that are left")
     products: list[ScmProduct] = Field(description="in the order of the request")
     equal_to_first: list[Annotated[ProofStatus, Field(strict=False)]] = Field(

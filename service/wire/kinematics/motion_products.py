@@ -67,7 +67,9 @@ def products_task(request: ScmProductsRequest, limits: Limits) -> ProductsTask:
         KinematicsError: motions that cannot be read, values that do not fit; every fault at its place.
     """
     try:
-        read = read_products(request.raw(), request.angle_unit, request.length_unit, limits)
+        read = read_products(
+            request.raw(), request.angle_unit, request.length_unit, limits, request.variables
+        )
     except DescriptionError as error:
         placed = [replace(fault, where=request.place(fault.where)) for fault in error.faults]
         raise DescriptionError(placed) from error
@@ -99,7 +101,9 @@ def written_products(task: ProductsTask) -> bytes:
             check_rotations([_with_values(factor, task.values) for factor in factors], i)
     left = {name for matrix in matrices for name in names_left(matrix)[0]}
     parameters = tuple(name for name in read.parameters if name in left)
-    printer = MatrixPrinter(n_joints=read.n_joints, parameters=parameters, notation=task.notation)
+    printer = MatrixPrinter(
+        n_joints=read.n_joints, parameters=parameters, variables=read.variables, notation=task.notation
+    )
     written: list[Matrix] = []
 
     def write(matrix: Matrix, name: str, meaning: str) -> dict[str, Any]:
@@ -117,7 +121,7 @@ def written_products(task: ProductsTask) -> bytes:
     answer: dict[str, Any] = {
         "angle_unit": read.angle_unit.value,
         "length_unit": read.length_unit.value,
-        "variables": [f"q{k}" for k in range(1, read.n_joints + 1)],
+        "variables": list(read.variables),
         "parameters": list(parameters),
         "products": products,
         "equal_to_first": [compare_matrices(matrices[0], matrix).value for matrix in matrices],
