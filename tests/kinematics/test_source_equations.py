@@ -62,6 +62,18 @@ def test_the_six_motions_of_a_frame(entry: str, printed: list[list[float]]) -> N
     np.testing.assert_allclose(only(**{entry: ANGLE}), [*printed, [0, 0, 0, 1]], atol=1e-15)
 
 
+def test_a_rotation_holds_the_projections_of_the_axes() -> None:
+    """001 eq. 2.1, 2.2: row i, column j is the product of axis j of frame 1 with axis i of frame 0."""
+    drawn = [((0.1, 0.2, 0.3), (0.0, 0.6, 0.8)), ((0.5, -0.2, 0.1), (1.0, 0.0, 0.0))]
+    axes = [JointAxis(joint=JointType.REVOLUTE, direction=z, point=point) for point, z in drawn]
+    found = assign_frames(axes, Convention.STANDARD)
+    zero, one, _ = found.frames
+    T = forward_kinematics(found.table, [0.0, 0.0]).links[0]
+    projected = np.dot(np.array([zero.x, zero.y, zero.z]), np.array([one.x, one.y, one.z]).T)
+    np.testing.assert_allclose(T[:3, :3], projected, atol=1e-15)
+    assert not np.allclose(T[:3, :3], projected.T)
+
+
 def test_a_frame_is_a_shift_and_then_a_turn() -> None:
     """001 eq. 2.3 and 2.7: H = HT HR, its columns, and its inverse; the other order is another frame."""
     H = transform_from_xyzabc((0.1, -0.2, 0.3, 0.4, -0.5, 0.6))

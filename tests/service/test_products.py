@@ -33,6 +33,13 @@ def test_a_shift_and_a_turn_commute_about_one_axis_only(client: httpx.Client, tu
     assert equal == ["proved", "proved" if SHIFTS[turn] == shift else "refuted"]
 
 
+def test_the_orders_of_000_and_002_are_one_link(client: httpx.Client) -> None:
+    """000 eq. 3.1 and 002: shifts and turns about one axis change places."""
+    turned_first = [{"c": "alpha"}, {"x": "a"}, {"a": "theta1"}, {"z": "d"}]
+    shifted_first = [{"x": "a"}, {"c": "alpha"}, {"z": "d"}, {"a": "theta1"}]
+    assert asked(client, products=[turned_first, shifted_first])["equal_to_first"] == ["proved", "proved"]
+
+
 def test_the_elementary_motions(client: httpx.Client) -> None:
     """HRX(c) … HTZ(z), eq. 2.1 to 2.3, at 30° and 2."""
     products = [[{name: name.upper()}] for name in "xyzabc"]
