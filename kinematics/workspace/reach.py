@@ -22,6 +22,8 @@ from kinematics.workspace.spans import joint_spans, spread
 
 Vector3 = tuple[float, float, float]
 
+LEVEL = 1e-9
+"""Sine of the slope below which an axis is level: rounding, not the robot, decides where it points."""
 AS_GOOD_AS_ZERO = 1e-12
 """A radius below this part of the greatest one is 0, and so is a joint value below this [rad, or length]."""
 
@@ -63,7 +65,8 @@ class Workspace:
         high: greatest x, y, z, in the world.
         points: (samples, 3) places, in the world.
         section: (samples, 2) the same places in the half-plane of the first axis: distance at right angles
-            from it, and height along it above the point of it that is nearest to the origin of frame 0.
+            from it, and height along it, upward in the world, above the point of it that is nearest to the
+            origin of frame 0. Along a level axis heights have the sense of the joint.
     """
 
     inner: Radii
@@ -149,7 +152,7 @@ def workspace(
         low=_vector(low, reach),
         high=_vector(high, reach),
         points=places @ T_w_0[:3, :3].T + T_w_0[:3, 3],
-        section=_section(places, point, direction),
+        section=_section(places, point, _upward(direction, T_w_0)),
     )
 
 
@@ -174,6 +177,11 @@ def _conditions(
         level = to_base[:3, :3] @ point + to_base[:3, 3], to_base[:3, :3] @ (normal / length)
     pose = None if held is None else to_base @ check_transform(held, where=("orientation",))
     return Conditions(plane=level, pose=pose, reach=counts)
+
+
+def _upward(direction: Array, base: Transform) -> Array:
+    """A direction in frame 0, or its opposite if it points down in the world: a joint may count against z."""
+    return -direction if base[2, :3] @ direction < -LEVEL else direction
 
 
 def _section(places: Array, point: Array, direction: Array) -> Array:

@@ -214,6 +214,21 @@ def test_a_base_moves_the_box_alone_and_a_tool_moves_the_point():
     assert np.all(p <= np.array(moved.high))
 
 
+@pytest.mark.parametrize("robot_id", ["kr100p", "kr125", "kr2150k", "scorbot"])
+def test_the_section_is_upright_whichever_way_the_first_joint_counts(robot_id):
+    """The KUKA arms of document 001 turn about an axis that points down."""
+    found = workspace(numbers(robot_id), samples=20)
+    np.testing.assert_allclose(found.section[:, 1], found.points[:, 2], atol=1e-12)
+    found = workspace(numbers(robot_id), base=np.diag([1.0, -1.0, -1.0, 1.0]), samples=20)
+    np.testing.assert_allclose(found.section[:, 1], found.points[:, 2], atol=1e-12)
+
+
+def test_along_a_level_axis_heights_have_the_sense_of_its_joint():
+    lying = np.array([[1.0, 0.0, 0.0, 0.0], [0.0, 0.0, -1.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 0.0, 1.0]])
+    found = workspace(numbers("scorbot"), base=lying, samples=20)
+    np.testing.assert_allclose(found.section[:, 1], -found.points[:, 1], atol=1e-12)
+
+
 def test_the_same_question_has_the_same_answer():
     assert radii(workspace(PUMA560)) == radii(workspace(PUMA560))
 

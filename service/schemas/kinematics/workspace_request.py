@@ -98,5 +98,6 @@ class WorkspaceResponse(Units):
     )
     section: list[Annotated[list[Real], Field(min_length=2, max_length=2)]] | None = Field(
         None,
-        description="of each point the distance from the axis of the first joint, and its height along it",
+        description="of each point the distance from the axis of the first joint, and its height along it, "
+        "upward in the world",
     )
