@@ -224,7 +224,7 @@ def test_the_section_is_upright_whichever_way_the_first_joint_counts(robot_id):
 
 
 def test_along_a_level_axis_heights_have_the_sense_of_its_joint():
-    lying = np.array([[1.0, 0.0, 0.0, 0.0], [0.0, 0.0, -1.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 0.0, 1.0]])
+    lying = np.eye(4)[[0, 2, 1, 3]] * [1.0, 1.0, -1.0, 1.0]
     found = workspace(numbers("scorbot"), base=lying, samples=20)
     np.testing.assert_allclose(found.section[:, 1], -found.points[:, 1], atol=1e-12)
 
