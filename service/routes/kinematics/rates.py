@@ -9,7 +9,7 @@ from fastapi import Body
 from kinematics.chain import chain_of_table
 from kinematics.ellipsoids import Ellipsoid, VelocityEllipsoids, velocity_ellipsoids
 from kinematics.inverse.lengths import check_lengths
-from kinematics.rates import analytic_jacobian, jacobian_rate, joint_forces
+from kinematics.rates import ROLL_PITCH_YAW, analytic_jacobian, jacobian_rate, joint_forces
 from kinematics.se3 import check_transform
 from service.http.openapi import problems
 from service.http.routing import api_router
@@ -56,9 +56,10 @@ async def rates(
     chain = chain_of_table(robot.table, base, tool)
     q = values_in_radians(body.joints, robot.joint_units, "joints")
     J = chain.jacobian(q)
+    angles = ROLL_PITCH_YAW if body.angles is None else body.angles.sequence()
     found: dict[str, Any] = {
         "J0": _plain(J),
-        "analytic": _plain(analytic_jacobian(chain, q)),
+        "analytic": _plain(analytic_jacobian(chain, q, angles)),
         "ellipsoids": _ellipsoids(velocity_ellipsoids(robot.table, q, base=base, tool=tool)),
     }
     if body.rates is not None:

@@ -9,33 +9,15 @@ from pydantic import Field
 from kinematics.answers.jacobian_answers import JacobianMistake
 from kinematics.answers.screw_answers import ScrewOrder
 from kinematics.jacobian import JacobianFrame
-from kinematics.rotations.sequences import EulerSequence, Turning
 from service.schemas.base import Real, Wire
 from service.schemas.choices import forbidding, together
 from service.schemas.kinematics.rates_request import Vector6
 from service.schemas.kinematics.robot_question import NO_ROBOT, RobotQuestion
-from service.schemas.kinematics.rotations import EulerAxes
+from service.schemas.kinematics.rotations import RatesOfAngles
 from service.schemas.spoken import feedback_sentence
 from service.schemas.tables import Units
 
 Columns = Annotated[list[Real], Field(max_length=64)]
-
-
-class RatesOfAngles(Wire):
-    """The angles of an analytic Jacobian."""
-
-    axes: EulerAxes
-    turning: Annotated[Turning, Field(strict=False)] = Field(
-        Turning.CURRENT, description="the angles turn about current or about fixed axes"
-    )
-
-    def sequence(self) -> EulerSequence:
-        """Return the sequence that they name.
-
-        Raises:
-            PoseError: it is none, at ("axes",).
-        """
-        return EulerSequence(axes=self.axes, turning=self.turning)
 
 
 class CheckJacobianRequest(RobotQuestion):

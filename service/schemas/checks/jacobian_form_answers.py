@@ -10,9 +10,10 @@ from kinematics.answers.screw_answers import ScrewOrder
 from kinematics.jacobian import JacobianFrame
 from kinematics.symbolic import ProofStatus
 from service.schemas.base import Real
-from service.schemas.checks.jacobian_answers import JacobianMistakeModel, RatesOfAngles
+from service.schemas.checks.jacobian_answers import JacobianMistakeModel
 from service.schemas.choices import forbidding, together
 from service.schemas.kinematics.robot_question import NO_ROBOT, RobotQuestion
+from service.schemas.kinematics.rotations import RatesOfAngles
 from service.schemas.tables import Cell, Units
 
 FormRow = Annotated[list[Cell], Field(max_length=16)]

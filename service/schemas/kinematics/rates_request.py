@@ -10,6 +10,7 @@ from service.schemas.base import Real, Vector3, Wire
 from service.schemas.kinematics.jacobian_request import Matrix6
 from service.schemas.kinematics.pose_input import PoseInput
 from service.schemas.kinematics.robot_question import RobotQuestion
+from service.schemas.kinematics.rotations import RatesOfAngles
 from service.schemas.tables import Units
 
 Vector6 = Annotated[list[Real], Field(min_length=6, max_length=6)]
@@ -29,6 +30,9 @@ class RatesRequest(RobotQuestion):
     )
     wrench: Vector6 | None = Field(
         None, description="force at the end frame's origin, then moment, in the axes of the world"
+    )
+    angles: RatesOfAngles | None = Field(
+        None, description="whose rates `analytic` has; roll, pitch, yaw (X, Y, Z, fixed axes) if left out"
     )
     base: PoseInput | None = Field(None, description="pose of frame 0 in the world; the identity if left out")
     tool: PoseInput | None = Field(None, description="pose of the tool in frame N; the identity if left out")
@@ -59,7 +63,8 @@ class RatesAnswer(Units):
 
     J0: Matrix6 = Field(description="(v, ω) = J0 q̇")
     analytic: Matrix6 | None = Field(
-        description="rates of x, y, z, roll, pitch, yaw per rate of each joint; null where pitch is ±90°"
+        description="rates of x, y, z and the three angles (roll, pitch, yaw if none were named) per rate of "
+        "each joint; null where the first and the last angle turn about one line (pitch ±90°)"
     )
     velocity: Vector6 | None = Field(None, description="(v, ω), ω in radians per second")
     J0_rate: Matrix6 | None = Field(None, description="dJ0/dt at these rates")

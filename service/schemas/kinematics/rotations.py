@@ -38,6 +38,23 @@ EulerAxes: TypeAlias = Annotated[
 """The axes of three angles."""
 
 
+class RatesOfAngles(Wire):
+    """The angles of an analytic Jacobian."""
+
+    axes: EulerAxes
+    turning: Annotated[Turning, Field(strict=False)] = Field(
+        Turning.CURRENT, description="the angles turn about current or about fixed axes"
+    )
+
+    def sequence(self) -> EulerSequence:
+        """Return the sequence that they name.
+
+        Raises:
+            PoseError: it is none, at ("axes",).
+        """
+        return EulerSequence(axes=self.axes, turning=self.turning)
+
+
 NOTATIONS = ("matrix", "quaternion", "axis", "angles")
 HALF_AN_AXIS = (together("axis", without=["angle"]), together("angle", without=["axis"]))
 
