@@ -122,3 +122,11 @@ def test_at_gimbal_lock_there_is_no_analytic_jacobian(client: httpx.Client) -> N
 )
 def test_what_is_refused(client: httpx.Client, more: dict[str, Any], code: str, pointer: str) -> None:
     check_problem(client.post(PATH, json={**ARM, **more}), 422, code, pointer)
+
+
+@pytest.mark.parametrize(
+    ("language", "said"), [("en", "of one value was"), ("es", "de un valor."), ("ro", "cu o valoare.")]
+)
+def test_one_value_is_said_in_the_singular(client: httpx.Client, language: str, said: str) -> None:
+    response = client.post(PATH, json={**ARM, "joints": [0]}, headers={"Accept-Language": language})
+    assert said in response.json()["detail"]

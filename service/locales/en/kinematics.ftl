@@ -3,8 +3,14 @@
 error-target_unanswered = The computation stopped after { $seconds } s, with { $answered } of the targets answered. Send this target and those after it in another request.
 error-joints_wrong_length =
     { $expected ->
-        [one] The table has one joint, but a configuration of { $given } values was given.
-       *[other] The table has { $expected } joints, but a configuration of { $given } values was given.
+        [one] The table has one joint, but a configuration of { $given ->
+            [one] one value
+           *[other] { $given } values
+        } was given.
+       *[other] The table has { $expected } joints, but a configuration of { $given ->
+            [one] one value
+           *[other] { $given } values
+        } was given.
     }
 error-joints_malformed = Joint values are numbers: one configuration [q1, …, qn], or a list of equally long ones.
 error-joint_not_finite = The value of joint { $joint } is not a finite number.

@@ -3,8 +3,14 @@
 error-target_unanswered = El cálculo se detuvo a los { $seconds } s, con { $answered } de los objetivos respondidos. Pida este y los siguientes en otra petición.
 error-joints_wrong_length =
     { $expected ->
-        [one] La tabla tiene una articulación, pero se dio una configuración de { $given } valores.
-       *[other] La tabla tiene { $expected } articulaciones, pero se dio una configuración de { $given } valores.
+        [one] La tabla tiene una articulación, pero se dio una configuración de { $given ->
+            [one] un valor
+           *[other] { $given } valores
+        }.
+       *[other] La tabla tiene { $expected } articulaciones, pero se dio una configuración de { $given ->
+            [one] un valor
+           *[other] { $given } valores
+        }.
     }
 error-joints_malformed = Los valores articulares son números: una configuración [q1, …, qn] o una lista de configuraciones de igual longitud.
 error-joint_not_finite = El valor de la articulación { $joint } no es un número finito.

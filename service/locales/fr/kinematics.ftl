@@ -3,8 +3,14 @@
 error-target_unanswered = Le calcul s’est arrêté après { $seconds } s : { $answered } des cibles ont une réponse. Demandez celle-ci et les suivantes dans une autre requête.
 error-joints_wrong_length =
     { $expected ->
-        [one] Le tableau a une articulation, mais la configuration donnée compte { $given } valeurs.
-       *[other] Le tableau a { $expected } articulations, mais la configuration donnée compte { $given } valeurs.
+        [one] Le tableau a une articulation, mais la configuration donnée compte { $given ->
+            [one] { $given } valeur
+           *[other] { $given } valeurs
+        }.
+       *[other] Le tableau a { $expected } articulations, mais la configuration donnée compte { $given ->
+            [one] { $given } valeur
+           *[other] { $given } valeurs
+        }.
     }
 error-joints_malformed = Les valeurs articulaires sont des nombres : une configuration [q1, …, qn] ou une liste de configurations de même longueur.
 error-joint_not_finite = La valeur de l’articulation { $joint } n’est pas un nombre fini.

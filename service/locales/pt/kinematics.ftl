@@ -3,8 +3,14 @@
 error-target_unanswered = O cálculo parou ao fim de { $seconds } s, com { $answered } dos alvos respondidos. Peça este e os seguintes noutro pedido.
 error-joints_wrong_length =
     { $expected ->
-        [one] A tabela tem uma junta, mas foi dada uma configuração com { $given } valores.
-       *[other] A tabela tem { $expected } juntas, mas foi dada uma configuração com { $given } valores.
+        [one] A tabela tem uma junta, mas foi dada uma configuração com { $given ->
+            [one] { $given } valor
+           *[other] { $given } valores
+        }.
+       *[other] A tabela tem { $expected } juntas, mas foi dada uma configuração com { $given ->
+            [one] { $given } valor
+           *[other] { $given } valores
+        }.
     }
 error-joints_malformed = Os valores das juntas são números: uma configuração [q1, …, qn] ou uma lista de configurações do mesmo comprimento.
 error-joint_not_finite = O valor da junta { $joint } não é um número finito.

@@ -3,9 +3,21 @@
 error-target_unanswered = Calculul s-a oprit după { $seconds } s, cu { $answered } dintre ținte rezolvate. Cereți-o pe aceasta și pe cele următoare într-o altă cerere.
 error-joints_wrong_length =
     { $expected ->
-        [one] Tabelul are o cuplă, dar s-a dat o configurație cu { $given } valori.
-        [few] Tabelul are { $expected } cuple, dar s-a dat o configurație cu { $given } valori.
-       *[other] Tabelul are { $expected } de cuple, dar s-a dat o configurație cu { $given } valori.
+        [one] Tabelul are o cuplă, dar s-a dat o configurație cu { $given ->
+            [one] o valoare
+            [few] { $given } valori
+           *[other] { $given } de valori
+        }.
+        [few] Tabelul are { $expected } cuple, dar s-a dat o configurație cu { $given ->
+            [one] o valoare
+            [few] { $given } valori
+           *[other] { $given } de valori
+        }.
+       *[other] Tabelul are { $expected } de cuple, dar s-a dat o configurație cu { $given ->
+            [one] o valoare
+            [few] { $given } valori
+           *[other] { $given } de valori
+        }.
     }
 error-joints_malformed = Valorile cuplelor sunt numere: o configurație [q1, …, qn] sau o listă de configurații de aceeași lungime.
 error-joint_not_finite = Valoarea cuplei { $joint } nu este un număr finit.
