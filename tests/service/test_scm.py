@@ -97,6 +97,20 @@ def test_both_methods_give_the_same_jacobians(client: httpx.Client) -> None:
     assert "J0" in ask(client, "jacobian", chain=PLANAR, formats=["text"], method="differentiation")
 
 
+def test_the_unit_vectors_of_the_document(client: httpx.Client) -> None:
+    """Eq. 3.21 of document 001, and -a2 of its UW arm; joint values do not change them."""
+    stanford = {"robot": "stanford", "joints": [30, 60, 0.5, 10, 45, 90]}
+    z, y = [0.0, 0.0, 1.0], [0.0, 1.0, 0.0]
+    for method in ("inspection", "differentiation"):
+        assert ask(client, "jacobian", **stanford, method=method)["unit_vectors"] == [z, y, z, z, y, z]
+    assert ask(client, "jacobian", robot="uw", joints=[0, 10, 20])["unit_vectors"] == [
+        z,
+        [0, -1, 0],
+        [0, -1, 0],
+    ]
+    assert "unit_vectors" not in ask(client, "jacobian", chain=PLANAR)
+
+
 def test_inverse_kinematics(client: httpx.Client) -> None:
     joints = [20, 40, -30, 10, 50, -60]
     target = ask(client, "forward-kinematics", robot="puma560", joints=joints)["transform"]

@@ -20,6 +20,7 @@ from kinematics.scm import (
     jacobian_numbers_by_differentiation,
     random_configurations,
     table_of_chain,
+    unit_vectors,
 )
 from kinematics.se3 import inverse_transform
 from kinematics.table import bind
@@ -125,7 +126,11 @@ async def jacobian(
             for frame in (JacobianFrame.BASE, JacobianFrame.END)
         )
     return wire.ScmJacobianAnswer(
-        **prepared.units, method=body.method, J0=plain_lists(base), Jn=plain_lists(end)
+        **prepared.units,
+        method=body.method,
+        J0=plain_lists(base),
+        Jn=plain_lists(end),
+        unit_vectors=plain_lists(unit_vectors(prepared.chain, prepared.values)),
     )
 
 

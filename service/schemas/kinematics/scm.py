@@ -11,7 +11,7 @@ from pydantic_core import PydanticCustomError
 from kinematics.cells import AngleUnit, LengthUnit
 from kinematics.printing import Format, Notation
 from kinematics.scm import RawChain
-from service.schemas.base import LONGEST_LIST, WHOLE, Matrix4, Real, Wire
+from service.schemas.base import LONGEST_LIST, WHOLE, Matrix4, Real, Vector3, Wire
 from service.schemas.choices import forbidding, not_one_of
 from service.schemas.kinematics.forward_kinematics import Orientation
 from service.schemas.kinematics.pose_input import PoseInput
@@ -257,6 +257,11 @@ class ScmJacobianAnswer(Units):
     variables: list[str] | None = Field(None, description="the joint variables of a closed form")
     J0: list[list[Real]] | Forms = Field(description="6×n, in the axes of frame 0")
     Jn: list[list[Real]] | Forms = Field(description="6×n, in the axes of the tool")
+    unit_vectors: list[Vector3] | None = Field(
+        None,
+        description="in numbers: u_1 … u_n (eq. 3.20, 3.21), along or about which joint i moves, each in the "
+        "frame of its own row",
+    )
     symbols: dict[str, str] | None = Field(None, description="what the short names of a closed form mean")
 
 
