@@ -8,7 +8,7 @@ Source: seed 001 §2, eq. 2.1 to 2.5 (motions), 2.10 to 2.12 (products), 3.24 (H
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TypeAlias
 
@@ -93,7 +93,7 @@ def read_products(
 ) -> ReadProducts:
     """Return the products that factors as handed in mean.
 
-    The names in `variables` are joint variables, q_i and θ_i if there are none; other names are parameters.
+    q_i and θ_i are joint variables, and so are the names in `variables`; other names are parameters.
 
     Args:
         raw: for each product its factors: entries x, y, z, a, b, c by name, or a 4×4 of cells.
@@ -108,7 +108,7 @@ def read_products(
     """
     named, faults = _names(variables or ())
     numbers = {name: number for number, name in enumerate(named, start=1)}
-    reader = _ProductReader(angle_unit, limits, numbers.get if named else variable_index, faults, {}, {})
+    reader = _ProductReader(angle_unit, limits, numbers, faults, {}, {})
     products = tuple(
         tuple(reader.factor(factor, ("products", i, k)) for k, factor in enumerate(factors))
         for i, factors in enumerate(raw)
@@ -283,7 +283,7 @@ def _motions(placement: Placement) -> Iterator[Motion]:
 class _ProductReader:
     angle_unit: AngleUnit
     limits: Limits
-    index: Callable[[str], int | None]
+    named: Mapping[str, int]
     faults: list[Fault]
     kinds: dict[str, ParameterKind]
     joints: dict[int, ParameterKind]
@@ -315,7 +315,7 @@ class _ProductReader:
 
     def _cell(self, cell: Cell, position: Position, where: tuple[str | int, ...]) -> Expression:
         def variable_of(name: str) -> Expression | None:
-            index = self.index(name)
+            index = self.named.get(name, variable_index(name))
             return None if index is None else JointVariable(index)
 
         try:
@@ -327,8 +327,9 @@ class _ProductReader:
             if self.kinds.setdefault(name, kind) is not kind:
                 self.faults.append(Fault.at("scm_parameter_two_kinds", *where, name=name))
         kind = ParameterKind.LENGTH if position is Position.LENGTH else ParameterKind.ANGLE
+        largest = len(self.named) or LARGEST_VARIABLE
         for index in joint_variables_in(meaning.expression):
-            if not 1 <= index <= LARGEST_VARIABLE:
-                self.faults.append(Fault.at("number_too_large", *where, limit=LARGEST_VARIABLE))
+            if not 1 <= index <= largest:
+                self.faults.append(Fault.at("number_too_large", *where, limit=largest))
             self.joints.setdefault(index, kind)
         return meaning.expression

@@ -145,14 +145,21 @@ def test_the_documents_own_matrix_is_differentiated_by_the_names_that_it_has(cli
     assert product["numbers"][2][3] == pytest.approx(0.412 + 0.5 * math.cos(math.radians(60)))
 
 
-def test_variables_that_were_named_are_the_only_ones(client: httpx.Client) -> None:
+def test_variables_keep_their_names_whatever_else_is_called_so(client: httpx.Client) -> None:
+    """A variable named like the short name of a cosine; q2 is the second one, too, whatever it is called."""
     answer = asked(
-        client, products=[[{"a": "c1"}, {"x": "q1"}]], variables=["c1", "d2"], jacobian=True, formats=["text"]
+        client,
+        products=[[{"a": "c1"}, {"x": "q2"}]],
+        variables=["c1", "d_2"],
+        jacobian=True,
+        formats=["text"],
     )
-    assert answer["parameters"] == ["q1"]
+    assert (answer["variables"], answer["parameters"]) == (["c1", "d2"], [])
     transform, J0 = answer["products"][0]["transform"], answer["products"][0]["J0"]
-    assert transform["text"][0] == ["cos(c1)", "-s1", "0", "q1*cos(c1)"]
-    assert [row[1] for row in J0["text"]] == ["0"] * 6
+    assert transform["text"][0] == ["cos(c1)", "-s1", "0", "d2*cos(c1)"]
+    assert J0["text"][:2] == [["-d2*s1", "cos(c1)"], ["d2*cos(c1)", "s1"]]
+    exchanged = asked(client, products=[[{"a": "q2"}, {"a": "q1"}]], variables=["q2", "q1"], formats=["text"])
+    assert exchanged["variables"] == ["q2", "q1"]
 
 
 def test_the_jacobian_of_a_chain_is_that_of_its_product(client: httpx.Client) -> None:
@@ -205,6 +212,7 @@ def value_of(tree: dict[str, Any], joints: list[float]) -> float:
             "joints_wrong_length",
             "/joints",
         ),
+        ({"products": [[{"a": "q2"}]], "variables": ["a1"]}, "number_too_large", "/products/0/0/a"),
         ({"products": [[[[1, 2], [3]]]]}, "matrix_not_4x4", "/products/0/0"),
         ({"products": [[[[0] * 4] * 4]]}, "pose_bottom_row", "/products/0/0/3"),
         ({"products": [[[0] * 5]]}, "scm_six_entries", "/products/0/0"),

@@ -58,8 +58,8 @@ class ScmProductsRequest(Wire):
     products: list[Annotated[list[MotionFactor], Field(min_length=1, max_length=MOST_FACTORS)]] = Field(
         min_length=1,
         max_length=MOST_PRODUCTS,
-        description="each a list of motions, multiplied from left to right; q1, q2, …, or the names in "
-        "`variables`, are joint variables, other names parameters",
+        description="each a list of motions, multiplied from left to right; q1, q2, … and the names in "
+        "`variables` are joint variables, other names parameters",
     )
     variables: list[Annotated[str, Field(min_length=1, max_length=64)]] | None = Field(
         None,
