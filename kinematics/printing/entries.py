@@ -6,7 +6,7 @@ What stands in parentheses more than once gets a name, so that each line fits a 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from itertools import chain, count
 from typing import NamedTuple
 
@@ -16,8 +16,8 @@ from kinematics.printing.ledger import Entered, Ledger
 from kinematics.printing.notation import Names
 from kinematics.printing.text import TextWriter
 
-_LETTERS = "kwuvabcdefgh"
-"""Letters for intermediates, in the order in which they are tried."""
+_LETTERS = "kwuvabdef"
+"""Letters for intermediates, in the order in which they are tried; c1 is a cosine, and g, h are results."""
 _AXES = "xyz"
 _LAST_DIGIT = 9
 """Beyond it, the two indices of an entry need a comma between them."""
@@ -44,7 +44,7 @@ def entry_lines(matrix: Entered, ledger: Ledger, names: Names, result: str) -> l
         matrix: what to write, in the ledger.
         ledger: where its nodes are.
         names: how sines, cosines and joint variables are written.
-        result: the letter of the entries of a matrix that is no pose: J11.
+        result: the letter of the entries of a matrix that is no pose: J11, and g1 in a single column.
     """
     text, latex = TextWriter(names, ledger), LatexWriter(names, ledger)
     lines = []
@@ -58,7 +58,7 @@ def entry_lines(matrix: Entered, ledger: Ledger, names: Names, result: str) -> l
             lines.append(_line(name, parameter(name), number, text, latex))
             text.name(number, name)
             latex.name(number, parameter(name))
-    for name, typeset, number in _entries(matrix, ledger, result):
+    for name, typeset, number in _entries(matrix, ledger, names, result):
         lines.append(_line(name, typeset, number, text, latex))
     return lines
 
@@ -87,16 +87,40 @@ def _intermediate_names(names: Names) -> Iterator[str]:
     return (f"{letter}{i}" for i in count(1))
 
 
-def _entries(matrix: Entered, ledger: Ledger, result: str) -> Iterator[tuple[str, str, int]]:
+def _entries(matrix: Entered, ledger: Ledger, names: Names, result: str) -> Iterator[tuple[str, str, int]]:
     """Name, name in LaTeX and node of every entry, row by row."""
     rows = matrix.rows
     last = [ledger.nodes[number] for number in rows[-1]]
     is_pose = len(rows) == 4 and last == [ZERO, ZERO, ZERO, ONE]
-    for i, row in enumerate(rows[:3] if is_pose else rows, 1):
-        for j, number in enumerate(row, 1):
-            if is_pose and j == 4:
-                yield f"p{_AXES[i - 1]}", f"p_{{{_AXES[i - 1]}}}", number
-                continue
-            letter = "r" if is_pose else result
-            wide = max(len(rows), len(row)) > _LAST_DIGIT
-            yield f"{letter}{i}{'_' * wide}{j}", f"{letter}_{{{i}{',' * wide}{j}}}", number
+    taken = {*names.parameters, *names.variables}
+    if not is_pose:
+        yield from _named(rows, result, taken)
+        return
+    rotation = list(_named([row[:3] for row in rows[:3]], "r", taken))
+    letter = _free("p", taken, _AXES)
+    for i, axis in enumerate(_AXES):
+        yield from rotation[3 * i : 3 * i + 3]
+        yield f"{letter}{axis}", f"{letter}_{{{axis}}}", rows[i][3]
+
+
+def _named(
+    rows: Sequence[Sequence[int]], letter: str, taken: Collection[str]
+) -> Iterator[tuple[str, str, int]]:
+    """The entries of rows with their indices: g1 in a single column, r11 in a matrix."""
+    wide = max(len(rows), len(rows[0])) > _LAST_DIGIT
+    indices = [
+        [(f"{i}",)] if len(row) == 1 else [(f"{i}", f"{j}") for j in range(1, len(row) + 1)]
+        for i, row in enumerate(rows, 1)
+    ]
+    words = [("_" * wide).join(index) for row in indices for index in row]
+    letter = _free(letter, taken, words)
+    typeset = [("," * wide).join(index) for row in indices for index in row]
+    for word, index, number in zip(words, typeset, chain.from_iterable(rows), strict=True):
+        yield f"{letter}{word}", f"{letter}_{{{index}}}", number
+
+
+def _free(letter: str, taken: Collection[str], words: Iterable[str]) -> str:
+    """The letter, in the other case or repeated if with these words it makes a name of the table."""
+    listed = list(words)
+    spellings = chain([letter, letter.swapcase()], (letter * n for n in count(2)))
+    return next(start for start in spellings if not any(f"{start}{word}" in taken for word in listed))

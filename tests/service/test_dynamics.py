@@ -139,6 +139,21 @@ def test_the_puma_of_the_catalogue_in_closed_form(client: httpx.Client) -> None:
     assert found["g"]["text"][0] == ["0"]
 
 
+@pytest.mark.parametrize("formats", [["text"], ["entries"], ["python", "c"]])
+def test_what_does_not_move_has_no_equations_of_motion(client: httpx.Client, formats: list[str]) -> None:
+    still = {"convention": "standard", "rows": [{"joint": "fixed", "alpha": 0, "a": 1, "d": 0, "theta": 0}]}
+    body = {"form": "symbolic", "table": still, "links": [{"mass": 1}], "formats": formats}
+    check_problem(client.post(PATH, json=body), 422, "dynamics_without_joints", "/table/rows")
+
+
+def test_columns_are_numbered_by_their_rows_alone(client: httpx.Client) -> None:
+    body = {**ARM, "form": "symbolic", "formats": ["entries"], "parts": ["M", "g"]}
+    del body["joints"], body["parameters"]
+    found = answered(client, body)
+    assert [line["name"] for line in found["g"]["entries"]][-2:] == ["g1", "g2"]
+    assert [line["name"] for line in found["M"]["entries"]][-4:] == ["M11", "M12", "M21", "M22"]
+
+
 WEIGHTLESS = {"links": [{}, {}], "torque": [1, 1], "parameters": {"L1": 1, "L2": 1}}
 
 

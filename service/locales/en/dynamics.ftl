@@ -4,6 +4,7 @@ error-links_count = A list of links has one entry for each row of the table: { $
 error-mass_negative = A mass cannot be negative: { $mass } kg.
 error-inertia_not_symmetric = An inertia matrix is symmetric: the entry xy is the same as yx.
 error-inertia_negative = A moment of inertia about an axis is never negative. This matrix has a negative one about some axis.
+error-dynamics_without_joints = Nothing moves: equations of motion need a revolute or a prismatic row.
 error-mass_matrix_singular = Some joint moves nothing that has mass, so no force determines its acceleration. Give the links mass and inertia.
 error-links_missing = Give the masses of the links: links, one entry for each row of the table.
 error-name_of_rate = { $name } is the name of a joint’s rate in closed forms. Call the parameter something else.

@@ -4,6 +4,7 @@ error-links_count = La lista de eslabones tiene una entrada por cada fila de la 
 error-mass_negative = Una masa no puede ser negativa: { $mass } kg.
 error-inertia_not_symmetric = Una matriz de inercia es simétrica: el elemento xy es igual al yx.
 error-inertia_negative = Un momento de inercia respecto de un eje nunca es negativo. Esta matriz tiene uno negativo respecto de algún eje.
+error-dynamics_without_joints = Nada se mueve: las ecuaciones de movimiento necesitan una fila de rotación o prismática.
 error-mass_matrix_singular = Alguna articulación no mueve nada que tenga masa, así que ninguna fuerza determina su aceleración. Dé masa e inercia a los eslabones.
 error-links_missing = Indique la masa de los eslabones: links, una entrada por cada fila de la tabla.
 error-name_of_rate = { $name } es el nombre de la velocidad de una articulación en las formas cerradas. Llame al parámetro de otro modo.

@@ -4,6 +4,7 @@ error-links_count = La liste des segments a une entrée par ligne du tableau : 
 error-mass_negative = Une masse ne peut pas être négative : { $mass } kg.
 error-inertia_not_symmetric = Un tenseur d’inertie est symétrique : l’élément xy est égal à yx.
 error-inertia_negative = Un moment d’inertie par rapport à un axe n’est jamais négatif. Ce tenseur en a un négatif par rapport à un certain axe.
+error-dynamics_without_joints = Rien ne bouge : des équations du mouvement demandent une ligne rotoïde ou prismatique.
 error-mass_matrix_singular = Une articulation ne déplace rien qui ait une masse : aucune force ne détermine son accélération. Donnez une masse et une inertie aux segments.
 error-links_missing = Indiquez la masse des segments : links, une entrée par ligne du tableau.
 error-name_of_rate = { $name } est le nom de la vitesse d’une articulation dans les formes littérales. Donnez un autre nom au paramètre.

@@ -4,6 +4,7 @@ error-links_count = A lista de elos tem uma entrada para cada linha da tabela: {
 error-mass_negative = Uma massa não pode ser negativa: { $mass } kg.
 error-inertia_not_symmetric = Uma matriz de inércia é simétrica: o elemento xy é igual ao yx.
 error-inertia_negative = Um momento de inércia em torno de um eixo nunca é negativo. Esta matriz tem um negativo em torno de algum eixo.
+error-dynamics_without_joints = Nada se move: as equações do movimento precisam de uma linha rotativa ou prismática.
 error-mass_matrix_singular = Alguma junta não move nada que tenha massa, e nenhuma força determina a sua aceleração. Dê massa e inércia aos elos.
 error-links_missing = Indique a massa dos elos: links, uma entrada para cada linha da tabela.
 error-name_of_rate = { $name } é o nome da velocidade de uma junta nas formas fechadas. Dê outro nome ao parâmetro.

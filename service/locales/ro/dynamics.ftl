@@ -4,6 +4,7 @@ error-links_count = Lista elementelor are câte o intrare pentru fiecare rând a
 error-mass_negative = O masă nu poate fi negativă: { $mass } kg.
 error-inertia_not_symmetric = Un tensor de inerție este simetric: elementul xy este egal cu yx.
 error-inertia_negative = Un moment de inerție față de o axă nu este niciodată negativ. Acest tensor are unul negativ față de o anumită axă.
+error-dynamics_without_joints = Nimic nu se mișcă: ecuațiile de mișcare au nevoie de un rând de rotație sau de translație.
 error-mass_matrix_singular = O cuplă nu mișcă nimic care să aibă masă, deci nicio forță nu îi determină accelerația. Dați elementelor masă și inerție.
 error-links_missing = Indicați masa elementelor: links, câte o intrare pentru fiecare rând al tabelului.
 error-name_of_rate = { $name } este numele vitezei unei cuple în formele închise. Dați parametrului alt nume.

@@ -85,7 +85,10 @@ def _with_sources(schema: dict[str, Any]) -> None:
 class WrittenEntry(Wire):
     """An entry of a matrix, or an intermediate that several of them hold."""
 
-    name: str = Field(description="r11 … r33 and px, py, pz of a pose, J11 … of a Jacobian; k1 … before them")
+    name: str = Field(
+        description="r11 … r33 and px, py, pz of a pose, J11 … of a Jacobian, g1 … of a column; k1 … before "
+        "them"
+    )
     text: str = Field(description="its value as an infix expression")
     latex: str = Field(description="the equation in LaTeX")
 

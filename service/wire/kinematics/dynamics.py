@@ -14,7 +14,7 @@ from kinematics.cells import LengthUnit, ReadTable, in_length_unit, parameter_va
 from kinematics.cells.substitution import substitute, with_values
 from kinematics.dynamics import Derivation, MovingRobot, RigidBody, SymbolicBody, bind_links, rate_name
 from kinematics.dynamics.reading import ReadBodies, read_bodies
-from kinematics.errors import DescriptionError, Fault
+from kinematics.errors import DescriptionError, Fault, TableError
 from kinematics.expressions import Expression, Number, evaluate, parameters_in
 from kinematics.inverse.lengths import check_lengths
 from kinematics.printing import Format, MatrixPrinter, Notation, Purpose
@@ -176,10 +176,13 @@ def dynamics_task(question: SymbolicDynamicsRequest, settings: Settings) -> Dyna
     """Return what a validated request asks of the workers.
 
     Raises:
-        KinematicsError: the robot cannot be read, a parameter does not fit it, or is named like a rate.
+        KinematicsError: the robot cannot be read or does not move, a parameter does not fit it, or is named
+            like a rate.
     """
     found = weighed(question, settings)
     read, bodies = found.read, found.bodies
+    if read.table.n_joints == 0:
+        raise TableError(Fault.at("dynamics_without_joints", "table", "rows"))
     kinds = bodies.kinds
     rates = [rate_name(joint) for joint in range(1, read.table.n_joints + 1)]
     taken = [name for name in rates if name in kinds]

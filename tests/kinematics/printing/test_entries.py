@@ -74,6 +74,17 @@ def test_intermediates_take_a_letter_that_no_parameter_has():
     assert lines[0]["name"] == "u1"
 
 
+def test_entries_take_names_that_no_parameter_has():
+    taken = ("r11", "px", "k1", "w1", "u1", "v1", "a1", "b1", "J12", "j12")
+    form = closed_form(puma(Convention.MODIFIED)).transform
+    names = [line["name"] for line in lines_of(form, **{**PRINTER, "parameters": taken})]
+    assert names[0] == "d1"
+    assert names[-4:] == ["R31", "R32", "R33", "Pz"]
+    form = jacobian(puma(Convention.MODIFIED))
+    names = [line["name"] for line in lines_of(form, "J", **{**PRINTER, "parameters": taken})]
+    assert names[-1] == "JJ66"
+
+
 def test_columns_of_two_digits_are_kept_apart():
     symbolic = table(Convention.STANDARD, *[row(a=number(1))] * 10)
     lines = lines_of(jacobian(symbolic), "J", n_joints=10, parameters=())
