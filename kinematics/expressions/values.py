@@ -37,6 +37,8 @@ _NOTHING: frozenset[str] = frozenset()
 
 COARSE = 10
 """Denominators from here on are those of decimals, but for those of 24: 1/12 is exact, 0.43 is not."""
+OF_TENTHS = 5
+"""Denominators that this divides are those of decimals, too: 9.8 is 49/5, and may have been 9.81."""
 
 
 def evaluate(
@@ -97,8 +99,8 @@ def walk(expression: Expression) -> Iterator[Expression]:
 
 def holds_decimals(expression: Expression) -> bool:
     """Return whether an expression holds numbers that may have been rounded: 0.43, but not 1/12."""
-    numbers = (node.value for node in walk(expression) if isinstance(node, Number))
-    return any(value.denominator >= COARSE and 24 % value.denominator for value in numbers)
+    found = (node.value.denominator for node in walk(expression) if isinstance(node, Number))
+    return any(under % OF_TENTHS == 0 or (under >= COARSE and 24 % under) for under in found)
 
 
 def _value(node: Expression, parameters: Mapping[str, float], joints: Sequence[float]) -> float:

@@ -90,6 +90,17 @@ def test_values_that_were_given_may_stand_for_their_names() -> None:
             assert earned(changed(old, new), seed)[0], (seed, old)
 
 
+def test_gravity_to_one_decimal_may_stand_for_its_name() -> None:
+    """9.8 is 49/5, whose denominator was taken for that of an exact fraction."""
+    for seed in STUDENTS:
+        assert earned(changed("*g", "*9.8"), seed)[0], seed
+        assert not earned(changed("*g", "*9.7"), seed)[0], seed
+
+
+def test_a_fraction_that_was_typed_is_exact() -> None:
+    assert {earned(changed("*g", "*(49/5)"), seed)[0] for seed in STUDENTS} == {False}
+
+
 def test_an_answer_of_very_many_decimals_is_read_once(monkeypatch: pytest.MonkeyPatch) -> None:
     """To read each cell anew for each decimal in it took seconds."""
     rows = 0
