@@ -10,6 +10,7 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache, lru_cache
 
+from exercises.grading.coarse import is_rounded_too_much
 from exercises.grading.edits.accused import accused, own_table_first
 from exercises.grading.edits.repairs import MOST_WORK, Repaired, find_repairs
 from exercises.grading.edits.work import Work
@@ -127,7 +128,8 @@ def clearest(
 ) -> int:
     """Return the best reading of a wrong answer: one of the right robot, else the one with least wrong.
 
-    One wrong name among numbers so leaves the numbers what they are: values of names.
+    One that is only imprecise has nothing wrong. One wrong name among numbers so leaves the numbers what they
+    are: values of names.
 
     Args:
         decisions: what was decided.
@@ -136,6 +138,7 @@ def clearest(
         policy: what the answer is held to.
     """
     right = [i for i, decision in enumerate(decisions) if decision.same_robot]
+    right = right or [i for i, decision in enumerate(decisions) if decision is IMPRECISE]
     if right or len(ways) == 1:
         return min(right, default=0)
     try:
@@ -147,6 +150,26 @@ def clearest(
         _LOG.exception("no way is clearer than another")
         return 0
     return off.index(min(off))
+
+
+def as_typed(
+    decision: Decision, comparison: Comparison, tables: tuple[ReadTable, ReadTable], policy: Policy
+) -> Decision:
+    """Return what is decided of a wrong answer: that its digits are too few, where they explain the rest.
+
+    Args:
+        decision: what was decided.
+        comparison: in which way the answer was taken.
+        tables: the key and the answer as read.
+        policy: what the answer is held to.
+    """
+    if decision is REFUTED or decision.same_robot or not comparison.steps:
+        return decision
+    try:
+        return IMPRECISE if is_rounded_too_much(work_on(comparison, tables, policy)) else decision
+    except Exception:
+        _LOG.exception("it is not known how the answer was rounded")
+        return decision
 
 
 @lru_cache(maxsize=WAYS_REMEMBERED)

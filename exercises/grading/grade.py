@@ -10,6 +10,7 @@ from exercises.grading.edits.in_common import in_common
 from exercises.grading.edits.repairs import Repaired
 from exercises.grading.explanation import (
     Diagnosis,
+    as_typed,
     clearest,
     diagnosis,
     explanation,
@@ -229,7 +230,8 @@ def _decided(
         if decision.accepted:
             return _accepted(decision, way, submission)
         telling = way if decision is REFUTED else with_a_telling_draw_first(way, policy)
-        decisions.append(decision if telling is way else judged(telling, policy))
+        told = decision if telling is way else judged(telling, policy)
+        decisions.append(as_typed(told, telling, (reference, submission), policy))
         ways.append(telling)
     best = clearest(decisions, ways, (reference, submission), policy)
     return decisions[best], ways[best]

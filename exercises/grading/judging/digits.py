@@ -8,6 +8,7 @@ or to a per cent of itself if that is more.
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from functools import lru_cache
 
 import numpy as np
@@ -108,6 +109,29 @@ def tightened(
     own = invariants.own_sizes[:, 0]
     slacks = np.maximum(share * own, SECOND_ORDER * reaches) + floors(invariants, reference)
     return invariants.held_to(slacks[:, None])
+
+
+def explained_by_digits(
+    invariants: Invariants,
+    reference: Reference,
+    table: NumericTable,
+    steps: Mapping[Place, float],
+    policy: Policy,
+    share: float,
+) -> Invariants:
+    """Return some invariants of the key, each with the slack that the digits of an answer explain.
+
+    Args:
+        invariants: of the key.
+        reference: the key.
+        table: the answer, with the key's joints.
+        steps: half a unit of the last place of its decimals.
+        policy: what the answer is held to.
+        share: by which part of itself an invariant may be off.
+    """
+    reaches = _reaches(invariants.sizes(measured_as_typed(invariants, table, steps, policy)))
+    slacks = np.maximum(share * invariants.own_sizes[:, 0], reaches) + floors(invariants, reference)
+    return replace(invariants, slacks=slacks[:, None])
 
 
 def _largest(invariants: Invariants, reference: Reference, steps: Mapping[Place, float]) -> Floats:

@@ -1,0 +1,87 @@
+"""Too few digits are no wrong length, unless they are not those of the right one."""
+
+from __future__ import annotations
+
+import pytest
+
+from exercises.grading import BaseRule, DirectionRule, Policy, ToolRule, Verdict, ZeroRule, grade
+from kinematics.cells import ReadTable
+from tests.exercises.grading.written import Cell, read
+
+Lengths = tuple[Cell, Cell, Cell, Cell]
+VALUES = {"a2": 0.4318, "a3": 0.0203, "d3": 0.15005, "d4": 0.4318}
+NAMES: Lengths = ("a2", "a3", "d3", "d4")
+FREE = Policy(tool=ToolRule.FREE)
+STRICT = Policy(
+    base=BaseRule.FRAME, tool=ToolRule.FRAME, zero=ZeroRule.FIGURE, direction=DirectionRule.FIGURE
+)
+
+
+def _puma(lengths: Lengths, twist: Cell = -90, third: Cell = "q3") -> ReadTable:
+    a2, a3, d3, d4 = lengths
+    rows: list[tuple[Cell, Cell, Cell, Cell]] = [
+        (90, 0, 0, "q1"),
+        (0, a2, 0, "q2"),
+        (twist, a3, d3, third),
+        (90, 0, d4, "q4"),
+        (-90, 0, 0, "q5"),
+        (0, 0, 0, "q6"),
+    ]
+    return read("standard", rows, "deg")
+
+
+def _craig(lengths: Lengths) -> ReadTable:
+    a2, a3, d3, d4 = lengths
+    rows: list[tuple[Cell, Cell, Cell, Cell]] = [
+        (0, 0, 0, "q1"),
+        (-90, 0, 0, "q2"),
+        (0, a2, d3, "q3"),
+        (-90, a3, d4, "q4"),
+        (90, 0, 0, "q5"),
+        (-90, 0, 0, "q6"),
+    ]
+    return read("modified", rows, "deg")
+
+
+def _codes(verdict: Verdict) -> list[str]:
+    return [entry.code for entry in verdict.feedback]
+
+
+@pytest.mark.parametrize(
+    "lengths",
+    [
+        (0.4, 0.0203, 0.15005, 0.4318),
+        (0.4318, 0.0203, 0.2, 0.4318),
+        (0.4, 0.02, 0.2, 0.4),
+        ("a2", "a3", "d3", 0.4),
+    ],
+)
+@pytest.mark.parametrize("policy", [FREE, STRICT])
+def test_a_length_of_too_few_digits_is_said_to_be_that(lengths: Lengths, policy: Policy) -> None:
+    verdict = grade(_puma(NAMES), _puma(lengths), policy, VALUES)
+    assert not verdict.correct
+    assert _codes(verdict) == ["not_equivalent", "entries_imprecise"]
+    assert verdict.repairs == ()
+
+
+def test_in_other_frames_too() -> None:
+    verdict = grade(_puma(NAMES), _craig((0.4, 0.02, 0.2, 0.4)), FREE, VALUES)
+    assert _codes(verdict) == ["not_equivalent", "entries_imprecise"]
+
+
+@pytest.mark.parametrize(
+    ("answer", "policy"),
+    [
+        (_puma((0.5, 0.02, 0.15, 0.43)), FREE),
+        (_puma((0.4, 0, 0.2, 0.4)), FREE),
+        (_puma((1, 0, 0, 0)), FREE),
+        (_puma((0.4, 0.02, -0.2, 0.4)), FREE),
+        (_puma((0.4, 0.02, 0.2, 0.4), twist=90), FREE),
+        (_puma((0.4, 0.02, 0.2, 0.4), third="q3 + 90"), STRICT),
+        (_puma((0.4, 0.02, 0.2, 0.4), third="-q3"), STRICT),
+        (_puma(("a2", "a3", "d3", 0.5)), FREE),
+        (_puma(("a2", "a3", "d3", 1)), FREE),
+    ],
+)
+def test_what_the_digits_do_not_explain_is_wrong(answer: ReadTable, policy: Policy) -> None:
+    assert "entries_imprecise" not in _codes(grade(_puma(NAMES), answer, policy, VALUES))
