@@ -5,9 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import lru_cache
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from exercises.grading.edits.changes import Change, Extent
 from exercises.grading.edits.repairs import Repaired
@@ -19,6 +21,7 @@ from kinematics.chain import Axis, chain_of_table
 from kinematics.equivalence import Decision, DirectionRule, Kind, Policy, ZeroRule
 from kinematics.equivalence.decision import certify, convention_fits
 from kinematics.equivalence.invariants import axes_of
+from kinematics.equivalence.measures import Measure, Shape
 from kinematics.equivalence.meter import Meter
 from kinematics.equivalence.reference import Reference, prepared
 from kinematics.equivalence.search import Effort
@@ -56,8 +59,12 @@ def score_of(decision: Decision, repairs: Sequence[Repaired], work: Work, weight
     if not nothing or (not throughout and _has_no_more_than_zeros(work, standard)):
         return 0.0
     off = max(weights.sign, lost(decision, work, weights))
-    if slip is not None:
+    if off > CELL:
+        off -= _shared_across_sliders(work, standard)
+    if slip is not None and not _is_of_length_or_turn(slip):
         off = min(off, _cost(slip, weights, nothing))
+    elif slip is not None:
+        off = min(off, max(CELL, _wrong(work, standard) - _shared_across_sliders(work, standard)))
     if off > CELL and _has_one_other_twist(work):
         off = CELL
     return round(min(max(1.0 - off / nothing, 0.0), HIGHEST_PARTIAL), DECIMALS)
@@ -73,6 +80,50 @@ def _cost(change: Change, weights: Weights, nothing: float) -> float:
         return weights.sign
     cost = {Extent.CELL: CELL, Extent.ROW: weights.row, Extent.TABLE: weights.table}[change.extent]
     return min(cost, nothing / 2.0) if _is_throughout(change) else cost
+
+
+def _is_of_length_or_turn(change: Change) -> bool:
+    """Whether a change is of one cell that does not turn an axis against the one before it."""
+    return (
+        change.code not in SIGNS
+        and change.extent is Extent.CELL
+        and all(cell != "alpha" for _, cell in change.places)
+    )
+
+
+@lru_cache(maxsize=32)
+def _shared_across_sliders(work: Work, standard: _Standard) -> float:
+    """By how much less the facts weigh if what is wrong across one group of sliders counts as one.
+
+    How two axes with sliders between them lie to each other is up to three facts: a distance, an offset and a
+    turn. One edit mends all of them in some frames, in others two do; the mark is the same.
+    """
+    wrong, least = _wrong(work, standard), 0.0
+    for of_gap in _across_sliders(standard.facts):
+        without = replace(standard.facts, worth=np.where(of_gap, 0.0, standard.facts.worth))
+        least = max(least, wrong - _wrong(work, standard._replace(facts=without)) - CELL)
+    return least
+
+
+@lru_cache(maxsize=32)
+def _across_sliders(facts: Facts) -> tuple[NDArray[np.bool_], ...]:
+    """(q,) for each group of sliders: which facts say how the axes on both sides of it lie to each other.
+
+    Angles between neighbours are facts of their own.
+    """
+    turning = [i for i, axis in enumerate(facts.axes) if not axis.prismatic]
+    return tuple(
+        np.array([_is_across(shape, i, k) for shape in facts.invariants.shapes], dtype=np.bool_)
+        for i, k in pairwise(turning)
+        if k > i + 1
+    )
+
+
+def _is_across(shape: Shape, i: int, k: int) -> bool:
+    first, last = min(shape.axes), max(shape.axes)
+    if shape.measure is Measure.TURN:
+        return i <= first and last <= k
+    return shape.measure is not Measure.ANGLE and first <= i and k <= last
 
 
 def _is_throughout(change: Change) -> bool:

@@ -29,6 +29,7 @@ from tests.exercises.grading.test_grade import (
 )
 from tests.exercises.grading.written import Cell, read, written
 from tests.kinematics.equivalence import tables
+from tests.kinematics.equivalence.tables import P, R
 from tests.kinematics.equivalence.test_refinement import scaled
 from tests.kinematics.robots import numeric
 
@@ -200,3 +201,20 @@ def test_lengths_and_offsets_have_weights_of_their_own(weights: Weights, of: int
         answer = read("standard", with_cells(PUMA, *cells))
         verdict = grade(KEY, answer, USUAL, VALUES, HelpLevel.REPAIR, weights)
         assert verdict.score == mark(2 * weight, of)
+
+
+def test_two_facts_across_one_slider_cost_the_same_in_all_frames() -> None:
+    """In some drawings one length of a row explains both, in others two cells do."""
+    key = tables.modified(
+        (P, np.pi / 2, 0.0, 0.0, 0.6),
+        (R, 0.0, 0.8, 0.0, 0.0),
+        (P, np.pi, 0.0, 0.0, 0.0),
+        (R, np.pi / 2, -0.9, 0.0, 0.0),
+        (P, -np.pi / 2, 0.0, -0.7, np.pi),
+        (R, 0.0, -0.5, 0.0, 0.0),
+        (R, -2.24, 0.75, 0.0, 0.0),
+    )
+    wrong = tables.changed(tables.changed(key, 4, d=2.7), 6, a=-1.7)
+    drawn = [table for seed in range(30) if (table := drawn_by_hand(wrong, Random(seed)))]
+    found = {grade(written(key), written(table), Policy(tool=ToolRule.FREE)).score for table in drawn}
+    assert found == {mark(1, 7)}
