@@ -14,7 +14,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from exercises.grading.judging.typed import Place
+from exercises.grading.judging.typed import ANGLES, Place
 from kinematics.equivalence import BaseRule, Policy, ToolRule
 from kinematics.equivalence.batches import Variation
 from kinematics.equivalence.invariants import FLOOR, Invariants, invariants_of
@@ -74,6 +74,24 @@ def not_explained(
     if far.any() and steps:
         far &= off > SECOND_ORDER * _reaches(sizes)
     return invariants.some(np.flatnonzero(far).tolist()) if far.any() else None
+
+
+def digits_and_angles(
+    reference: Reference, table: NumericTable, steps: Mapping[Place, float], policy: Policy
+) -> float:
+    """Return by which share of its size an answer's poses may be off for its digits and for wrong angles.
+
+    Args:
+        reference: the key.
+        table: the answer, with as many joints.
+        steps: half a unit of the last place of its decimals.
+        policy: what the answer is held to.
+    """
+    invariants = invariants_of(reference, policy)
+    sizes = invariants.sizes(measured_as_typed(invariants, table, {}, policy))
+    angles = np.abs(sizes - invariants.own_sizes)[invariants.angular].sum()
+    typed = [step if cell in ANGLES else step / reference.size for (_, cell), step in steps.items()]
+    return float(SECOND_ORDER * (sum(typed) + angles))
 
 
 def floors(invariants: Invariants, reference: Reference) -> Floats:

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 
 from exercises.grading.judging.comparison import Comparison
-from exercises.grading.judging.digits import PER_CENT, beyond_digits
+from exercises.grading.judging.digits import PER_CENT, beyond_digits, digits_and_angles
 from exercises.grading.judging.end_lines import ends_beyond_digits
 from exercises.grading.judging.typed import Place
 from kinematics.chain import chain_of_table
@@ -138,4 +138,23 @@ def _held_to_digits(
             return Decision(
                 certificate=None, mismatches=tuple(Mismatch(kind=kind) for kind in ends), same_robot=True
             )
+    if prepared(comparison.references[0]).scaleless:
+        return _held_to_no_size(comparison, decision, certificate, policy)
     return decision
+
+
+def _held_to_no_size(
+    comparison: Comparison, decision: Decision, certificate: Certificate, policy: Policy
+) -> Decision:
+    """The decision, where the key has no length: positions are off by no more than digits and angles explain.
+
+    What counts as the size is then that of the answer, which grows with the frames that were chosen.
+    """
+    share = 0.0
+    for key, answer in zip(comparison.references, comparison.meant, strict=True):
+        reference = prepared_for(key, answer)
+        share = max(share, EXACT.length + digits_and_angles(reference, answer, comparison.steps, policy))
+    if certificate.residual <= share or share >= policy.tolerance.length:
+        return decision
+    tolerance = replace(policy.tolerance, length=share)
+    return decide_draws(comparison.references, comparison.meant, replace(policy, tolerance=tolerance))
