@@ -15,6 +15,8 @@ from typing import TypeVar
 
 from exercises.reading import Reader
 
+ALIKE = Fraction(1, 100)
+"""Sizes that differ by no more than this share pass for each other in an answer in numbers."""
 MOST_VALUES = 10_000
 """Longest list of values that one draw chooses from: a finer step is a slip of the pen."""
 
@@ -71,19 +73,27 @@ class Picker:
             usual: the value that everyone sees without a seed.
             draw: the values to choose from.
             name: of the value.
-            without: sizes that are not drawn, unless the draw has no others.
+            without: sizes that it is kept apart from, as far as the draw has others.
         """
         if self.seed is None or draw is None:
             return usual
         value = pick(draw.values(), self.exercise_id, self.seed, name)
-        if abs(value) not in without:
-            return value
-        others = [other for other in draw.values() if abs(other) not in without]
-        return pick(others, self.exercise_id, self.seed, name) if others else value
+        for share in (ALIKE, Fraction(0)):
+            if not is_alike(value, without, share):
+                return value
+            others = [other for other in draw.values() if not is_alike(other, without, share)]
+            if others:
+                return pick(others, self.exercise_id, self.seed, name)
+        return value
 
     def choice(self, values: Sequence[Value], name: str) -> Value:
         """Return one of the values: the first without a seed."""
         return values[0] if self.seed is None else pick(values, self.exercise_id, self.seed, name)
+
+
+def is_alike(value: Fraction, others: Collection[Fraction], share: Fraction = ALIKE) -> bool:
+    """Return whether a value is as large as one of some sizes, to within a share."""
+    return any(abs(abs(value) - other) <= share * max(abs(value), other) for other in others)
 
 
 def pick(values: Sequence[Value], *names: str) -> Value:

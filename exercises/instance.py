@@ -80,7 +80,7 @@ def generate(exercise: Exercise, seed: str | int | None = None) -> Instance:
 def _values_kept_apart(parameters: Sequence[DrawnParameter], picker: Picker) -> dict[str, Fraction]:
     """Return the value of every dimension: each drawn one of another size, where its draw has a choice.
 
-    Two lengths of one size could be exchanged by mistake without a difference.
+    Two lengths of about one size could be exchanged by mistake without a difference.
     """
     exact: dict[str, Fraction] = {}
     taken = {abs(parameter.value) for parameter in parameters if parameter.draw is None}

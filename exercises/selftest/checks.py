@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import replace
+from itertools import combinations
 from random import Random
 
 import numpy as np
@@ -13,6 +14,7 @@ import numpy as np
 from exercises.answers import RawAnswer
 from exercises.definition import Exercise
 from exercises.drawings import figure_drawing, true_scene, values
+from exercises.draws import is_alike
 from exercises.errors import DefinitionError
 from exercises.grading import HelpLevel, Verdict
 from exercises.instance import Instance, generate
@@ -62,6 +64,7 @@ def check_values(
     """
     findings = Findings(exercise.id)
     with_table = exercise.part(TABLE) is not None
+    seeds = tuple(seeds)
     for seed in seeds:
         rng = Random(f"{exercise.id} {seed}")  # noqa: S311 - tests want repeatable numbers
         with _crashes(findings, seed):
@@ -78,7 +81,25 @@ def check_values(
             _check_samples(findings, exercise)
             for name in unneeded_dimensions(exercise):
                 findings.warn("unneeded", name=name)
+            for name, other in _alike(exercise, seeds):
+                findings.warn("alike", name=name, other=other)
     return findings
+
+
+def _alike(exercise: Exercise, seeds: Iterable[int | str | None]) -> list[tuple[str, str]]:
+    """Dimensions, two by two, that some students may exchange in an answer in numbers, and nobody sees it.
+
+    The usual values are those of students only where nothing is drawn.
+    """
+    drawn = any(parameter.draw for parameter in exercise.parameters)
+    students = [generate(exercise, seed) for seed in seeds if seed is not None or not drawn]
+    kinds = exercise.reference.parameters
+    lengths = [name for name in generate(exercise).exact if kinds.get(name) is ParameterKind.LENGTH]
+    return [
+        (one, other)
+        for one, other in combinations(lengths, 2)
+        if any(is_alike(student.exact[one], (abs(student.exact[other]),)) for student in students)
+    ]
 
 
 @contextmanager

@@ -4,14 +4,17 @@ from __future__ import annotations
 
 import os
 import re
+from pathlib import Path
 
 import pytest
 
 from exercises.consistency import inconsistencies
 from exercises.definition import LANGUAGES
+from exercises.loader import load_exercise
 from exercises.selftest.checks import check
 from exercises.statements import names_in
 from kinematics import catalogue
+from tests.exercises.folders import changed, folder
 from tests.exercises.packaged import exercise, exercise_ids, table_ids
 
 SEEDS = int(os.environ.get("EXERCISE_SEEDS", "0"))
@@ -99,3 +102,19 @@ def test_titles_call_a_robot_by_one_name(language: str) -> None:
     names = {robot: exercise(robot).title(language).split(":")[0].strip() for robot in ROBOTS}
     for found in map(exercise, ALL):
         assert found.robot is None or found.title(language).startswith(names[found.robot])
+
+
+@pytest.mark.parametrize(
+    ("drawn", "told"),
+    [
+        ("0.3, to = 0.3, step = 0.1", True),
+        ("0.3, to = 0.303, step = 0.003", True),
+        ("0.4, to = 0.6, step = 0.1", False),
+    ],
+)
+def test_lengths_that_may_be_exchanged_unseen_are_told_to_the_author(
+    drawn: str, told: bool, tmp_path: Path
+) -> None:
+    found = load_exercise(folder(tmp_path, changed("0.4, to = 0.6, step = 0.1", drawn)))
+    alike = [one.params for one in check(found, 1).warnings if one.check == "alike"]
+    assert alike == [{"name": "L1", "other": "L2"}] * told

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from pathlib import Path
 
 import pytest
 from hypothesis import given
@@ -11,7 +12,9 @@ from hypothesis import strategies as st
 from exercises.draws import Draw, Picker, pick
 from exercises.errors import AnswerError
 from exercises.instance import generate
+from exercises.loader import load_exercise
 from exercises.parts.forward.pose import PosePart
+from tests.exercises.folders import changed, folder
 from tests.exercises.packaged import exercise, exercise_ids
 
 
@@ -89,3 +92,10 @@ def test_a_seed_is_bounded() -> None:
     with pytest.raises(AnswerError) as refused:
         generate(exercise("rx90"), "x" * 201)
     assert refused.value.code == "seed_too_long"
+
+
+def test_sizes_that_pass_for_each_other_in_numbers_are_drawn_apart(tmp_path: Path) -> None:
+    text = changed("from = 0.4, to = 0.6, step = 0.1", "from = 0.297, to = 0.304, step = 0.001")
+    found = load_exercise(folder(tmp_path, text))
+    drawn = {generate(found, seed).exact["L1"] for seed in range(200)}
+    assert drawn == {Fraction(304, 1000)}

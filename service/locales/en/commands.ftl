@@ -22,5 +22,6 @@ check-rounded = A right table rounded to { $digits } digits is rejected under th
 check-tool_rule = A right table is rejected under the tool rule { $rule }: { $table }
 check-crash = Seed { $seed }: grading fails: { $reason }
 check-unneeded = No right answer needs { $name }: a student may choose frames in which it does not appear. Fix the base frame or the tool frame if answers are to contain it, or leave it out of the statement.
+check-alike = Some students may exchange { $name } and { $other } in numbers, and nobody notices: the two differ by no more than 1 %. Choose values, or ranges to draw from, that lie further apart.
 warm-counts = { $exercise }: { $values } sets of values tested and drawn, { $figures } figures, { $forms } closed forms, { $failed } failed, { $seconds } s
 error-nothing_to_warm = There is no exercise, and no course with links, called { $name }.

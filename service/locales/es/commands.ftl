@@ -22,5 +22,6 @@ check-rounded = Se rechaza una tabla correcta redondeada a { $digits } cifras co
 check-tool_rule = Se rechaza una tabla correcta con la regla de herramienta { $rule }: { $table }
 check-crash = Semilla { $seed }: falla la calificación: { $reason }
 check-unneeded = Ninguna respuesta correcta necesita { $name }: el estudiante puede elegir sistemas de referencia en los que no aparece. Fije el de la base o el de la herramienta si la respuesta debe contener esa cota, o no la mencione en el enunciado.
+check-alike = Algunos estudiantes pueden intercambiar { $name } y { $other } en números sin que se note: difieren en un 1 % como máximo. Elija valores o intervalos más separados.
 warm-counts = { $exercise }: { $values } juegos de valores comprobados y dibujados, { $figures } figuras, { $forms } formas cerradas, { $failed } fallos, { $seconds } s
 error-nothing_to_warm = No hay ningún ejercicio, ni ningún curso con enlaces, llamado { $name }.

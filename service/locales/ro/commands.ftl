@@ -24,5 +24,6 @@ check-rounded = Un tabel corect rotunjit la { $digits } cifre este respins cu re
 check-tool_rule = Un tabel corect este respins cu regula sculei { $rule }: { $table }
 check-crash = Sămânța { $seed }: notarea eșuează: { $reason }
 check-unneeded = Niciun răspuns corect nu are nevoie de { $name }: studentul poate alege sisteme de coordonate în care nu apare. Fixați sistemul bazei sau pe cel al sculei dacă răspunsul trebuie să o conțină, ori scoateți-o din enunț.
+check-alike = Unii studenți pot inversa { $name } și { $other } în numere fără să se observe: diferă cu cel mult 1 %. Alegeți valori sau intervale mai îndepărtate.
 warm-counts = { $exercise }: { $values } seturi de valori verificate și desenate, { $figures } figuri, { $forms } forme închise, { $failed } eșecuri, { $seconds } s
 error-nothing_to_warm = Nu există niciun exercițiu și niciun curs cu linkuri numit { $name }.
