@@ -159,14 +159,14 @@ class Facts:
     def _is_defined(self, shape: Shape, axes: Sequence[Axis], span: range) -> bool:
         """Whether a length means in the answer what it means in the key, whatever frames were chosen.
 
-        An offset runs along parallel axes between axes that are not; a distance beside sliders disregards the
-        directions of all axes in between.
+        An offset runs along parallel axes between axes that are not; a turn is about parallel sliders; a
+        distance beside sliders disregards the directions of all axes in between.
         """
+        if shape.measure is Measure.TURN:
+            return all(self._is_as_parallel(axes, i, i + 1) for i in range(shape.axes[1], shape.axes[2] - 1))
         if shape.measure is Measure.OFFSET:
             pairs = {(i, i + 1) for i in span[:-1]} | {(shape.axes[2], shape.axes[3])}
-            return all(
-                _are_parallel(axes[i], axes[j]) is _are_parallel(self.axes[i], self.axes[j]) for i, j in pairs
-            )
+            return all(self._is_as_parallel(axes, i, j) for i, j in pairs)
         if shape.measure is Measure.DISTANCE:
             if len(span) == len(shape.axes) - 2:
                 return True
@@ -176,6 +176,9 @@ class Facts:
                 basis = (*basis, unit(rest)) if norm(rest) > NEARLY else basis
             return all(norm(outside(axes[i].direction, basis)) <= NEARLY for i in span)
         return True
+
+    def _is_as_parallel(self, axes: Sequence[Axis], i: int, j: int) -> bool:
+        return _are_parallel(axes[i], axes[j]) is _are_parallel(self.axes[i], self.axes[j])
 
 
 def _places(ours: int, theirs: int, split: int) -> list[int | None]:

@@ -218,3 +218,20 @@ def test_two_facts_across_one_slider_cost_the_same_in_all_frames() -> None:
     drawn = [table for seed in range(30) if (table := drawn_by_hand(wrong, Random(seed)))]
     found = {grade(written(key), written(table), Policy(tool=ToolRule.FREE)).score for table in drawn}
     assert found == {mark(1, 7)}
+
+
+def test_a_turn_about_sliders_is_none_where_they_are_no_longer_parallel() -> None:
+    """A third wrong twist made the angle about the first of them right again."""
+    key = tables.standard(
+        (P, np.pi / 2, 0, -0.2, 2.6659),
+        (P, 0, 0, 0, 0),
+        (P, np.pi, 0, 0.15, np.pi),
+        (P, np.pi / 2, 0, 0.55, np.pi / 2),
+        (P, 0, 0, -0.9, np.pi / 2),
+    )
+    wrong = tables.changed(tables.changed(key, 4, alpha=1.7718), 2, alpha=-0.6678)
+    worse = tables.changed(wrong, 3, alpha=2.5141)
+    before, after = (
+        grade(written(key), written(table), Policy(tool=ToolRule.FREE)).score for table in (wrong, worse)
+    )
+    assert after < before
