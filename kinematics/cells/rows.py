@@ -131,12 +131,18 @@ def _sign(joint: RowJoint, cell: str, trees: Mapping[str, Node]) -> int:
         raise CellRefusal("variable_in_fixed_row", **place)
     expected = VARIABLE_CELLS[joint.joint]
     if cell != expected:
-        if not joint.stated and joint.variable(first.name, cell) == joint.number:
+        if not joint.stated and joint.variable(first.name, cell) == joint.number and _moves(joint, trees):
             raise CellRefusal("variable_twice", **place)
         raise CellRefusal(
             "variable_in_wrong_cell", cell=cell, joint=joint.joint.value, expected=expected, **place
         )
     return _sign_of(found, joint, cell)
+
+
+def _moves(joint: RowJoint, trees: Mapping[str, Node]) -> bool:
+    """Whether the variable of a row stands in its cell; another one may."""
+    cell = VARIABLE_CELLS[joint.joint]
+    return cell in trees and any(uses(trees[cell], lambda name: joint.variable(name, cell) == joint.number))
 
 
 def _sign_of(found: list[Use], joint: RowJoint, cell: str) -> int:

@@ -154,6 +154,8 @@ def test_the_variable_stands_where_its_joint_moves():
 
 def test_a_row_has_one_variable():
     assert faults_of(raw_row(theta="q1", d="q1")) == [("variable_twice", ("rows", 0, "d"))]
+    other = [("variable_in_wrong_cell", ("rows", 0, "d")), ("variable_of_other_row", ("rows", 0, "theta"))]
+    assert faults_of(raw_row(theta="q2", d="q1")) == other
     assert faults_of(raw_row(theta="q1", d="q2")) == [("variable_in_wrong_cell", ("rows", 0, "d"))]
 
 
