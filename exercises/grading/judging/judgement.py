@@ -10,7 +10,7 @@ from exercises.grading.judging.digits import PER_CENT, beyond_digits, digits_and
 from exercises.grading.judging.end_lines import ends_beyond_digits
 from exercises.grading.judging.typed import Place
 from kinematics.chain import chain_of_table
-from kinematics.equivalence import Decision, Kind, Mismatch, Policy, decide_draws
+from kinematics.equivalence import Decision, Kind, Mismatch, Policy, ZeroRule, decide_draws
 from kinematics.equivalence.decision import EXACT, convention_fits, mechanism_only
 from kinematics.equivalence.diagnosis import diagnose, mismatches_of
 from kinematics.equivalence.invariants import Invariants
@@ -138,7 +138,8 @@ def _held_to_digits(
             return Decision(
                 certificate=None, mismatches=tuple(Mismatch(kind=kind) for kind in ends), same_robot=True
             )
-    if prepared(comparison.references[0]).scaleless:
+    # where zeros are fixed, the digits of the variables' own cells count, too, which are not known
+    if prepared(comparison.references[0]).scaleless and policy.zero is ZeroRule.FREE:
         return _held_to_no_size(comparison, decision, certificate, policy)
     return decision
 

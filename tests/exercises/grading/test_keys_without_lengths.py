@@ -7,7 +7,7 @@ from random import Random
 
 from exercises.grading import Policy, ToolRule, is_accepted
 from kinematics.table import NumericTable
-from tests.exercises.grading.answers_campaign import as_typed, certificate_of
+from tests.exercises.grading.answers_campaign import as_typed, certificate_of, rounded_answers
 from tests.exercises.grading.campaign import drawn_by_hand
 from tests.exercises.grading.written import written
 from tests.kinematics.equivalence.tables import P, R, changed, modified
@@ -37,3 +37,8 @@ def test_right_tables_are_right_however_they_are_rounded() -> None:
     for decimals in (3, 4, 5):
         for table in _drawn(KEY, 12):
             assert certificate_of(written(KEY), as_typed(table, decimals), FREE), decimals
+
+
+def test_where_zeros_are_fixed_the_digits_of_variables_count() -> None:
+    """A key without lengths is the fifth of this block."""
+    assert not rounded_answers(880003, 5).failures
