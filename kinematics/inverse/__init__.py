@@ -6,6 +6,7 @@ arm            a serial chain as constants and joints, for one configuration or 
 lengths        how long a length may be
 residuals      how far a pose is from its target
 methods        closed forms, eigenproblems: all solutions of the arms that have them
+newton         Newton steps to the nearest pose
 search         damped least squares from many starts at once
 valleys        folds that a target only just reaches
 refinement     from candidates to solutions

@@ -19,6 +19,7 @@ import numpy as np
 
 from kinematics.inverse.arm import Arm, Array, low_discrepancy
 from kinematics.inverse.distinct import distinct
+from kinematics.inverse.newton import evened, farthest_off, polish
 from kinematics.inverse.residuals import are_solutions, errors_of
 from kinematics.inverse.valleys import along_valleys, least_error
 
@@ -50,22 +51,8 @@ MOST_STARTS = 2048
 BY_OWN_SIZE = 256
 """Starts that descend by the arm's own size to what is nearest, where another was taken for the search."""
 
-NEWTON_STEPS = 20
-"""Newton steps at most: convergence is quadratic, and the first few may lead round a bend."""
-IDLE_STEPS = 4
-"""Newton steps in a row that do not halve the error before it is as small as it will get."""
-
-EXACT = 1e-16
-"""Size of the error vector below which another Newton step would only move rounding."""
-
-LEAST_DAMPING = 1e-28
-"""Square of the singular values that are rounding: some ten roundings of a Jacobian."""
-
 MOST_VALLEYS = 64
 """Configurations from which valleys are followed, the nearest to their target: all of them take 0.2 s."""
-
-LONGEST_STEP = 0.3
-"""Longest Newton step [rad, or parts of the size]: from candidates it is a correction."""
 
 _DAMPING = (1e-9, 1e4)
 """Bounds of the damping of a descent: below the least a step is Gauss-Newton, above the greatest none."""
@@ -205,6 +192,7 @@ def search(
     n = arm.n_joints
     box = box if bounds is Bounds.KEPT else unbounded(n)
     measured = _measured(arm, target)
+    farthest = max(ARRIVED, farthest_off(measured, tolerance))
     found = np.empty((0, n))
     ends: list[Array] = []
     done, count = 0, FIRST_ROUND
@@ -214,7 +202,7 @@ def search(
             starts = np.concatenate((np.clip(near, box.low, box.high), starts))
         descent = descend(measured, target, starts, box)
         ends.append(_best(descent))
-        arrived = descent.joints[descent.errors < max(ARRIVED, tolerance)]
+        arrived = descent.joints[descent.errors < farthest]
         before = len(found)
         if len(arrived):
             found = distinct(
@@ -253,7 +241,8 @@ def _exact(arm: Arm, target: Array, joints: Array, box: Box, tolerance: float) -
     if not exact.all():
         off = np.where(exact, np.inf, np.linalg.norm(vectors, axis=1))
         left = np.argsort(off, kind="stable")[: min(int((~exact).sum()), MOST_VALLEYS)]
-        q[left] = np.clip(along_valleys(arm, target, joints[left]), box.low, box.high)
+        settled = evened(arm, target, along_valleys(arm, target, joints[left]), tolerance)
+        q[left] = np.clip(settled, box.low, box.high)
         vectors = errors_of(arm, arm.frames(q)[-1], target)
         exact = are_solutions(vectors, arm, tolerance)
     return np.asarray(q[exact][np.argsort(np.linalg.norm(vectors[exact], axis=1), kind="stable")])
@@ -268,40 +257,6 @@ def _starts(arm: Arm, target: Array, box: Box, count: int, skip: int) -> Array:
     turns = one_turn(box.low, box.high)
     low, high = np.where(arm.revolute, turns, (low, high))
     return np.asarray(low + (high - low) * low_discrepancy(count, arm.n_joints, skip))
-
-
-def polish(arm: Arm, targets: Array, joints: Array) -> Array:
-    """Newton steps from configurations that are nearly right; the best on the way is returned.
-
-    Steps are damped by the error: δ = (JᵀJ + |e|²)⁻¹ Jᵀ e, of least norm where solutions are not isolated,
-    and quadratically convergent to them as well (N. Yamashita, M. Fukushima, 2001). Beside a singularity
-    the way to the solution is long and bent: the first step along it loses what the next one brings back.
-    So a step is not refused for being worse.
-
-    Args:
-        arm: the arm.
-        targets: (4, 4), or (m, 4, 4) one each.
-        joints: (m, n).
-    """
-    x = joints / arm.units
-    best, least = x, np.full(len(x), np.inf)
-    idle = np.zeros(len(x), dtype=int)
-    for _ in range(NEWTON_STEPS):
-        frames = arm.frames(x * arm.units)
-        e = errors_of(arm, frames[-1], targets)
-        cost = (e * e).sum(axis=1)
-        better = cost < least
-        idle = np.where(cost < 0.25 * least, 0, idle + 1)
-        best, least = np.where(better[:, None], x, best), np.where(better, cost, least)
-        if (idle >= IDLE_STEPS).all() or cost.max(initial=0.0) <= EXACT**2:
-            break
-        J = arm.jacobians(frames) * arm.units
-        U, values, Vt = np.linalg.svd(J, full_matrices=False)
-        filtered = values / (values * values + np.maximum(cost, LEAST_DAMPING)[:, None])
-        step = np.einsum("mkn,mk,mik,mi->mn", Vt, filtered, U, e)
-        length = np.linalg.norm(step, axis=1)
-        x = x + step * np.minimum(1.0, LONGEST_STEP / np.maximum(length, 1e-300))[:, None]
-    return np.asarray(best * arm.units)
 
 
 def _steps(arm: Arm, J: Array, e: Array, damping: Array, q: Array, box: Box | None) -> Array:

@@ -10,8 +10,8 @@ from __future__ import annotations
 import numpy as np
 
 from kinematics.inverse.arm import Array
+from kinematics.inverse.newton import polish
 from kinematics.inverse.residuals import errors_of
-from kinematics.inverse.search import polish
 from kinematics.inverse.self_motions.families import FamilyPath, Follower, nearest_on
 
 WIDEST = 0.05

@@ -18,9 +18,10 @@ import numpy as np
 from kinematics.forward import end_pose
 from kinematics.inverse.distinct import differences
 from kinematics.inverse.goals import Goal, read_goal
+from kinematics.inverse.newton import polish
 from kinematics.inverse.residuals import are_solutions, error_vectors
 from kinematics.inverse.results import InverseKinematics
-from kinematics.inverse.search import Bounds, descend, polish, search, unbounded
+from kinematics.inverse.search import Bounds, descend, search, unbounded
 from kinematics.inverse.self_motions.components import belongs, components_of
 from kinematics.inverse.self_motions.families import FamilyPath, Follower, nearest_on
 from kinematics.inverse.self_motions.isolation import lost_value

@@ -14,6 +14,8 @@ from kinematics.errors import JointValueError, PoseError, TableError
 from kinematics.forward import end_pose, forward_kinematics
 from kinematics.inverse import IKStatus, UnreachableReason, inverse_kinematics, solver_of
 from kinematics.inverse.arm import ArmReach, arm_of
+from kinematics.inverse.goals import read_goal
+from kinematics.inverse.residuals import pose_errors
 from kinematics.inverse.results import Isolation, Method
 from kinematics.inverse.search import Bounds, search
 from kinematics.jacobian import jacobian
@@ -21,6 +23,7 @@ from kinematics.table import Convention, DHRow, DHTable, JointType
 from tests.conftest import EXPLORE
 from tests.kinematics.inverse.arms import (
     GENERAL,
+    RIGHT,
     STANFORD,
     THREE_LINKS,
     TWO_LINKS,
@@ -437,6 +440,41 @@ def test_a_target_with_rounded_digits_is_made_a_rotation():
     assert len(answer.solutions) == 8
     assert all(solution.residual < 1e-9 for solution in answer.solutions)
     assert np.abs(reached(PUMA560, answer.solutions[0]) - target).max() < 1e-6
+
+
+# Their lengths of 0.2 or so weigh a distance much more than an angle; of the others the first two joints turn
+# about one axis, so that they are searched.
+SHORT = numeric(
+    Convention.STANDARD,
+    ("revolute", math.pi / 3, 0.1, 0.0, 0.0),
+    ("revolute", -math.pi / 4, 0.0, 0.05, 0.0),
+    ("revolute", math.pi / 6, 0.05, 0.0, 0.0),
+)
+TURNING, SLIDING = (
+    numeric(
+        Convention.MODIFIED,
+        ("revolute", math.pi / 6, 0.0, 0.0, 0.0),
+        ("revolute", math.pi, 0.0, 0.0, 0.4),
+        last,
+    )
+    for last in (
+        ("revolute", -math.pi / 4, 0.15, 0.0, 0.0),
+        ("prismatic", math.pi / 3, 0.0, 0.15, RIGHT),
+    )
+)
+
+
+@pytest.mark.parametrize(("table", "poses"), [(SHORT, 120), (TURNING, 8), (SLIDING, 8)])
+def test_short_arms_reach_rounded_poses_within_distance_and_angle(table, poses):
+    rng = np.random.default_rng(3)
+    for _ in range(poses):
+        q, decimals = random_joints(rng, table, slide=0.3), int(rng.integers(4, 10))
+        target = np.round(end_pose(table, q), decimals)
+        tolerance = 10.0**-decimals if decimals <= 6 else None
+        goal = read_goal(target, tolerance, where=())
+        distance, angle = pose_errors(end_pose(table, q)[None], goal.pose)
+        answer = inverse_kinematics(table, target, tolerance=tolerance)
+        assert answer.solutions or max(distance[0], angle[0]) > goal.tolerance
 
 
 @pytest.mark.parametrize(

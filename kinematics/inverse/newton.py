@@ -1,0 +1,115 @@
+"""Newton steps to the nearest pose, and beside a pose that was rounded to one within the tolerance."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+
+from kinematics.inverse.arm import Arm, Array
+from kinematics.inverse.residuals import are_solutions, errors_of
+
+NEWTON_STEPS = 20
+"""Newton steps at most: convergence is quadratic, and the first few may lead round a bend."""
+IDLE_STEPS = 4
+"""Newton steps in a row that do not halve the error before it is as small as it will get."""
+
+EXACT = 1e-16
+"""Size of the error vector below which another Newton step would only move rounding."""
+
+LEAST_DAMPING = 1e-28
+"""Square of the singular values that are rounding: some ten roundings of a Jacobian."""
+
+LONGEST_STEP = 0.3
+"""Longest Newton step [rad, or parts of the size]: from candidates it is a correction."""
+
+HEAVIEST = 64.0
+"""By so much more or less than usual a distance is weighed against an angle: at the ends one alone counts."""
+
+WEIGHTS = 24
+"""Weights that are tried: bisecting 64² so often leaves a millionth, finer than any tolerance is known."""
+
+
+def polish(arm: Arm, targets: Array, joints: Array) -> Array:
+    """Newton steps from configurations that are nearly right; the best on the way is returned.
+
+    Steps are damped by the error: δ = (JᵀJ + |e|²)⁻¹ Jᵀ e, of least norm where solutions are not isolated,
+    and quadratically convergent to them as well (N. Yamashita, M. Fukushima, 2001). Beside a singularity
+    the way to the solution is long and bent: the first step along it loses what the next one brings back.
+    So a step is not refused for being worse.
+
+    Args:
+        arm: the arm.
+        targets: (4, 4), or (m, 4, 4) one each.
+        joints: (m, n).
+    """
+    x = joints / arm.units
+    best, least = x, np.full(len(x), np.inf)
+    idle = np.zeros(len(x), dtype=int)
+    for _ in range(NEWTON_STEPS):
+        frames = arm.frames(x * arm.units)
+        e = errors_of(arm, frames[-1], targets)
+        cost = (e * e).sum(axis=1)
+        better = cost < least
+        idle = np.where(cost < 0.25 * least, 0, idle + 1)
+        best, least = np.where(better[:, None], x, best), np.where(better, cost, least)
+        if (idle >= IDLE_STEPS).all() or cost.max(initial=0.0) <= EXACT**2:
+            break
+        J = arm.jacobians(frames) * arm.units
+        U, values, Vt = np.linalg.svd(J, full_matrices=False)
+        filtered = values / (values * values + np.maximum(cost, LEAST_DAMPING)[:, None])
+        step = np.einsum("mkn,mk,mik,mi->mn", Vt, filtered, U, e)
+        length = np.linalg.norm(step, axis=1)
+        x = x + step * np.minimum(1.0, LONGEST_STEP / np.maximum(length, 1e-300))[:, None]
+    return np.asarray(best * arm.units)
+
+
+def farthest_off(arm: Arm, tolerance: float) -> float:
+    """Return the size of an error vector of which distance and angle are a tolerance [m and rad] each."""
+    return math.hypot(tolerance, max(tolerance, arm.rounding) / arm.size)
+
+
+def evened(arm: Arm, target: Array, joints: Array, tolerance: float) -> Array:
+    """Return configurations, (m, n), those that miss the target in distance or angle alone moved within both.
+
+    An arm of fewer than six joints misses a rounded pose. The sum of squares may be least where the one is
+    within its tolerance and the other is not; what lies between is found by weighing them otherwise.
+
+    Args:
+        arm: the arm.
+        target: (4, 4).
+        joints: (m, n), where the sum of squares is least, weighed by the arm's size or both alike.
+        tolerance: distance [m] and angle [rad] within which the target is reached.
+    """
+    vectors = errors_of(arm, arm.frames(joints)[-1], target)
+    reached = are_solutions(vectors, arm, tolerance)
+    off = np.linalg.norm(vectors, axis=1) <= farthest_off(arm, tolerance)
+    uneven = ~reached & (off | (np.hypot(*_shares(vectors, arm, tolerance)) <= math.sqrt(2.0)))
+    q = joints.copy()
+    for i in np.flatnonzero(uneven):
+        q[i] = _evened(arm, target, q[i], tolerance)
+    return q
+
+
+def _evened(arm: Arm, target: Array, joints: Array, tolerance: float) -> Array:
+    """Return the (n,) configuration near one with both within the tolerance, if there is any."""
+    low, high = arm.size / HEAVIEST, arm.size * HEAVIEST
+    found = joints
+    for _ in range(WEIGHTS):
+        weighed = replace(arm, size=math.sqrt(low * high))
+        found = polish(weighed, target, joints[None])[0]
+        distance, angle = _shares(errors_of(arm, arm.frames(found[None])[-1], target), arm, tolerance)
+        if max(distance[0], angle[0]) <= 1.0:
+            break
+        if distance[0] > angle[0]:
+            high = weighed.size
+        else:
+            low = weighed.size
+    return found
+
+
+def _shares(vectors: Array, arm: Arm, tolerance: float) -> tuple[Array, Array]:
+    """Distances and angles of error vectors, as shares of what may be, (m,) each."""
+    distance = arm.size * np.linalg.norm(vectors[:, :3], axis=1) / max(tolerance, arm.rounding)
+    return distance, np.linalg.norm(vectors[:, 3:], axis=1) / tolerance
