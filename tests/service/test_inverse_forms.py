@@ -162,7 +162,8 @@ def test_given_lengths_stand_in_the_equations(client: httpx.Client) -> None:
 def test_arms_without_such_a_form_are_refused(client: httpx.Client, robot: str) -> None:
     response = client.post(URL, json={"form": "symbolic", "robot": robot})
     assert response.status_code == 422
-    assert response.json()["errors"][0]["code"] == "inverse_form_unknown"
+    problem = response.json()
+    assert (problem["code"], problem["pointer"]) == ("inverse_form_unknown", "/robot")
 
 
 TURNED_FOOT = {"joint": "fixed", "alpha": 0, "a": 0.1, "d": 0.2, "theta": 20}

@@ -20,6 +20,7 @@ from service.schemas.kinematics.inverse_kinematics import (
     InverseKinematicsAnswer,
     InverseKinematicsAnswers,
 )
+from service.wire.fault_pointers import traced
 from service.wire.kinematics.inverse_forms import inverse_form_task, written_inverse
 from service.wire.kinematics.inverse_solutions import solved, solved_each
 from service.wire.kinematics.symbolic_tasks import answered
@@ -83,7 +84,8 @@ async def inverse_kinematics(
     resources = request.resources
     if isinstance(body, SymbolicInverseRequest):
         task = await request.in_turn(partial(inverse_form_task, body, request.settings))
-        return await answered(request, task, b"inverse" + await request.body(), written_inverse)
+        with traced(body):
+            return await answered(request, task, b"inverse" + await request.body(), written_inverse)
     robot = await request.in_turn(partial(resources.robots.prepare, body))
     if body.targets is not None:
         return await solved_each(body, robot, request)

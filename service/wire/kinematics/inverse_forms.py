@@ -30,7 +30,6 @@ from kinematics.printing.notation import Names
 from kinematics.symbolic import count_operations
 from kinematics.symbolic.size import bottom_up
 from kinematics.table import CELLS
-from service.http.problems import located
 from service.schemas.kinematics.inverse_forms import SymbolicInverseAnswer, SymbolicInverseRequest
 from service.settings import Settings
 from service.wire.kinematics.exact_values import exact_question
@@ -64,12 +63,11 @@ def written_inverse(task: InverseFormTask) -> bytes:
     """Return the answer to a task, as JSON.
 
     Raises:
-        TableError: the arm has no such form.
+        TableError: the arm has no such form, at a row or a cell of its table.
         FormSizeError: the equations have too many operations to be written out.
     """
     parameters = task.parameters
-    with located("table"):
-        form = inverse_form_in_world(task.table, task.base, task.tool, task.variables)
+    form = inverse_form_in_world(task.table, task.base, task.tool, task.variables)
     expressions = [*(step.value for step in form.steps), *_values_of(form)]
     printed = [*expressions, *form.case_values, *(step.meaning for step in form.steps if step.meaning)]
     if count_operations(printed) > LIMIT:
