@@ -3,6 +3,7 @@
 goals          what is to be reached, and within which tolerance
 results        what comes out: solutions with their true residuals, families, or the nearest pose
 arm            a serial chain as constants and joints, for one configuration or many
+scaled_lengths  arms and answers in a unit in which a distance counts as much as an angle
 lengths        how long a length may be
 residuals      how far a pose is from its target
 methods        closed forms, eigenproblems: all solutions of the arms that have them

@@ -194,7 +194,8 @@ def _checked(targets: ArrayLike) -> tuple[Array, Array]:
     rigid, tolerances = poses.copy(), np.empty(len(poses))
     tolerances[~suspects] = tolerances_of_exact(poses[~suspects])
     for i in np.flatnonzero(suspects).tolist():
-        rigid[i], tolerances[i] = read_goal(poses[i], None, where=("target", i))
+        goal = read_goal(poses[i], None, where=("target", i))
+        rigid[i], tolerances[i] = goal.pose, goal.tolerance
     return rigid, tolerances
 
 

@@ -29,7 +29,8 @@ ROUNDING = 1e-12
 """No tolerance is smaller: rounding of the forward kinematics has to pass."""
 
 LARGEST_TOLERANCE = 1e-2
-"""Poses with two decimals. Beyond it families and neighbouring solutions run into each other."""
+"""Poses with two decimals, or this part of an arm's size. Beyond it families and neighbouring solutions run
+into each other."""
 
 OF_ROUNDING = 3.0
 """Rounding that leaves RᵀR off the identity by δ in its worst entry moves pose and position by 3 δ at most
@@ -54,14 +55,18 @@ class Goal(NamedTuple):
 
     Attributes:
         pose: (4, 4) rigid motion.
-        tolerance: distance [m] and angle [rad] within which it counts as reached.
+        tolerance: distance [m], and in units of that angle [rad], within which it counts as reached.
+        unit: distance [m] that counts as much as 1 rad.
     """
 
     pose: Transform
     tolerance: float
+    unit: float = 1.0
 
 
-def read_goal(target: ArrayLike, tolerance: float | None, where: tuple[str | int, ...]) -> Goal:
+def read_goal(
+    target: ArrayLike, tolerance: float | None, where: tuple[str | int, ...], size: float = 1.0
+) -> Goal:
     """Return the target as a rigid motion that can be computed with, and its tolerance.
 
     The rotation part is replaced by the nearest rotation, if it is off by more than rounding.
@@ -69,22 +74,26 @@ def read_goal(target: ArrayLike, tolerance: float | None, where: tuple[str | int
     Args:
         target: (4, 4).
         tolerance: [m and rad]; left out, three times what the rotation part is off, and at least 1e-11 where
-            the target has all digits of a double, 7e-10 elsewhere.
+            the target has all digits of a double, 7e-10 elsewhere. Above 0.01 it is a distance; the angle
+            is then the same part of 1 rad as it is of the size, or more if the rotation part shows it.
         where: place of the target, for faults.
+        size: of the arm [m].
 
     Raises:
         PoseError: not a rigid motion within the tolerance, a position too far away, or a tolerance that is no
-            positive number up to 0.01, at ("tolerance",).
+            positive number up to 0.01, or to that part of the size, at ("tolerance",).
 
     Source: N. J. Higham, Matrix nearness problems and applications (1989) §3, the orthogonal polar factor.
     """
     if tolerance is None and type(target) is np.ndarray and target.shape == (4, 4) and _is_exact(target):
         pose = target.astype(np.float64)
         return Goal(pose, _least_tolerance(*pose[:3, 3].tolist()))
-    if tolerance is not None and not 0.0 < tolerance <= LARGEST_TOLERANCE:
-        params = {"limit": LARGEST_TOLERANCE}
-        raise PoseError(Fault.at("pose_tolerance_out_of_range", "tolerance", **params))
-    allowed = max(ORTHONORMAL_TOLERANCE, ROUNDED_ENTRIES * (tolerance or 0.0))
+    largest = LARGEST_TOLERANCE * max(1.0, size)
+    if tolerance is not None and not 0.0 < tolerance <= largest:
+        raise PoseError(Fault.at("pose_tolerance_out_of_range", "tolerance", limit=largest))
+    is_distance = tolerance is not None and tolerance > LARGEST_TOLERANCE
+    angle = LARGEST_TOLERANCE if is_distance else tolerance or 0.0
+    allowed = max(ORTHONORMAL_TOLERANCE, ROUNDED_ENTRIES * angle)
     pose = check_transform(target, where=where, tolerance=allowed)
     if is_far(pose):
         raise PoseError(too_long(where))
@@ -96,7 +105,12 @@ def read_goal(target: ArrayLike, tolerance: float | None, where: tuple[str | int
         pose[:3, :3] = U @ V
     else:
         least = _least_tolerance(*pose[:3, 3].tolist())
-    return Goal(pose, max(OF_ROUNDING * off, least) if tolerance is None else max(tolerance, ROUNDING))
+    if tolerance is None:
+        return Goal(pose, max(OF_ROUNDING * off, least))
+    if is_distance:
+        angle = min(max(tolerance / size, OF_ROUNDING * off), LARGEST_TOLERANCE)
+        return Goal(pose, tolerance, tolerance / angle)
+    return Goal(pose, max(tolerance, ROUNDING))
 
 
 def tolerances_of_exact(targets: Array) -> Array:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -10,8 +10,8 @@ from numpy.typing import ArrayLike
 from kinematics.inverse.arm import Arm, ArmReach, Array
 from kinematics.inverse.goals import Goal, read_goal
 from kinematics.inverse.limits import within_limits
-from kinematics.inverse.methods.closed_form import InverseClosedForm, candidates_beside
-from kinematics.inverse.methods.locked import LockedArms
+from kinematics.inverse.methods.closed_form import InverseClosedForm, candidates_beside, closed_form_of
+from kinematics.inverse.methods.locked import LockedArms, locked_arms_of
 from kinematics.inverse.methods.wrist_scalars import ClearWrist
 from kinematics.inverse.refinement import solutions_of
 from kinematics.inverse.residuals import errors_of, pose_errors
@@ -25,6 +25,7 @@ from kinematics.inverse.results import (
     NearestPose,
     UnreachableReason,
 )
+from kinematics.inverse.scaled_lengths import answer_from_unit, arm_in_unit, box_in_unit, goal_in_unit
 from kinematics.inverse.search import MOST_ISOLATED, Bounds, Box, SearchResult, search
 from kinematics.inverse.search import TOLERANCE as SEARCHED
 from kinematics.inverse.self_motions.components import components_of
@@ -45,7 +46,7 @@ class Solver:
     """An arm made ready for inverse kinematics.
 
     Attributes:
-        table: its table.
+        table: its table, in the unit of the request whatever the arm is measured in.
         base: (4, 4) pose of frame 0 in the world, or None.
         tool: (4, 4) pose of the tool in frame N, or None.
         arm: its constants and joints.
@@ -70,12 +71,32 @@ class Solver:
         Args:
             target: (4, 4) pose of the tool in the world.
             tolerance: distance [m] and angle [rad] within which it counts as reached, for poses that were
-                rounded: with five decimals 1e-5. Left out, what the target itself shows of rounding.
+                rounded: with five decimals 1e-5. Left out, what the target itself shows of rounding; see
+                `read_goal`.
 
         Raises:
             PoseError: not a rigid motion, or too far away to be computed with, at ("target", …).
         """
-        return self.solve_goal(read_goal(target, tolerance, where=("target",)))
+        goal = self.goal(target, tolerance, where=("target",))
+        if goal.unit == 1.0:
+            return self.solve_goal(goal)
+        return answer_from_unit(self._in_unit(goal.unit).solve_goal(goal_in_unit(goal)), self.arm, goal)
+
+    def goal(self, target: ArrayLike, tolerance: float | None, where: tuple[str | int, ...]) -> Goal:
+        """Return a target made ready; arguments and refusals are those of `read_goal`."""
+        return read_goal(target, tolerance, where, self.arm.size)
+
+    def _in_unit(self, unit: float) -> Solver:
+        """The same arm, its lengths in another unit."""
+        arm = arm_in_unit(self.arm, unit)
+        return replace(
+            self,
+            arm=arm,
+            closed_form=closed_form_of(arm),
+            clear=None,
+            locked=locked_arms_of(arm),
+            box=box_in_unit(self.box, arm, unit),
+        )
 
     def solve_goal(self, goal: Goal) -> InverseKinematics:
         """Return what `solve` does, of a target that was read already."""
@@ -90,7 +111,14 @@ class Solver:
 
         Arguments and refusals are those of `solve`.
         """
-        goal = read_goal(target, tolerance, where=("target",))
+        goal = self.goal(target, tolerance, where=("target",))
+        if goal.unit == 1.0:
+            return self._at_once_or_alone(goal)
+        answer = self._in_unit(goal.unit)._at_once_or_alone(goal_in_unit(goal))
+        return None if answer is None else answer_from_unit(answer, self.arm, goal)
+
+    def _at_once_or_alone(self, goal: Goal) -> InverseKinematics | None:
+        """What `solve_directly` returns."""
         answer = self._at_once(goal)
         if answer is not None:
             return answer

@@ -240,6 +240,23 @@ def test_refusals_of_targets(client: httpx.Client, change: dict[str, Any], code:
     assert (response.json()["code"], response.json()["pointer"]) == (code, pointer)
 
 
+def test_poses_in_millimetres_with_one_decimal(client: httpx.Client) -> None:
+    lengths = {"q1": 431.8, "q2": 233.4, "q3": 57.9}
+    rows = [{"a": a, "alpha": 0, "d": 0, "theta": q} for q, a in lengths.items()]
+    table = {"convention": "standard", "angle_unit": "deg", "length_unit": "mm", "rows": rows}
+    turn = math.radians(70)
+    tip = [431.8 * math.cos(0.5) + 233.4 * math.cos(1.1) + 57.9 * math.cos(turn)]
+    tip += [431.8 * math.sin(0.5) + 233.4 * math.sin(1.1) + 57.9 * math.sin(turn)]
+    target = [round(tip[0], 1), round(tip[1], 1), 0.1, 70, 0, 0]
+    strict = asked(client, table=table, target=target)
+    loose = asked(client, table=table, target=target, tolerance=0.2)
+    assert strict["status"] == "unreachable"
+    assert (len(loose["solutions"]), loose["complete"], loose["tolerance"]) == (2, True, 0.2)
+    assert min(abs(s["joints"][0] - math.degrees(0.5)) for s in loose["solutions"]) < 0.1
+    many = asked(client, table=table, targets=[target], tolerance=0.2)
+    assert many["answers"][0]["solutions"] == loose["solutions"]
+
+
 def test_too_many_joints(client: httpx.Client) -> None:
     row = {"joint": "revolute", "alpha": 0.3, "a": 0.1, "d": 0, "theta": 0}
     table = {"convention": "standard", "rows": [row] * 13}

@@ -7,7 +7,6 @@ from typing import Annotated, Literal, Self
 from pydantic import Field, model_validator
 from pydantic_core import PydanticCustomError
 
-from kinematics.inverse.goals import LARGEST_TOLERANCE
 from kinematics.inverse.results import IKStatus, Isolation, Method, UnreachableReason
 from service.schemas.base import FaultEntry, Matrix4, Real, Vector3, Wire
 from service.schemas.choices import forbidding, not_one_of, together
@@ -58,10 +57,11 @@ class NumericInverseKinematicsRequest(RobotQuestion):
     tool: PoseInput | None = Field(None, description="pose of the tool in frame N; the identity if left out")
     tolerance: Real | None = Field(
         None,
-        json_schema_extra={"exclusiveMinimum": 0, "maximum": LARGEST_TOLERANCE},
+        json_schema_extra={"exclusiveMinimum": 0},
         description="how far the target may be off, as a distance in the table's unit and as an angle "
-        "in rad: of a pose rounded to five decimals 1e-5. At most 0.01 in either sense: a pose in mm with "
-        "one decimal is better asked in m. Left out, what its rotation part shows of rounding",
+        "in rad: of a pose rounded to five decimals 1e-5. Above 0.01, as of a pose in mm with one decimal, "
+        "it is a distance of at most 1 % of the arm's size, and the angle the same part of 1 rad. Left out, "
+        "what its rotation part shows of rounding",
     )
 
     form: NumericForm = Field("numeric", description="numeric: joint values; symbolic is another request")

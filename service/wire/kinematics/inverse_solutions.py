@@ -10,7 +10,6 @@ import numpy as np
 
 from kinematics.errors import Fault
 from kinematics.inverse import ArmReach, IKSolution, InverseKinematics, NearestPose, Solver, solver_of
-from kinematics.inverse.goals import read_goal
 from kinematics.inverse.results import Family
 from kinematics.table import NumericTable
 from service.http.languages import language_of
@@ -87,9 +86,9 @@ async def solved_each(
         targets = [
             pose_matrix(pose, robot.angle, "targets", i) for i, pose in enumerate(request.targets or [])
         ]
+        solver = question.solver()
         for i, target in enumerate(targets):
-            read_goal(target, question.tolerance, where=("targets", i))
-        question.solver()
+            solver.goal(target, question.tolerance, where=("targets", i))
     seconds = api.settings.symbolic_seconds
     answers = await api.resources.workers.run(Lane.SLOW, _solve_each, question, targets, ALLOTTED * seconds)
     answers = [answer.nearest_first(robot.table.joint_types, question.start) for answer in answers]
@@ -98,7 +97,7 @@ async def solved_each(
         length_unit=robot.read.length_unit.value,
         answers=[
             *(TargetAnswer(**target_answer(answer, robot)) for answer in answers),
-            *(_unanswered(target, question.tolerance) for target in targets[len(answers) :]),
+            *(_unanswered(solver, target, question.tolerance) for target in targets[len(answers) :]),
         ],
         faults=fault_entries(
             [
@@ -111,14 +110,14 @@ async def solved_each(
     )
 
 
-def _unanswered(target: Matrix, tolerance: float | None) -> TargetAnswer:
+def _unanswered(solver: Solver, target: Matrix, tolerance: float | None) -> TargetAnswer:
     """What stands in the place of an answer that was not reached in time."""
     return TargetAnswer(
         status="unanswered",
         complete=False,
         solutions=[],
         outside_limits=0,
-        tolerance=read_goal(target, tolerance, where=()).tolerance,
+        tolerance=solver.goal(target, tolerance, where=()).tolerance,
     )
 
 

@@ -31,6 +31,7 @@ from tests.kinematics.inverse.arms import (
     apart,
     random_joints,
     random_table,
+    turning,
 )
 from tests.kinematics.robots import PLANAR4, PUMA560, PUMA560_CRAIG, RX90, SCARA_RRPR, numeric
 from tests.kinematics.strategies import tables
@@ -432,6 +433,49 @@ def test_millimetres_or_metres():
     in_mm = inverse_kinematics(mm, end_pose(mm, q))
     assert np.allclose([s.joints for s in in_m.solutions], [s.joints for s in in_mm.solutions], atol=1e-9)
     assert all(solution.residual < 1e-9 for solution in in_mm.solutions)
+
+
+@pytest.mark.parametrize("name", ["scorbot", "scara", "stanford", "panda"])
+def test_poses_in_millimetres_with_one_decimal_are_those_in_metres_with_four(name):
+    in_m = CATALOGUE[name]
+    rows = tuple(replace(row, a=1000.0 * row.a, d=1000.0 * row.d) for row in in_m.rows)
+    in_mm, slides = replace(in_m, rows=rows), ~turning(in_m)
+    q = np.where(slides, 0.2, [0.3, -0.8, 0.4, 1.2, 0.9, -0.3, 0.6][: in_m.n_joints])
+    limits = [(-1000.0, 1000.0) if slide else (-3.0, 3.0) for slide in slides]
+    pose = np.round(end_pose(in_m, q), 4)
+    pose[:3, :3] = end_pose(in_m, q)[:3, :3].round(7)
+    of_mm = pose.copy()
+    of_mm[:3, 3] = np.round(1000.0 * pose[:3, 3], 1)
+    size = solver_of(in_m).arm.size
+    answer = inverse_kinematics(in_mm, of_mm, tolerance=0.1, limits=limits)
+    assert answer.solutions
+    assert answer.tolerance == 0.1
+    for solution in answer.solutions:
+        off = reached(in_mm, solution) - of_mm
+        assert np.linalg.norm(off[:3, 3]) == pytest.approx(solution.position_error, abs=1e-9)
+        assert solution.position_error <= 0.1
+        assert solution.orientation_error <= 1.01 * max(1e-4 / size, 3e-7)
+    unit = np.where(slides, 1000.0, 1.0)
+    members = [m for s in answer.solutions for m in (s.joints, *(s.family.members if s.family else ()))]
+    assert np.abs(np.array(members) / unit - q).max(axis=1).min() < 0.2
+    assert answer.complete is (name != "panda")
+
+
+def test_an_unreachable_pose_in_millimetres_has_its_nearest_in_millimetres():
+    rows = tuple(replace(row, a=1000.0 * row.a, d=1000.0 * row.d) for row in TWO_LINKS.rows)
+    target = np.eye(4)
+    target[0, 3] = 1000.0
+    answer = inverse_kinematics(replace(TWO_LINKS, rows=rows), target, tolerance=1.0)
+    assert answer.nearest.position_error == pytest.approx(200.0)
+    assert answer.nearest.size == pytest.approx(800.0)
+    assert answer.nearest.transform[0, 3] == pytest.approx(800.0)
+    assert answer.tolerance == 1.0
+
+
+def test_a_tolerance_is_at_most_a_hundredth_of_the_size():
+    with pytest.raises(PoseError) as caught:
+        inverse_kinematics(TWO_LINKS, np.eye(4), tolerance=0.02)
+    assert caught.value.faults[0].params == {"limit": 0.01}
 
 
 def test_a_target_with_rounded_digits_is_made_a_rotation():
