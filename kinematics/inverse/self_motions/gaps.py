@@ -8,10 +8,11 @@ pose is off by some tolerances, so the way is followed with as much allowed, and
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
 from kinematics.inverse.arm import Array
 from kinematics.inverse.newton import polish
-from kinematics.inverse.residuals import errors_of
+from kinematics.inverse.residuals import are_solutions, errors_of
 from kinematics.inverse.self_motions.families import FamilyPath, Follower, nearest_on
 
 WIDEST = 0.05
@@ -40,19 +41,45 @@ def way_through_gaps(follower: Follower, joints: Array, path: FamilyPath, gap: f
 
 
 def nearest_places(follower: Follower, way: FamilyPath) -> list[Array]:
-    """Configurations that reach the target where a way comes nearest to it, one for each such place."""
+    """Configurations that reach the target, one of each piece of a way and where else it comes nearest."""
     arm, points = follower.arm, way.points
-    off = np.linalg.norm(errors_of(arm, arm.frames(points)[-1], follower.target), axis=1)
+    errors = errors_of(arm, arm.frames(points)[-1], follower.target)
+    off = np.linalg.norm(errors, axis=1)
     around = (
         np.concatenate((off[-1:], off, off[:1])) if way.closed else np.pad(off, 1, constant_values=np.inf)
     )
-    nearest = points[(off <= around[:-2]) & (off <= around[2:])]
+    there = are_solutions(errors, arm, follower.tolerance)
+    asked = ~there & (off <= around[:-2]) & (off <= around[2:])
+    piece = _pieces(follower, way, there)
+    order = np.flatnonzero(there)[np.argsort(off[there], kind="stable")]
+    asked[order[np.unique(piece[order], return_index=True)[1]]] = True
+    nearest = points[asked]
     found = np.stack((polish(arm, follower.target, nearest), nearest), axis=1)
     return [
         next(q for q, there in zip(pair, reached, strict=True) if there)
         for pair, reached in zip(found, _reached(follower, found), strict=True)
         if reached.any()
     ]
+
+
+def _pieces(follower: Follower, way: FamilyPath, there: NDArray[np.bool_]) -> NDArray[np.intp]:
+    """(m,) of which piece each point of a way is; pieces end where the target is lost, if only between points.
+
+    Args:
+        follower: of the target.
+        way: whose points they are.
+        there: (m,) which of them reach it.
+    """
+    x = way.points / follower.arm.units
+    both = np.flatnonzero(there & np.roll(there, -1))
+    both = both if way.closed else both[both < len(x) - 1]
+    after = (both + 1) % len(x)
+    ends = x[both] - follower.back_to(x[both], x[after])
+    joined = np.zeros(len(x), dtype=bool)
+    joined[both[follower.joined_each(x[both], ends)]] = True
+    piece = np.concatenate(([0], np.cumsum(~joined[:-1])))
+    piece[piece == piece[-1]] = piece[0] if joined[-1] else piece[-1]
+    return np.asarray(piece)
 
 
 def _reached(follower: Follower, pairs: Array) -> Array:

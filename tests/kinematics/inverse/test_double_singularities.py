@@ -312,6 +312,21 @@ def test_beside_a_folded_arm_with_its_wrist_in_line_families_are_told_and_not_sa
     assert has(solver, goal, q, answer)
 
 
+@pytest.mark.parametrize("off", [6e-9, 1e-8])
+@pytest.mark.parametrize("wrist", [0.334, 0.0])
+def test_ways_through_gaps_are_asked_for_one_member_of_each_piece(wrist, off):
+    table = MODELS["catalogue puma600"]
+    q = np.array([-2.263, 0.17, -np.pi / 2 + off, -0.05, wrist + off, -2.474])
+    solver, target = solver_of(table), end_pose(table, q)
+    answer = solver.solve(target)
+    assert 0 < len(answer.solutions) <= 8
+    assert all(s.family.parameters for s in answer.solutions if s.family)
+    over = q * [1, 1, 1, 1, -1, 1] + [0, 0, 0, np.pi, 0, np.pi]
+    goal = read_goal(target, None, where=())._replace(tolerance=answer.tolerance)
+    assert has(solver, goal, q, answer)
+    assert has(solver, goal, over, answer)
+
+
 def test_both_elbows_of_a_folded_arm_are_found_where_decimals_have_made_them_one():
     """Seed 777, pose 112: the arm is 6e-5 rad from folded, the pose known to 3e-8."""
     solver, table = solver_of(MODELS["catalogue puma600"]), MODELS["catalogue puma600"]
