@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from kinematics.inverse.arm import Arm, Array
+from kinematics.inverse.newton import HEAVIEST
+from kinematics.inverse.residuals import errors_and_jacobians
 from kinematics.inverse.self_motions.crossings import branches, is_beside, tangents
 from kinematics.inverse.self_motions.families import (
     FamilyPath,
@@ -31,6 +35,9 @@ BESIDE_A_CROSSING = 0.3
 
 BESIDE_A_BRANCH = 0.25
 """What is nearer than this part of a step to a path, a step from where it crosses another, is on it."""
+
+LEVEL, ROUNDED = 1e-2, 1e-13
+"""Where an error is least, the gradients of distance and angle leave no more of each other, or rounding."""
 
 MOST_FOLLOWED = 16
 MOST_FOLLOWED_WITH_SPARE = 8
@@ -140,9 +147,35 @@ class _Sorter:
         spare, x = self.arm.spare, q / self.arm.units
         if moving or not spare:
             return Component(q, dimension=self._freedoms(x, moving) if moving else 0)
-        paths = tuple(self.follower.path(x, d, np.empty((0, len(x)))) for d in blind)
-        long = [path for path in paths if self._is_long(path)]
+        long = self._long_paths(self.follower, q, blind)
+        weighed = None if long else self._weighed_otherwise(q)
+        if weighed is not None:
+            x = q / weighed.arm.units
+            long = self._long_paths(weighed, q, blind_directions(weighed.jacobian(x), self.blind))
+            self.follower.spent += weighed.spent
         return Component(q, tuple(long), spare if long else 0)
+
+    def _long_paths(self, follower: Follower, q: Array, blind: Array) -> list[FamilyPath]:
+        x = q / follower.arm.units
+        paths = (follower.path(x, d, np.empty((0, len(x)))) for d in blind)
+        return [path for path in paths if self._is_long(path)]
+
+    def _weighed_otherwise(self, q: Array) -> Follower | None:
+        """A follower that weighs distance against angle so that the error is least at a solution.
+
+        A rounded pose may be missed by so much that only this weight keeps it within the tolerance. None if
+        the error is least as it is.
+        """
+        e, J = errors_and_jacobians(self.arm, q[None] / self.arm.units, self.follower.target)
+        pull, turn = J[0, :3].T @ e[0, :3], J[0, 3:].T @ e[0, 3:]
+        size = float(np.linalg.norm(pull))
+        if np.linalg.norm(pull + turn) <= LEVEL * max(size, float(np.linalg.norm(turn))) + ROUNDED:
+            return None
+        weight = float(-pull @ turn) / max(size * size, 1e-300)
+        if not 1.0 / HEAVIEST**2 <= weight <= HEAVIEST**2:
+            return None
+        arm = replace(self.arm, size=self.arm.size / math.sqrt(weight))
+        return Follower(arm, self.follower.target, self.follower.tolerance, as_it_is=True)
 
     def _freedoms(self, x: Array, moving: Sequence[Array]) -> int:
         """In how many dimensions a solution can be moved.

@@ -122,8 +122,8 @@ class Follower:
     Joint values are measured in the arm's units here: x = q / units.
     """
 
-    def __init__(self, arm: Arm, target: Array, tolerance: float) -> None:
-        self.arm = weighing_alike(arm)
+    def __init__(self, arm: Arm, target: Array, tolerance: float, as_it_is: bool = False) -> None:
+        self.arm = arm if as_it_is else weighing_alike(arm)
         self.target, self.tolerance = target, tolerance
         self.lost = max(LOST, math.sqrt(tolerance))
         self.spent = 0

@@ -63,7 +63,7 @@ def nearest_places(follower: Follower, way: FamilyPath) -> list[Array]:
 
 
 def _pieces(follower: Follower, way: FamilyPath, there: NDArray[np.bool_]) -> NDArray[np.intp]:
-    """(m,) of which piece each point of a way is; pieces end where the target is lost, if only between points.
+    """(m,) of which piece each point of a way is; one ends where the target is lost, if only between points.
 
     Args:
         follower: of the target.
