@@ -22,6 +22,7 @@ from collections.abc import Sequence
 
 from kinematics.errors import Fault, TableError
 from kinematics.expressions import ZERO, Expression, Function, Parameter, add, negate
+from kinematics.inverse.solve import MAX_JOINTS
 from kinematics.inverse_forms.axis_turns import Turn, turn_of_joint, write_turns
 from kinematics.inverse_forms.formulas import (
     atan2,
@@ -81,7 +82,9 @@ def inverse_form(
         TableError: code `inverse_form_unknown` of an arm that is not taken apart so, at ("rows",), or at the
             cell that leaves axes neither parallel nor at right angles.
     """
-    if 1 <= table.n_joints <= MOST_JOINTS:
+    if not table.n_joints:
+        raise TableError(Fault.at("inverse_joint_count", "rows", count=0, limit=MAX_JOINTS))
+    if table.n_joints <= MOST_JOINTS:
         arm = signed_arm_of(table, tip)
         for parts in partitions(arm):
             form = _Writer(arm, parts, (*table_parameters(table), *taken)).form()

@@ -92,7 +92,7 @@ def _entries(matrix: Entered, ledger: Ledger, names: Names, result: str) -> Iter
     rows = matrix.rows
     last = [ledger.nodes[number] for number in rows[-1]]
     is_pose = len(rows) == 4 and last == [ZERO, ZERO, ZERO, ONE]
-    taken = {*names.parameters, *names.variables}
+    taken = {_bare(name) for name in (*names.parameters, *names.variables)}
     if not is_pose:
         yield from _named(rows, result, taken)
         return
@@ -123,4 +123,9 @@ def _free(letter: str, taken: Collection[str], words: Iterable[str]) -> str:
     """The letter, in the other case or repeated if with these words it makes a name of the table."""
     listed = list(words)
     spellings = chain([letter, letter.swapcase()], (letter * n for n in count(2)))
-    return next(start for start in spellings if not any(f"{start}{word}" in taken for word in listed))
+    return next(start for start in spellings if not any(_bare(f"{start}{word}") in taken for word in listed))
+
+
+def _bare(name: str) -> str:
+    """A name as it is told apart in print, where p_x and px are the same."""
+    return name.replace("_", "")

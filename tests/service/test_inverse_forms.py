@@ -166,6 +166,13 @@ def test_arms_without_such_a_form_are_refused(client: httpx.Client, robot: str) 
     assert (problem["code"], problem["pointer"]) == ("inverse_form_unknown", "/robot")
 
 
+def test_a_table_without_joints_is_refused_for_that(client: httpx.Client) -> None:
+    row = {"alpha": 0, "a": "L", "d": 0, "theta": "phi"}  # a parameter unless the row says that it turns
+    rows = {"convention": "standard", "angle_unit": "deg", "rows": [row, row]}
+    problem = client.post(URL, json={"form": "symbolic", "table": rows}).json()
+    assert (problem["code"], problem["pointer"]) == ("inverse_joint_count", "/table/rows")
+
+
 TURNED_FOOT = {"joint": "fixed", "alpha": 0, "a": 0.1, "d": 0.2, "theta": 20}
 LINKS = [{"alpha": 0, "a": 0.4, "d": 0, "theta": "q1"}, {"alpha": 0, "a": 0.3, "d": 0, "theta": "q2"}]
 

@@ -9,7 +9,7 @@ import pytest
 
 from kinematics.catalogue import robots
 from kinematics.cells import ParameterKind, RawRow, RawTable, read_cell, read_table
-from kinematics.expressions import evaluate, number
+from kinematics.expressions import Parameter, evaluate, number
 from kinematics.printing import Format, MatrixPrinter, Notation, Purpose
 from kinematics.symbolic import closed_form, jacobian
 from kinematics.table import Convention, table_parameters
@@ -43,6 +43,26 @@ def test_the_equations_give_the_matrix(robot, wanted):
     rows = matrix[:3] if wanted == "pose" else matrix
     expected = [evaluate(entry, values, joints) for line in rows for entry in line]
     np.testing.assert_allclose(found, expected, atol=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("own", "rotation", "position"),
+    [
+        (("r11", "L"), "R", "p"),
+        (("px", "L"), "r", "P"),
+        (("p_x", "r_23"), "R", "P"),
+        (("l1", "l2"), "r", "p"),
+    ],
+)
+def test_entries_are_not_called_what_the_robot_calls_its_own(own, rotation, position):
+    links = table(Convention.STANDARD, *(row(a=Parameter(name)) for name in own))
+    lines = lines_of(closed_form(links).transform, n_joints=2, parameters=own)
+    names = [line["name"] for line in lines if not line["name"].startswith("k")]
+    assert names[:4] == [f"{rotation}11", f"{rotation}12", f"{rotation}13", f"{position}x"]
+    assert not set(own) & set(names)
+    for line in lines:
+        left, right = line["latex"].split("=")
+        assert left not in right
 
 
 def test_the_puma_fits_a_page():
