@@ -40,12 +40,34 @@ with tempfile.TemporaryDirectory() as folder:
 """
 
 
+_COMPRESSED = """
+import gzip, resource
+from service.work.heaps import share_heaps
+
+share_heaps()
+page = bytes(range(256)) * 40
+before = 0
+for round in range(220):
+    if round == 20:
+        before = resource.getrusage(resource.RUSAGE_SELF).ru_minflt
+    gzip.compress(page, 3, mtime=0)
+print(resource.getrusage(resource.RUSAGE_SELF).ru_minflt - before)
+"""
+_glibc = pytest.mark.skipif(platform.libc_ver()[0] != "glibc", reason="glibc's settings")
+
+
 def heaps(how: str) -> int:
     """How many heaps a process has after twelve threads took memory at once."""
     run = subprocess.run([sys.executable, "-c", _COUNTED, how], capture_output=True, text=True, check=True)
     return int(run.stdout)
 
 
-@pytest.mark.skipif(platform.libc_ver()[0] != "glibc", reason="malloc_info is glibc's")
+@_glibc
 def test_threads_share_heaps() -> None:
     assert heaps("shared") <= HEAPS < heaps("alone")
+
+
+@_glibc
+def test_what_compresses_pages_is_not_given_back_in_between() -> None:
+    run = subprocess.run([sys.executable, "-c", _COMPRESSED], capture_output=True, text=True, check=True)
+    assert int(run.stdout) < 200, "page faults of 200 pages"
