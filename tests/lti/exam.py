@@ -24,7 +24,7 @@ from collections import Counter
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import sqlalchemy as sa
 import uvloop
@@ -53,6 +53,7 @@ MISTAKES = (
 )  # fmt: skip
 """Cells of which every one, and every two, make another robot."""
 COURSE = "Exam"
+LENGTH = re.compile(rb"\r\ncontent-length: *(\d+)\r\n")
 
 
 @dataclass
@@ -103,31 +104,39 @@ class Outcome:
         return sum(count for status, count in self.answers.items() if status != 200)
 
 
-class Browser:
-    """A student's connection: kept open, one request after another."""
+class Browser(asyncio.Protocol):
+    """A student's connection: kept open, one request after another.
+
+    It has the service's processors, so it does no more than it must.
+    """
 
     def __init__(self, port: int, token: str) -> None:
         self.port, self.token = port, token
-        self._streams: tuple[asyncio.StreamReader, asyncio.StreamWriter] | None = None
+        self._transport: asyncio.Transport | None = None
+        self._came = b""
+        self._answered: asyncio.Future[tuple[int, bytes, bool]] | None = None
 
     async def ask(self, method: str, path: str, body: bytes = b"", **headers: str) -> Answer:
         """One request; a connection that was closed meanwhile is opened again, as browsers do."""
         begun = time.monotonic()
+        loop = asyncio.get_running_loop()
         for _ in range(3):
+            self._answered = loop.create_future()
+            patience = loop.call_later(PATIENCE, self._give_up, TimeoutError())
             try:
-                async with asyncio.timeout(PATIENCE):
-                    status, found, is_gzip = await self._asked(method, path, body, headers)
+                if self._transport is None:
+                    await loop.create_connection(lambda: self, "127.0.0.1", self.port)
+                assert self._transport is not None
+                self._transport.write(self._request(method, path, body, headers))
+                status, found, is_gzip = await self._answered
                 return Answer(status, found, time.monotonic() - begun, is_gzip)
-            except (OSError, asyncio.IncompleteReadError, IndexError, TimeoutError):
+            except OSError:
                 self.close()
+            finally:
+                patience.cancel()
         return Answer(0, b"", time.monotonic() - begun)
 
-    async def _asked(
-        self, method: str, path: str, body: bytes, headers: dict[str, str]
-    ) -> tuple[int, bytes, bool]:
-        if self._streams is None:
-            self._streams = await asyncio.open_connection("127.0.0.1", self.port)
-        reader, writer = self._streams
+    def _request(self, method: str, path: str, body: bytes, headers: dict[str, str]) -> bytes:
         sent = {
             "Host": f"127.0.0.1:{self.port}",
             "Authorization": f"Bearer {self.token}",
@@ -136,19 +145,41 @@ class Browser:
             **{name.replace("_", "-"): value for name, value in headers.items()},
         }
         head = "".join(f"{name}: {value}\r\n" for name, value in sent.items())
-        writer.write(f"{method} {path} HTTP/1.1\r\n{head}\r\n".encode() + body)
-        lines = (await reader.readuntil(b"\r\n\r\n")).decode("latin-1").split("\r\n")
-        told = {name.lower(): value.strip() for name, _, value in (line.partition(":") for line in lines[1:])}
-        found = await reader.readexactly(int(told.get("content-length", "0")))
-        if told.get("connection") == "close":
+        return f"{method} {path} HTTP/1.1\r\n{head}\r\n".encode() + body
+
+    def connection_made(self, transport: asyncio.BaseTransport) -> None:
+        """Keep what is written to."""
+        self._transport, self._came = cast(asyncio.Transport, transport), b""
+
+    def data_received(self, data: bytes) -> None:
+        """Answer once all that was announced is there."""
+        self._came = came = self._came + data
+        end = came.find(b"\r\n\r\n") + 4
+        if end < 4 or self._answered is None or self._answered.done():
+            return
+        head = came[:end].lower()
+        length = LENGTH.search(head)
+        if len(came) < end + (int(length[1]) if length else 0):
+            return
+        self._came = b""
+        if b"\r\nconnection: close\r\n" in head:
             self.close()
-        return int(lines[0].split()[1]), found, told.get("content-encoding") == "gzip"
+        self._answered.set_result((int(head[9:12]), came[end:], b"\r\ncontent-encoding: gzip\r\n" in head))
+
+    def connection_lost(self, error: Exception | None) -> None:
+        """Let who waits try again."""
+        self._transport = None
+        self._give_up(error or ConnectionResetError())
+
+    def _give_up(self, error: Exception) -> None:
+        if self._answered is not None and not self._answered.done():
+            self._answered.set_exception(error)
 
     def close(self) -> None:
         """End the connection."""
-        if self._streams is not None:
-            self._streams[1].close()
-            self._streams = None
+        if self._transport is not None:
+            self._transport.close()
+            self._transport = None
 
 
 def table(number: int, mistakes: int, chance: random.Random) -> dict[str, Any]:
