@@ -26,6 +26,8 @@ TRUSTED_SECONDS = 1.0
 """A connection that was used so lately is not asked whether it still stands."""
 WRITES = "writes"
 """Option of a connection whose transactions change something."""
+ALONE = "alone"
+"""Option of a connection that asks a single query, which needs no transaction on SQLite."""
 _USED = "used"
 
 
@@ -109,9 +111,13 @@ def _prepare(connection: Any, _: ConnectionPoolEntry) -> None:
 
 
 def _begin(connection: sa.Connection) -> None:
-    """A writer takes its turn at once: a reader that turns writer could be refused."""
-    immediate = connection.get_execution_options().get(WRITES)
-    connection.exec_driver_sql("BEGIN IMMEDIATE" if immediate else "BEGIN")
+    """A writer takes its turn at once: a reader that turns writer could be refused.
+
+    A query alone sees one state without.
+    """
+    options = connection.get_execution_options()
+    if not options.get(ALONE):
+        connection.exec_driver_sql("BEGIN IMMEDIATE" if options.get(WRITES) else "BEGIN")
 
 
 def _written(value: object) -> str:

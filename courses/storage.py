@@ -24,7 +24,7 @@ from sqlalchemy.exc import (
 )
 from sqlalchemy.exc import TimeoutError as PoolTimeoutError
 
-from courses.engines import WRITES, bound_connections, postgresql, sqlite
+from courses.engines import ALONE, WRITES, bound_connections, postgresql, sqlite
 from courses.records import one_time_code
 from courses.refusals import StorageError, StorageUnavailableError
 from kinematics.errors import Fault
@@ -83,8 +83,9 @@ class Store:
     def asking(self) -> Iterator[sa.Connection]:
         """Open a single query, which sees one state of the database by itself: no round trip but its own."""
         self._check_file()
+        alone = {"isolation_level": "AUTOCOMMIT"} if self.is_postgresql else {ALONE: True}
         with _answering(), self.engine.connect() as connection:
-            yield connection.execution_options(isolation_level="AUTOCOMMIT")
+            yield connection.execution_options(**alone)
 
     @contextmanager
     def writing(self) -> Iterator[sa.Connection]:

@@ -69,6 +69,20 @@ def test_sqlite_writes_ahead_and_flushes(tmp_path: Path) -> None:
     store.close()
 
 
+def test_a_single_query_on_sqlite_is_all_that_is_carried_out(tmp_path: Path) -> None:
+    store = open_store("", tmp_path)
+    carried_out: list[str] = []
+    with store.asking() as connection:
+        held = connection.connection.driver_connection
+        assert held is not None
+        held.set_trace_callback(carried_out.append)
+        assert connection.scalar(sa.text("SELECT 1")) == 1
+    held.set_trace_callback(None)
+    assert carried_out == ["SELECT 1"]
+    assert held.isolation_level is None
+    store.close()
+
+
 @pytest.mark.parametrize(
     ("cause", "is_gone"),
     [(DeadlockDetected("a"), False), (SerializationFailure("b"), False), (AdminShutdown("c"), True)],
