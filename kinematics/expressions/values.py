@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from fractions import Fraction
 
 from kinematics.angles import cos_sin
 from kinematics.errors import Fault, ParameterError
@@ -104,25 +105,27 @@ def holds_decimals(expression: Expression) -> bool:
 
 
 def _value(node: Expression, parameters: Mapping[str, float], joints: Sequence[float]) -> float:
-    match node:
-        case Number(value):
-            return value.numerator / value.denominator
-        case Pi():
-            return math.pi
-        case Parameter(name):
-            return parameters[name]
-        case JointVariable(index):
-            return joints[index - 1]
-        case Sum(terms):
-            return sum(_value(term, parameters, joints) for term in terms)
-        case Product((Number(value), Pi())):
-            try:
-                return math.pi * value.numerator / value.denominator
-            except OverflowError:  # no double is as large as the denominator of the least one
-                return math.pi * (value.numerator / value.denominator)
-        case Product(factors):
-            return math.prod(_value(factor, parameters, joints) for factor in factors)
-        case Power(base, exponent):
-            return float(_value(base, parameters, joints) ** (exponent.numerator / exponent.denominator))
-        case Call(function, arguments):
-            return _FUNCTIONS[function](*(_value(argument, parameters, joints) for argument in arguments))
+    # comparing types is faster than a match, and most nodes are of these
+    if type(node) is Parameter:
+        return parameters[node.name]
+    if type(node) is Number:
+        return node.value.numerator / node.value.denominator
+    if type(node) is Product:
+        if len(node.factors) == 2 and type(node.factors[1]) is Pi and type(node.factors[0]) is Number:
+            return _times_pi(node.factors[0].value)
+        return math.prod(_value(factor, parameters, joints) for factor in node.factors)
+    if type(node) is Sum:
+        return sum(_value(term, parameters, joints) for term in node.terms)
+    if type(node) is Power:
+        exponent = node.exponent
+        return float(_value(node.base, parameters, joints) ** (exponent.numerator / exponent.denominator))
+    if type(node) is Call:
+        return _FUNCTIONS[node.function](*(_value(given, parameters, joints) for given in node.arguments))
+    return joints[node.index - 1] if isinstance(node, JointVariable) else math.pi
+
+
+def _times_pi(value: Fraction) -> float:
+    try:
+        return math.pi * value.numerator / value.denominator
+    except OverflowError:  # no double is as large as the denominator of the least one
+        return math.pi * (value.numerator / value.denominator)
