@@ -40,19 +40,14 @@ CELLS = codes_of("cells.ftl") - {"table_empty"}
 """What a cell means is the grammar's matter, and how large numbers may be is a setting."""
 EXERCISES = codes_of("exercises.ftl") - {"answer_empty", "source_form", "exercise_id_invalid"}
 """What a definition or an answer to an exercise means depends on the exercise."""
-ROBOTS = {  # what there is of a robot: its joints, rows, parameters, links
+ROBOTS = {  # what there is of a robot: its joints, rows, parameters, links, its size
     *("parameter_missing", "parameter_name_invalid", "joint_variable_unknown", "joint_variable_in_number"),
     *("name_without_value", "rate_in_marks"),
     "table_too_many_rows",
     *("joints_wrong_length", "limits_wrong_length", "joint_row_length", "motion_row_count"),
     *("links_count", "links_missing", "screw_count", "frames_too_many", "frame_unknown"),
-    *(
-        "slide_without_limits",
-        "dynamics_without_joints",
-        "tree_after_unknown",
-        "scm_no_variable",
-        "scm_too_many_joints",
-    ),
+    *("slide_without_limits", "dynamics_without_joints", "tree_after_unknown"),
+    *("scm_no_variable", "scm_too_many_joints", "pose_tolerance_out_of_range"),
     *("urdf_not_xml", "urdf_joint_names", "urdf_link_names"),
     *("robot_unknown", "not_plantable", "not_singular"),
     *("inverse_form_unknown", "inverse_joint_count", "form_too_large", "archive_not_zip"),
