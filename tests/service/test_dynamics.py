@@ -139,10 +139,20 @@ def test_the_puma_of_the_catalogue_in_closed_form(client: httpx.Client) -> None:
     assert found["g"]["text"][0] == ["0"]
 
 
-@pytest.mark.parametrize("formats", [["text"], ["entries"], ["python", "c"]])
-def test_what_does_not_move_has_no_equations_of_motion(client: httpx.Client, formats: list[str]) -> None:
+@pytest.mark.parametrize(
+    "form",
+    [
+        {"form": "symbolic", "formats": ["text"]},
+        {"form": "symbolic", "formats": ["entries"]},
+        {"form": "symbolic", "formats": ["python", "c"]},
+        {"joints": []},
+        {"joints": [], "torque": []},
+        {"joints": [1]},
+    ],
+)
+def test_what_does_not_move_has_no_equations_of_motion(client: httpx.Client, form: dict[str, Any]) -> None:
     still = {"convention": "standard", "rows": [{"joint": "fixed", "alpha": 0, "a": 1, "d": 0, "theta": 0}]}
-    body = {"form": "symbolic", "table": still, "links": [{"mass": 1}], "formats": formats}
+    body = {**form, "table": still, "links": [{"mass": 1}]}
     check_problem(client.post(PATH, json=body), 422, "dynamics_without_joints", "/table/rows")
 
 

@@ -89,7 +89,8 @@ def weighed(question: WeighedRobot, settings: Settings) -> WeighedTable:
     """Read the robot of a validated request and what it weighs.
 
     Raises:
-        KinematicsError: the table or a link cannot be read, or nobody says what the links weigh.
+        KinematicsError: the table or a link cannot be read, nothing moves, or nobody says what the links
+            weigh.
     """
     links = None if question.links is None else [link.raw() for link in question.links]
     usual: Mapping[str, float] = {}
@@ -101,6 +102,8 @@ def weighed(question: WeighedRobot, settings: Settings) -> WeighedTable:
     else:
         with located("table"):
             read = read_table(question.table.raw(), settings.cell_limits)
+    if read.table.n_joints == 0:
+        raise TableError(Fault.at("dynamics_without_joints", "table", "rows"))
     if links is None:
         raise DescriptionError(Fault.at("links_missing", "links"))
     bodies = read_bodies(read, links, question.gravity, settings.cell_limits)
@@ -181,8 +184,6 @@ def dynamics_task(question: SymbolicDynamicsRequest, settings: Settings) -> Dyna
     """
     found = weighed(question, settings)
     read, bodies = found.read, found.bodies
-    if read.table.n_joints == 0:
-        raise TableError(Fault.at("dynamics_without_joints", "table", "rows"))
     kinds = bodies.kinds
     rates = [rate_name(joint) for joint in range(1, read.table.n_joints + 1)]
     taken = [name for name in rates if name in kinds]
