@@ -330,6 +330,6 @@ class _ProductReader:
         largest = len(self.named) or LARGEST_VARIABLE
         for index in joint_variables_in(meaning.expression):
             if not 1 <= index <= largest:
-                self.faults.append(Fault.at("number_too_large", *where, limit=largest))
+                self.faults.append(Fault.at("number_too_large", *where, limit=largest, bound="included"))
             self.joints.setdefault(index, kind)
         return meaning.expression

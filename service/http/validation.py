@@ -113,7 +113,8 @@ def _fault(error: ErrorDetails, loc: tuple[int | str, ...], model: Any, allowed:
             allowed[loc[:-1]] = tuple(dict.fromkeys(_fields_at(model, loc[:-1])))
         params["allowed"] = allowed[loc[:-1]]
     elif code in ("number_too_small", "number_too_large"):
-        params = {"limit": next(_plain(context[name]) for name in _BOUNDS if name in context)}
+        name = next(name for name in _BOUNDS if name in context)
+        params = {"limit": _plain(context[name]), "bound": "included" if name in ("ge", "le") else "excluded"}
     elif code in ("list_too_long", "string_too_long"):
         params = {"limit": _plain(context["max_length"])}
     elif code in ("list_too_short", "string_too_short"):

@@ -110,6 +110,20 @@ def test_what_cannot_be_graded_costs_no_attempt(
     assert problem["attempt_counted"] is False
 
 
+@pytest.mark.parametrize(
+    ("tolerance", "says"),
+    [
+        ({"angle": 0}, "The number must be greater than 0."),
+        ({"length": 5}, "The number is too large; the bound is 0.1."),
+    ],
+)
+def test_a_bound_that_is_excluded_itself_is_told_so(
+    client: httpx.Client, tolerance: dict[str, float], says: str
+) -> None:
+    answer = grade(client, reference=RX90, submission=RX90, policy={"tolerance": tolerance})
+    assert answer.json()["detail"] == says
+
+
 def test_both_tables_are_needed(client: httpx.Client) -> None:
     problem = grade(client, reference=RX90).json()
     assert (problem["code"], problem["pointer"]) == ("field_missing", "/submission")

@@ -46,8 +46,16 @@ error-target_or_position = Give exactly one of “target”, “targets” and �
 error-table_or_robot = Give either “table” or “robot”, exactly one of them.
 error-number_expected = “{ $field }” must be a number.
 error-number_not_finite = “{ $field }” must be a finite number.
-error-number_too_small = The number is too small; the bound is { $limit }.
-error-number_too_large = The number is too large; the bound is { $limit }.
+error-number_too_small =
+    { $bound ->
+        [excluded] The number must be greater than { $limit }.
+       *[included] The number is too small; the bound is { $limit }.
+    }
+error-number_too_large =
+    { $bound ->
+        [excluded] The number must be less than { $limit }.
+       *[included] The number is too large; the bound is { $limit }.
+    }
 error-integer_expected = “{ $field }” must be a whole number.
 error-boolean_expected = “{ $field }” must be true or false.
 error-string_expected = “{ $field }” must be text.

@@ -46,8 +46,16 @@ error-target_or_position = Indique exactamente uno de «target», «targets» y 
 error-table_or_robot = Indique «table» o «robot»: exactamente uno de los dos.
 error-number_expected = «{ $field }» debe ser un número.
 error-number_not_finite = «{ $field }» debe ser un número finito.
-error-number_too_small = El número es demasiado pequeño; el límite es { $limit }.
-error-number_too_large = El número es demasiado grande; el límite es { $limit }.
+error-number_too_small =
+    { $bound ->
+        [excluded] El número debe ser mayor que { $limit }.
+       *[included] El número es demasiado pequeño; el límite es { $limit }.
+    }
+error-number_too_large =
+    { $bound ->
+        [excluded] El número debe ser menor que { $limit }.
+       *[included] El número es demasiado grande; el límite es { $limit }.
+    }
 error-integer_expected = «{ $field }» debe ser un número entero.
 error-boolean_expected = «{ $field }» debe ser true o false.
 error-string_expected = «{ $field }» debe ser texto.

@@ -46,8 +46,16 @@ error-target_or_position = Donnez exactement l’un de « target », « targe
 error-table_or_robot = Donnez soit « table », soit « robot » : exactement l’un des deux.
 error-number_expected = « { $field } » doit être un nombre.
 error-number_not_finite = « { $field } » doit être un nombre fini.
-error-number_too_small = Le nombre est trop petit ; la limite est { $limit }.
-error-number_too_large = Le nombre est trop grand ; la limite est { $limit }.
+error-number_too_small =
+    { $bound ->
+        [excluded] Le nombre doit être supérieur à { $limit }.
+       *[included] Le nombre est trop petit ; la limite est { $limit }.
+    }
+error-number_too_large =
+    { $bound ->
+        [excluded] Le nombre doit être inférieur à { $limit }.
+       *[included] Le nombre est trop grand ; la limite est { $limit }.
+    }
 error-integer_expected = « { $field } » doit être un nombre entier.
 error-boolean_expected = « { $field } » doit être true ou false.
 error-string_expected = « { $field } » doit être du texte.

@@ -46,8 +46,16 @@ error-target_or_position = Dê exatamente um de “target”, “targets” e �
 error-table_or_robot = Dê “table” ou “robot”: exatamente um dos dois.
 error-number_expected = “{ $field }” tem de ser um número.
 error-number_not_finite = “{ $field }” tem de ser um número finito.
-error-number_too_small = O número é demasiado pequeno; o limite é { $limit }.
-error-number_too_large = O número é demasiado grande; o limite é { $limit }.
+error-number_too_small =
+    { $bound ->
+        [excluded] O número tem de ser maior do que { $limit }.
+       *[included] O número é demasiado pequeno; o limite é { $limit }.
+    }
+error-number_too_large =
+    { $bound ->
+        [excluded] O número tem de ser menor do que { $limit }.
+       *[included] O número é demasiado grande; o limite é { $limit }.
+    }
 error-integer_expected = “{ $field }” tem de ser um número inteiro.
 error-boolean_expected = “{ $field }” tem de ser true ou false.
 error-string_expected = “{ $field }” tem de ser texto.

@@ -47,8 +47,16 @@ error-target_or_position = Dați exact unul dintre „target”, „targets” �
 error-table_or_robot = Dați fie „table”, fie „robot”: exact unul dintre ele.
 error-number_expected = „{ $field }” trebuie să fie un număr.
 error-number_not_finite = „{ $field }” trebuie să fie un număr finit.
-error-number_too_small = Numărul este prea mic; limita este { $limit }.
-error-number_too_large = Numărul este prea mare; limita este { $limit }.
+error-number_too_small =
+    { $bound ->
+        [excluded] Numărul trebuie să fie mai mare decât { $limit }.
+       *[included] Numărul este prea mic; limita este { $limit }.
+    }
+error-number_too_large =
+    { $bound ->
+        [excluded] Numărul trebuie să fie mai mic decât { $limit }.
+       *[included] Numărul este prea mare; limita este { $limit }.
+    }
 error-integer_expected = „{ $field }” trebuie să fie un număr întreg.
 error-boolean_expected = „{ $field }” trebuie să fie true sau false.
 error-string_expected = „{ $field }” trebuie să fie text.

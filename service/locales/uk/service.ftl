@@ -47,8 +47,16 @@ error-target_or_position = Задайте рівно одне з «target», «t
 error-table_or_robot = Задайте або «table», або «robot» — рівно одне з двох.
 error-number_expected = «{ $field }» має бути числом.
 error-number_not_finite = «{ $field }» має бути скінченним числом.
-error-number_too_small = Число замале; межа — { $limit }.
-error-number_too_large = Число завелике; межа — { $limit }.
+error-number_too_small =
+    { $bound ->
+        [excluded] Число має бути більшим за { $limit }.
+       *[included] Число замале; межа — { $limit }.
+    }
+error-number_too_large =
+    { $bound ->
+        [excluded] Число має бути меншим за { $limit }.
+       *[included] Число завелике; межа — { $limit }.
+    }
 error-integer_expected = «{ $field }» має бути цілим числом.
 error-boolean_expected = «{ $field }» має бути true або false.
 error-string_expected = «{ $field }» має бути текстом.
