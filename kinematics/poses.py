@@ -158,8 +158,11 @@ def transform_from_quaternion(
         PoseError: not four finite numbers, or all of them zero.
     """
     w, x, y, z = _finite(quaternion, "quaternion", ("w", "x", "y", "z"))
+    # by a power of two, which rounds nothing: the length neither overflows nor loses digits among denormals
+    _, exponent = math.frexp(max(abs(w), abs(x), abs(y), abs(z)))
+    w, x, y, z = (math.ldexp(part, -exponent) for part in (w, x, y, z))
     length = math.hypot(w, x, y, z)
-    if not 0.0 < length < math.inf:
+    if length == 0.0:
         raise PoseError(Fault.at("quaternion_length", "quaternion"))
     w, x, y, z = w / length, x / length, y / length, z / length
     return _assemble(

@@ -59,6 +59,12 @@ def same_rotation(transform, rotation, tolerance=2e-15):
     np.testing.assert_allclose(transform[:3, :3], rotation, rtol=0, atol=tolerance)
 
 
+@pytest.mark.parametrize("part", [5e-324, 1e-310, 1e-160, 1.0, 1e160, 1.7e308])
+def test_the_length_of_a_quaternion_does_not_matter(part):
+    third = transform_from_quaternion((part, part, part, part))
+    np.testing.assert_array_equal(third[:3, :3], [[0, 0, 1], [1, 0, 0], [0, 1, 0]])
+
+
 @given(unit_quaternions)
 @example((0.0, 0.0, 1.6e-15, -1.0))
 @example((0.0, -1.0, 2e-15, 1e-15))
@@ -195,7 +201,6 @@ def test_batches_are_the_single_poses(poses):
     ("make", "code", "where"),
     [
         (lambda: transform_from_quaternion((0, 0, 0, 0)), "quaternion_length", ("quaternion",)),
-        (lambda: transform_from_quaternion((1.7e308,) * 4), "quaternion_length", ("quaternion",)),
         (lambda: transform_from_quaternion((1, 0, 0)), "notation_wrong_length", ("quaternion",)),
         (lambda: transform_from_quaternion((1, 0, math.nan, 0)), "notation_not_finite", ("quaternion", 2)),
         (lambda: transform_from_rpy((0, math.inf, 0)), "notation_not_finite", ("rpy", 1)),
