@@ -38,7 +38,6 @@ _ORIGIN_ATTRIBUTES = ("xyz", "rpy", "quat_xyzw")
 Bounds: TypeAlias = tuple[float | None, float | None]
 """(lowest, highest) value of a joint [rad, or m]; None on a side without a limit."""
 
-
 _ONCE = ("parent", "child", "origin", "axis", "limit", "mimic")
 """Elements of a joint of which two that differ contradict each other."""
 
@@ -142,6 +141,13 @@ class UrdfJoint:
             offset=self._numbers(mimic, "mimic", "offset", (0.0,))[0],
         )
 
+    def malformed(self, tag: str, name: str, count: int) -> DescriptionError:
+        """Return the refusal of an attribute that has to hold so many numbers."""
+        return refused(
+            "urdf_numbers_malformed",
+            joint=self.name, element=tag, attribute=name, count=count, limit=f"{MAX_NUMBER:g}",
+        )  # fmt: skip
+
     def _numbers(
         self, element: Element, tag: str, name: str, otherwise: tuple[float, ...]
     ) -> tuple[float, ...]:
@@ -150,7 +156,7 @@ class UrdfJoint:
             return otherwise
         values = [_number(word) for word in text.split()]
         if len(values) != len(otherwise) or not all(abs(value) <= MAX_NUMBER for value in values):
-            raise self._malformed(tag, name, len(otherwise))
+            raise self.malformed(tag, name, len(otherwise))
         return tuple(values)
 
     def _bound(self, limit: Element, name: str) -> float:
@@ -159,16 +165,6 @@ class UrdfJoint:
         if math.isnan(value):
             raise refused("urdf_limit_malformed", joint=self.name, attribute=name)
         return value
-
-    def _malformed(self, tag: str, name: str, count: int) -> DescriptionError:
-        return refused(
-            "urdf_numbers_malformed",
-            joint=self.name,
-            element=tag,
-            attribute=name,
-            count=count,
-            limit=f"{MAX_NUMBER:g}",
-        )
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

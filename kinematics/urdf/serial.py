@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from kinematics.urdf.document import UrdfDocument, UrdfJoint, refused
+from kinematics.urdf.document import MAX_NUMBER, UrdfDocument, UrdfJoint, refused
 
 MOVING = {"revolute", "continuous", "prismatic"}
 SEVERAL_FREEDOMS = {"floating": 6, "planar": 2}
@@ -21,12 +21,18 @@ class ChainStep(NamedTuple):
     Attributes:
         joint: the joint.
         upwards: from the link that it carries to the link that it stands on.
-        moves: whether it has a variable in this chain.
+        value: where it stands still, at zero or where another joint holds it [rad, or m]; None if it has a
+            variable in this chain.
     """
 
     joint: UrdfJoint
     upwards: bool
-    moves: bool
+    value: float | None
+
+    @property
+    def moves(self) -> bool:
+        """Whether it has a variable in this chain."""
+        return self.value is None
 
 
 def serial_chain(
@@ -36,7 +42,7 @@ def serial_chain(
 
     A joint that follows another one by `mimic` is read as a joint of its own where nothing else in the chain
     moves with it: the joint that it follows and others that follow the same one lie elsewhere. Where it
-    follows by the factor 0 it stands still.
+    follows by the factor 0, or follows a joint that stands still, it stands still.
 
     Args:
         document: the description.
@@ -60,9 +66,8 @@ def serial_chain(
         raise refused("urdf_no_path", base=base, tip=tip)
     for joint in (*up, *down):
         _check_kind(joint)
-    _check_mimics(document, (*up, *reversed(down)))
     path = [*((joint, True) for joint in up), *((joint, False) for joint in reversed(down))]
-    steps = tuple(ChainStep(joint, upwards, _moves(joint)) for joint, upwards in path)
+    steps = _steps(document, path)
     if not any(step.moves for step in steps):
         raise refused("urdf_nothing_moves", base=base, tip=tip)
     return steps
@@ -143,35 +148,41 @@ def _check_kind(joint: UrdfJoint) -> None:
         raise refused("urdf_type_unknown", joint=joint.name, kind=joint.kind, known=KNOWN)
 
 
-def _moves(joint: UrdfJoint) -> bool:
-    if joint.kind not in MOVING:
-        return False
-    mimics = joint.mimics()
-    return mimics is None or mimics.multiplier != 0.0
-
-
-def _check_mimics(document: UrdfDocument, chain: Sequence[UrdfJoint]) -> None:
-    """Make sure that no two joints of the chain follow the same variable."""
+def _steps(document: UrdfDocument, path: Sequence[tuple[UrdfJoint, bool]]) -> tuple[ChainStep, ...]:
+    """Return the steps of a path of joints; make sure that no two of them follow the same variable."""
     everything = {joint.name: joint for joint in document.joints}
     owners: dict[str, str] = {}
-    for joint in chain:
-        if not _moves(joint):
+    steps = []
+    for joint, upwards in path:
+        variable, value = _driven(joint, everything)
+        steps.append(ChainStep(joint, upwards, value))
+        if variable is None:
             continue
-        variable = _variable(joint, everything)
         if variable in owners:
-            follower = joint if joint.mimics() else next(j for j in chain if j.name == owners[variable])
+            follower = joint if joint.mimics() else everything[owners[variable]]
             mimics = follower.mimics()
             raise refused("urdf_mimic", joint=follower.name, other=mimics.joint if mimics else variable)
         owners[variable] = joint.name
+    return tuple(steps)
 
 
-def _variable(joint: UrdfJoint, everything: dict[str, UrdfJoint]) -> str:
-    """Return the name of the joint whose variable moves this one, through joints that follow joints."""
+def _driven(joint: UrdfJoint, everything: dict[str, UrdfJoint]) -> tuple[str | None, float | None]:
+    """Return (name of the joint whose variable moves this one, None), or (None, where it stands still).
+
+    It may follow through joints that follow joints.
+    """
+    multiplier, offset = 1.0, 0.0
     seen = {joint.name}
-    while (mimics := joint.mimics()) is not None:
+    here = joint
+    while here.kind in MOVING and (mimics := here.mimics()) is not None:
+        multiplier, offset = multiplier * mimics.multiplier, offset + multiplier * mimics.offset
+        if not (abs(multiplier) <= MAX_NUMBER and abs(offset) <= MAX_NUMBER):
+            raise joint.malformed("mimic", "offset" if abs(multiplier) <= MAX_NUMBER else "multiplier", 1)
+        if multiplier == 0.0:
+            return None, offset
         followed = everything.get(mimics.joint)
         if followed is None or followed.name in seen:
-            raise refused("urdf_mimic_unknown", joint=joint.name, other=mimics.joint)
+            raise refused("urdf_mimic_unknown", joint=here.name, other=mimics.joint)
         seen.add(followed.name)
-        joint = followed
-    return joint.name
+        here = followed
+    return (None, offset) if here.kind == "fixed" else (here.name, None)

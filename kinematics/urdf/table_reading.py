@@ -169,26 +169,24 @@ def _chain(steps: Sequence[ChainStep]) -> Chain:
     axes: list[Axis] = []
     links = [(0, here)]
     extent = 0.0
-    for joint, upwards, moves in steps:
+    for joint, upwards, value in steps:
         origin = from_matrix(joint.origin())
         here = here if upwards else compose(here, origin)
         if joint.kind in MOVING:
             axis = unit(rotate(here, joint.axis()))
-            if moves:
+            if value is None:
                 direction = scale(axis, -1.0) if upwards else axis
                 axes.append(Axis(joint.kind == "prismatic", direction, position(here)))
             else:
-                here = _still(joint, here, axis, upwards)
+                here = _standing(joint, here, axis, -value if upwards else value)
         here = compose(here, inverse(origin)) if upwards else here
         links.append((len(axes), here))
         extent += norm(position(origin))
     return Chain(tuple(axes), here, extent, tuple(links))
 
 
-def _still(joint: UrdfJoint, here: Motion, axis: Vector, upwards: bool) -> Motion:
-    """Return where a joint that follows another one by the factor 0 stands: at its offset."""
-    mimics = joint.mimics()
-    by = 0.0 if mimics is None else -mimics.offset if upwards else mimics.offset
+def _standing(joint: UrdfJoint, here: Motion, axis: Vector, by: float) -> Motion:
+    """Return the pose behind a joint that stands still by so much about, or along, its axis [rad, or m]."""
     if joint.kind == "prismatic":
         return compose(translation(scale(axis, by)), here)
     return compose(rotation_about(position(here), axis, *cos_sin(by)), here)

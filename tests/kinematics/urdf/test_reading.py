@@ -159,6 +159,26 @@ def test_a_joint_that_follows_by_nothing_stands_at_its_offset():
     np.testing.assert_allclose(pose[:2, 3], [math.cos(0.5), math.sin(0.5)], atol=1e-15)
 
 
+@pytest.mark.parametrize(
+    ("kind", "held_by", "stands"),
+    [("fixed", "", 0.0), ("revolute", '<mimic joint="j" multiplier="0" offset="0.2"/>', 0.2)],
+)
+def test_a_joint_that_follows_one_that_stands_still_stands_still_too(kind, held_by, stands):
+    text = robot(
+        joint("j", "a", "b", inner='<axis xyz="0 0 1"/>'),
+        joint("held", "a", "s", kind, '<axis xyz="0 0 1"/>' + held_by),
+        joint("f", "b", "c", inner='<axis xyz="0 0 1"/><mimic joint="held" multiplier="3" offset="0.5"/>'),
+        joint("end", "c", "d", "fixed", '<origin xyz="1 0 0"/>'),
+        links="abcds",
+    )
+    for base_link, tip_link, sign in (("a", "d", 1.0), ("c", "a", -1.0)):
+        found = table_from_urdf(text, Convention.STANDARD, base_link=base_link, tip_link=tip_link)
+        assert found.joints == ("j",)
+        pose = end_poses(found.table, [[0.0]], base=found.base, tool=found.tool)[0]
+        angle = sign * (3 * stands + 0.5)
+        np.testing.assert_allclose(pose[:2, 0], [math.cos(angle), math.sin(angle)], atol=1e-15)
+
+
 def test_a_quaternion_is_an_orientation():
     half = math.sqrt(0.5)
     by_angles = robot(
@@ -285,6 +305,15 @@ REFUSED = {
             links="abcx",
         ),
         "urdf_tip_needed",
+    ),
+    "followed ever further": (
+        robot(
+            joint("j", "a", "b", inner='<mimic joint="k" multiplier="1e6"/>'),
+            joint("k", "b", "c", inner='<mimic joint="l" multiplier="1e6"/>'),
+            joint("l", "c", "d"),
+            links="abcd",
+        ),
+        "urdf_numbers_malformed",
     ),
     "itself": (robot(joint("j", "a", "b", inner='<mimic joint="j"/>'), links="ab"), "urdf_mimic_unknown"),
     "an unknown attribute": (
