@@ -78,7 +78,7 @@ def urdf_from_table(
         limits: (lowest, highest) of joint 1 … n [rad, or the table's length unit], None where there is none.
         joint_names: names of joint 1 … n; joint_1 … joint_n if left out.
         link_names: names of the links that joint 1 … n carry; link_1 … link_n if left out. The last of them
-            may be `tip_link`, where nothing constant is behind the last joint.
+            may be `tip_link`, where the origin of the last link is on the axis of the last joint.
         base_link: name of the first link.
         tip_link: name of the last link. A link between them that would be called like one of the two, or
             like another one, has an underscore more in its name.
@@ -165,6 +165,7 @@ class _UrdfWriter:
         self._metres = metres_per_unit
         self._names, self._links = names, links
         self._base, self._tip = ends
+        self._last_sign = 1
         self._taken = {*ends, *links}
 
     def fixed(self, name: str, pose: Transform) -> None:
@@ -172,11 +173,21 @@ class _UrdfWriter:
         self._note(f"fixed_{name}", "fixed", self._free(name), pose, ())
 
     def last(self, pose: Transform) -> None:
-        """The fixed joint to the last link, unless that link is the one of the last joint."""
+        """The fixed joint to the last link, unless that link is the one of the last joint.
+
+        It is where the last link's frame may be that of the joint: where its origin is on the axis.
+        """
         joint = self._joints[-1] if self._joints else None
-        still = np.abs(self.behind @ pose - np.eye(4)).max() <= STILL
-        if joint and joint.kind != "fixed" and self._links[-1] == self._tip and still:
-            self._joints[-1] = joint._replace(link=self._tip)
+        end = self.behind @ pose
+        within = joint and (joint.kind == "prismatic" or np.abs(end[:2, 3]).max() <= STILL)
+        if joint and joint.kind != "fixed" and self._links[-1] == self._tip and within:
+            self._joints.pop()
+            self.behind = joint.pose
+            if np.abs(end - np.eye(4)).max() > STILL:
+                _, *details = joint.details
+                joint = joint._replace(details=[_axis((self._last_sign * end[2, :3]).tolist()), *details])
+                self.behind = joint.pose @ end
+            self._note(joint.name, joint.kind, self._tip, np.eye(4), joint.details)
         else:
             self._note("fixed_tool", "fixed", self._tip, pose, ())
 
@@ -184,7 +195,8 @@ class _UrdfWriter:
         self, number: int, joint: JointType, sign: int, pose: Transform, bounds: tuple[float, float]
     ) -> None:
         """A joint that moves about or along z of its frame."""
-        details = [f'<axis xyz="0 0 {"1" if sign > 0 else "-1"}"/>']
+        self._last_sign = sign
+        details = [_axis((0, 0, sign))]
         kind = joint.value
         unit = self._metres if joint is JointType.PRISMATIC else 1.0
         known = [bound * unit for bound in bounds if np.isfinite(bound)]
@@ -271,6 +283,10 @@ def check_link_names(names: Sequence[str], count: int) -> None:
 def _check_name(name: str, where: tuple[str | int, ...]) -> None:
     if not name.strip() or not name.isprintable():
         raise DescriptionError(Fault.at("urdf_name_invalid", *where))
+
+
+def _axis(direction: Sequence[float]) -> str:
+    return f'<axis xyz="{" ".join(map(_text, direction))}"/>'
 
 
 def _text(value: float) -> str:

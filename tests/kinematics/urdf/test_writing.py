@@ -155,6 +155,30 @@ def test_names_and_limits_survive():
     np.testing.assert_allclose(one, two, atol=1e-14)
 
 
+@pytest.mark.parametrize("convention", Convention)
+@pytest.mark.parametrize("kind", ["revolute", "prismatic"])
+@pytest.mark.parametrize("axis", ["0 0 -1", "0 1 0", "-1 0 0", "0.6 0 -0.8"])
+def test_the_last_link_keeps_its_name_whatever_its_axis(convention, kind, axis):
+    text = (
+        '<robot name="r"><link name="a"/><link name="b"/><link name="c"/>'
+        '<joint name="j" type="continuous"><parent link="a"/><child link="b"/><axis xyz="0 0 1"/></joint>'
+        f'<joint name="k" type="{kind}"><parent link="b"/><child link="c"/><axis xyz="{axis}"/>'
+        '<origin xyz="0.1 0.2 0.3" rpy="0.4 -0.5 0.6"/><limit lower="-1" upper="2"/></joint></robot>'
+    )
+    found = table_from_urdf(text, convention)
+    written = urdf_from_table(
+        found.table, base=found.base, tool=found.tool, limits=found.limits,
+        joint_names=found.joints, link_names=found.links,
+        base_link=found.base_link, tip_link=found.tip_link,
+    )  # fmt: skip
+    back = table_from_urdf(written.text, convention)
+    assert (back.joints, back.links, back.limits) == (("j", "k"), ("b", "c"), found.limits)
+    joints = random_joints(found.table, 5)
+    np.testing.assert_allclose(
+        foreign_poses(written.text, joints, "a", "c"), foreign_poses(text, joints, "a", "c"), atol=1e-12
+    )
+
+
 def test_links_keep_their_names():
     """The last joint carries the tip, as long as nothing constant comes to stand behind it."""
     links = ["boom", "row_2", "flange"]
