@@ -34,6 +34,12 @@ LARGEST = 1024 * 1024
 """Largest answer that is read [byte]."""
 _HOST = re.compile(r"[a-z0-9_-]+(\.[a-z0-9_-]+)*|[0-9a-f:.]+")
 """A host as browsers write it; whatever else would end a directive of a policy, or a line of a header."""
+_MAPPED = ipaddress.ip_network("::ffff:0:0/96")
+_NAT64 = ipaddress.ip_network("64:ff9b::/96")
+_UNICAST = ipaddress.ip_network("2000::/3")
+"""What is given out of IPv6: all else is for groups, for translation, for one site, or for nothing yet."""
+_RELAYS = ipaddress.ip_network("192.88.99.0/24")
+"""Relays of 6to4."""
 Resolve = Callable[[str, int], list[str]]
 
 
@@ -162,7 +168,7 @@ class Fetcher:
             found = self._resolve(url.host, url.port or 443)
         except OSError as error:
             raise unreachable(address, type(error).__name__) from error
-        if not found or not all(ipaddress.ip_address(ip.partition("%")[0]).is_global for ip in found):
+        if not found or not all(_is_public(ipaddress.ip_address(ip.partition("%")[0])) for ip in found):
             raise _refused(address)
         return url.copy_with(host=found[0]), {"sni_hostname": url.host}, host
 
@@ -195,6 +201,19 @@ def http_address(text: str) -> str:
     if not _HOST.fullmatch(urlsplit(address).hostname or ""):
         raise ValueError(address)
     return address
+
+
+def _is_public(address: ipaddress.IPv4Address | ipaddress.IPv6Address) -> bool:
+    """Whether one machine of the internet has this address: is_global alone holds groups to be one.
+
+    What carries an IPv4 address (mapped, or through NAT64) is judged by that one. Those of 6to4 (RFC 7526)
+    and of sites are out of use, and may lead inside.
+    """
+    if isinstance(address, ipaddress.IPv4Address):
+        return address.is_global and not address.is_multicast and address not in _RELAYS
+    if address in _MAPPED or address in _NAT64:
+        return _is_public(ipaddress.IPv4Address(int(address) & 0xFFFFFFFF))
+    return address.is_global and address in _UNICAST and address.sixtofour is None
 
 
 def _resolve(host: str, port: int) -> list[str]:

@@ -8,6 +8,7 @@ import threading
 import time
 from collections.abc import Iterator, Mapping
 
+import httpx
 import pytest
 
 from service.lti import fetching
@@ -23,6 +24,21 @@ NAMES: Mapping[str, list[str]] = {
     "metadata.example": ["169.254.169.254"],
     "mixed.example": ["8.8.8.8", "192.168.1.1"],
     "nowhere.example": [],
+    "all-machines.example": ["224.0.0.1"],
+    "groups.example": ["239.255.255.250"],
+    "group-6.example": ["ff02::1"],
+    "wide-group-6.example": ["ff0e::1"],
+    "6to4.example": ["2002:a9fe:a9fe::1"],
+    "nat64.example": ["64:ff9b::a9fe:a9fe"],
+    "own-nat64.example": ["64:ff9b:1::a9fe:a9fe"],
+    "mapped-metadata.example": ["::ffff:169.254.169.254"],
+    "compatible.example": ["::127.0.0.1"],
+    "site.example": ["fec0::1"],
+    "anything.example": ["0.0.0.0"],
+    "anything-6.example": ["::"],
+    "relay.example": ["192.88.99.1"],
+    "broadcast.example": ["255.255.255.255"],
+    "teredo.example": ["2001:0:4136:e378:8000:63bf:3fff:fdd2"],
 }
 
 
@@ -50,6 +66,21 @@ def test_what_is_not_public_https_is_not_asked(address: str) -> None:
     with pytest.raises(PlatformError) as refused:
         fetcher.get_json(address)
     assert [fault.code for fault in refused.value.faults] == ["lti_address_refused"]
+
+
+@pytest.mark.parametrize("found", ["8.8.8.8", "2606:4700::1", "64:ff9b::808:808", "::ffff:8.8.8.8"])
+def test_what_is_public_is_asked(found: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Through NAT64 too: a service without IPv4 reaches all platforms with IPv4 alone by it."""
+    asked: list[str] = []
+
+    def handle(request: httpx.Request) -> httpx.Response:
+        asked.append(request.url.host)
+        return httpx.Response(200, json={})
+
+    fetcher = Fetcher(resolve=lambda _host, _port: [found])
+    monkeypatch.setitem(fetcher.__dict__, "_client", httpx.Client(transport=httpx.MockTransport(handle)))
+    fetcher.get_json("https://lms.example/jwks")
+    assert asked == [found]
 
 
 @pytest.fixture(scope="module")
