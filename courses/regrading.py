@@ -86,23 +86,29 @@ def rejudge(store: Store, run: int, judge: Judge) -> int:
             continue
         found = judge(batch)
         with store.writing() as connection:
-            insert_all_once(  # another lecturer may have asked for the same meanwhile
-                connection,
-                _DONE,
-                [
-                    {
-                        "regrading_id": run,
-                        "attempt_id": item.attempt_id,
-                        "score": item.score,
-                        "correct": item.correct,
-                        "report": {"path": item.path},
-                    }
-                    for item in found
-                ],
-            )
+            stands = _standing(connection, [item.attempt_id for item in found])
+            rows = [
+                {
+                    "regrading_id": run,
+                    "attempt_id": item.attempt_id,
+                    "score": item.score,
+                    "correct": item.correct,
+                    "report": {"path": item.path},
+                }
+                for item in found
+                if item.attempt_id in stands
+            ]
+            if rows:
+                insert_all_once(connection, _DONE, rows)  # another lecturer may have asked for the same
         count += len(found)
         last = batch[-1].id
     return count
+
+
+def _standing(connection: sa.Connection, attempts: Sequence[int]) -> set[int]:
+    """Return which attempts still stand, and keep them: a person may be erased while they are judged."""
+    wanted = sa.select(_ATTEMPT.c.id).where(_ATTEMPT.c.id.in_(attempts)).order_by(_ATTEMPT.c.id)
+    return set(connection.scalars(wanted.with_for_update(read=True, key_share=True)))
 
 
 def _waiting(store: Store, run: int, last: int) -> list[Attempt]:

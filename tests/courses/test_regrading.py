@@ -18,6 +18,7 @@ from courses.links import change_settings
 from courses.model import Attempt, LinkSettings, Role
 from courses.outbox import delivered, lease_scores
 from courses.policies import AttemptPolicy
+from courses.privacy import erase_person
 from courses.refusals import UnknownRecordError
 from courses.regrading import Rejudged, Scope, apply, begin, changes, rejudge
 from courses.statistics import class_overview, link_statistics, misconceptions, unexplained
@@ -98,6 +99,24 @@ def test_two_lecturers_regrade_at_once(store: Store) -> None:
     run = begin(store, ann.link.id, Scope.ALL, "2", NOW)
     rejudge(store, run, judge_beside_another)
     assert [(found["before"], found["after"]) for found in changes(store, run)] == [(0.5, 1.0)]
+
+
+@pytest.mark.parametrize("left", ["bob", None])
+def test_a_person_is_erased_while_answers_are_judged_again(store: Store, left: str | None) -> None:
+    """What was judged of them has no attempt to stand beside any more."""
+    ann = joined(store, "ann")
+    submitted(store, ann, 0.5, report=WRONG)
+    if left:
+        submitted(store, joined(store, left), 0.5, report=WRONG)
+
+    def judge(batch: Sequence[Attempt]) -> list[Rejudged]:
+        erase_person(store, ann.person.key)
+        return [Rejudged(attempt_id=each.id, score=1.0, correct=True, path=()) for each in batch]
+
+    run = begin(store, ann.link.id, Scope.ALL, "2", NOW)
+    rejudge(store, run, judge)
+    assert [found["after"] for found in changes(store, run)] == ([1.0] if left else [])
+    apply(store, ann.link.id, run, NOW)
 
 
 def test_numbers_follow_the_judgement_that_counts(store: Store) -> None:
