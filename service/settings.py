@@ -55,6 +55,8 @@ LONGEST_SECONDS = 86_400
 """A day: longer times are no limits, and timers of the system do not take infinity."""
 LARGEST_MEMORY = 1 << 60
 """Bytes: more than any machine has, and few enough for a limit of the system."""
+MOST_WORKERS = 1024
+"""Processes: more than the cores of one machine, and few enough for it to start them all."""
 LONGEST_NUMBER = 1000
 """Digits: a few milliseconds to read, and less than Python converts at all (4300)."""
 Seconds = Annotated[float, Field(gt=0, le=LONGEST_SECONDS)]
@@ -86,7 +88,7 @@ class Settings(BaseSettings):
 
     host: str = Field("127.0.0.1", description="address that the server listens on")
     port: int = Field(8000, ge=0, le=65535, description="port that the server listens on; 0 takes a free one")
-    workers: PositiveInt = Field(1, description="server processes")
+    workers: int = Field(1, gt=0, le=MOST_WORKERS, description="server processes, at most 1024")
     access_log: bool = Field(False, description="log a line for each request")
     log_format: LogFormat = Field(LogFormat.TEXT, description="how the log is written: text, or json")
     metrics: Literal["on", "off"] = Field("on", description="serve Prometheus metrics at /metrics")

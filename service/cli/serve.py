@@ -14,7 +14,7 @@ from service.http.connections import server_options
 from service.logs import log_configuration
 from service.metrics import share_metrics
 from service.secret import share_secret
-from service.settings import Settings
+from service.settings import MOST_WORKERS, Settings
 
 if TYPE_CHECKING:
     from fastapi import FastAPI
@@ -27,7 +27,7 @@ def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
     parser = subparsers.add_parser("serve", help="serve until interrupted")
     parser.add_argument("--host", help="address to listen on (FRAMEWISE_HOST)")
     parser.add_argument("--port", type=_port, help="port to listen on (FRAMEWISE_PORT)")
-    parser.add_argument("--workers", type=count, help="processes (FRAMEWISE_WORKERS)")
+    parser.add_argument("--workers", type=_workers, help="processes (FRAMEWISE_WORKERS)")
     parser.set_defaults(run=_serve)
 
 
@@ -72,3 +72,9 @@ def _port(text: str) -> int:
     if not text.isdecimal() or int(text) > _LARGEST_PORT:
         raise argparse.ArgumentTypeError(f"a port is a number from 0 to {_LARGEST_PORT}, not {text}")
     return int(text)
+
+
+def _workers(text: str) -> int:
+    if (number := count(text)) > MOST_WORKERS:
+        raise argparse.ArgumentTypeError(f"at most {MOST_WORKERS} processes, not {text}")
+    return number
