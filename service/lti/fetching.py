@@ -26,6 +26,8 @@ from service.lti.launch_errors import PlatformError, unreachable
 if TYPE_CHECKING:  # its command line and its certificates take 6 MB: only who sends something loads it
     import httpx
 
+    from service.lti.bounded_connections import BoundedTransport
+
 TIMEOUT = 5.0
 """Seconds that a platform may take to begin its answer, and to go on with it."""
 WHOLE_ANSWER = 20.0
@@ -97,7 +99,15 @@ class Fetcher:
     def _client(self) -> httpx.Client:
         import httpx
 
-        return httpx.Client(timeout=TIMEOUT, follow_redirects=False, trust_env=False)
+        return httpx.Client(
+            transport=self._transport, timeout=TIMEOUT, follow_redirects=False, trust_env=False
+        )
+
+    @cached_property
+    def _transport(self) -> BoundedTransport:
+        from service.lti.bounded_connections import BoundedTransport
+
+        return BoundedTransport()
 
     def close(self) -> None:
         """End every connection."""
@@ -120,19 +130,19 @@ class Fetcher:
         import httpx
 
         url, extensions, host = self._checked(address)
-        latest = time.monotonic() + WHOLE_ANSWER
         sent = {"Accept": "application/json", **(headers or {}), "Host": host}
         try:
-            with self._client.stream(
-                method, url, headers=sent, content=content, extensions=extensions
-            ) as answer:
+            with (
+                self._transport.within(WHOLE_ANSWER),
+                self._client.stream(
+                    method, url, headers=sent, content=content, extensions=extensions
+                ) as answer,
+            ):
                 body = bytearray()
                 for piece in answer.iter_bytes():
                     body += piece
                     if len(body) > LARGEST:
                         raise unreachable(address, f"> {LARGEST}")
-                    if time.monotonic() > latest:
-                        raise unreachable(address, f"> {WHOLE_ANSWER:g} s")
                 return FetchedAnswer(
                     address=address, status=answer.status_code, headers=answer.headers, body=bytes(body)
                 )

@@ -99,9 +99,12 @@ def test_a_trusted_origin_is_asked_however_it_is_written(server: KeyServer, writ
     fetcher.close()
 
 
-def test_an_answer_that_drips_in_is_given_up(monkeypatch: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize(
+    "begun", [b"", b"HTTP/1.1 200 OK\r\nX: ", b"HTTP/1.1 200 OK\r\nContent-Length: 100000\r\n\r\n"]
+)
+def test_an_answer_that_drips_in_is_given_up(begun: bytes, monkeypatch: pytest.MonkeyPatch) -> None:
     """Each piece came in time, so that the thread read on for as long as the platform liked."""
-    monkeypatch.setattr(fetching, "WHOLE_ANSWER", 0.0)
+    monkeypatch.setattr(fetching, "WHOLE_ANSWER", 0.2)
     with socket.create_server(("127.0.0.1", 0)) as listener:
         root = f"http://127.0.0.1:{listener.getsockname()[1]}"
 
@@ -109,9 +112,9 @@ def test_an_answer_that_drips_in_is_given_up(monkeypatch: pytest.MonkeyPatch) ->
             connection, _ = listener.accept()
             with connection, contextlib.suppress(OSError):
                 connection.recv(4096)
-                connection.sendall(b"HTTP/1.1 200 OK\r\nContent-Length: 100000\r\n\r\n")
+                connection.sendall(begun)
                 while True:
-                    connection.sendall(b" ")
+                    connection.sendall(b"1")
                     time.sleep(0.01)
 
         thread = threading.Thread(target=drip)
