@@ -6,6 +6,8 @@ import codecs
 import csv
 import io
 import re
+import zipfile
+import zlib
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import PurePosixPath
@@ -27,6 +29,12 @@ MOST_LEVELS = 8
 """Levels of a JSON file: lists of students, of robots, of tables, and some that mean nothing here."""
 MOST_ROWS = 100_000
 """Rows of a file: a table of six rows for each of 15 000 students."""
+_MOST_CELLS = 16 * MOST_ROWS
+"""Cells of the rectangle about those of a sheet that hold something: its reader makes all of them."""
+_LARGEST_UNPACKED = 64 * 1024 * 1024
+"""Bytes of a member of a workbook: eight million cells are about as many."""
+_CELL = re.compile(rb"""<(?:\w+:)?(?:c|row)\s(?:[^>]*?\s)?r\s*=\s*["']([A-Za-z]*)(\d+)["'][^>]*(?<!/)>""")
+"""A cell of a worksheet, or a row, with something in it, and where it stands (ECMA-376-1 §18.3.1.4)."""
 _JSON_LIMITS = JsonLimits(
     objects=MOST_ROWS, lists=MOST_ROWS, values=8 * MOST_ROWS, fields=MOST_ROWS, colons=8 * MOST_ROWS
 )
@@ -183,6 +191,7 @@ def _rows_of_columns(
 
 
 def _workbook_tables(name: str, content: bytes, settings: TableSettings) -> Iterator[FoundTable]:
+    _check_extent(name, content)
     try:
         workbook = CalamineWorkbook.from_filelike(io.BytesIO(content))
         sheets = [
@@ -196,6 +205,33 @@ def _workbook_tables(name: str, content: bytes, settings: TableSettings) -> Iter
             for found in _grid_tables(name, grid, settings):
                 exercise = found.exercise or (title if len(sheets) > 1 else None)
                 yield FoundTable(student=found.student, exercise=exercise, table=found.table)
+
+
+def _check_extent(name: str, content: bytes) -> None:
+    """Refuse a workbook with a cell so far out that its reader, asked for memory in vain, ends the run."""
+    try:
+        archive = zipfile.ZipFile(io.BytesIO(content))
+        for entry in archive.infolist():
+            with archive.open(entry) as stream:
+                text = stream.read(_LARGEST_UNPACKED + 1)
+            if len(text) > _LARGEST_UNPACKED:
+                raise _refused("file_too_large", name, limit=_LARGEST_UNPACKED)
+            rows = columns = 1
+            for place in _CELL.finditer(text):
+                columns = max(columns, _column_number(place[1]))
+                rows = max(rows, int(place[2][:9]))
+            if rows * columns > _MOST_CELLS:
+                raise _refused("file_unreadable", name, reason=f"{rows} × {columns}")
+    except (zipfile.BadZipFile, zlib.error, EOFError, RuntimeError, NotImplementedError):
+        return  # of another format, or damaged: its reader says so
+
+
+def _column_number(letters: bytes) -> int:
+    """Return the number of a column: 1 for A, 27 for AA."""
+    number = 0
+    for letter in letters[:6].upper():
+        number = 26 * number + letter - 64
+    return number
 
 
 def _decoded(name: str, content: bytes) -> str:

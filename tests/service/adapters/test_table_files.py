@@ -217,3 +217,50 @@ def test_half_an_archive_is_said_to_be_none(tmp_path: Path) -> None:
 def test_marks_bear_what_the_gradebook_imports_by() -> None:
     names = ("Ann Lee_11_assignsubmission_file_/t.csv", "lee_LATE_1234_5678_t.csv", "t.csv")
     assert [identifier_of(name) for name in names] == ["Participant 11", "1234", None]
+
+
+OFFICE = "http://schemas.openxmlformats.org/officeDocument/2006/relationships"
+PACKAGE = "http://schemas.openxmlformats.org/package/2006"
+SHEET = "http://schemas.openxmlformats.org/spreadsheetml/2006/main"
+
+
+def workbook(rows: bytes) -> bytes:
+    """A workbook of one sheet, as small as a reader takes it."""
+    link = f'<Relationships xmlns="{PACKAGE}/relationships"><Relationship Id="r1" Type="{OFFICE}/'
+    stream = io.BytesIO()
+    with zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr("[Content_Types].xml", f'<Types xmlns="{PACKAGE}/content-types"/>')
+        archive.writestr("_rels/.rels", f'{link}officeDocument" Target="xl/workbook.xml"/></Relationships>')
+        archive.writestr(
+            "xl/_rels/workbook.xml.rels", f'{link}worksheet" Target="worksheets/sheet1.xml"/></Relationships>'
+        )
+        archive.writestr(
+            "xl/workbook.xml",
+            f'<workbook xmlns="{SHEET}" xmlns:r="{OFFICE}"><sheets><sheet name="a" sheetId="1" r:id="r1"/>'
+            "</sheets></workbook>",
+        )
+        text = f'<worksheet xmlns="{SHEET}"><sheetData>'.encode() + rows + b"</sheetData></worksheet>"
+        archive.writestr("xl/worksheets/sheet1.xml", text)
+    return stream.getvalue()
+
+
+def cells(number: int, *places: str) -> bytes:
+    found = "".join(f'<c r="{place}"><v>1</v></c>' for place in places)
+    return f'<row r="{number}">{found}</row>'.encode()
+
+
+@pytest.mark.parametrize(
+    ("rows", "code"),
+    [
+        (cells(1, "A1") + cells(1_048_576, "XFD1048576"), "file_unreadable"),
+        (cells(1, "A1", "XFD1") + cells(1000, "A1000"), "file_unreadable"),
+        (b" " * (65 * 1024 * 1024), "file_too_large"),
+        (cells(1, "A1") + b'<row r="1048576"><c r="XFD1048576" s="1"/></row>', "columns_unknown"),
+        (cells(1, "A1") + cells(90_000, "H90000"), "columns_unknown"),
+    ],
+)
+def test_a_cell_far_out_is_refused_before_its_sheet_is_made(rows: bytes, code: str) -> None:
+    """The reader made all cells up to it, and ended the program where it got no memory for them."""
+    with pytest.raises(RequestError) as refused:
+        read_tables("ann.xlsx", workbook(rows), TableSettings())
+    assert [fault.code for fault in refused.value.faults] == [code]
