@@ -74,12 +74,13 @@ def _cost(change: Change, weights: Weights, nothing: float) -> float:
     """What the slip costs that a change undoes, in facts.
 
     One throughout the table leaves half of what a table of zeros loses, which has not one such thing right:
-    two names exchanged are all the facts of a SCARA, and still one slip.
+    two names exchanged are all the facts of a SCARA, and still one slip. So does a forgotten variable, all of
+    whose row is right: the facts of a short arm may be its joint's and the neighbours'.
     """
     if change.code in SIGNS:
         return weights.sign
     cost = {Extent.CELL: CELL, Extent.ROW: weights.row, Extent.TABLE: weights.table}[change.extent]
-    return min(cost, nothing / 2.0) if _is_throughout(change) else cost
+    return min(cost, nothing / 2.0) if _is_throughout(change) or change.code == "joint_fixed" else cost
 
 
 def _is_of_length_or_turn(change: Change) -> bool:

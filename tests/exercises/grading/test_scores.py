@@ -235,3 +235,17 @@ def test_a_turn_about_sliders_is_none_where_they_are_no_longer_parallel() -> Non
         grade(written(key), written(table), Policy(tool=ToolRule.FREE)).score for table in (wrong, worse)
     )
     assert after < before
+
+
+@pytest.mark.parametrize("row", [1, 2, 3])
+@pytest.mark.parametrize("rule", [ToolRule.FREE, ToolRule.AXIS])
+def test_a_forgotten_variable_leaves_half_of_a_short_arm(row: int, rule: ToolRule) -> None:
+    """What a joint and its neighbours are may be all the facts; one more that is wrong leaves nothing."""
+    policy = Policy(tool=rule)
+    rows: Rows = [("pi/2", 0.1, 0, "q1"), (0, 0.4, 0.2, "q2"), ("pi/6", 0, "q3", 0.3), (0, 0.05, 0.2, 0)]
+    forgotten = with_cells(rows, (row, 2 if row == 3 else 3, 0.3))
+    verdict = grade(read("standard", rows), read("standard", forgotten), policy)
+    assert verdict.repairs[0].edits[0].code == "joint_fixed"
+    assert verdict.score == 0.5
+    more = with_cells(forgotten, (1, 0, 0.4))
+    assert grade(read("standard", rows), read("standard", more), policy).score < 0.5
