@@ -157,17 +157,49 @@ def _same(group: Group, here: Motion, other: Motion, size: float) -> bool:
 def _onward(trail: Trail, step: Step, axis: Axis, sign: int, judge: _Judge) -> Trail:
     """The trail one joint longer; what cannot be aligned is forced, so that the next joints can be judged."""
     target = step.axis
-    found = align(step, rotate(trail.here, axis.direction), move(trail.here, axis.point), sign)
+    found, wrong, strain = _least_wrong(trail, step, axis, sign, judge)
     here = compose(found.motion, trail.here)
-    wrong, strain = judge.of(step, axis, found, len(trail.signs) + 1)
     here = compose(turn_onto(target.point, found.direction, target.direction), here)
     if not target.prismatic:
         gap = subtract(target.point, move(here, axis.point))
         gap = subtract(gap, scale(target.direction, dot(gap, target.direction)))
+        if any(mismatch.kind is Kind.OFFSET and mismatch.length for mismatch in wrong):
+            gap = _along_previous(step, gap)
         here = compose(translation(gap), here)
     small_change = 1e-3 * (1.0 - 1.0 / (1.0 + strain)) + (1e-6 if sign < 0 else 0.0)
     mismatches = (*trail.mismatches, *wrong)
     return Trail(trail.cost + len(wrong) + small_change, here, mismatches, (*trail.signs, sign))
+
+
+def _along_previous(step: Step, gap: Vector) -> Vector:
+    """A displacement onto an axis, so that what of it is no length is made along the axis before it.
+
+    There an offset is measured: across the axis alone, the next one would find its part along it missing.
+    """
+    axis, direction = step.group.axis, step.axis.direction
+    lean = rejection(axis, direction)
+    along = dot(gap, lean) / dot(lean, lean) * dot(axis, direction)
+    return (gap[0] + along * direction[0], gap[1] + along * direction[1], gap[2] + along * direction[2])
+
+
+def _least_wrong(
+    trail: Trail, step: Step, axis: Axis, sign: int, judge: _Judge
+) -> tuple[Alignment, list[Mismatch], float]:
+    """The alignment with the fewest wrong facts, these, and the largest misfit of it.
+
+    A rotation that weighs directions against places turns an axis out of the right direction where a length
+    is wrong; by directions alone the length is all that is left.
+    """
+    direction, point = rotate(trail.here, axis.direction), move(trail.here, axis.point)
+    joint = len(trail.signs) + 1
+    found = align(step, direction, point, sign)
+    wrong, strain = judge.of(step, axis, found, joint)
+    if wrong and step.by_direction and step.by_moment:
+        turned = align(replace(step, by_moment=0.0), direction, point, sign)
+        fewer, other = judge.of(step, axis, turned, joint)
+        if len(fewer) < len(wrong):
+            return turned, fewer, other
+    return found, wrong, strain
 
 
 @dataclass(frozen=True, slots=True)

@@ -54,6 +54,28 @@ def test_angles_of_sliders_are_told_with_their_amounts(row: int, cell: str, by: 
     assert mismatch.angle == pytest.approx(by)
 
 
+SKEW = standard(
+    (R, 1.1, 0.4, 0.2, 0), (R, -0.7, 0.3, 0.25, 0), (R, 0.9, 0.35, 0.15, 0), (R, 0.5, 0.2, 0.1, 0)
+)
+
+
+@pytest.mark.parametrize(
+    ("row", "cell", "kind"),
+    [
+        (1, "a", Kind.LENGTH),
+        (2, "a", Kind.LENGTH),
+        (3, "a", Kind.LENGTH),
+        (2, "d", Kind.OFFSET),
+        (3, "d", Kind.OFFSET),
+    ],
+)
+def test_one_wrong_length_of_skew_axes_is_no_wrong_twist(row: int, cell: str, kind: Kind) -> None:
+    """Nor is it another offset behind it."""
+    (mismatch,) = told(SKEW, SKEW, row, cell, 0.2)
+    assert (mismatch.kind, mismatch.row) == (kind, row - 1)
+    assert mismatch.length == pytest.approx(0.2, rel=1e-3)
+
+
 def test_a_slider_that_is_turned_turns_what_comes_behind_it() -> None:
     first, second = told(SLIDERS, SLIDERS, 3, "theta", 0.3)
     assert (first.kind, first.row, second.kind, second.row) == (Kind.OFFSET, 2, Kind.OFFSET, 3)
