@@ -70,6 +70,11 @@ def score_of(decision: Decision, repairs: Sequence[Repaired], work: Work, weight
     return round(min(max(1.0 - off / nothing, 0.0), HIGHEST_PARTIAL), DECIMALS)
 
 
+def marks_to_earn(key: NumericTable, policy: Policy, weights: Weights) -> float:
+    """Return the weight of what a table of zeros has wrong; without any, no wrong answer earns anything."""
+    return _standard(prepared(key), policy, weights).nothing
+
+
 def _cost(change: Change, weights: Weights, nothing: float) -> float:
     """What the slip costs that a change undoes, in facts.
 

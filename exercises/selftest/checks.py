@@ -17,6 +17,7 @@ from exercises.drawings import figure_drawing, true_scene, values
 from exercises.draws import is_alike
 from exercises.errors import DefinitionError
 from exercises.grading import HelpLevel, Verdict
+from exercises.grading.score import marks_to_earn
 from exercises.instance import Instance, generate
 from exercises.needs import unneeded_dimensions
 from exercises.parts.forward.schematic import schematic_of
@@ -79,11 +80,21 @@ def check_values(
         if with_table:
             _check_invalid(findings, exercise)
             _check_samples(findings, exercise)
+            _check_earnings(findings, exercise)
             for name in unneeded_dimensions(exercise):
                 findings.warn("unneeded", name=name)
             for name, other in _alike(exercise, seeds):
                 findings.warn("alike", name=name, other=other)
     return findings
+
+
+def _check_earnings(findings: Findings, exercise: Exercise) -> None:
+    """There is something to describe, and a wrong table may earn a part of the marks."""
+    key = bind(exercise.reference.table, values(generate(exercise)))
+    if not key.n_joints:
+        findings.warn("no_joints")
+    elif not marks_to_earn(key, exercise.policy, exercise.weights):
+        findings.warn("nothing_earned")
 
 
 def _alike(exercise: Exercise, seeds: Iterable[int | str | None]) -> list[tuple[str, str]]:

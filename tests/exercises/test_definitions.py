@@ -14,7 +14,7 @@ from exercises.loader import load_exercise
 from exercises.selftest.checks import check
 from exercises.statements import names_in
 from kinematics import catalogue
-from tests.exercises.folders import changed, folder
+from tests.exercises.folders import TWO_LINKS, changed, folder
 from tests.exercises.packaged import exercise, exercise_ids, table_ids
 
 SEEDS = int(os.environ.get("EXERCISE_SEEDS", "0"))
@@ -118,3 +118,21 @@ def test_lengths_that_may_be_exchanged_unseen_are_told_to_the_author(
     found = load_exercise(folder(tmp_path, changed("0.4, to = 0.6, step = 0.1", drawn)))
     alike = [one.params for one in check(found, 1).warnings if one.check == "alike"]
     assert alike == [{"name": "L1", "other": "L2"}] * told
+
+
+WEIGHTLESS = "\n[weights]\n" + "".join(
+    f"{fact} = 0\n" for fact in ("joint", "twist", "length", "offset", "rule")
+)
+FIXED = TWO_LINKS.replace("revolute", "fixed").replace('"q1"', "0").replace('"q2"', "0")
+
+
+@pytest.mark.parametrize(
+    ("text", "told"),
+    [(TWO_LINKS, set()), (TWO_LINKS + WEIGHTLESS, {"nothing_earned"}), (FIXED, {"no_joints"})],
+    ids=["usual", "weights of zero", "no joints"],
+)
+def test_where_no_answer_can_earn_a_part_the_author_is_told(
+    text: str, told: set[str], tmp_path: Path
+) -> None:
+    found = check(load_exercise(folder(tmp_path, text)), 0)
+    assert {one.check for one in found.warnings} - {"unneeded", "alike"} == told

@@ -23,5 +23,7 @@ check-tool_rule = Se rechaza una tabla correcta con la regla de herramienta { $r
 check-crash = Semilla { $seed }: falla la calificación: { $reason }
 check-unneeded = Ninguna respuesta correcta necesita { $name }: el estudiante puede elegir sistemas de referencia en los que no aparece. Fije el de la base o el de la herramienta si la respuesta debe contener esa cota, o no la mencione en el enunciado.
 check-alike = Algunos estudiantes pueden intercambiar { $name } y { $other } en números sin que se note: difieren en un 1 % como máximo. Elija valores o intervalos más separados.
+check-no_joints = El robot no tiene ninguna articulación: no hay nada que describir. Ponga una en alguna fila de la tabla.
+check-nothing_earned = Ninguna tabla incorrecta obtiene puntos: no tiene peso nada de lo que una tabla de ceros describe mal en este robot. Cambie los pesos o fije más reglas.
 warm-counts = { $exercise }: { $values } juegos de valores comprobados y dibujados, { $figures } figuras, { $forms } formas cerradas, { $failed } fallos, { $seconds } s
 error-nothing_to_warm = No hay ningún ejercicio, ni ningún curso con enlaces, llamado { $name }.

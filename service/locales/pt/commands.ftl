@@ -23,5 +23,7 @@ check-tool_rule = Uma tabela correta é rejeitada com a regra de ferramenta { $r
 check-crash = Semente { $seed }: a avaliação falha: { $reason }
 check-unneeded = Nenhuma resposta correta precisa de { $name }: o estudante pode escolher referenciais em que não aparece. Fixe o referencial da base ou o da ferramenta se a resposta o deve conter, ou retire-o do enunciado.
 check-alike = Alguns estudantes podem trocar { $name } e { $other } em números sem que se note: diferem no máximo 1 %. Escolha valores ou intervalos mais afastados.
+check-no_joints = O robô não tem nenhuma junta: não há nada a descrever. Ponha uma numa linha da tabela.
+check-nothing_earned = Nenhuma tabela errada recebe pontos: nada do que uma tabela de zeros descreve mal neste robô tem peso. Mude os pesos ou fixe mais regras.
 warm-counts = { $exercise }: { $values } conjuntos de valores verificados e desenhados, { $figures } figuras, { $forms } formas fechadas, { $failed } falhas, { $seconds } s
 error-nothing_to_warm = Não há exercício, nem curso com ligações, chamado { $name }.

@@ -25,5 +25,7 @@ check-tool_rule = Un tabel corect este respins cu regula sculei { $rule }: { $ta
 check-crash = Sămânța { $seed }: notarea eșuează: { $reason }
 check-unneeded = Niciun răspuns corect nu are nevoie de { $name }: studentul poate alege sisteme de coordonate în care nu apare. Fixați sistemul bazei sau pe cel al sculei dacă răspunsul trebuie să o conțină, ori scoateți-o din enunț.
 check-alike = Unii studenți pot inversa { $name } și { $other } în numere fără să se observe: diferă cu cel mult 1 %. Alegeți valori sau intervale mai îndepărtate.
+check-no_joints = Robotul nu are nicio cuplă: nu este nimic de descris. Puneți una într-un rând al tabelului.
+check-nothing_earned = Niciun tabel greșit nu primește puncte: nimic din ce descrie greșit un tabel de zerouri la acest robot nu are pondere. Schimbați ponderile sau fixați mai multe reguli.
 warm-counts = { $exercise }: { $values } seturi de valori verificate și desenate, { $figures } figuri, { $forms } forme închise, { $failed } eșecuri, { $seconds } s
 error-nothing_to_warm = Nu există niciun exercițiu și niciun curs cu linkuri numit { $name }.
