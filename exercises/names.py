@@ -11,7 +11,8 @@ from dataclasses import replace
 from functools import lru_cache
 
 from exercises.definition import Exercise
-from kinematics.cells import ReadTable, nearest_name
+from exercises.grading.judging.typed import ANGLES
+from kinematics.cells import ParameterKind, ReadTable, nearest_name
 from kinematics.cells.substitution import substitute, with_values
 from kinematics.cells.unit_words import is_symbol_of_unit
 from kinematics.cells.variables import variable_index
@@ -33,6 +34,8 @@ def unknown_name(
     own = tuple(exercise.reference.parameters)
     known = (*own, *sorted(set(others) - set(own)))
     close = nearest_name(name, (*known, *exercise.aliases))
+    if name.startswith("alpha") and where and where[-1] in ANGLES and _is_length(close, exercise):
+        close = None  # no a is taken for the twist of a row
     params: dict[str, ParamValue] = {
         "name": name,
         "unit": int(close is None and is_symbol_of_unit(name)),
@@ -116,6 +119,11 @@ def _meanings(names: Collection[str], exercise: Exercise) -> dict[str, Expressio
     """Return what stands in an expression for those of its names that are aliases."""
     aliases = exercise.aliases
     return {name: Parameter(aliases[name]) for name in names if name in aliases}
+
+
+def _is_length(name: str | None, exercise: Exercise) -> bool:
+    kinds = exercise.reference.parameters
+    return name is not None and kinds.get(exercise.aliases.get(name, name)) is ParameterKind.LENGTH
 
 
 def _known(exercise: Exercise) -> frozenset[str]:

@@ -29,7 +29,7 @@ def nearest_name(name: str, known: Collection[str]) -> str | None:
 
     Names are the same but for case or underscores (A2 for a2, F_x for fx), for letters that look like digits
     (L0 for LO), or for one letter left out, put in, changed or exchanged with its neighbour; their numbers
-    agree. Or both are the rate of one joint (q1_dot for dq1).
+    agree. Or both are the rate of one joint (q1_dot for dq1), or an a is written as α where no name is (α2).
 
     Args:
         name: what was typed, in any spelling that a cell may have.
@@ -43,6 +43,9 @@ def nearest_name(name: str, known: Collection[str]) -> str | None:
         found = {candidate for candidate in names if same(typed, candidate)}
         if found:
             return found.pop() if len(found) == 1 else None
+    if typed.startswith("alpha") and not any(candidate.startswith("alpha") for candidate in names):
+        latin = typed.removeprefix("alph")
+        return latin if latin in names else None
     return None
 
 

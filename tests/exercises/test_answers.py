@@ -130,7 +130,8 @@ def test_help_is_never_more_than_the_exercise_allows(asked: HelpLevel | None, al
 
 
 @pytest.mark.parametrize(
-    ("typed", "close"), [("A2", "a2"), ("a4", ""), ("ab2", "a2"), ("a22", ""), ("x", ""), ("L1", "")]
+    ("typed", "close"),
+    [("A2", "a2"), ("α2", "a2"), ("a4", ""), ("ab2", "a2"), ("a22", ""), ("x", ""), ("L1", "")],
 )
 def test_an_unknown_name_is_no_attempt_and_is_told_the_nearest_known_one(typed: str, close: str) -> None:
     rows = [(0, typed, 0, "q1"), (180, "a3", 0, "q2"), (0, 0, "q3", 0), (0, 0, 0, "q4")]
@@ -139,6 +140,14 @@ def test_an_unknown_name_is_no_attempt_and_is_told_the_nearest_known_one(typed: 
     (fault,) = error.value.faults
     assert (fault.code, fault.where) == ("name_unknown", ("table", "rows", 0, "a"))
     assert (fault.params["close"], fault.params["known"]) == (close, ("a2", "a3"))
+
+
+def test_no_length_is_suggested_for_a_twist() -> None:
+    rows = [("α2", "a2", 0, "q1"), (180, "a3", 0, "q2"), (0, 0, "q3", 0), (0, 0, 0, "q4")]
+    with pytest.raises(AnswerError) as error:
+        parse(generate(exercise("scara")), RawAnswer(table=table("standard", *rows)))
+    (fault,) = error.value.faults
+    assert (fault.code, fault.params["close"]) == ("name_unknown", "")
 
 
 @pytest.mark.parametrize("turned", ["sqrt(a3-a2)", "acos(3*a2/a3)"])

@@ -195,6 +195,13 @@ def test_the_nearest_name(typed, meant):
     assert nearest_name(typed, NAMES) == meant
 
 
+@pytest.mark.parametrize("typed", ["α2", "α_2", "alpha2", "\\alpha_2"])
+def test_an_alpha_is_an_a_where_no_name_has_one(typed):
+    assert nearest_name(typed, ("a2", "a3", "d1")) == "a2"
+    assert nearest_name(typed, ("a2", "alpha1")) is None
+    assert nearest_name(typed, ("a3", "d2")) is None
+
+
 def test_two_names_as_near_are_no_suggestion():
     assert nearest_name("A2", ("a2", "a_2")) == "a2"
     assert nearest_name("reech", ("reach", "reuch")) is None
