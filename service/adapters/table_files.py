@@ -6,8 +6,6 @@ import codecs
 import csv
 import io
 import re
-import zipfile
-import zlib
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import PurePosixPath
@@ -17,6 +15,7 @@ from python_calamine import CalamineWorkbook
 
 from kinematics.errors import Fault
 from kinematics.table import CELLS
+from service.adapters.workbook_extent import check_extent
 from service.http.decoding import JsonLimits, decode_json
 from service.http.problems import RequestError, ServiceError
 
@@ -31,10 +30,6 @@ MOST_ROWS = 100_000
 """Rows of a file: a table of six rows for each of 15 000 students."""
 _MOST_CELLS = 16 * MOST_ROWS
 """Cells of the rectangle about those of a sheet that hold something: its reader makes all of them."""
-_LARGEST_UNPACKED = 64 * 1024 * 1024
-"""Bytes of a member of a workbook: eight million cells are about as many."""
-_CELL = re.compile(rb"""<(?:\w+:)?(?:c|row)\s(?:[^>]*?\s)?r\s*=\s*["']([A-Za-z]*)(\d+)["'][^>]*(?<!/)>""")
-"""A cell of a worksheet, or a row, with something in it, and where it stands (ECMA-376-1 §18.3.1.4)."""
 _JSON_LIMITS = JsonLimits(
     objects=MOST_ROWS, lists=MOST_ROWS, values=8 * MOST_ROWS, fields=MOST_ROWS, colons=8 * MOST_ROWS
 )
@@ -191,8 +186,8 @@ def _rows_of_columns(
 
 
 def _workbook_tables(name: str, content: bytes, settings: TableSettings) -> Iterator[FoundTable]:
-    _check_extent(name, content)
     try:
+        check_extent(content, _MOST_CELLS)
         workbook = CalamineWorkbook.from_filelike(io.BytesIO(content))
         sheets = [
             (title, workbook.get_sheet_by_name(title).to_python(nrows=MOST_ROWS))
@@ -205,33 +200,6 @@ def _workbook_tables(name: str, content: bytes, settings: TableSettings) -> Iter
             for found in _grid_tables(name, grid, settings):
                 exercise = found.exercise or (title if len(sheets) > 1 else None)
                 yield FoundTable(student=found.student, exercise=exercise, table=found.table)
-
-
-def _check_extent(name: str, content: bytes) -> None:
-    """Refuse a workbook with a cell so far out that its reader, asked for memory in vain, ends the run."""
-    try:
-        archive = zipfile.ZipFile(io.BytesIO(content))
-        for entry in archive.infolist():
-            with archive.open(entry) as stream:
-                text = stream.read(_LARGEST_UNPACKED + 1)
-            if len(text) > _LARGEST_UNPACKED:
-                raise _refused("file_too_large", name, limit=_LARGEST_UNPACKED)
-            rows = columns = 1
-            for place in _CELL.finditer(text):
-                columns = max(columns, _column_number(place[1]))
-                rows = max(rows, int(place[2][:9]))
-            if rows * columns > _MOST_CELLS:
-                raise _refused("file_unreadable", name, reason=f"{rows} × {columns}")
-    except (zipfile.BadZipFile, zlib.error, EOFError, RuntimeError, NotImplementedError):
-        return  # of another format, or damaged: its reader says so
-
-
-def _column_number(letters: bytes) -> int:
-    """Return the number of a column: 1 for A, 27 for AA."""
-    number = 0
-    for letter in letters[:6].upper():
-        number = 26 * number + letter - 64
-    return number
 
 
 def _decoded(name: str, content: bytes) -> str:

@@ -254,8 +254,12 @@ def cells(number: int, *places: str) -> bytes:
     [
         (cells(1, "A1") + cells(1_048_576, "XFD1048576"), "file_unreadable"),
         (cells(1, "A1", "XFD1") + cells(1000, "A1000"), "file_unreadable"),
-        (b" " * (65 * 1024 * 1024), "file_too_large"),
+        (b" " * (65 * 1024 * 1024), "file_unreadable"),
         (cells(1, "A1") + b'<row r="1048576"><c r="XFD1048576" s="1"/></row>', "columns_unknown"),
+        (b'<row r="900000"><c><v>1</v></c><c><v>1</v></c></row>', "file_unreadable"),
+        (b'<row><c x=">" r="XFD1048576" y="/>"><v>1</v></c></row>', "file_unreadable"),
+        (b"<c " * 1_000_000, "file_unreadable"),
+        (b"<row>" + b"<c/>" * 2_000_000 + b"</row>", "file_unreadable"),
         (cells(1, "A1") + cells(90_000, "H90000"), "columns_unknown"),
     ],
 )
