@@ -50,7 +50,7 @@ def fixed_rows(pose: Transform, convention: Convention) -> tuple[DHRow[float], .
 
 def _motions(pose: Transform) -> list[_AxisMotion]:
     """Z_1 X_1 Z_2 …, whose product the pose is."""
-    (r11, _, r13, x), (r21, _, r23, y), (r31, r32, r33, z), _ = pose.tolist()
+    (r11, r12, r13, x), (r21, r22, r23, y), (r31, r32, r33, z), _ = pose.tolist()
     sine = math.hypot(r13, r23)
     across = math.hypot(x, y)
     if sine <= LEVEL:
@@ -62,6 +62,11 @@ def _motions(pose: Transform) -> list[_AxisMotion]:
         return [_AxisMotion(first, z), _AxisMotion(twist, across), _AxisMotion(last)]
     first, twist, last = math.atan2(r13, -r23), math.atan2(sine, r33), math.atan2(r31, r32)
     if sine < STEEP:
+        # the small entries say little of θ_1 and θ_2, the others all of θ_1 + θ_2, or θ_1 - θ_2
+        if r33 > 0.0:
+            last = math.remainder(math.atan2(r21 - r12, r11 + r22) - first, math.tau)
+        else:
+            last = math.remainder(first - math.atan2(r21 + r12, r11 - r22), math.tau)
         way = math.atan2(y, x)
         return [
             _AxisMotion(way, z),

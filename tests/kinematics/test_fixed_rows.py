@@ -40,6 +40,20 @@ def test_the_product_of_the_rows_is_the_pose(twist, convention):
 
 
 @both
+@pytest.mark.parametrize("turn", [0.0, math.pi], ids=["upright", "overhead"])
+def test_an_entry_that_was_rounded_away_turns_nothing(turn, convention):
+    """The small entries of an axis tilted by 1e-10 say in which direction; a zero among them is rounding."""
+    for around in np.linspace(-3.0, 3.0, 13):
+        pose = transform_from_xyzabc([-0.25, 0.83, 0.0, around, 0, turn])
+        for i, j in ((0, 2), (1, 2), (2, 0), (2, 1)):
+            tilted = pose.copy()
+            tilted[:2, 2] += 7e-11, -2e-11
+            tilted[2, :2] = -tilted[:3, :2].T @ [7e-11, -2e-11, 0.0] * np.sign(pose[2, 2])
+            tilted[i, j] = 0.0
+            np.testing.assert_allclose(made(fixed_rows(tilted, convention), convention), pose, atol=3e-10)
+
+
+@both
 def test_simple_poses_need_few_rows(convention):
     assert fixed_rows(np.eye(4), convention) == ()
     (row,) = fixed_rows(transform_from_xyzabc([0, 0, 0.5, 0.3, 0, 0]), convention)
