@@ -30,6 +30,10 @@ HEAVIEST = 64.0
 WEIGHTS = 24
 """Weights that are tried: bisecting 64² so often leaves a millionth, finer than any tolerance is known."""
 
+BEYOND = 1.05
+"""Where the weighed sum of squares is least and its root exceeds that of two tolerances by this factor, no
+other weight brings distance and angle within them. It leaves room for a least that was not quite reached."""
+
 
 def polish(arm: Arm, targets: Array, joints: Array) -> Array:
     """Newton steps from configurations that are nearly right; the best on the way is returned.
@@ -99,8 +103,11 @@ def _evened(arm: Arm, target: Array, joints: Array, tolerance: float) -> Array:
     for _ in range(WEIGHTS):
         weighed = replace(arm, size=math.sqrt(low * high))
         found = polish(weighed, target, joints[None])[0]
-        distance, angle = _shares(errors_of(arm, arm.frames(found[None])[-1], target), arm, tolerance)
+        vectors = errors_of(weighed, weighed.frames(found[None])[-1], target)
+        distance, angle = _shares(vectors, weighed, tolerance)
         if max(distance[0], angle[0]) <= 1.0:
+            break
+        if np.linalg.norm(vectors) > BEYOND * farthest_off(weighed, tolerance):
             break
         if distance[0] > angle[0]:
             high = weighed.size

@@ -66,7 +66,7 @@ class PartitionedArm:
             for joint, value in zip(self.head, q, strict=True):
                 R = _rotation(joint, value).T @ R
             found.extend([*q, *turns] for turns in _tail_turns(self.tail, R))
-        return np.array(found, dtype=np.float64).reshape(-1, len(self.head) + len(self.tail))
+        return np.array(found, dtype=np.float64).reshape(len(found), len(self.head) + len(self.tail))
 
 
 def partition_of(arm: Arm) -> PartitionedArm | None:

@@ -49,7 +49,7 @@ def leads(follower: Follower, starts: Array, ends: Array, blind: float) -> NDArr
         last, end = x[going[close]], x[going[close]] + way[close]
         arrived[going[close]] = follower.joined_each(last, end)
         if not follower.arm.spare:
-            across = np.eye(len(x[0])) - _unseen(follower, last, blind)
+            across = np.eye(x.shape[1]) - _unseen(follower, last, blind)
             taken.append(_Steps(going[close], last, end, across))
         going, way, left = going[~close], way[~close], left[~close]
         unseen = _unseen(follower, x[going], blind)

@@ -4,11 +4,16 @@ import numpy as np
 import pytest
 
 from kinematics.forward import end_pose
-from kinematics.inverse import ArmReach, solver_of
-from kinematics.inverse.results import Isolation
+from kinematics.inverse import ArmReach, newton, solver_of
+from kinematics.inverse.goals import read_goal
+from kinematics.inverse.results import Isolation, UnreachableReason
+from kinematics.inverse.search import MOST_STARTS
 from kinematics.inverse.self_motions import corrections, families, walks
+from kinematics.inverse.self_motions.families import Follower
+from kinematics.inverse.self_motions.walks import leads
+from kinematics.table import Convention
 from tests.kinematics.inverse.models import MODELS
-from tests.kinematics.robots import PUMA560
+from tests.kinematics.robots import PUMA560, numeric
 
 LONGEST_PATH = 2 * families.MOST_STEPS
 
@@ -55,3 +60,32 @@ def test_what_is_left_over_is_a_member_of_a_continuum(monkeypatch):
     assert any(s.family is not None and not s.family.parameters for s in answer.solutions)
     assert len(calls) <= LONGEST_PATH
     assert any(s.family is not None and s.family.parameters for s in answer.solutions)
+
+
+def test_a_pose_just_out_of_reach_is_not_weighed_again_and_again(monkeypatch):
+    table = numeric(
+        Convention.MODIFIED,
+        ("revolute", -np.pi / 2, 0.0, 0.0, np.pi / 2),
+        ("revolute", -np.pi / 2, -0.3046620843964265, -0.3272667148067353, np.pi / 2),
+        ("revolute", 0.0, 0.0, 0.2, 0.0),
+    )
+    target = end_pose(table, [3.141592652661614, 3.141592653913599, 1.5707963269782905]).round(8)
+    calls = []
+    polish = newton.polish
+
+    def polished(arm, targets, joints):
+        calls.append(len(joints))
+        return polish(arm, targets, joints)
+
+    monkeypatch.setattr(newton, "polish", polished)
+    answer = solver_of(table).solve(target)
+    assert answer.reason is UnreachableReason.OUT_OF_REACH
+    assert answer.nearest.position_error > answer.tolerance
+    assert len(calls) < MOST_STARTS
+
+
+def test_of_no_pairs_none_is_led():
+    solver = solver_of(MODELS["catalogue rx90"])
+    goal = read_goal(end_pose(solver.table, np.zeros(6)), None, where=())
+    nothing = np.empty((0, 6))
+    assert not len(leads(Follower(solver.arm, goal.pose, goal.tolerance), nothing, nothing, 1e-6))

@@ -293,6 +293,21 @@ def test_a_joint_to_spare_in_the_plane_is_a_continuum():
     assert {solution.isolation for solution in answer.solutions} == {Isolation.CONTINUUM}
 
 
+@pytest.mark.parametrize("convention", Convention)
+@pytest.mark.parametrize("reached", [True, False])
+def test_one_joint_whose_tool_is_on_its_axis(convention, reached):
+    table = numeric(convention, ("revolute", 0.0, 0.0, 0.4, 0.0))
+    target = end_pose(table, [0.7])
+    target[2, 3] += 0.0 if reached else 0.1
+    answer = inverse_kinematics(table, target, reach=ArmReach.POSITION)
+    assert bool(answer.solutions) == reached
+    assert not answer.complete
+    if reached:
+        assert answer.solutions[0].family.parameters[0].full_turn
+    else:
+        assert answer.nearest.position_error == pytest.approx(0.1)
+
+
 def test_out_of_reach_gives_the_nearest_pose():
     target = np.eye(4)
     target[:3, 3] = 2.0, 0.3, 0.4
