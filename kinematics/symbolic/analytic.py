@@ -29,13 +29,21 @@ PRODUCTS = 2_000
 
 
 @lru_cache(maxsize=64)
-def analytic_form(table: SymbolicTable, angles: EulerSequence) -> Matrix | None:
+def analytic_form(
+    table: SymbolicTable, angles: EulerSequence, *, base: Matrix | None = None, tool: Matrix | None = None
+) -> Matrix | None:
     """Return the Jacobian of (x, y, z) and the angles in their order, 6 × n; None if they never have rates.
+
+    Args:
+        table: the DH table.
+        angles: of the tool in the world.
+        base: 4×4 pose of frame 0 in the world; the identity if left out.
+        tool: 4×4 pose of the tool in frame N; the identity if left out.
 
     Raises:
         FormSizeError: whether they do needs more products of terms than a proof may form.
     """
-    workings = Workings(table)
+    workings = Workings(table, base=base, tool=tool)
     linear = workings.jacobian(JacobianFrame.BASE)
     first, last = (AXES.index(axis) for axis in (angles.axes[0], angles.axes[2]))
     if angles.turning is Turning.FIXED:

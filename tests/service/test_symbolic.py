@@ -74,6 +74,30 @@ def test_every_matrix_agrees_with_forward_kinematics(client: httpx.Client, numer
         np.testing.assert_allclose(computed, jacobians[name], atol=1e-12)
 
 
+def test_the_analytic_jacobian_of_named_angles_agrees_with_that_of_rates(client: httpx.Client) -> None:
+    robot = {"table": PUMA_LENGTHS, "base": POSE, "tool": POSE, "angles": {"axes": "ZYX"}}
+    body = robot | {"form": "symbolic", "formats": ["json", "c"], "frame": "base"}
+    answer = client.post("/api/v1/jacobian", json=body).json()
+    assert set(answer) >= {"J0", "analytic"}
+    assert "Jn" not in answer
+    assert "void Ja(" in answer["analytic"]["c"]
+    rates = client.post("/api/v1/rates", json=robot | {"parameters": VALUES, "joints": JOINTS}).json()
+    found = numbers(answer["analytic"], VALUES, np.radians(JOINTS).tolist())
+    expected = np.array(rates["analytic"])
+    expected[4] *= np.sign(expected[4] @ found[4])  # two triples make the orientation
+    np.testing.assert_allclose(found, expected, atol=1e-12)
+
+
+def test_angles_that_never_have_rates_have_no_analytic_jacobian(client: httpx.Client) -> None:
+    body = {"robot": "scara", "form": "symbolic", "formats": ["text"], "angles": {"axes": "ZYZ"}}
+    answer = client.post("/api/v1/jacobian", json=body).json()
+    assert answer["analytic"] is None
+    assert "J0" in answer
+    named = client.post("/api/v1/jacobian", json=body | {"angles": {"axes": "ZZY"}})
+    assert named.status_code == 422
+    assert named.json()["errors"][0]["pointer"] == "/angles/axes"
+
+
 def test_the_shape_is_the_documented_one(client: httpx.Client) -> None:
     answer = ask(client, table=PUMA_LENGTHS, formats=[chosen.value for chosen in Format], notation="short")
     assert answer["variables"] == ["q1", "q2", "q3", "q4", "q5", "q6"]

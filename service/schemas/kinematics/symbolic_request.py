@@ -13,6 +13,7 @@ from service.schemas.examples import PUMA_560, TWO_LINKS
 from service.schemas.kinematics.jacobian_request import JacobianAnswer, NumericJacobianRequest
 from service.schemas.kinematics.pose_input import PoseInput
 from service.schemas.kinematics.robot_question import RobotQuestion
+from service.schemas.kinematics.rotations import RatesOfAngles
 from service.schemas.tables import Units
 from service.wire.kinematics.symbolic_forms import FormPart
 
@@ -74,6 +75,9 @@ class SymbolicJacobianRequest(WritingQuestion):
     form: Literal["symbolic"] = Field(description="the word symbolic: closed forms, and no joint values")
     frame: Annotated[JacobianFrame, Field(strict=False)] | None = Field(
         None, description="base for J0 alone, end for Jn alone; both if left out"
+    )
+    angles: RatesOfAngles | None = Field(
+        None, description="whose rates `analytic` has, which is wanted as well; none if left out"
     )
 
 
@@ -153,6 +157,12 @@ class JacobianBody(RootModel[NumericJacobianRequest | SymbolicJacobianRequest]):
 class SymbolicJacobianAnswer(WritingAnswer, WrittenJacobians):
     """Jacobians in closed form."""
 
+    analytic: WrittenMatrix | None = Field(
+        None,
+        description="rates of x, y, z and of `angles`, if these were named; null where the first and the last "
+        "turn about one line in every configuration",
+    )
+
 
 class JacobianReply(RootModel[JacobianAnswer | SymbolicJacobianAnswer]):
     """Jacobians in numbers or in closed form."""
@@ -176,6 +186,13 @@ SYMBOLIC_JACOBIAN: dict[str, Any] = {
         "robot": "puma560",
         "notation": "short",
         "formats": ["latex", "text"],
+    },
+    "Stanford arm, rates of its wrist's angles": {
+        "form": "symbolic",
+        "robot": "stanford",
+        "frame": "base",
+        "angles": {"axes": "ZYZ"},
+        "formats": ["text"],
     },
 }
 

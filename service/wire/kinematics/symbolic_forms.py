@@ -15,7 +15,9 @@ from kinematics.errors import Fault, FormSizeError
 from kinematics.expressions import pi_fraction
 from kinematics.jacobian import JacobianFrame
 from kinematics.printing import LIMIT, Format, MatrixPrinter, Notation, Purpose
+from kinematics.rotations.sequences import EulerSequence
 from kinematics.symbolic import Matrix, Workings, count_operations
+from kinematics.symbolic.analytic import analytic_form
 from kinematics.symbolic.size import bottom_up
 from kinematics.table import CELLS, SymbolicTable, table_parameters
 
@@ -71,10 +73,12 @@ class SymbolicTask(FormTask[Format]):
     Attributes:
         parts: what is wanted.
         frames: which Jacobians, if any.
+        angles: of the analytic Jacobian, if it is wanted besides.
     """
 
     parts: tuple[FormPart, ...]
     frames: tuple[JacobianFrame, ...] = tuple(JacobianFrame)
+    angles: EulerSequence | None = None
 
     def is_quick(self) -> bool:
         """Return whether the answer is certain to be small.
@@ -133,7 +137,7 @@ def written_out(answer: Mapping[str, Any]) -> bytes:
 
 
 def written_jacobians(task: SymbolicTask) -> bytes:
-    """Return J0 and Jn as JSON, with what the answer says besides.
+    """Return J0, Jn and the analytic Jacobian as JSON, with what the answer says besides.
 
     Raises:
         FormSizeError: a matrix has too many operations to be written out.
@@ -182,6 +186,14 @@ def _parts(task: SymbolicTask, write: Any) -> dict[str, Any]:
             )
             for frame in task.frames
         }
+    if task.angles is not None:
+        analytic = analytic_form(task.table, task.angles, base=task.base, tool=task.tool)
+        purpose = Purpose(
+            name="Ja",
+            meaning=f"Rates of x, y, z and three angles of {end} in {world}, for those of the joints.",
+            result="J",
+        )
+        answer["analytic"] = None if analytic is None else write(analytic, purpose)
     return answer
 
 

@@ -9,6 +9,7 @@ from typing import Any, Protocol, TypeVar
 from pydantic import TypeAdapter
 
 from kinematics.jacobian import JacobianFrame
+from kinematics.rotations.sequences import EulerSequence
 from service.http.routing import NPY, ApiRequest, BytesResponse
 from service.http.validation import validated
 from service.resources import resources_of
@@ -29,13 +30,14 @@ def matrices_task(
     settings: Settings,
     parts: tuple[FormPart, ...],
     frames: tuple[JacobianFrame, ...] = tuple(JacobianFrame),
+    angles: EulerSequence | None = None,
 ) -> SymbolicTask:
     """Return what a validated request for matrices asks of the workers.
 
     Raises:
         KinematicsError: see `exact_question`.
     """
-    return SymbolicTask(parts=parts, frames=frames, **exact_question(question, settings))
+    return SymbolicTask(parts=parts, frames=frames, angles=angles, **exact_question(question, settings))
 
 
 class WritingTask(Protocol):
@@ -101,5 +103,7 @@ async def symbolic_jacobian(request: ApiRequest, body: Mapping[str, Any]) -> Byt
         return BytesResponse(known)
     wire = validated(_JACOBIAN, body)
     frames = (wire.frame,) if wire.frame else tuple(JacobianFrame)
-    task = await request.in_turn(partial(matrices_task, wire, request.settings, (FormPart.JACOBIAN,), frames))
+    angles = None if wire.angles is None else wire.angles.sequence()
+    make = partial(matrices_task, wire, request.settings, (FormPart.JACOBIAN,), frames, angles)
+    task = await request.in_turn(make)
     return await answered(request, task, question, written_jacobians)

@@ -11,6 +11,7 @@ from kinematics.expressions import MINUS_ONE, ONE, ZERO, evaluate
 from kinematics.rates import analytic_jacobian
 from kinematics.rotations.sequences import SEQUENCES, EulerSequence
 from kinematics.symbolic.analytic import analytic_form
+from kinematics.symbolic.exact_poses import exact_pose
 from kinematics.table import bind
 
 
@@ -43,3 +44,19 @@ def test_constants_are_written_as_such() -> None:
 
 def test_angles_that_are_always_locked_have_no_form() -> None:
     assert analytic_form(catalogue.robot("scara").table.table, EulerSequence(axes="ZYZ")) is None
+
+
+def test_base_and_tool_are_those_of_the_chain() -> None:
+    listed = catalogue.robot("stanford")
+    table, values = listed.table.table, dict(listed.parameters)
+    base = [[0, -1, 0, 0.1], [1, 0, 0, 0.2], [0, 0, 1, 0.3], [0, 0, 0, 1.0]]
+    tool = [[0, 0, 1, 0.0], [0, 1, 0, 0.4], [-1, 0, 0, 0.1], [0, 0, 0, 1.0]]
+    angles = EulerSequence(axes="ZYX")
+    form = analytic_form(table, angles, base=exact_pose(base), tool=exact_pose(tool))
+    assert form is not None
+    q = [0.3, 0.7, 0.5, -0.4, 0.9, 0.2]
+    found = np.array([[evaluate(entry, values, q) for entry in row] for row in form])
+    expected = analytic_jacobian(chain_of_table(bind(table, values), np.array(base), np.array(tool)), q, angles)
+    assert expected is not None
+    expected[4] *= np.sign(expected[4] @ found[4])
+    assert np.allclose(found, expected, rtol=1e-9, atol=1e-9)
