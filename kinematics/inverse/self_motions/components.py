@@ -101,7 +101,15 @@ class _Sorter:
             left = self.members.outside(left, new)
             found += new
             left += self.members.outside(self._behind_gaps(new), found)
-        return found
+        return self._whole(found)
+
+    def _whole(self, found: list[Component]) -> list[Component]:
+        """Components without families that are parts of others."""
+        kept = list(found)
+        for one in found:
+            if any(other is not one and self.members.is_part(one, other) for other in kept):
+                kept = [other for other in kept if other is not one]
+        return kept
 
     def _behind_gaps(self, components: Sequence[Component]) -> list[Array]:
         """Members of families that lie on the ways of others, behind gaps in which the target is lost."""

@@ -67,6 +67,18 @@ class Membership:
         """Return whether a solution belongs to a component."""
         return bool(self._within_each(component, q[None])[0])
 
+    def is_part(self, family: Component, other: Component) -> bool:
+        """Return whether the paths of a family lie on those of another, as far as some of their points tell.
+
+        One that was followed from one side may have ended where it crosses others; the way from another member
+        leads across, and all along it.
+        """
+        if family.dimension != 1 or other.dimension != 1 or not (family.paths and other.paths):
+            return False
+        points = [path.points[:: max(len(path.points) // STATIONS, 1)] for path in family.paths]
+        ends = [path.points[-1:] for path in family.paths]
+        return all(any(self._on(path, q) for path in other.paths) for q in np.concatenate(points + ends))
+
     def outside(self, joints: Sequence[Array], components: Sequence[Component]) -> list[Array]:
         """Return those solutions that belong to none of the components."""
         left = np.array(joints)

@@ -12,7 +12,7 @@ from kinematics.inverse.goals import read_goal
 from kinematics.inverse.residuals import are_solutions, errors_of
 from kinematics.inverse.results import Isolation, Method
 from kinematics.inverse.self_motions.crossings import tangents
-from kinematics.inverse.self_motions.families import Follower, blind_directions
+from kinematics.inverse.self_motions.families import FamilyPath, Follower, blind_directions, nearest_on
 from kinematics.inverse.self_motions.gaps import nearest_places, way_through_gaps
 from kinematics.inverse.self_motions.walks import leads
 from kinematics.table import Convention
@@ -344,3 +344,28 @@ def test_a_stretched_arm_of_seven_joints_has_one_family_of_three_dimensions(deci
     (only,) = answer.solutions
     assert only.family.dimension == 3
     assert {parameter.full_turn for parameter in only.family.parameters} == {True}
+
+
+@pytest.mark.parametrize(
+    ("name", "seed", "draw"),
+    [("no offsets", 9401, 184), ("catalogue puma600", None, None)],
+)
+def test_no_family_is_told_as_a_part_of_another_too(name, seed, draw):
+    """A path that was followed from one side may end where others cross it, another leads across."""
+    table = MODELS[name]
+    q = np.array([-2.263, 0.17, -np.pi / 2 + 6e-9, -0.05, 6e-9, -2.474])
+    solver = solver_of(table)
+    asked_for = (q, end_pose(table, q), None)
+    q, target, tolerance = (
+        asked_for if seed is None else next(islice(questions(table, solver, seed), draw, None))
+    )
+    answer = solver.solve(target, tolerance)
+    curves = [s.family.members for s in answer.solutions if s.family and s.family.dimension == 1]
+    followed = [np.array(members) for members in curves if members]
+    for one in followed:
+        for other in (other for other in followed if other is not one):
+            path = FamilyPath(other, closed=False, second=np.empty(0))
+            off = [np.linalg.norm(nearest_on(solver.arm, path, member)[0]) for member in one]
+            assert max(off) > max(1e-3, 20 * answer.tolerance)
+    goal = read_goal(target, tolerance, where=())._replace(tolerance=answer.tolerance)
+    assert has(solver, goal, q, answer)
