@@ -70,8 +70,8 @@ class Membership:
     def is_part(self, family: Component, other: Component) -> bool:
         """Return whether the paths of a family lie on those of another, as far as some of their points tell.
 
-        One that was followed from one side may have ended where it crosses others; the way from another member
-        leads across, and all along it.
+        One that was followed from one side may have ended where it crosses others; the way from another
+        member leads across, and all along it.
         """
         if family.dimension != 1 or other.dimension != 1 or not (family.paths and other.paths):
             return False

@@ -159,8 +159,8 @@ class SymbolicJacobianAnswer(WritingAnswer, WrittenJacobians):
 
     analytic: WrittenMatrix | None = Field(
         None,
-        description="rates of x, y, z and of `angles`, if these were named; null where the first and the last "
-        "turn about one line in every configuration",
+        description="rates of x, y, z and of `angles`, if these were named; null where the first and the "
+        "last turn about one line in every configuration",
     )
 
 

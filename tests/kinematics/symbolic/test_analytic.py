@@ -56,7 +56,9 @@ def test_base_and_tool_are_those_of_the_chain() -> None:
     assert form is not None
     q = [0.3, 0.7, 0.5, -0.4, 0.9, 0.2]
     found = np.array([[evaluate(entry, values, q) for entry in row] for row in form])
-    expected = analytic_jacobian(chain_of_table(bind(table, values), np.array(base), np.array(tool)), q, angles)
+    expected = analytic_jacobian(
+        chain_of_table(bind(table, values), np.array(base), np.array(tool)), q, angles
+    )
     assert expected is not None
     expected[4] *= np.sign(expected[4] @ found[4])
     assert np.allclose(found, expected, rtol=1e-9, atol=1e-9)
