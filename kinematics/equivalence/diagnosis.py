@@ -44,8 +44,6 @@ from kinematics.table import Convention, NumericTable
 WIDTH = 8
 # In units of the tolerance: a fact off by less may be the rounding of its neighbours.
 NOTICEABLE = 2.0
-# A sine: the arithmetic leaves 1e-16 of it.
-PARALLEL = 1e-9
 
 
 @dataclass(frozen=True, slots=True)
@@ -256,21 +254,20 @@ def _lengths(step: Step, gap: Vector, joint: int, limit: float) -> list[Mismatch
     size = norm(gap)
     if joint == 1:
         return [Mismatch(kind=Kind.BASE, joint=1, length=size)]
-    group, direction = step.group, step.axis.direction
-    if group.rotations is Rotations.ABOUT_LINE and not group.translations:
-        normal = cross(group.axis, direction)
-        sine = norm(normal)
-        if sine > PARALLEL:
-            normal = scale(normal, 1.0 / sine)
-            length = abs(dot(gap, normal))
-            offset = abs(dot(gap, cross(normal, direction)))
-            found = []
-            if length > limit:
-                found.append(Mismatch(kind=Kind.LENGTH, joint=joint, length=length))
-            if offset > limit or not found:
-                found.append(Mismatch(kind=Kind.OFFSET, joint=joint - 1, length=offset / sine))
-            return found
-    return [Mismatch(kind=Kind.LENGTH, joint=joint, length=size)]
+    if not step.by_direction or step.group.translations:
+        return [Mismatch(kind=Kind.LENGTH, joint=joint, length=size)]
+    direction = step.axis.direction
+    normal = cross(step.group.axis, direction)
+    sine = norm(normal)
+    normal = scale(normal, 1.0 / sine)
+    length = abs(dot(gap, normal))
+    offset = abs(dot(gap, cross(normal, direction)))
+    found = []
+    if length > limit:
+        found.append(Mismatch(kind=Kind.LENGTH, joint=joint, length=length))
+    if offset > limit or not found:
+        found.append(Mismatch(kind=Kind.OFFSET, joint=joint - 1, length=offset / sine))
+    return found
 
 
 def _excess(misfit: float, allowed: float) -> float:

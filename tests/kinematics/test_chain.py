@@ -11,7 +11,7 @@ from kinematics import catalogue
 from kinematics.cells import bind_parameters
 from kinematics.chain import chain_of_table, frames_at, frames_at_zero, size_of
 from kinematics.equivalence import mirrored
-from kinematics.equivalence.reference import prepared, sample_joints
+from kinematics.equivalence.reference import prepared
 from kinematics.forward import forward_kinematics
 from kinematics.jacobian import jacobian
 from kinematics.poses import transform_from_xyzabc
@@ -65,15 +65,6 @@ def test_size_of_degenerate_robots() -> None:
     assert size_of(chain_of_table(standard((R, 1.0, 0, 0, 0), (R, 0, 0, 0, 0)))) == 0.0
     assert size_of(chain_of_table(standard((P, 1.0, 0.2, 0.3, 0)))) == 0.5
     assert prepared(standard((R, 1.0, 0, 0, 0))).scaleless
-
-
-def test_samples_lie_on_no_grid() -> None:
-    q = sample_joints(12)
-    assert q.shape == (12, 64)
-    assert np.abs(q).max() <= 1.0
-    for row in q:
-        assert len(np.unique(np.round(row, 9))) == 64
-        assert abs(row.mean()) < 0.1
 
 
 def test_the_mirror_image_is_a_reflection() -> None:

@@ -9,7 +9,7 @@ from random import Random
 import numpy as np
 import pytest
 
-from kinematics.equivalence import Policy, ToolRule
+from kinematics.equivalence import Policy, ToolRule, row_measures
 from kinematics.equivalence.batches import Variation, axes_of_tables
 from kinematics.equivalence.invariants import invariants_of
 from kinematics.equivalence.measures import Measure, measured
@@ -57,6 +57,23 @@ def test_what_is_read_is_what_is_measured(number: int) -> None:
         np.testing.assert_allclose(
             read, measured(shapes, axes_of_tables([table], tried, FREE)), rtol=0.0, atol=SAME
         )
+
+
+@pytest.mark.parametrize("convention", Convention)
+def test_no_axis_is_carried_through_space_where_a_row_leads_to_every_joint(
+    convention: Convention, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Skew, right and parallel axes, some of them pointing the other way."""
+    alphas = (math.pi / 2, 0.0, math.pi, -0.7, 0.0, 1.0)
+    rows = [
+        DHRow(joint=JointType.REVOLUTE, theta=0.1, d=0.1 * k, a=0.5, alpha=alpha)
+        for k, alpha in enumerate(alphas)
+    ]
+    table = DHTable(convention=convention, rows=tuple(rows))
+    shapes = invariants_of(prepared(table), FREE).shapes
+    wanted = measured(shapes, axes_of_tables([table], [(0, ())], FREE))
+    monkeypatch.delattr(row_measures, "axes_of_tables")
+    np.testing.assert_allclose(measured_of_tables(shapes, [table], [(0, ())], FREE), wanted, atol=SAME)
 
 
 def test_several_tables_are_read_side_by_side() -> None:

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from fractions import Fraction
+from random import Random
 
 import pytest
 
-from kinematics.symbolic.elements import IMAGINARY_UNIT, ONE_FORM, Form, RingSymbol
+from kinematics.errors import FormSizeError
+from kinematics.symbolic.elements import IMAGINARY_UNIT, ONE_FORM, ZERO_FORM, Form, RingSymbol
 from kinematics.symbolic.ring import Ring
 
 HALF = Fraction(1, 2)
@@ -46,3 +48,84 @@ def test_a_form_is_in_lowest_terms_whichever_way_it_was_made(factor: Fraction, t
     assert ring.scale(ring.scale(whole, times), factor / times) == wanted
     assert ring.multiply(ring.scale(whole, times), ring.rational(factor / times)) == wanted
     assert ring.add(ring.scale(whole, factor * times), ring.scale(whole, factor * (times - 1)), -1) == wanted
+
+
+LENGTH, OTHER, MASS = (RingSymbol("power", name) for name in ("L1", "L2", "m"))
+ANGLE, ANOTHER = (RingSymbol("exponential", name) for name in ("q1", "q2"))
+
+
+def drawn(ring: Ring, rng: Random, *symbols: RingSymbol) -> Form:
+    """A few terms with roots of unity, and with negative exponents."""
+    total = ZERO_FORM
+    for _ in range(rng.randint(1, 4)):
+        term = ring.scale(ring.turn(Fraction(rng.randrange(24), 24)), Fraction(rng.choice((-3, 2, 5)), 6))
+        for symbol in symbols:
+            term = ring.multiply(term, ring.power(ring.symbol(symbol), rng.randint(-2, 2)))
+        total = ring.add(total, term)
+    return total
+
+
+def total_of(ring: Ring, forms: list[Form]) -> Form:
+    total = ZERO_FORM
+    for form in forms:
+        total = ring.add(total, form)
+    return total
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_the_terms_of_a_form_make_it_up(seed: int) -> None:
+    """An exponential, a product of powers, a root of unity and a coefficient each."""
+    ring, rng = Ring(), Random(f"terms {seed}")
+    form = drawn(ring, rng, ANGLE, LENGTH, ANOTHER, OTHER)
+    made: list[Form] = []
+    for angle, powers, step, coefficient in ring.split_terms(form) or ():
+        term = ring.scale(ring.turn(Fraction(step, 24)), Fraction(coefficient, form.denominator))
+        for kind, key in ("exponential", angle), ("power", powers):
+            for number, exponent in ring.exponents(key):
+                assert ring.symbols[number].kind == kind
+                term = ring.multiply(term, ring.power(ring.symbol(ring.symbols[number]), exponent))
+        made.append(term)
+    assert len(made) == len(form.coefficients)
+    assert total_of(ring, made) == form
+
+
+@pytest.mark.parametrize(
+    ("symbol", "exponent", "degree"),
+    [
+        (LENGTH, HALF, 0),
+        (RingSymbol("opaque", "r"), Fraction(1), 2),
+        (RingSymbol("radical", 2), Fraction(1), 0),
+        (RingSymbol("root", None), Fraction(1, 5), 0),
+    ],
+    ids=["half a power", "square root of a sum", "root of two", "fifth of a turn"],
+)
+def test_terms_that_are_not_told_apart_by_whole_exponents_are_not_listed(
+    symbol: RingSymbol, exponent: Fraction, degree: int
+) -> None:
+    ring = Ring()
+    form = ring.symbol(LENGTH)
+    assert ring.split_terms(form) is not None
+    related = ring.symbol(symbol, exponent, degree=degree, value=ring.rational(3) if degree else ZERO_FORM)
+    assert ring.split_terms(ring.add(form, related)) is None
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_every_power_of_a_symbol_is_replaced_by_a_form_of_its_own(seed: int) -> None:
+    ring, rng = Ring(), Random(f"replaced {seed}")
+    mass = ring.symbol(MASS)
+    parts = [drawn(ring, rng, ANGLE, LENGTH) for _ in range(4)]
+    values = [drawn(ring, rng, ANOTHER, LENGTH) for _ in range(3)]
+    whole = total_of(ring, [ring.multiply(part, ring.power(mass, k)) for k, part in enumerate(parts)])
+    wanted = total_of(
+        ring, [ring.multiply(part, by) for part, by in zip(parts, (ONE_FORM, *values), strict=True)]
+    )
+    assert ring.replaced(whole, MASS, values) == wanted
+
+
+def test_replacing_is_counted_as_multiplying_is() -> None:
+    ring = Ring(limit=5)
+    pair = ring.add(ring.symbol(LENGTH), ring.symbol(OTHER))
+    whole = ring.multiply(pair, ring.symbol(MASS))
+    assert ring.replaced(ring.symbol(MASS), MASS, [pair]) == pair
+    with pytest.raises(FormSizeError):
+        ring.replaced(whole, MASS, [pair])

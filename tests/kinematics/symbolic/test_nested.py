@@ -1,0 +1,49 @@
+"""Sums of products that stay nested."""
+
+from __future__ import annotations
+
+from fractions import Fraction
+
+import pytest
+
+from kinematics.expressions import Expression, Function, JointVariable, Parameter, add, call, number, power
+from kinematics.symbolic.nested import NOTHING, Arena
+
+L, q1 = Parameter("L"), JointVariable(1)
+c1 = call(Function.COS, q1)
+
+
+@pytest.mark.parametrize("base", [L, c1, add((L, c1)), number(Fraction(-2, 3))], ids=str)
+@pytest.mark.parametrize("exponent", range(2, 17))
+def test_a_power_is_a_product(base: Expression, exponent: int) -> None:
+    arena = Arena()
+    below = arena.read(power(base, exponent - 1))
+    assert arena.read(power(base, exponent)) == arena.product(below, arena.read(base))
+
+
+@pytest.mark.parametrize("exponent", [17, -1, Fraction(1, 2)], ids=str)
+def test_other_powers_are_symbols_of_their_own(exponent: Fraction | int) -> None:
+    arena = Arena()
+    ((weight, factors),) = arena.read(power(add((L, c1)), exponent))
+    assert (weight, len(factors)) == (1, 1)
+    assert arena.read(power(L, exponent)) != ((weight, factors),)
+
+
+@pytest.mark.parametrize("one", [L, add((L, c1)), number(3)], ids=str)
+def test_nothing_times_anything_is_nothing(one: Expression) -> None:
+    arena = Arena()
+    assert arena.read(number(0)) == NOTHING
+    assert arena.product(NOTHING, arena.read(one)) == NOTHING == arena.product(arena.read(one), NOTHING)
+
+
+def test_roots_of_numbers_are_multiplied_out() -> None:
+    """√2 √8 = 4, √2 √3 = √6 and √(4/3) = 2/3 √3."""
+    arena = Arena()
+
+    def root(of: Fraction | int) -> Expression:
+        return call(Function.SQRT, number(of))
+
+    assert arena.product(arena.read(root(2)), arena.read(root(8))) == arena.read(number(4))
+    assert arena.product(arena.read(root(2)), arena.read(root(3))) == arena.read(root(6))
+    two_thirds = arena.read(number(Fraction(2, 3)))
+    assert arena.read(root(Fraction(4, 3))) == arena.product(two_thirds, arena.read(root(3)))
