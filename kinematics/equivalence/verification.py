@@ -36,8 +36,6 @@ class Residual(NamedTuple):
 
 def joint_values(reference: Reference, candidate: CertificateCandidate) -> NDArray[np.float64]:
     """σ∘q + δ at the sampled configurations, (n, samples)."""
-    if not candidate.signs:
-        return reference.joints
     turned = np.array((candidate.signs, candidate.offsets), dtype=np.float64)
     return np.asarray(reference.joints * turned[0][:, None] + turned[1][:, None], dtype=np.float64)
 

@@ -101,6 +101,17 @@ def test_tool_point() -> None:
     assert broken(TWO_LINKS, changed(TWO_LINKS, 2, d=0.1), **both) == [Kind.TOOL]
 
 
+def test_a_table_without_joints_is_where_its_tool_is() -> None:
+    """Turned about a fixed origin, a point is anywhere at its distance; at the origin it is there alone."""
+    key = standard((F, 0.3, 0.3, 0.4, 0.2))
+    centred = {"base": BaseRule.ORIGIN, "tool": ToolRule.POINT}
+    assert broken(key, key, base=BaseRule.FRAME, tool=ToolRule.FRAME) == []
+    assert broken(key, standard((F, 1.0, 0.5, 0, 2.0)), **centred) == []
+    assert broken(key, standard((F, 1.0, 0.5, 0.01, 2.0)), **centred) == [Kind.TOOL]
+    assert broken(key, standard((F, 1.0, 0, 0, 2.0)), **centred) == [Kind.TOOL]
+    assert broken(key, standard((F, 0.3, 0.3, 0.4, 0.25)), base=BaseRule.FRAME, tool=ToolRule.FRAME)
+
+
 def test_tool_axis() -> None:
     assert broken(PUMA, changed(PUMA, 6, d=0.3), tool=ToolRule.AXIS) == []
     assert broken(PUMA, changed(PUMA, 6, alpha=math.pi), tool=ToolRule.AXIS) == []

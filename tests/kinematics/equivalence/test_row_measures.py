@@ -9,7 +9,7 @@ from random import Random
 import numpy as np
 import pytest
 
-from kinematics.equivalence import Policy, ToolRule, row_measures
+from kinematics.equivalence import BaseRule, Policy, ToolRule, row_measures
 from kinematics.equivalence.batches import Variation, axes_of_tables
 from kinematics.equivalence.invariants import invariants_of
 from kinematics.equivalence.measures import Measure, measured
@@ -57,6 +57,26 @@ def test_what_is_read_is_what_is_measured(number: int) -> None:
         np.testing.assert_allclose(
             read, measured(shapes, axes_of_tables([table], tried, FREE)), rtol=0.0, atol=SAME
         )
+
+
+@pytest.mark.parametrize("base", BaseRule)
+@pytest.mark.parametrize("tool", ToolRule)
+@pytest.mark.parametrize("sliders", range(3))
+def test_what_is_fixed_at_the_ends_and_sliders_are_measured_as_well(
+    base: BaseRule, tool: ToolRule, sliders: int
+) -> None:
+    rng, policy = Random(f"ends {base} {tool} {sliders}"), Policy(base=base, tool=tool)
+    for _ in range(4):
+        key = arm(rng)
+        rows = list(key.rows)
+        for row in rng.sample(range(6), sliders):
+            rows[row] = replace(rows[row], joint=JointType.PRISMATIC)
+        key = DHTable(convention=key.convention, rows=tuple(rows))
+        shapes = invariants_of(prepared(key), policy).shapes
+        tried = variations(key, rng)
+        read = measured_of_tables(shapes, [key], tried, policy)
+        wanted = measured(shapes, axes_of_tables([key], tried, policy))
+        np.testing.assert_allclose(read, wanted, rtol=0.0, atol=SAME)
 
 
 @pytest.mark.parametrize("convention", Convention)
