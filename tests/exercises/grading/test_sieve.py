@@ -162,6 +162,10 @@ def test_an_edit_may_leave_as_many_facts_wrong_as_is_said(wrong: int, most: int)
     left = max(wrong - 1, 0)
     assert facts.are_wrong(first, rows, most) is (left > most)
     assert facts.leave_wrong(first, rows, facts.wrong(rows), most) is (left > most)
+    worse = first._replace(cells=((0, "a", 3.0),))
+    left = max(wrong, 1)
+    assert facts.are_wrong(worse, rows, most) is (left > most)
+    assert facts.leave_wrong(worse, rows, facts.wrong(rows), most) is (left > most)
 
 
 def turning(alpha: float = 0.0, a: float = 0.0, d: float = 0.0) -> NumericRow:

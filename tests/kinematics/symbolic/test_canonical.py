@@ -224,6 +224,21 @@ def test_gauss_sums_are_square_roots() -> None:
         assert abs(value - prime**0.5) < 1e-12
 
 
+@pytest.mark.parametrize("prime", list(sympy.primerange(3, LARGEST_PRIME + 1)))
+def test_roots_of_primes_are_sums_of_cosines_and_sines(prime: int) -> None:
+    """The vertices of a regular polygon add up to nothing, and Gauss's sum to a root of its number."""
+
+    def vertex(k: int) -> Expression:
+        return pi_times(Fraction(2 * k, prime))
+
+    assert compare(add(cos(vertex(k)) for k in range(prime)), number(0)) is ProofStatus.PROVED
+    squares = {k * k % prime for k in range(1, prime)}
+    part = cos if prime % 4 == 1 else sin
+    gauss = [multiply((number(1 if k in squares else -1), part(vertex(k)))) for k in range(1, prime)]
+    assert compare(add(gauss), root(prime)) is ProofStatus.PROVED
+    assert compare(add(gauss), root(prime + 1)) is ProofStatus.REFUTED
+
+
 def test_square_free_parts() -> None:
     for value in (*range(1, 400), 10**12 + 39, 4 * 10007**2, 3 * 10009 * 10037):
         base, primes, certain = square_free(value)

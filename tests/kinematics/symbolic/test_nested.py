@@ -47,3 +47,15 @@ def test_roots_of_numbers_are_multiplied_out() -> None:
     assert arena.product(arena.read(root(2)), arena.read(root(3))) == arena.read(root(6))
     two_thirds = arena.read(number(Fraction(2, 3)))
     assert arena.read(root(Fraction(4, 3))) == arena.product(two_thirds, arena.read(root(3)))
+
+
+def test_parentheses_around_everything_are_opened() -> None:
+    arena = Arena()
+    whole = arena.read(add((L, c1)))
+    for sign in (1, -1):
+        weight, factors = arena.term(whole)
+        assert len(factors) == 1
+        opened = arena.gathered(((sign * weight, factors),))
+        assert set(opened) == set(whole if sign > 0 else arena.negative(whole))
+    kept = ((2, factors),)
+    assert arena.gathered(kept) == kept

@@ -9,10 +9,21 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kinematics.expressions import add, call, multiply, power
-from kinematics.expressions.trees import PI, Function, JointVariable, Number, Parameter, number, pi_times
+from kinematics.expressions.trees import (
+    PI,
+    Call,
+    Function,
+    JointVariable,
+    Number,
+    Parameter,
+    Sum,
+    number,
+    pi_times,
+)
 from kinematics.symbolic import ProofStatus, compare
 from kinematics.symbolic.polynomials import PolynomialReader
 
+HALF = Fraction(1, 2)
 q1, q2, d3, L, alpha = JointVariable(1), JointVariable(2), JointVariable(3), Parameter("L"), Parameter("a")
 
 
@@ -66,6 +77,8 @@ def test_equality_is_that_of_the_ring(a, b):
     [
         (sin(q1, q2), add((multiply((sin(q1), cos(q2))), multiply((cos(q1), sin(q2)))))),
         (power(sin(q1), 4), power(add((number(1), multiply((number(-1), power(cos(q1), 2))))), 2)),
+        (cos(pi_times(HALF), q1), multiply((number(-1), sin(q1)))),
+        (Call(Function.SIN, (Sum((pi_times(HALF), q1)),)), cos(q1)),
         (cos(q1, PI), multiply((number(-1), cos(q1)))),
         (
             sin(multiply((number(3), q1))),
