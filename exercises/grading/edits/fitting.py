@@ -159,7 +159,7 @@ class _Functions:
             if (measure in (Measure.DISTANCE, Measure.OFFSET)) is angular:
                 continue
             values = self._values[k]
-            around: list[float] = values[first : first + (4 if angular else 2)].tolist()
+            around: list[float] = values[first : first + 4].tolist()
             middle = float(values[own])
             if not angular:
                 found = list(_lengths(around[0], middle, around[1], target, here, self._scale))

@@ -234,6 +234,17 @@ def test_answers_in_other_units(angle_unit: str, length_unit: LengthUnit) -> Non
     assert certificate.base[2][3] == pytest.approx(0.5 * scale)
 
 
+def test_values_are_told_in_the_units_of_the_answer() -> None:
+    key = read("standard", [("pi/2", 0, 0, "q1"), ("beta", "L1", 0, "q2")])
+    in_degrees = read("standard", [(90, 0, 0, "q1"), ("beta", "L1", 0, "q2")], "deg")
+    one, other = (grade(key, answer, USUAL).certificate for answer in (key, in_degrees))
+    assert one is not None
+    assert other is not None
+    assert other.parameters == pytest.approx(
+        {"L1": one.parameters["L1"], "beta": math.degrees(one.parameters["beta"])}
+    )
+
+
 def test_a_key_in_millimetres_and_degrees() -> None:
     key = read("standard", [(90, 0, 0, "q1"), (0, "L1", 0, "q2"), ("beta", 200, 0, "q3")], "deg", "mm")
     answer = read("standard", [("pi/2", 0, 0, "q1"), (0, 0.3, 0, "q2"), ("pi/6", 0.2, 0, "q3")])

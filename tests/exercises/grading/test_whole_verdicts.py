@@ -8,6 +8,7 @@ from exercises.grading import (
     BaseRule,
     ConventionRule,
     DirectionRule,
+    HelpLevel,
     Policy,
     ToolRule,
     Verdict,
@@ -107,6 +108,17 @@ def test_all_that_is_told(
     assert feedback(verdict) == told
     assert repairs(verdict) == edits
     assert verdict.score == score
+
+
+@pytest.mark.parametrize("level", HelpLevel)
+@pytest.mark.parametrize(("key", "answer", "policy"), [answer[:3] for answer in ANSWERS.values()])
+def test_the_row_of_a_sentence_is_the_row_that_is_marked(
+    key: ReadTable, answer: ReadTable, policy: Policy, level: HelpLevel
+) -> None:
+    verdict = grade(key, answer, policy, VALUES if key.parameters else None, level)
+    edits = [edit for repair in verdict.repairs for edit in repair.edits]
+    for entry in (*verdict.feedback, *edits):
+        assert entry.params.get("row") == entry.row
 
 
 def test_no_more_than_six_explanations() -> None:
