@@ -42,8 +42,6 @@ SAME = 1e-7
 FAR_OFF = 0.5
 # Alignments; a robot of twelve joints needs some forty.
 MOST_NODES = 4000
-# A bound of the work: certificates tried.
-MOST_CANDIDATES = 64
 # A bound of the work: refining is what costs most in a decision.
 MOST_REFINED = 4
 # A share of the largest misfit: the other sign need not be looked at.
@@ -128,7 +126,6 @@ class Search:
     meter: Meter | None = None
     measured: bool = True
     nodes: int = 0
-    tried: int = 0
     seen: dict[tuple[int, int], list[tuple[Motion, float]]] = field(default_factory=dict)
     unfinished: list[Unfinished] = field(default_factory=list)
 
@@ -144,8 +141,6 @@ class Search:
                     found = self._finish(index, plan, start, path)
                     if found is not None:
                         return found
-                    if self.tried >= MOST_CANDIDATES:
-                        break
         if self.effort is Effort.PLAIN:
             return None
         self.unfinished.sort(key=_promise)
@@ -240,7 +235,6 @@ class Search:
         choices = tool_choices(reference, plan, self.policy.tool, self.near(0))
         for which, choice in enumerate(choices):
             for placement, last in enumerate(placements(choice, here)):
-                self.tried += 1
                 self._charge(per_certificate(len(submission.axes)))
                 way = Way(index, start, path.signs, which, placement)
                 candidate = self._candidate(0, plan, choice, replace(path, last=last))

@@ -33,11 +33,11 @@ def test_a_second_edit_is_told_in_the_rows_of_the_answer(
     swapped = ((row, "a"), (row + 1, "a")) if code == "rows_swapped" else ((row, "a"),)
     first = Change(code, Extent.ROW, row, touched=swapped)
     for theirs, ours in zip(of_second, in_answer, strict=True):
-        params = (*((name, theirs + 1) for name in PLACES), ("name", "a2"))
+        params = (*((name, theirs + 1) for name in PLACES), ("name", "a2"), ("degrees", theirs + 1))
         second = Change("a_d_swapped", Extent.ROW, theirs, touched=((theirs, "d"),), params=params)
         told = after(first, second)
         assert (told.row, told.places) == (ours, ((ours, "d"),))
-        assert dict(told.params) == dict.fromkeys(PLACES, ours + 1) | {"name": "a2"}
+        assert dict(told.params) == dict.fromkeys(PLACES, ours + 1) | {"name": "a2", "degrees": theirs + 1}
 
 
 def test_what_comes_before_every_row_stays_there() -> None:
