@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 
 from kinematics.frames.axes import AxisLine
-from kinematics.se3 import Vector, along, cross, dot, foot, norm, rejection, scale, subtract
+from kinematics.se3 import Vector, along, cross, dot, foot, norm, rejection, scale, subtract, unit
 
 EXACT_ANGLE = 1e-10
 """Two directions closer than this [rad] are taken as parallel without a word: it is rounding."""
@@ -76,7 +76,7 @@ def common_normal(first: AxisLine, second: AxisLine, size: float) -> CommonNorma
     squared = sine * sine
     near = along(first.point, dot(cross(w, z2), c) / squared, z1)
     far = along(second.point, dot(cross(w, z1), c) / squared, z2)
-    n = scale(c, 1.0 / sine)
+    n = _across(c, z1)
     distance = dot(w, n)
     if abs(distance) <= EXACT_LENGTH * size:
         return CommonNormal(Relation.INTERSECTING, n, near, near, 0.0)
@@ -92,4 +92,12 @@ def _parallel_normal(first: AxisLine, second: AxisLine, w: Vector, size: float) 
     if distance <= EXACT_LENGTH * size:
         return CommonNormal(Relation.COINCIDENT, None, first.point, far, 0.0)
     relation = Relation.PARALLEL if dot(first.direction, second.direction) > 0 else Relation.ANTIPARALLEL
-    return CommonNormal(relation, scale(across, 1.0 / distance), first.point, far, distance)
+    return CommonNormal(relation, _across(across, first.direction), first.point, far, distance)
+
+
+def _across(v: Vector, axis: Vector) -> Vector:
+    """The direction of v, which is perpendicular to an axis but for the rounding of what it was formed from.
+
+    Of a short v that rounding is a large part, and an x that is not across its axis tilts the next one.
+    """
+    return unit(rejection(unit(v), axis))

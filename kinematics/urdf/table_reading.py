@@ -67,8 +67,8 @@ def table_from_urdf(
     """Return a DH table of one serial chain of a URDF description.
 
     Fixed joints go into the axes behind them. Axes that are parallel but for a tilt of 1e-10 to 5e-3 rad are
-    joined by a fixed dummy row, so the table reproduces the chain for every q: to rounding, where angles are
-    not within 1e-10 of a multiple of 15° without being it, and to 1e-10 where they are.
+    joined by a fixed dummy row, so the table reproduces the chain for every q: to rounding,
+    except that an angle within 1e-10 of a multiple of 15° becomes that multiple.
 
     Args:
         text: the description, XML.

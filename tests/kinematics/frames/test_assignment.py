@@ -91,6 +91,20 @@ def test_random_chains_are_reproduced(convention, kind, prismatic):
         assert discrepancy(chain, convention, result, tool, rng) < 1e-9
 
 
+@both
+@pytest.mark.parametrize("sense", [1.0, -1.0])
+def test_parallel_axes_that_all_but_coincide_are_reproduced(convention, sense):
+    """The normal of two such axes is short, and no less perpendicular to them."""
+    rng = np.random.default_rng(17)
+    for exponent in np.linspace(-9.0, -3.0, 60):
+        u, v, w = (x / np.linalg.norm(x) for x in rng.normal(size=(3, 3)))
+        across = np.cross(u, w) / np.linalg.norm(np.cross(u, w))
+        point = rng.normal(size=3)
+        beside = point + 10.0**exponent * across + rng.normal() * u
+        chain = axes((R, point, u), (R, beside, sense * u), (R, rng.normal(size=3), v), (R, point, w))
+        assert discrepancy(chain, convention, assign_frames(chain, convention), None, rng) < 1e-9
+
+
 PUMA = axes(
     (R, (0, 0, 0), Z),
     (R, (0, 0, 0), (0, -1, 0)),
