@@ -153,9 +153,9 @@ def assign_frames(
 ) -> FrameAssignment:
     """Return a DH table for a robot of which the joint axes are known.
 
-    base · table · tool reproduces every axis and the tool at every q: exactly (each angle to 1e-10 rad, each length
-    to 1e-10 of the robot's size) unless axes are near-parallel; those are taken as parallel, with a warning that states the
-    tilt, or joined by a fixed dummy row.
+    base · table · tool reproduces every axis and the tool at every q: exactly (each angle to 1e-10 rad, each
+    length to 1e-10 of the robot's size) unless axes are near-parallel; those are taken as parallel, with a
+    warning that states the tilt, or joined by a fixed dummy row.
 
     Args:
         axes: the axes, base first, at the zero position: the joint variables count from there.

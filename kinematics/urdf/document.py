@@ -33,7 +33,13 @@ the largest double, or inf."""
 _NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?", re.ASCII)
 _INFINITE = re.compile(r"[+-]?inf(inity)?", re.IGNORECASE | re.ASCII)
 _ORIGIN = (0.0, 0.0, 0.0)
-_ORIGIN_ATTRIBUTES = ("xyz", "rpy", "quat_xyzw")
+_ATTRIBUTES = {
+    "origin": ("xyz", "rpy", "quat_xyzw"),
+    "axis": ("xyz",),
+    "limit": ("lower", "upper", "effort", "velocity", "acceleration", "deceleration", "jerk"),
+    "mimic": ("joint", "multiplier", "offset"),
+}
+"""What the format has in these elements of a joint: another attribute could be one of them, misspelled."""
 
 Bounds: TypeAlias = tuple[float | None, float | None]
 """(lowest, highest) value of a joint [rad, or m]; None on a side without a limit."""
@@ -77,15 +83,9 @@ class UrdfJoint:
             DescriptionError: not the numbers that belong there, two orientations, a quaternion that is zero,
                 or an attribute that the format does not have.
         """
-        origin = self.element.find("origin")
+        origin = self._found("origin")
         if origin is None:
             return np.eye(4)
-        for name in origin.attrib:
-            if name not in _ORIGIN_ATTRIBUTES:
-                raise refused(
-                    "urdf_attribute_unknown",
-                    joint=self.name, element="origin", attribute=_short(name), known=_ORIGIN_ATTRIBUTES,
-                )  # fmt: skip
         xyz = self._numbers(origin, "origin", "xyz", _ORIGIN)
         if origin.get("quat_xyzw") is None:
             return transform_from_rpy(self._numbers(origin, "origin", "rpy", _ORIGIN), xyz)
@@ -100,9 +100,10 @@ class UrdfJoint:
         """Return the direction of the joint's axis in its frame, of any length but zero; x if left out.
 
         Raises:
-            DescriptionError: not three numbers, or all of them zero.
+            DescriptionError: not three numbers, all of them zero, or an attribute that the format does not
+                have.
         """
-        axis = self.element.find("axis")
+        axis = self._found("axis")
         x, y, z = (1.0, 0.0, 0.0) if axis is None else self._numbers(axis, "axis", "xyz", (1.0, 0.0, 0.0))
         if not any((x, y, z)):
             raise refused("urdf_axis_zero", joint=self.name)
@@ -115,11 +116,14 @@ class UrdfJoint:
         None of a continuous joint, or if there is no limit at all.
 
         Raises:
-            DescriptionError: a bound is no number, or the lower one lies above the upper one.
+            DescriptionError: a bound is no number, the lower one lies above the upper one, or one is missing
+                beside an attribute that the format does not have; programs add such to limits that have both.
         """
         limit = self.element.find("limit")
         if limit is None or self.kind == "continuous":
             return None
+        if not {"lower", "upper"} <= limit.attrib.keys():
+            self._found("limit")
         low, high = (self._bound(limit, name) for name in ("lower", "upper"))
         if low > high:
             raise refused("urdf_limits_reversed", joint=self.name)
@@ -130,9 +134,10 @@ class UrdfJoint:
         """Return which joint this one follows, and how; None if it follows none.
 
         Raises:
-            DescriptionError: the factor or the offset is no number.
+            DescriptionError: the factor or the offset is no number, or there is an attribute that the format
+                does not have.
         """
-        mimic = self.element.find("mimic")
+        mimic = self._found("mimic")
         if mimic is None:
             return None
         return Mimic(
@@ -147,6 +152,17 @@ class UrdfJoint:
             "urdf_numbers_malformed",
             joint=self.name, element=tag, attribute=name, count=count, limit=f"{MAX_NUMBER:g}",
         )  # fmt: skip
+
+    def _found(self, tag: str) -> Element | None:
+        """Return the element of this name, if the joint has one, and make sure of its attributes."""
+        element = self.element.find(tag)
+        for name in () if element is None else element.attrib:
+            if name not in _ATTRIBUTES[tag]:
+                raise refused(
+                    "urdf_attribute_unknown",
+                    joint=self.name, element=tag, attribute=_short(name), known=_ATTRIBUTES[tag],
+                )  # fmt: skip
+        return element
 
     def _numbers(
         self, element: Element, tag: str, name: str, otherwise: tuple[float, ...]

@@ -320,6 +320,22 @@ REFUSED = {
         robot(joint("j", "a", "b", inner='<origin quat="0 0 0 1"/>'), links="ab"),
         "urdf_attribute_unknown",
     ),
+    "a misspelled axis": (
+        robot(joint("j", "a", "b", inner='<axis xzy="0 0 1"/>'), links="ab"),
+        "urdf_attribute_unknown",
+    ),
+    "a misspelled bound": (
+        robot(joint("j", "a", "b", "revolute", '<limit lower="-1" uper="1"/>'), links="ab"),
+        "urdf_attribute_unknown",
+    ),
+    "a misspelled factor": (
+        robot(
+            joint("k", "a", "b", inner='<mimic joint="l" multiplyer="0"/>'),
+            joint("l", "b", "c"),
+            links="abc",
+        ),
+        "urdf_attribute_unknown",
+    ),
     "two orientations": (
         robot(joint("j", "a", "b", inner='<origin rpy="0 0 0" quat_xyzw="0 0 0 1"/>'), links="ab"),
         "urdf_two_orientations",
@@ -388,6 +404,13 @@ def test_ends_that_do_not_fit(base, tip, code):
     with pytest.raises(DescriptionError) as refusal:
         table_from_urdf(HALF, Convention.STANDARD, base_link=base, tip_link=tip)
     assert refusal.value.code == code
+
+
+def test_what_programs_add_to_a_limit_is_passed_over():
+    limit = '<limit lower="-1" upper="2" effort="3" current="4" drake:acceleration="6"/>'
+    text = robot(joint("j", "a", "b", "revolute", limit), links="ab")
+    text = text.replace("<robot", '<robot xmlns:drake="https://drake.mit.edu"')
+    assert table_from_urdf(text, Convention.STANDARD).limits == ((-1.0, 2.0),)
 
 
 def test_where_the_xml_breaks_is_told():
