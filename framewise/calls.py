@@ -1,4 +1,7 @@
-"""The calls of the API, each described once: what is sent, and to where. Both clients send them."""
+"""The calls of the API, each described once: what is sent, and to where. Both clients send them.
+
+Numbers may be NumPy's: a client sends an array as the list that it is.
+"""
 
 from __future__ import annotations
 
@@ -115,9 +118,14 @@ def workspace(robot: Table | str, **options: Any) -> ApiCall:
     return _of_robot("workspace", robot, **options)
 
 
-def understand(table: Table, *, parameters: Mapping[str, float] | None = None) -> ApiCall:
-    """Return how a table is read, cell by cell (POST /understand)."""
-    return post("understand", table=dict(table), parameters=parameters)
+def understand(table: Table, **options: Any) -> ApiCall:
+    """Return how a table is read, cell by cell (POST /understand).
+
+    Args:
+        table: the table.
+        options: `parameters`, `exercise`, `matrices`.
+    """
+    return post("understand", table=dict(table), **options)
 
 
 def convert(to: str | Mapping[str, Any], **source: Any) -> ApiCall:

@@ -151,7 +151,7 @@ class Client:
 
     def stream(self, call: ApiCall) -> Iterator[Json]:
         """Send a call and yield its answers as they come, line by line; raises as `send` does."""
-        with self._http.stream(**_request(call), headers=_NDJSON) as response:
+        with self._http.stream(**_request(call, _NDJSON)) as response:
             if not response.is_success:
                 response.read()
             yield from map(json.loads, _accepted(response).iter_lines())
@@ -258,7 +258,7 @@ class AsyncClient:
 
     async def stream(self, call: ApiCall) -> AsyncIterator[Json]:
         """Send a call and yield its answers as they come, line by line; raises as `send` does."""
-        async with self._http.stream(**_request(call), headers=_NDJSON) as response:
+        async with self._http.stream(**_request(call, _NDJSON)) as response:
             if not response.is_success:
                 await response.aread()
             async for line in _accepted(response).aiter_lines():
@@ -329,9 +329,22 @@ def _headers(api_key: str | None, language: str | None) -> dict[str, str]:
     return {**key, **({"Accept-Language": language} if language else {})}
 
 
-def _request(call: ApiCall) -> dict[str, Any]:
+def _request(call: ApiCall, headers: Mapping[str, str] | None = None) -> dict[str, Any]:
     query = {name: value for name, value in call.query.items() if value is not None}
-    return {"method": call.method, "url": call.path, "json": call.body, "params": query}
+    request = {"method": call.method, "url": call.path, "params": query, "headers": dict(headers or {})}
+    if call.body is None:
+        return request
+    request["headers"]["Content-Type"] = "application/json"
+    content = json.dumps(call.body, default=_plain, allow_nan=False).encode()
+    return {**request, "content": content}
+
+
+def _plain(value: Any) -> Any:
+    """An array, or a number of an array's type, as JSON writes it."""
+    listed = getattr(value, "tolist", None)
+    if listed is None:
+        raise TypeError(f"JSON has no {type(value).__name__}: {value!r}")
+    return listed()
 
 
 def _answer(response: httpx.Response) -> Json:

@@ -11,6 +11,7 @@ from typing import Protocol
 
 from exercises.errors import ExerciseError
 from kinematics.errors import Fault, KinematicsError
+from service import __version__
 from service.http.problems import ServiceError
 from service.messages import DEFAULT_LANGUAGE, languages, sentence
 
@@ -49,7 +50,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         The exit status: 0, or 1 if something was found wrong, or 2 if the command cannot be carried out.
     """
     given = list(sys.argv[1:] if arguments is None else arguments)
-    if not given or (given[0].startswith("-") and given[0] not in ("-h", "--help", "--lang")):
+    if not given or (given[0].startswith("-") and given[0] not in ("-h", "--help", "--lang", "--version")):
         given = ["serve", *given]
     named = next((word for word in given if word in COMMANDS), None)
     modules = (COMMANDS[named],) if named else dict.fromkeys(COMMANDS.values())
@@ -90,6 +91,7 @@ def _parser(modules: Iterable[str]) -> argparse.ArgumentParser:
     parser.add_argument(
         "--lang", choices=languages(), default=DEFAULT_LANGUAGE, help="language of what is told (%(default)s)"
     )
+    parser.add_argument("--version", action="version", version=f"%(prog)s {__version__}")
     subparsers = parser.add_subparsers(required=True, metavar="command")
     for name in modules:
         command: Command = import_module(f"service.cli.{name}")

@@ -8,6 +8,7 @@ import json
 import re
 from typing import Any
 
+import numpy as np
 import pytest
 
 from framewise import AsyncClient, Client, ProblemError, calls, exercise_calls
@@ -162,6 +163,25 @@ def test_verdicts_come_one_by_one(base_url: str) -> None:
             return [verdict async for verdict in later.grade_each(TABLE, [TABLE, {}, TABLE])]
 
     assert asyncio.run(ask()) == each
+
+
+def test_numbers_may_be_numpys(base_url: str) -> None:
+    joints = np.linspace(0.0, 1.0, 2)
+    lengths = {name: np.float32(value) for name, value in LENGTHS.items()}
+    with Client(base_url, timeout=120) as client:
+        plain = client.forward_kinematics(TABLE, joints.tolist(), parameters=LENGTHS)
+        assert client.forward_kinematics(TABLE, joints, parameters=lengths) == plain
+        pose = np.array(plain["transform"])
+        found = client.inverse_kinematics(TABLE, pose, parameters=LENGTHS, start=joints)
+        assert np.allclose(found["solutions"][0]["joints"], joints)
+        with pytest.raises(TypeError, match="complex"):
+            client.forward_kinematics(TABLE, [0, 1j], parameters=LENGTHS)
+
+
+def test_a_table_is_understood_as_an_exercise_does(base_url: str) -> None:
+    with Client(base_url, timeout=120) as client:
+        told = client.understand({**TABLE, "rows": [{**ROWS[0], "a": "L9"}]}, exercise="twolink")
+    assert "name_unknown" in json.dumps(told)
 
 
 def test_a_name_is_no_path(base_url: str) -> None:

@@ -14,6 +14,7 @@ from pathlib import Path
 import pytest
 
 from courses.storage import open_store
+from service import __version__
 from service.cli.commands import COMMANDS, main
 from service.receipts.keys import read_keys
 from service.receipts.receipt import issue
@@ -333,3 +334,10 @@ def test_without_storage_there_is_nothing_to_back_up(
     assert main(["backup", str(tmp_path / "backup.gz")]) == 2
     assert "storage is switched off" in capsys.readouterr().err
     assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.parametrize("package", ["framewise", "service"])
+def test_the_packages_are_the_command(package: str) -> None:
+    asked = [sys.executable, "-m", package, "--version"]
+    told = subprocess.run(asked, capture_output=True, text=True, check=True, timeout=120)
+    assert told.stdout == f"framewise {__version__}\n"
