@@ -306,7 +306,7 @@ def _not_finite(body: bytes) -> list[tuple[str | int, ...]]:
     if len(body) > LONGEST_SEARCHED:
         return []
     try:
-        walked = _nodes(json.loads(body))
+        walked = _nodes(json.loads(body, parse_int=float))  # an int is never infinite
     except (ValueError, RecursionError):
         return []
     found = (_steps(place) for place, node in walked if type(node) is float)

@@ -298,7 +298,7 @@ RAW: dict[str, tuple[bytes, int, str, str]] = {
     "NaN": (b'{"joints": [0, NaN]}', 400, "json_not_finite", "/joints/1"),
     "infinity": (b'{"table": {"rows": [{"a": -Infinity}]}}', 400, "json_not_finite", "/table/rows/0/a"),
     "a number too large": (b'{"joints": [1e999]}', 400, "json_not_finite", "/joints/0"),
-    "an endless integer": (b'{"joints": [' + b"9" * 5000 + b"]}", 400, "json_not_finite", ""),
+    "an endless integer": (b'{"joints": [0, ' + b"9" * 5000 + b"]}", 400, "json_not_finite", "/joints/1"),
 }
 
 
