@@ -301,3 +301,82 @@ def test_nearly_parallel_screws_are_kept(client: httpx.Client, last: str, tilt: 
     pose, table = poses(client, source(last, found))
     np.testing.assert_allclose(pose[:3, 3], expected[:3], atol=2e-10)
     assert all(abs(row[name]) < 2.0 for row in table["rows"] for name in ("a", "d"))
+
+
+TWISTED: dict[str, Any] = {
+    "convention": "standard", "angle_unit": "deg", "length_unit": "mm",
+    "rows": [
+        {"joint": "revolute", "alpha": "beta", "a": "L1", "d": "L2", "theta": "q1"},
+        {"joint": "prismatic", "alpha": -90, "a": "2*L1", "d": "q2", "theta": "gamma"},
+        {"joint": "revolute", "alpha": "beta", "a": "L2", "d": 0, "theta": "90 - q3"},
+    ],
+}  # fmt: skip
+VALUES = {"L1": 120, "L2": 80, "beta": 25, "gamma": -70}
+
+
+def _sent(answer: dict[str, Any]) -> dict[str, Any]:
+    """An answer, sent back as it came, with values of the names in it."""
+    fields = {name: answer[name] for name in ("table", "scm", "base", "tool", "verify") if name in answer}
+    return {**fields, "parameters": {name: value for name, value in VALUES.items() if name in str(fields)}}
+
+
+@pytest.mark.parametrize("through", ["standard", "modified", "scm"])
+@pytest.mark.parametrize("placed", [{}, {"base": BASE, "tool": TOOL}])
+@pytest.mark.parametrize("convention", ["standard", "modified"])
+def test_base_and_tool_come_back_with_the_names_in_them(
+    client: httpx.Client, convention: str, placed: dict[str, Any], through: str
+) -> None:
+    start = {"table": {**TWISTED, "convention": convention}, **placed}
+    if through == "scm" and placed:
+        start.pop("tool")  # a second tool has no place among the entries
+    first = answered(client, CONVERT, {**start, "to": through})
+    ends = str((first["base"], first.get("tool")))
+    assert through in (convention, "scm") or any(name in ends for name in VALUES)
+    again = _sent(first)
+    del again["parameters"]
+    second = answered(client, CONVERT, {**again, "to": convention})
+    expected, _ = poses(client, {**start, "parameters": VALUES})
+    for answer in (first, second):
+        found, _ = poses(client, _sent(answer))
+        np.testing.assert_allclose(found, expected, atol=1e-12)
+
+
+@pytest.mark.parametrize(("one", "other"), [("standard", "modified"), ("modified", "standard")])
+def test_a_table_with_names_comes_back_as_it_was(client: httpx.Client, one: str, other: str) -> None:
+    table = {**TWISTED, "convention": one}
+    there = answered(client, CONVERT, {"table": table, "to": other})
+    ends = {name: there[name] for name in ("table", "base", "tool")}
+    back = answered(client, CONVERT, {**ends, "to": one})
+    assert back["table"] == table
+    assert back["base"] == back["tool"] == np.eye(4).tolist()
+
+
+@pytest.mark.parametrize(
+    ("place", "cell", "code", "pointer"),
+    [
+        ((0, 3), "L1 +", "cell_incomplete", "/tool/0/3"),
+        ((2, 3), "q1", "scm_variable_outside_joints", "/tool/2/3"),
+        ((1, 3), "beta", "scm_parameter_two_kinds", "/tool"),
+        ((1, 1), "cos(beta)", "pose_not_orthonormal", "/tool"),
+        ((3, 0), "L1", "pose_bottom_row", "/tool/3"),
+        ((0, 0), None, "cell_not_a_value", "/tool/0/0"),
+    ],
+)
+def test_what_no_tool_with_names_is(
+    client: httpx.Client, place: tuple[int, int], cell: Any, code: str, pointer: str
+) -> None:
+    tool: list[list[Any]] = [[1, 0, 0, "L1"], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]
+    tool[place[0]][place[1]] = cell
+    response = client.post(CONVERT, json={"table": TWISTED, "tool": tool, "to": "modified"})
+    assert (response.status_code, response.json()["code"]) == (422, code)
+    assert response.json()["pointer"].startswith(pointer)
+
+
+def test_a_name_in_a_tool_needs_a_value_where_numbers_are_computed(client: httpx.Client) -> None:
+    tool = [[1, 0, 0, "L9"], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]
+    asked = {"table": PUMA_560, "tool": tool, "to": "poe"}
+    response = client.post(CONVERT, json=asked)
+    assert (response.json()["code"], response.json()["pointer"]) == ("parameter_missing", "/parameters/L9")
+    found = answered(client, CONVERT, {**asked, "parameters": {"L9": 0.25}})
+    expected = answered(client, CONVERT, {**asked, "tool": [0.25, 0, 0, 0, 0, 0]})
+    assert found == expected

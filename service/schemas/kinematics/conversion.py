@@ -3,18 +3,28 @@
 from __future__ import annotations
 
 from enum import StrEnum
-from typing import Annotated, Self, TypeAlias
+from typing import Annotated, Any, Self, TypeAlias, TypeGuard
 
-from pydantic import Field, ValidationError, model_validator
+from pydantic import Discriminator, Field, Tag, ValidationError, WithJsonSchema, model_validator
 from pydantic_core import InitErrorDetails, PydanticCustomError
 
 from kinematics.cells import AngleUnit, LengthUnit
 from kinematics.table import JointType
 from kinematics.urdf import MAX_CHARACTERS
+from service.http.validation import CHOICE
 from service.schemas.base import GivenMatrix4, Real, Vector3, Wire
 from service.schemas.choices import forbidding, not_one_of, together
 from service.schemas.kinematics.joint_limits import JointRanges, Range
-from service.schemas.kinematics.pose_input import PoseInput
+from service.schemas.kinematics.pose_input import (
+    MATRIX,
+    PLACED,
+    POSE_SHAPES,
+    XYZABC,
+    PlacedPose,
+    PoseInput,
+    XyzabcPose,
+    notation_of,
+)
 from service.schemas.kinematics.scm import ScmChainModel, Verification
 from service.schemas.tables import AnsweredRow, AnsweredTable, Parameters, Table, Units
 
@@ -54,6 +64,38 @@ class ScrewProduct(Wire):
         LengthUnit.M, description="unit of every length"
     )
 
+
+_CELLS = CHOICE + "cells"
+_CELL = {"anyOf": [{"type": "number"}, {"type": "string", "minLength": 1, "maxLength": 200}]}
+_FourCells = Annotated[list[Any], Field(min_length=4, max_length=4)]
+_FOUR = {"minItems": 4, "maxItems": 4}
+
+
+def has_names(pose: Any) -> TypeGuard[list[list[float | str]]]:
+    """Whether a pose is a matrix in which something is written: a 4×4 of cells, not of numbers."""
+    rows = pose if isinstance(pose, list) else []
+    return any(isinstance(cell, str) for row in rows if isinstance(row, list) for cell in row)
+
+
+NamedPose: TypeAlias = Annotated[
+    Annotated[XyzabcPose, Tag(XYZABC)]
+    | Annotated[PlacedPose, Tag(PLACED)]
+    | Annotated[GivenMatrix4, Tag(MATRIX)]
+    | Annotated[list[_FourCells], Field(min_length=4, max_length=4), Tag(_CELLS)],
+    Discriminator(lambda pose: _CELLS if has_names(pose) else notation_of(pose)),
+    WithJsonSchema(
+        {
+            "description": "a pose: 4×4, in which expressions may stand, as in an answer; or "
+            "[X, Y, Z, A, B, C], R = Rot_z(A) Rot_y(B) Rot_x(C); or a position with a quaternion "
+            "[w, x, y, z]",
+            "anyOf": [
+                *POSE_SHAPES,
+                {"type": "array", "items": {"type": "array", "items": _CELL, **_FOUR}, **_FOUR},
+            ],
+        }
+    ),
+]
+"""A pose of which a length, or an angle, may be known only by name."""
 
 SOURCES = ("poe", "robot", "scm", "table", "urdf")
 _NO_URDF = {"not": {"const": "urdf"}}
@@ -98,8 +140,8 @@ class ConvertRequest(Wire):
         description="of a URDF: the last link of the chain; needed where the description branches. To URDF "
         "from anything else: its name; tool0 if left out",
     )
-    base: PoseInput | None = Field(None, description="what stands before a table, a listed robot or a chain")
-    tool: PoseInput | None = Field(None, description="what stands behind a table, a listed robot or a chain")
+    base: NamedPose | None = Field(None, description="what stands before a table, a listed robot or a chain")
+    tool: NamedPose | None = Field(None, description="what stands behind a table, a listed robot or a chain")
     angle_unit: Annotated[AngleUnit | None, Field(strict=False)] = Field(
         None,
         description="of a URDF or a product: the unit of angles in the answer, and in a `home` that is "

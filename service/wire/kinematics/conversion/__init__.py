@@ -11,14 +11,17 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 
+from numpy.typing import ArrayLike
+
 from service.schemas.kinematics.conversion import ConvertAnswer, ConvertRequest, Target
 from service.settings import Settings
 from service.wire.kinematics.conversion.described import RobotDescription
 from service.wire.kinematics.conversion.dh_tables import described_table, table_answer
+from service.wire.kinematics.conversion.named_poses import in_numbers
 from service.wire.kinematics.conversion.products import described_product, product_answer
 from service.wire.kinematics.conversion.scm_chains import described_chain, scm_answer
 from service.wire.kinematics.conversion.urdf_files import described_urdf, urdf_answer
-from service.wire.kinematics.pose_matrices import base_and_tool
+from service.wire.kinematics.pose_matrices import pose_matrix
 
 Source = Callable[[ConvertRequest, Settings], RobotDescription]
 Writer = Callable[[RobotDescription, ConvertRequest], ConvertAnswer]
@@ -48,6 +51,19 @@ def converted(request: ConvertRequest, settings: Settings) -> ConvertAnswer:
     """
     source = next(name for name in SOURCES if getattr(request, name) is not None)
     robot = SOURCES[source](request, settings)
-    robot = robot.between(*base_and_tool(request, robot.angle))
+    robot = robot.between(*_ends(request, robot))
     robot = robot.with_joints(request.joint_names, request.link_names, request.limits)
     return TARGETS[request.to](robot, request)
+
+
+def _ends(request: ConvertRequest, robot: RobotDescription) -> list[ArrayLike | None]:
+    """Base and tool of a request in numbers, None where none is given or a name has no value."""
+    ends: list[ArrayLike | None] = []
+    for where, pose in (("base", request.base), ("tool", request.tool)):
+        if where not in robot.named:
+            ends.append(None if pose is None else pose_matrix(pose, robot.angle, where))
+        elif robot.parameters is None:
+            ends.append(None)
+        else:
+            ends.append(in_numbers(robot.named[where], robot.read, robot.parameters, where))
+    return ends

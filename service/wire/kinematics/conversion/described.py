@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike
 from kinematics.cells import ReadTable
 from kinematics.inverse.limits import read_limits
 from kinematics.se3 import Transform, check_transform
+from kinematics.symbolic import Matrix
 from kinematics.table import JointType
 from kinematics.urdf import check_joint_names, check_link_names
 from service.schemas.kinematics.joint_limits import domain_limits
@@ -34,6 +35,7 @@ class RobotDescription:
         parameters: values of the table's parameters, in its units; None if none were given.
         base: what stands before the table.
         tool: what stands behind it.
+        named: "base" and "tool" in expressions, those of the request that hold names.
         spellings: how a person wrote the constant entries.
         variable_cells: how a person wrote the cells with the joint variables, by joint number.
         name: the robot's name, if it has one.
@@ -47,6 +49,7 @@ class RobotDescription:
     parameters: Mapping[str, float] | None = None
     base: Transform = field(default_factory=_identity)
     tool: Transform = field(default_factory=_identity)
+    named: Mapping[str, Matrix] = field(default_factory=dict)
     spellings: Spellings = field(default_factory=dict)
     variable_cells: Mapping[int, WireCell] = field(default_factory=dict)
     name: str | None = None

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import replace
 from functools import reduce
 from typing import TypeAlias
@@ -12,19 +12,7 @@ import numpy as np
 from kinematics.cells import AngleUnit, ParameterKind, RawTable, ReadTable, bind_parameters, read_table
 from kinematics.conversion import XScrew, convert, fixed_row
 from kinematics.dh import link_transform
-from kinematics.expressions import (
-    ONE,
-    ZERO,
-    Expression,
-    Function,
-    add,
-    call,
-    evaluate,
-    multiply,
-    negate,
-    number,
-    parameters_in,
-)
+from kinematics.expressions import Expression, add, evaluate, multiply, number, parameters_in
 from kinematics.fixed_rows import fixed_rows
 from kinematics.printing.notation import Names
 from kinematics.printing.text import TextWriter
@@ -36,6 +24,7 @@ from service.schemas.tables import AnsweredRow, AnsweredTable
 from service.settings import Settings
 from service.wire.json_chunks import plain_lists
 from service.wire.kinematics.conversion.described import RobotDescription
+from service.wire.kinematics.conversion.named_poses import with_names, x_screw, x_screw_entries
 from service.wire.kinematics.prepared_robots import listed_robot, robot_of
 from service.wire.kinematics.written_tables import (
     CELL_KINDS,
@@ -46,7 +35,7 @@ from service.wire.kinematics.written_tables import (
 )
 
 Matrix = list[list[WireCell]]
-Entries: TypeAlias = Sequence[Sequence[Expression]]
+Entries: TypeAlias = tuple[tuple[Expression, ...], ...]
 
 
 def described_table(request: ConvertRequest, settings: Settings) -> RobotDescription:
@@ -67,11 +56,13 @@ def described_table(request: ConvertRequest, settings: Settings) -> RobotDescrip
         with located("table"):
             read = read_table(raw, settings.cell_limits)
         parameters = request.parameters
+    read, named = with_names(read, request, settings.cell_limits)
     if parameters is not None:
         robot_of(read, parameters)
     return RobotDescription(
         read=read,
         parameters=parameters,
+        named=named,
         spellings=_spellings(raw, read),
         variable_cells=_variable_cells(raw, read),
         name=name,
@@ -86,7 +77,9 @@ def table_answer(robot: RobotDescription, request: ConvertRequest) -> TableAnswe
         ParameterError: a parameter of base or tool has no finite value.
     """
     convention = Convention(request.to.value)
-    converted = convert(robot.read.table, convention)
+    before, behind = ends_in_expressions(robot)
+    base_screw, tool_screw = x_screw(before), x_screw(behind)
+    converted = convert(robot.read.table, convention, base=base_screw, tool=tool_screw)
     writer = TableWriter(
         angle_unit=robot.read.angle_unit,
         length_unit=robot.read.length_unit,
@@ -94,9 +87,11 @@ def table_answer(robot: RobotDescription, request: ConvertRequest) -> TableAnswe
         variable_cells=robot.variable_cells,
     )
     table = writer.table(converted.table)
-    base = matrix_of_cells(converted.base, robot, before=robot.base)
-    tool = matrix_of_cells(converted.tool, robot, behind=robot.tool)
-    base_row, tool_row = _row(converted.base, writer, robot.base), _row(converted.tool, writer, robot.tool)
+    before, behind = None if base_screw else before, None if tool_screw else behind
+    base = matrix_of_cells(converted.base, robot, before=robot.base if before is None else before)
+    tool = matrix_of_cells(converted.tool, robot, behind=robot.tool if behind is None else behind)
+    base_row = None if before else _row(converted.base, writer, robot.base)
+    tool_row = None if behind else _row(converted.tool, writer, robot.tool)
     return TableAnswer(
         angle_unit=robot.read.angle_unit.value,
         length_unit=robot.read.length_unit.value,
@@ -111,17 +106,24 @@ def table_answer(robot: RobotDescription, request: ConvertRequest) -> TableAnswe
     )
 
 
+def ends_in_expressions(robot: RobotDescription) -> tuple[Entries | None, Entries | None]:
+    """Return base and tool in expressions, None where all of it is known in numbers."""
+    if robot.parameters is not None:
+        return None, None
+    return robot.named.get("base"), robot.named.get("tool")
+
+
 def matrix_of_cells(
     screw: XScrew[Expression] | None,
     robot: RobotDescription,
     *,
-    before: Transform | None = None,
-    behind: Transform | None = None,
+    before: Transform | Entries | None = None,
+    behind: Transform | Entries | None = None,
 ) -> Matrix:
     """Return before · screw · behind: numbers where all is known, else expressions."""
-    if screw is not None and robot.parameters is None and parameters_in(screw.a) | parameters_in(screw.alpha):
-        factors = [None if before is None else _numbers(before), _expressions(screw)]
-        factors.append(None if behind is None else _numbers(behind))
+    named = screw is not None and parameters_in(screw.a) | parameters_in(screw.alpha)
+    if isinstance(before, tuple) or isinstance(behind, tuple) or (robot.parameters is None and named):
+        factors = [_entries(before), None if screw is None else x_screw_entries(screw), _entries(behind)]
         product = reduce(_product, (factor for factor in factors if factor is not None))
         return [[_entry(entry) for entry in row] for row in product]
     motion = np.eye(4) if screw is None else _motion(screw, robot)
@@ -140,26 +142,18 @@ def _motion(screw: XScrew[Expression], robot: RobotDescription) -> Transform:
     return link_transform(bound.rows[0], bound.convention)
 
 
-def _expressions(screw: XScrew[Expression]) -> Entries:
-    """Trans_x(a) Rot_x(alpha), written with its parameters."""
-    cosine, sine = call(Function.COS, screw.alpha), call(Function.SIN, screw.alpha)
-    return (
-        (ONE, ZERO, ZERO, screw.a),
-        (ZERO, cosine, negate(sine), ZERO),
-        (ZERO, sine, cosine, ZERO),
-        (ZERO, ZERO, ZERO, ONE),
-    )
-
-
-def _numbers(motion: Transform) -> Entries:
-    return [[number(repr(entry)) for entry in row] for row in plain_lists(motion)]
+def _entries(motion: Transform | Entries | None) -> Entries | None:
+    if motion is None or isinstance(motion, tuple):
+        return motion
+    return tuple(tuple(number(repr(entry)) for entry in row) for row in plain_lists(motion))
 
 
 def _product(one: Entries, other: Entries) -> Entries:
-    return [
-        [add(multiply(pair) for pair in zip(row, column, strict=True)) for column in zip(*other, strict=True)]
+    columns = tuple(zip(*other, strict=True))
+    return tuple(
+        tuple(add(multiply(pair) for pair in zip(row, column, strict=True)) for column in columns)
         for row in one
-    ]
+    )
 
 
 def _entry(entry: Expression) -> WireCell:
