@@ -126,21 +126,25 @@ def table_of_product(product: ProductOfExponentials, convention: Convention) -> 
     return assign_frames(axes, convention, tool=home, near_parallel=NearParallel.DUMMY_ROW)
 
 
+def turns(screw: Screw) -> bool:
+    """Return whether a joint's screw is that of a rotation; an ω that is rounding makes none."""
+    return math.hypot(*screw.angular) > UNIT_TOLERANCE
+
+
 def joint_axis(screw: Screw, where: tuple[str | int, ...] = ()) -> JointAxis:
     """Return the axis of a joint's screw: direction, and of a revolute joint the point nearest to the origin.
 
     Raises:
-        DescriptionError: a number is NaN or infinite, ω is neither zero nor a unit vector, v is no unit
-            vector where ω is zero, or v has a part along ω (a helical joint).
+        DescriptionError: a number is NaN or infinite, ω is neither zero nor a unit vector (to 1e-9), v is no
+            unit vector where ω is zero, or v has a part along ω (a helical joint).
     """
     linear, angular = screw
     if not all(map(math.isfinite, (*linear, *angular))):
         raise DescriptionError(Fault.at("screw_not_finite", *where))
-    turning = any(angular)
-    direction = angular if turning else linear
+    direction = angular if turns(screw) else linear
     if abs(math.hypot(*direction) - 1.0) > UNIT_TOLERANCE:
         raise DescriptionError(Fault.at("screw_not_unit", *where))
-    if not turning:
+    if not turns(screw):
         return JointAxis(joint=JointType.PRISMATIC, direction=direction)
     pitch = sum(v * w for v, w in zip(linear, angular, strict=True))
     if abs(pitch) > UNIT_TOLERANCE * (1.0 + math.hypot(*linear)):

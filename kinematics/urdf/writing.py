@@ -109,7 +109,10 @@ def urdf_from_table(
     bounds = list(zip(box.low.tolist(), box.high.tolist(), strict=True))
     _write_rows(writer, table, bounds)
     end = np.eye(4) if tool is None else check_transform(tool, where=("tool",))
-    writer.where = ("tool",)
+    if tool is not None and not np.array_equal(
+        end, np.eye(4)
+    ):  # what stands behind the last joint is its row's
+        writer.where = ("tool",)
     writer.last(end)
     lines = [
         '<?xml version="1.0"?>',

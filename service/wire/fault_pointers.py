@@ -30,7 +30,7 @@ _TOO_LONG = ("result_not_finite", "urdf_length_overflow")
 
 @contextmanager
 def traced(request: Any) -> Iterator[None]:
-    """Place the faults of a robot's rows into the request that describes the robot.
+    """Place the faults of a robot's rows, base and tool into the request that describes the robot.
 
     Args:
         request: a validated request with one of the fields `table`, `robot`, `chain`, `scm` and `urdf`.
@@ -43,7 +43,10 @@ def traced(request: Any) -> Iterator[None]:
 
 
 def _placed(fault: Fault, request: Any) -> list[Fault]:
-    if fault.where[:1] != ("rows",):
+    derived = (
+        fault.where[:1] in (("base",), ("tool",)) and getattr(request, str(fault.where[0]), None) is None
+    )
+    if fault.where[:1] != ("rows",) and not derived:
         return [fault]
     if fault.code in _TOO_LONG:
         limit = float(str(fault.params["limit"]))
@@ -52,5 +55,5 @@ def _placed(fault: Fault, request: Any) -> list[Fault]:
         if blamed:
             return [replace(fault, where=("parameters", name)) for name in blamed]
     source = next(name for name in _SOURCES if getattr(request, name, None) is not None)
-    below = fault.where if source == "table" else ()
+    below = fault.where if source == "table" and not derived else ()
     return [replace(fault, where=(*_SOURCES[source], *below))]

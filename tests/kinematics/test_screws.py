@@ -166,3 +166,16 @@ def test_the_home_pose_must_be_rigid():
 def test_joint_values_that_are_none_are_refused():
     with pytest.raises(JointValueError):
         pose_of_product(product_of_exponentials(PUMA560), [0.0] * 5)
+
+
+def test_what_a_program_leaves_of_zero_does_not_turn():
+    """ω of a slide may be 6e-17: rounding, as in every number that a program computed."""
+    home = np.eye(4)
+    slide = Screw((0.0, 0.0, 1.0), (6.1e-17, -1.3e-33, 0.0))
+    found = table_of_product(ProductOfExponentials(screws=(slide,), home=home), Convention.STANDARD)
+    assert [row.joint for row in found.table.rows] == [JointType.PRISMATIC]
+    with pytest.raises(DescriptionError):
+        table_of_product(
+            ProductOfExponentials(screws=(Screw((0.0, 0.0, 1.0), (1e-8, 0.0, 0.0)),), home=home),
+            Convention.STANDARD,
+        )

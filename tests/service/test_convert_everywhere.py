@@ -380,3 +380,20 @@ def test_a_name_in_a_tool_needs_a_value_where_numbers_are_computed(client: httpx
     found = answered(client, CONVERT, {**asked, "parameters": {"L9": 0.25}})
     expected = answered(client, CONVERT, {**asked, "tool": [0.25, 0, 0, 0, 0, 0]})
     assert found == expected
+
+
+def test_a_root_in_a_tool_exists_at_the_values_that_are_given(client: httpx.Client) -> None:
+    tool = [[1, 0, 0, "sqrt(L1 - L2)"], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]
+    asked = {"table": PUMA_560, "tool": tool, "to": "modified"}
+    assert answered(client, CONVERT, asked)["tool"][0][3] == "sqrt(L1 - L2)"
+    found = answered(client, CONVERT, {**asked, "parameters": {"L1": 5, "L2": 1}})
+    assert found["tool"][0][3] == 2.0
+    response = client.post(CONVERT, json={**asked, "parameters": {"L1": 1, "L2": 5}})
+    assert (response.json()["code"], response.json()["pointer"]) == ("value_undefined", "/tool/0/3")
+
+
+def test_a_slide_of_a_product_may_hold_what_a_program_leaves_of_zero(client: httpx.Client) -> None:
+    screw = {"joint": "prismatic", "linear": [0, 0, 1], "angular": [6.1e-17, 0, 0]}
+    product = {"screws": [screw], "home": [0, 0, 0, 0, 0, 0]}
+    found = answered(client, CONVERT, {"poe": product, "to": "standard"})
+    assert [row["joint"] for row in found["table"]["rows"]] == ["prismatic"]

@@ -25,6 +25,8 @@ SLIDE: dict[str, Any] = {
 }
 FAR: dict[str, Any] = {**SLIDE, "rows": [*SLIDE["rows"], {"alpha": 0, "a": 1e13, "d": 0, "theta": "q2"}]}
 
+FAR_END = {"convention": "standard", "rows": [{"alpha": 0, "a": 1e13, "d": 0, "theta": "q1"}]}
+
 
 def answered(client: httpx.Client, path: str, body: dict[str, Any]) -> Any:
     response = client.post(path, json=body)
@@ -103,6 +105,7 @@ def test_a_chain_to_every_form(client: httpx.Client, to: str) -> None:
             "/parameters/L1",
         ),
         ({"table": FAR, "to": "urdf"}, "urdf_length_overflow", "/table/rows/1"),
+        ({"table": FAR_END, "to": "urdf"}, "urdf_length_overflow", "/table/rows/0"),
         ({"table": SLIDE, "to": "urdf", "limits": [[0, 1e13]]}, "urdf_length_overflow", "/limits/0"),
         ({"table": SLIDE, "to": "urdf", "limits": [[0, 1e300]]}, "result_not_finite", "/limits/0"),
         (

@@ -7,13 +7,16 @@ they stay expressions, and one that is a motion along and about x goes back into
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
 from itertools import chain
 
+import numpy as np
+
 from kinematics.cells import Limits, ParameterKind, ReadTable, parameter_values
 from kinematics.conversion import XScrew
-from kinematics.errors import DescriptionError, Fault
+from kinematics.errors import DescriptionError, Fault, ParameterError
 from kinematics.expressions import (
     ONE,
     ZERO,
@@ -65,8 +68,7 @@ def in_numbers(pose: Matrix, read: ReadTable, parameters: Mapping[str, float], w
         ParameterError: the values do not fit, or an entry does not exist there.
         PoseError: no rigid motion, with these values.
     """
-    values = parameter_values(read.parameters, read.angle_unit, parameters)
-    return check_transform([[evaluate(entry, values) for entry in row] for row in pose], where=(where,))
+    return _rigid(pose, parameter_values(read.parameters, read.angle_unit, parameters), where)
 
 
 def x_screw(pose: Matrix | None) -> XScrew[Expression] | None:
@@ -106,14 +108,19 @@ def _read(
         for j, entry in enumerate(row):
             for index in joint_variables_in(entry):
                 raise DescriptionError(Fault.at("scm_variable_outside_joints", where, i, j, name=f"q{index}"))
-    _check_rigid(pose, found.parameters, where)
+    with suppress(ParameterError):  # a root or a quotient that exists at other values than these
+        _rigid(pose, {name: 0.37 + 0.61 * i for i, name in enumerate(found.parameters)}, where)
     return pose, found.parameters
 
 
-def _check_rigid(pose: Matrix, names: Mapping[str, ParameterKind], where: str) -> None:
-    """Make sure that a pose is a rigid motion at values of its names that nothing but chance has chosen."""
-    values = {name: 0.37 + 0.61 * i for i, name in enumerate(names)}
-    check_transform([[evaluate(entry, values) for entry in row] for row in pose], where=(where,))
+def _rigid(pose: Matrix, values: Mapping[str, float], where: str) -> Transform:
+    numbers = np.eye(4)
+    for i, j in np.ndindex(4, 4):
+        try:
+            numbers[i, j] = evaluate(pose[i][j], values)
+        except ParameterError as error:
+            raise ParameterError(fault.within(where, i, j) for fault in error.faults) from None
+    return check_transform(numbers, where=(where,))
 
 
 def _twist(cosine: Expression, sine: Expression) -> Expression | None:

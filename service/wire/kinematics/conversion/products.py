@@ -33,8 +33,8 @@ def described_product(request: ConvertRequest, _settings: Settings) -> RobotDesc
     convention = Convention.STANDARD if request.to is Target.STANDARD else Convention.MODIFIED
     screws = tuple(screws_module.Screw(_three(one.linear), _three(one.angular)) for one in given.screws)
     with located("poe"):
-        for i, one in enumerate(given.screws):
-            meant = JointType.REVOLUTE if any(one.angular) else JointType.PRISMATIC
+        for i, (one, screw) in enumerate(zip(given.screws, screws, strict=True)):
+            meant = JointType.REVOLUTE if screws_module.turns(screw) else JointType.PRISMATIC
             if one.joint not in (None, meant):
                 params = {"joint": i + 1}
                 raise DescriptionError(Fault.at("screw_of_other_type", "screws", i, **params))
