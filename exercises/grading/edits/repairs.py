@@ -13,7 +13,14 @@ from exercises.grading.edits.fitting import MOST_SIGNS
 from exercises.grading.edits.misconceptions import RANKS
 from exercises.grading.edits.row_edits import any_row_left_out, joint_left_out, row_left_out
 from exercises.grading.edits.sieve import Sieve
-from exercises.grading.edits.trials import Catalogue, Trial, finishing_reaches, tried, tried_unchanged
+from exercises.grading.edits.trials import (
+    Catalogue,
+    Trial,
+    finishing,
+    finishing_reaches,
+    tried,
+    tried_unchanged,
+)
 from exercises.grading.edits.wanted_changes import changes_beforehand, changes_of
 from exercises.grading.edits.work import ANYTHING, EVERYWHERE, Work
 from kinematics.equivalence.meter import WorkExhaustedError
@@ -72,12 +79,12 @@ def _found(work: Work) -> Iterator[Repaired]:
     """Single edits, by growing effort; if there are none, pairs."""
     here = tried_unchanged(work)
     near = work if here is None else replace(work, reach=here.reach, angular=here.angular, off=here.off)
-    (trials,) = tried([near])
-    trials.sort(key=lambda trial: _likelihood(trial.change, work.table))
-    ways = [_helping(work, trials, Effort.PLAIN)]
+    (changes,) = finishing([near])
+    changes.sort(key=lambda change: _likelihood(change, work.table))
+    ways = [_helping(work, changes, Effort.PLAIN)]
     if _says_little(work, here):
         ways.append(_fitted(near))
-    ways.append(_helping(work, trials, Effort.REFINED))
+    ways.append(_helping(work, changes, Effort.REFINED))
     for way in ways:
         found: list[Change] = []
         with work.meter.at_most(WORK_OF_ONE_WAY):
@@ -105,12 +112,11 @@ def _fitted(work: Work) -> Iterator[Change]:
     with work.meter.at_most(WORK_OF_FITTING):
         work = Sieve(work).narrowed()
         work = replace(work, reach=finishing_reaches([work])[0])
-        (put_in,) = tried([work], row_left_out, finishing=False)
-        places = frozenset(trial.change.row for trial in put_in)
+        places = frozenset(trial.change.row for trial in tried(work, row_left_out))
         for choice in range(MOST_SIGNS):
             made += any_cell(work, choice)
             made += any_row_left_out(work, choice, places)
-    yield from _helping(work, tried([work], lambda _: iter(made))[0], Effort.REFINED)
+    yield from _helping(work, finishing([work], lambda _: iter(made))[0], Effort.REFINED)
 
 
 def _likelihood(change: Change, table: NumericTable) -> tuple[float, bool, int]:
@@ -119,11 +125,10 @@ def _likelihood(change: Change, table: NumericTable) -> tuple[float, bool, int]:
     return extent, change.fills_a_zero(table), RANKS[change.code]
 
 
-def _helping(work: Work, trials: Iterable[Trial], effort: Effort) -> Iterator[Change]:
+def _helping(work: Work, changes: Iterable[Change], effort: Effort) -> Iterator[Change]:
     """The changes that make the table right at every draw; each place of an edit once."""
     told: set[tuple[str, int | None, str | None]] = set()
-    for trial in trials:
-        change = trial.change
+    for change in changes:
         place = (change.code, change.row, change.cell)
         if place in told:
             continue
@@ -151,11 +156,9 @@ def _mends(work: Work, changes: Sequence[Change], effort: Effort) -> bool:
     """Whether the slips undone here make the table right, with the values that fit here."""
     work = replace(work, only=changes[0].slip)
     if len(changes) > 1:
-        (trials,) = tried([work], finishing=False)
-        first = [*trials, *_beforehand(work)]
+        first = [*tried(work), *_beforehand(work)]
         return any(_mends(half, changes[1:], effort) for half in _halves(work, first))
-    (trials,) = tried([work])
-    if any(work.accepts(trial.change, effort) for trial in trials):
+    if any(work.accepts(change, effort) for change in finishing([work])[0]):
         return True
     return effort is Effort.REFINED and any(True for _ in _fitted(work))
 
@@ -167,9 +170,9 @@ def _pairs(work: Work, first: Sequence[Trial]) -> Iterator[Repaired]:
     for start in range(0, len(first), together):
         some = first[start : start + together]
         halves = _halves(work, some, keeping=True)
-        for trial, half, rest in zip(some, halves, tried(halves), strict=True):
+        for trial, half, rest in zip(some, halves, finishing(halves), strict=True):
             for other in rest:
-                changes = (trial.change, other.change)
+                changes = (trial.change, other)
                 places = frozenset((c.code, c.row, c.cell) for c in changes)
                 if places not in told and _is_right(work, half, changes, Effort.PLAIN):
                     told.add(places)
@@ -180,7 +183,7 @@ def _pairs(work: Work, first: Sequence[Trial]) -> Iterator[Repaired]:
 def _halves(work: Work, trials: Iterable[Trial], *, keeping: bool = False) -> list[Work]:
     """The table with each of some edits made; what one has changed is kept, unless that was all there is."""
     halves = []
-    for change, _, _, _, reach, angular, off in trials:
+    for change, _, _, reach, angular, off in trials:
         keeps = keeping and not (change.row is None and work.excess)
         kept = frozenset(change.places if keeps else ())
         halves.append(work.edited(change, reach, angular=angular, off=off, kept=kept))
@@ -190,7 +193,7 @@ def _halves(work: Work, trials: Iterable[Trial], *, keeping: bool = False) -> li
 def _nearer(work: Work, here: Trial | None, catalogue: Catalogue = changes_of) -> list[Trial]:
     """The edits of a catalogue that bring the table nearer to the key, so that one more may mend it."""
     most = None if here is None else max(here.failing - 1, 0)
-    (made,) = tried([work], catalogue, finishing=False, most_failing=most)
+    made = tried(work, catalogue, most_failing=most)
     first = [trial for trial in made if trial.meets and _is_nearer(trial, here)]
     first.sort(key=lambda trial: (trial.failing, trial.misplaced, RANKS[trial.change.code]))
     return first[:MOST_FIRST_EDITS]
@@ -205,6 +208,4 @@ def _is_nearer(trial: Trial, before: Trial | None) -> bool:
 def _beforehand(work: Work) -> list[Trial]:
     """The edits after which one that mends the count of the joints might finish; they cannot be tried."""
     changes = islice(changes_beforehand(work), MOST_BEFOREHAND)
-    return [
-        Trial(change, 0, 0, might=False, reach=EVERYWHERE, angular=False, off=ANYTHING) for change in changes
-    ]
+    return [Trial(change, 0, 0, reach=EVERYWHERE, angular=False, off=ANYTHING) for change in changes]

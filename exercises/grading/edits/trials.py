@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
+from functools import cached_property
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
@@ -37,7 +38,6 @@ class Trial(NamedTuple):
         failing: how many facts still fail, whichever way the axes point.
         misplaced: how many others fail: signs, where the directions of the variables are fixed, and what lies
             between axes that are no neighbours, where their zeros are.
-        might: none fails, and the axes can be turned so that their signs agree: it may be the robot.
         reach: what an edit must have to do with that mends all facts that fail, or, if none does, all that
             is misplaced: joints from … to.
         angular: an angle is among them, so that lengths alone do not mend them.
@@ -47,7 +47,6 @@ class Trial(NamedTuple):
     change: Change
     failing: int
     misplaced: int
-    might: bool
     reach: tuple[int, int]
     angular: bool
     off: Off
@@ -61,53 +60,66 @@ class Trial(NamedTuple):
 UNCHANGED = Change("", Extent.CELL)
 
 
-def tried(
-    works: Sequence[Work],
-    catalogue: Catalogue = changes_of,
-    *,
-    finishing: bool = True,
-    most_failing: int | None = None,
-) -> list[list[Trial]]:
-    """Return the edits of a catalogue, tried on tables.
+def finishing(works: Sequence[Work], catalogue: Catalogue = changes_of) -> list[list[Change]]:
+    """Return for every table the edits of a catalogue after which it might be the robot.
+
+    No fact fails then, and the axes can be turned so that their signs agree.
 
     Args:
         works: tables for one key, at the same draw.
         catalogue: the edits that may be made to a table.
-        finishing: only edits are wanted after which the table might be the robot.
-        most_failing: after others that are not wanted either more facts than these fail; None: any may.
-
-    Returns:
-        For every table the edits with which its joints are those of the key.
     """
-    if not works:
-        return []
-    sieves: list[Sieve] = []
-    if finishing:
-        sieves = [Sieve(work) for work in works]
-        works = [sieve.narrowed() for sieve in sieves]
-    elif most_failing is not None:
-        sieves = [Sieve(work, most_failing) for work in works]
-        works = [sieve.concerned() for sieve in sieves]
+    sieves = [Sieve(work) for work in works]
+    works = [sieve.narrowed() for sieve in sieves]
+    found: list[list[Change]] = [[] for _ in works]
+    for batch in _batches(works, catalogue, finishing_reaches(works), sieves, finishing=True):
+        for (number, change), might in zip(batch.made, batch.misfits.might_be_none(), strict=True):
+            if might:
+                found[number].append(change)
+    return found
+
+
+def tried(work: Work, catalogue: Catalogue = changes_of, *, most_failing: int | None = None) -> list[Trial]:
+    """Return what came of the edits of a catalogue with which a table's joints are those of the key.
+
+    Args:
+        work: the table.
+        catalogue: the edits that may be made to it.
+        most_failing: after others that are not wanted either more facts than these fail; None: any may.
+    """
+    sieves = [] if most_failing is None else [Sieve(work, most_failing)]
+    works = [sieve.concerned() for sieve in sieves] or [work]
+    batches = _batches(works, catalogue, [works[0].reach], sieves, finishing=False)
+    return [
+        Trial(change, *misfit)
+        for batch in batches
+        for (_, change), misfit in zip(batch.made, batch.misfits.told, strict=True)
+    ]
+
+
+def _batches(
+    works: Sequence[Work],
+    catalogue: Catalogue,
+    reaches: Sequence[tuple[int, int]],
+    sieves: Sequence[Sieve],
+    *,
+    finishing: bool,
+) -> Iterator[_Batch]:
+    """The edits of a catalogue; then those in which one more of their unsolved cells has a value."""
     fits = _fits(works)
-    reaches = finishing_reaches(works) if finishing else [work.reach for work in works]
     made = [
         (number, change)
         for number, work in enumerate(works)
         for change in _wanted(replace(work, fits=fits[number], reach=reaches[number]), catalogue)
     ]
-    trials: list[list[Trial]] = [[] for _ in works]
     while made:
         if sieves:
             made = [(number, change) for number, change in made if not sieves[number].holds_back(change)]
         if not made:
-            break
+            return
         batch = _Batch(works, made)
-        found = batch.trials(finishing=finishing)
-        for (number, _), trial in zip(made, found, strict=True):
-            if trial is not None and (trial.might or not finishing):
-                trials[number].append(trial)
-        made = batch.solved(found, finishing=finishing)
-    return trials
+        yield batch
+        made = batch.solved(finishing=finishing)
 
 
 def _wanted(work: Work, catalogue: Catalogue) -> list[Change]:
@@ -128,8 +140,8 @@ def tried_unchanged(work: Work) -> Trial | None:
         return None
     invariants = work.invariants
     found = measured_as_typed(invariants, work.table, work.comparison.steps, work.policy)[:, :1]
-    (judged,) = _judged(work, found)
-    return Trial(UNCHANGED, *judged)
+    (misfit,) = _Misfits(work, found).told
+    return Trial(UNCHANGED, *misfit)
 
 
 def _fits(works: Sequence[Work]) -> list[dict[tuple[int, str], list[float]]]:
@@ -181,10 +193,15 @@ def _cells(work: Work) -> list[tuple[int, str]]:
 
 
 class _Batch:
-    """Changes of tables, measured all at once."""
+    """Changes of tables, measured all at once.
+
+    Attributes:
+        made: the number of the table that each is made in, and the change.
+        misfits: what came of them.
+    """
 
     def __init__(self, works: Sequence[Work], made: Sequence[tuple[int, Change]]) -> None:
-        self._works, self._made = works, made
+        self._works, self.made = works, made
         self._tables: list[NumericTable] = []
         numbers: dict[int, int] = {}
         self._variations: list[Variation] = []
@@ -194,38 +211,29 @@ class _Batch:
                 numbers[id(table)] = len(self._tables)
                 self._tables.append(table)
             self._variations.append((numbers[id(table)], change.cells))
-        self._found = _judged(works[0], measured(works[0], self._tables, self._variations))
-
-    def trials(self, *, finishing: bool) -> list[Trial | None]:
-        """Return what came of each change; None where a row that was put in is to finish, and does not."""
-        return [
-            Trial(change, *found)
-            if not finishing or change.code != "row_missing" or self._fits_elsewhere(k, change)
-            else None
-            for k, ((_, change), found) in enumerate(zip(self._made, self._found, strict=True))
-        ]
+        self.misfits = _Misfits(works[0], measured(works[0], self._tables, self._variations))
 
     def _fits_elsewhere(self, k: int, change: Change) -> bool:
         """Whether everything fits that has nothing to do with the row put in and its neighbours."""
         assert change.row is not None
-        if not self._found[k][0]:
-            return True
+        failing, _, (start, end), _, _ = self.misfits.told[k]
         joint = self._tables[self._variations[k][0]].joint_rows.index(change.row) + 1
-        start, end = self._found[k][3]
-        return start <= joint <= end
+        return not failing or start <= joint <= end
 
-    def solved(self, trials: Sequence[Trial | None], *, finishing: bool) -> list[tuple[int, Change]]:
+    def solved(self, *, finishing: bool) -> list[tuple[int, Change]]:
         """Return the changes that put a value that fits in one more of their unsolved cells; each table once.
 
-        Angles are solved for before lengths; with a length first, an angle that fails is never mended.
+        Angles are solved for before lengths; with a length first, an angle that fails is never mended. A row
+        put in that is to finish, and leaves something elsewhere, is given up.
         """
         unsolved: list[int] = []
         wanted: list[Unsolved] = []
-        for k, trial in enumerate(trials):
-            if trial is None or not trial.change.unsolved:
+        for k, (_, change) in enumerate(self.made):
+            if not change.unsolved:
                 continue
-            change = trial.change
-            angles_first = finishing and trial.angular
+            if finishing and change.code == "row_missing" and not self._fits_elsewhere(k, change):
+                continue
+            angles_first = finishing and self.misfits.told[k].angular
             cells = [cell for cell in change.unsolved if cell in ANGLES or not angles_first]
             if cells:
                 unsolved.append(k)
@@ -233,11 +241,11 @@ class _Batch:
                 wanted.append(Unsolved(self._variations[k][0], change.cells, places))
         if not wanted:
             return []
-        filled = {id(self._made[k][1].table) for k in unsolved}
-        known = {self._content(*made) for made in self._made if id(made[1].table) in filled}
+        filled = {id(self.made[k][1].table) for k in unsolved}
+        known = {self._content(*made) for made in self.made if id(made[1].table) in filled}
         made = []
         for k, values in zip(unsolved, fitting_values(self._works[0], self._tables, wanted), strict=True):
-            number, change = self._made[k]
+            number, change = self.made[k]
             for (row, cell), found in values.items():
                 left = tuple(c for c in change.unsolved if c != cell and (cell in ANGLES or c not in ANGLES))
                 for value in found:
@@ -255,36 +263,57 @@ class _Batch:
         return number, id(change.table), *cells.items()
 
 
-def _judged(
-    work: Work, found: NDArray[np.float64]
-) -> list[tuple[int, int, bool, tuple[int, int], bool, Off]]:
-    """What a trial says of tables, from their invariants (q, k): all but the change."""
-    invariants, axes = work.invariants, len(work.reference.chain.axes) + 2
-    fixed = fixed_ends(axes, work.policy)
-    strains, facts = invariants.strains(found), work.n_facts
-    failing, strained = strains > 1.0, strains > OFF
-    angles = invariants.angular[:facts]
-    kinds = (strained[:facts] & angles, strained[:facts] & ~angles, strained[facts:])
-    off = zip(*((some.sum(axis=0) > 0).tolist() for some in kinds), strict=True)
-    counts = failing[:facts].sum(axis=0)
-    if work.policy.direction is DirectionRule.FIGURE:
-        fixed = (*fixed, *range(1, axes - 1))
-        pointing = fixed_signs(invariants.shapes, fixed)
-        failing[pointing] |= ~invariants.fits(found)[0][pointing]
-    misplaced = failing.sum(axis=0) - counts
-    might = (counts == 0) & (misplaced == 0)
-    which = np.flatnonzero(might)
-    if which.size:
-        costs = ~np.array(invariants.fits(found[:, which]))
-        might[which] = least_cost(invariants.shapes, axes, costs.astype(float), fixed) == 0.0
-    if misplaced.any():
-        failing &= (counts == 0) | (strains > 1.0)
-        failing[facts:, counts > 0] = False
-    first, last = invariants.spans
-    starts = np.where(failing, first, 0).max(axis=0, initial=0) - REACH_OF_A_ROW
-    ends = np.where(failing, last, FAR).min(axis=0, initial=FAR) + REACH_OF_A_ROW
-    reaches = zip(starts.tolist(), ends.tolist(), strict=True)
-    angular = np.where(invariants.angular, failing, False).sum(axis=0) > 0
-    return list(
-        zip(counts.tolist(), misplaced.tolist(), might.tolist(), reaches, angular.tolist(), off, strict=True)
-    )
+class _Misfit(NamedTuple):
+    """What of the key one table does not have; see `Trial`."""
+
+    failing: int
+    misplaced: int
+    reach: tuple[int, int]
+    angular: bool
+    off: Off
+
+
+class _Misfits:
+    """What of the key tables do not have, from their invariants: (q, k)."""
+
+    def __init__(self, work: Work, found: NDArray[np.float64]) -> None:
+        self._invariants, self._facts, self._found = work.invariants, work.n_facts, found
+        self._axes = len(work.reference.chain.axes) + 2
+        self._fixed = fixed_ends(self._axes, work.policy)
+        self._strains = self._invariants.strains(found)
+        self._failing = self._strains > 1.0
+        self._counts = self._failing[: self._facts].sum(axis=0)
+        if work.policy.direction is DirectionRule.FIGURE:
+            self._fixed = (*self._fixed, *range(1, self._axes - 1))
+            pointing = fixed_signs(self._invariants.shapes, self._fixed)
+            self._failing[pointing] |= ~self._invariants.fits(found)[0][pointing]
+        self._misplaced = self._failing.sum(axis=0) - self._counts
+
+    def might_be_none(self) -> list[bool]:
+        """Of each whether nothing fails, and the axes can be turned so that the signs agree."""
+        might = (self._counts == 0) & (self._misplaced == 0)
+        which = np.flatnonzero(might)
+        if which.size:
+            costs = ~np.array(self._invariants.fits(self._found[:, which]))
+            sums = least_cost(self._invariants.shapes, self._axes, costs.astype(float), self._fixed)
+            might[which] = sums == 0.0
+        return might.tolist()
+
+    @cached_property
+    def told(self) -> list[_Misfit]:
+        """What of the key each does not have."""
+        counts, failing, facts = self._counts, self._failing, self._facts
+        angular, strained = self._invariants.angular, self._strains > OFF
+        angles = angular[:facts]
+        kinds = (strained[:facts] & angles, strained[:facts] & ~angles, strained[facts:])
+        off = zip(*(some.any(axis=0).tolist() for some in kinds), strict=True)
+        if self._misplaced.any():
+            failing = failing & ((counts == 0) | (self._strains > 1.0))
+            failing[facts:, counts > 0] = False
+        first, last = self._invariants.spans
+        starts = np.where(failing, first, 0).max(axis=0, initial=0) - REACH_OF_A_ROW
+        ends = np.where(failing, last, FAR).min(axis=0, initial=FAR) + REACH_OF_A_ROW
+        reaches = zip(starts.tolist(), ends.tolist(), strict=True)
+        of_angles = (failing & angular).any(axis=0)
+        columns = (counts.tolist(), self._misplaced.tolist(), reaches, of_angles.tolist(), off)
+        return [_Misfit(*misfit) for misfit in zip(*columns, strict=True)]
