@@ -15,6 +15,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, reduce
 from math import cos, sin
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -50,8 +51,7 @@ _EYE = np.eye(4)
 _REVERSED = np.diag([1.0, -1.0, -1.0, 1.0])
 
 
-@dataclass(frozen=True, slots=True)
-class Axis:
+class Axis(NamedTuple):
     """A joint axis at q = 0, pointing the way the joint variable counts.
 
     Attributes:

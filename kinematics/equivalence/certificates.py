@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from typing import NamedTuple
 
 from kinematics.chain import Chain
 from kinematics.equivalence.groups import Rotations, outside
@@ -20,8 +20,7 @@ from kinematics.se3 import (
 )
 
 
-@dataclass(frozen=True, slots=True)
-class CertificateCandidate:
+class CertificateCandidate(NamedTuple):
     """A certificate that has yet to be verified.
 
     Attributes:
@@ -37,8 +36,7 @@ class CertificateCandidate:
     tool: Motion
 
 
-@dataclass(frozen=True, slots=True)
-class CertificatePath:
+class CertificatePath(NamedTuple):
     """How the axes were aligned, joint by joint.
 
     Attributes:

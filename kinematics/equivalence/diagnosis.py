@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 
@@ -46,8 +47,7 @@ WIDTH = 8
 NOTICEABLE = 2.0
 
 
-@dataclass(frozen=True, slots=True)
-class Trail:
+class Trail(NamedTuple):
     """The facts found on the way down the chain, with one choice of signs.
 
     Attributes:
@@ -296,7 +296,7 @@ def _end(trail: Trail, plan: Plan, reference: Reference, submission: Chain, poli
         return trail
     missed = Mismatch(kind=Kind.TOOL, joint=len(trail.signs) or None, angle=angle, length=length)
     facts = _last_link(reference, placed, target, policy)
-    return replace(trail, cost=trail.cost + 1.0, mismatches=(*trail.mismatches, missed, *facts))
+    return trail._replace(cost=trail.cost + 1.0, mismatches=(*trail.mismatches, missed, *facts))
 
 
 def _last_link(reference: Reference, placed: Motion, target: Motion, policy: Policy) -> Iterator[Mismatch]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from enum import Enum, auto
 
 from kinematics.chain import Chain
@@ -237,7 +237,7 @@ class Search:
             for placement, last in enumerate(placements(choice, here)):
                 self._charge(per_certificate(len(submission.axes)))
                 way = Way(index, start, path.signs, which, placement)
-                candidate = self._candidate(0, plan, choice, replace(path, last=last))
+                candidate = self._candidate(0, plan, choice, path._replace(last=last))
                 found = judged(reference, submission, candidate, tolerance, measured=self.measured)
                 if found.within(tolerance):
                     everywhere = self._everywhere(way, (candidate, found))
@@ -280,7 +280,7 @@ class Search:
         placed = placements(choice, here)
         if way.placement >= len(placed):
             return None
-        return self._candidate(draw, plan, choice, replace(path, last=placed[way.placement]))
+        return self._candidate(draw, plan, choice, path._replace(last=placed[way.placement]))
 
     def _plan_and_choice(self, draw: int, way: Way) -> tuple[Plan, ToolChoice] | None:
         reference, near = self.references[draw], self.near(draw)
@@ -296,7 +296,7 @@ class Search:
     ) -> CertificateCandidate:
         chains = self.references[draw].chain, self.submissions[draw]
         candidate = candidate_from(chains, plan, path, self.policy.zero, tool_turns=choice.turns)
-        return replace(candidate, tool=obeying(choice, candidate.tool))
+        return candidate._replace(tool=obeying(choice, candidate.tool))
 
     def _refined(
         self, draw: int, way: Way, candidate: CertificateCandidate

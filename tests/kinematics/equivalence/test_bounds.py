@@ -81,12 +81,12 @@ def test_one_axis_beside_its_place_or_aslant_is_all_of_the_bound(joint: int) -> 
 
     assert upper_bound(reference, chain, alike) == pytest.approx((0.0, 0.0), abs=1e-12)
     axis, aside = chain.axes[joint], perpendicular(chain.axes[joint].direction)
-    beside = with_axis(replace(axis, point=along(axis.point, 0.01, aside)))
+    beside = with_axis(axis._replace(point=along(axis.point, 0.01, aside)))
     bound = upper_bound(reference, beside, alike)
     assert bound.angle == pytest.approx(0.0, abs=1e-12)
     assert bound.length * reference.size == pytest.approx(0.02)
     turned = rotate(rotation_about(axis.point, aside, math.cos(0.01), math.sin(0.01)), axis.direction)
-    aslant = with_axis(replace(axis, direction=turned))
+    aslant = with_axis(axis._replace(direction=turned))
     bound = upper_bound(reference, aslant, alike)
     worst = worst_case(reference, aslant, alike).residual
     assert bound.angle == pytest.approx(0.02)
