@@ -28,6 +28,8 @@ Floats = NDArray[np.float64]
 
 # Axes less than this apart [rad] count as parallel: rounded entries turn them by less, mistakes by more.
 NEARLY = 0.01
+# Whether one of two axes is turned round and the other is not: by whether the first is, and the second.
+_TURNED = np.array(((0, 1), (1, 0)))
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -123,16 +125,11 @@ class Facts:
             found = self.invariants.measured(axis_batch(besides))
         fits = np.array(self.invariants.fits(found))
         has = np.logical_or(fits[0], fits[1])
-        if shift or not has[self._twists].all() or not self._alike(axes):
+        if shift or not has[self.invariants.gauge.twists[:, 0]].all() or not self._alike(axes):
             shapes = self.invariants.shapes
             for q, k in zip(*map(np.ndarray.tolist, np.nonzero(has)), strict=True):
                 has[q, k] = self._has(shapes[q], besides[k], placings[k])
         return lost, fits, has
-
-    @property
-    def _twists(self) -> list[int]:
-        """The places of the angles between neighbouring axes; where all fit, lengths mean what they mean."""
-        return [q for q, shape in enumerate(self.invariants.shapes) if shape.measure is Measure.ANGLE]
 
     def _alike(self, axes: Sequence[Axis]) -> bool:
         return all(one.prismatic is other.prismatic for one, other in zip(self.axes, axes, strict=True))
@@ -219,17 +216,16 @@ def least_cost(shapes: tuple[Shape, ...], axes: int, costs: Floats, fixed: tuple
         (k,) the sums.
     """
     alone, pairs, free, held = _links(shapes, axes, fixed)
-    single, double = alone @ costs, pairs @ costs
-    steps = np.empty((axes, 2, 2, costs.shape[2]))
-    for before in (0, 1):
-        for now in (0, 1):
-            np.add(double[before ^ now], single[now], out=steps[:, before, now])
-    steps[list(fixed), :, 1] = np.inf
-    best = steps[0, 0]
-    for step in steps[1:]:
-        best = np.minimum(best[0] + step[0], best[1] + step[1])
-    rest = costs[:, free].min(axis=0).sum(axis=0) + costs[0, held].sum(axis=0)
-    return np.asarray(best.min(axis=0) + rest, dtype=np.float64)
+    steps = (pairs @ costs)[_TURNED] + alone @ costs  # (before, now, axes, k)
+    if fixed:
+        steps[:, 1, fixed] = np.inf
+    best = steps[0, :, 0]
+    for i in range(1, axes):
+        best = np.minimum(best[0] + steps[0, :, i], best[1] + steps[1, :, i])
+    least = np.minimum(best[0], best[1])
+    if free or held:
+        least += costs[:, free].min(axis=0).sum(axis=0) + costs[0, held].sum(axis=0)
+    return np.asarray(least, dtype=np.float64)
 
 
 @remembered(lambda shapes, axes, fixed: axes, longest=USUAL_ROWS, most=256, few=32)

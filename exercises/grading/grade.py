@@ -95,7 +95,7 @@ def _values_that_matter(
     reference: ReadTable, submission: ReadTable, parameters: Mapping[str, float]
 ) -> tuple[tuple[str, float], ...]:
     """The values that a verdict depends on: with an answer in names, whatever a student was given, none."""
-    if compared_by_names(reference, submission, parameters):
+    if not parameters or compared_by_names(reference, submission, parameters):
         return ()
     return tuple(sorted(parameters.items(), key=lambda item: item[0]))
 

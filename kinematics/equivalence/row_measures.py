@@ -68,8 +68,8 @@ class _Seen(NamedTuple):
         normals: of distances the same.
         offsets: places, and joints, of offsets along one axis.
         runs: places, and the first and the last joint, of offsets along several.
-        flat: links between axes that must be parallel, or steep.
-        steep: the latter.
+        above, upto: (links, 1) sines between which nothing is read: of axes parallel only nearly; where
+            axes must be parallel, of any other; where they must not, of any up to these.
     """
 
     number: int
@@ -77,8 +77,8 @@ class _Seen(NamedTuple):
     normals: tuple[Places, Places]
     offsets: tuple[Places, Places]
     runs: tuple[tuple[int, int, int], ...]
-    flat: Places
-    steep: Places
+    above: Floats
+    upto: Floats
 
 
 @remembered(lambda shapes, joints: len(shapes), longest=USUAL_INVARIANTS, most=1024, few=32)
@@ -122,18 +122,14 @@ def _seen(shapes: tuple[Shape, ...], joints: int) -> _Seen | None:
         normals=_columns(normals),
         offsets=_columns(offsets),
         runs=tuple(runs),
-        flat=_numbers(flat),
-        steep=_numbers(steep),
+        above=np.array([-1.0 if link in steep else EXACTLY for link in range(joints - 1)])[:, None],
+        upto=np.array([np.inf if link in flat else PARALLEL for link in range(joints - 1)])[:, None],
     )
 
 
 def _columns(pairs: Sequence[tuple[int, int]]) -> tuple[Places, Places]:
     places, numbers = np.array(pairs, dtype=np.intp).reshape(-1, 2).T
     return places, numbers
-
-
-def _numbers(links: set[int]) -> Places:
-    return np.array(sorted(links), dtype=np.intp)
 
 
 def _read(seen: _Seen, links: NDArray[np.complex128], d: Floats) -> tuple[Floats, NDArray[np.bool_]]:
@@ -156,6 +152,4 @@ def _read(seen: _Seen, links: NDArray[np.complex128], d: Floats) -> tuple[Floats
     for place, first, last in seen.runs:
         ways = np.copysign(1.0, np.multiply.accumulate(cosine[first:last], axis=0))
         found[place] = d[first] + (ways * d[first + 1 : last + 1]).sum(axis=0)
-    between = (size > EXACTLY) & (size <= PARALLEL)
-    out_of_line = between.sum(axis=0) + (size[seen.flat] > EXACTLY).sum(axis=0)
-    return found, out_of_line + (size[seen.steep] <= PARALLEL).sum(axis=0) > 0
+    return found, ((size > seen.above) & (size <= seen.upto)).any(axis=0)

@@ -101,7 +101,8 @@ class Work:
     @property
     def facts(self) -> Invariants:
         """The facts among the invariants, wherever the variables are zero."""
-        return self.invariants.some(range(self.n_facts))
+        known = self.invariants
+        return known if self.n_facts == len(known.shapes) else known.some(range(self.n_facts))
 
     @cached_property
     def excess(self) -> int:

@@ -161,9 +161,10 @@ def compared_by_names(reference: ReadTable, submission: ReadTable, parameters: M
     Args and raises as in `comparisons`.
     """
     values_of(reference, submission, parameters, 1.0)
-    ways = ways_of(reference, submission, tuple(parameters.items()))
-    always = has_a_value_always(reference.table) and has_a_value_always(submission.table)
-    return always and ways == ((submission, frozenset()),)
+    (way, fixed), *others = ways_of(reference, submission, tuple(parameters.items()))
+    if others or fixed or way != submission:
+        return False
+    return has_a_value_always(reference.table) and has_a_value_always(submission.table)
 
 
 @lru_cache(maxsize=256)

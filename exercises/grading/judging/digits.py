@@ -96,7 +96,7 @@ def digits_and_angles(
 
 def floors(invariants: Invariants, reference: Reference) -> Floats:
     """Return what the arithmetic may do to invariants, (q,)."""
-    return FLOOR * np.array([1.0 if shape.is_angle else reference.size for shape in invariants.shapes])
+    return FLOOR * np.where(invariants.angular[:, 0], 1.0, reference.size)
 
 
 def tightened(

@@ -6,10 +6,10 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property, lru_cache
+from functools import cache, cached_property, lru_cache
 from random import Random
 
-from kinematics.cells import AngleUnit, ParameterKind, ReadTable, canonical_name, substitution
+from kinematics.cells import AngleUnit, LengthUnit, ParameterKind, ReadTable, canonical_name, substitution
 from kinematics.errors import Fault, ParameterError
 from kinematics.expressions import Call, Number, Parameter, Power, walk
 from kinematics.table import CELLS, SymbolicTable
@@ -57,7 +57,7 @@ def values_of(
         ParameterError: a value is not a finite number or belongs to no parameter.
     """
     kinds = {**submission.parameters, **reference.parameters}
-    ratio = reference.length_unit.metres_per_unit / submission.length_unit.metres_per_unit
+    ratio = _ratio(reference.length_unit, submission.length_unit)
     values: dict[str, Fraction | float] = {}
     faults: list[Fault] = []
     for spelled, value in parameters.items():
@@ -66,12 +66,17 @@ def values_of(
         if found is not None:
             faults.append(found)
         elif name is not None and kinds[name] is ParameterKind.LENGTH:
-            values[name] = _typed(value) * ratio
+            values[name] = _typed(value) if ratio == 1 else _typed(value) * ratio
         elif name is not None:
             values[name] = math.radians(value) if reference.angle_unit is AngleUnit.DEG else float(value)
     if faults:
         raise ParameterError(faults)
     return Values(kinds=kinds, given=values, scale=scale)
+
+
+@cache
+def _ratio(given: LengthUnit, wanted: LengthUnit) -> Fraction:
+    return given.metres_per_unit / wanted.metres_per_unit
 
 
 @lru_cache(maxsize=4096)
