@@ -8,6 +8,7 @@ from enum import StrEnum
 from itertools import pairwise
 
 from exercises.grading import HelpLevel
+from exercises.grading.verdict import LEVELS
 from exercises.reading import Reader
 from kinematics.keys import ValueKind
 
@@ -72,7 +73,7 @@ def read_access(reader: Reader) -> ExerciseAccess:
 
 def lowest(levels: Sequence[HelpLevel]) -> HelpLevel:
     """Return the level that tells least."""
-    return min(levels, key=list(HelpLevel).index)
+    return min(levels, key=LEVELS.index)
 
 
 def _count(reader: Reader, name: str) -> int | None:

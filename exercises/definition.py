@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
+from functools import cached_property
 from types import MappingProxyType
 
 from exercises.access import ExerciseAccess
@@ -131,7 +132,7 @@ class Exercise:
         """Return the part of a kind, if it is asked."""
         return next((part for part in self.parts if part.kind == kind), None)
 
-    @property
+    @cached_property
     def points(self) -> Fraction:
         """What all parts together are worth."""
         return sum((part.points for part in self.parts), Fraction(0))

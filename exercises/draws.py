@@ -93,7 +93,10 @@ class Picker:
 
 def is_alike(value: Fraction, others: Collection[Fraction], share: Fraction = ALIKE) -> bool:
     """Return whether a value is as large as one of some sizes, to within a share."""
-    return any(abs(abs(value) - other) <= share * max(abs(value), other) for other in others)
+    a, b = abs(value).as_integer_ratio()
+    p, q = share.as_integer_ratio()
+    products = ((a * d, c * b) for c, d in (other.as_integer_ratio() for other in others))
+    return any(q * abs(one - two) <= p * max(one, two) for one, two in products)
 
 
 def pick(values: Sequence[Value], *names: str) -> Value:

@@ -31,8 +31,11 @@ class HelpLevel(StrEnum):
 
     def includes(self, needed: HelpLevel) -> bool:
         """Return whether this level tells what is told from another one on."""
-        levels = list(HelpLevel)
-        return levels.index(self) >= levels.index(needed)
+        return LEVELS.index(self) >= LEVELS.index(needed)
+
+
+LEVELS = tuple(HelpLevel)
+"""From the least help to the most."""
 
 
 class Basis(StrEnum):

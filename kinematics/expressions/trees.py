@@ -35,10 +35,10 @@ class Number:
         if type(other) is not Number:
             return NotImplemented
         one, two = self.value, other.value
-        return one is two or (one.numerator == two.numerator and one.denominator == two.denominator)
+        return one is two or one.as_integer_ratio() == two.as_integer_ratio()
 
     def __hash__(self) -> int:
-        return hash((self.value.numerator, self.value.denominator))
+        return hash(self.value.as_integer_ratio())
 
 
 @dataclass(frozen=True, slots=True)

@@ -57,7 +57,8 @@ def evaluate(
     """
     try:
         if type(expression) is Number:  # what most cells hold
-            return expression.value.numerator / expression.value.denominator
+            numerator, denominator = expression.value.as_integer_ratio()
+            return numerator / denominator
         value = _value(expression, parameters or {}, joints)
     except KeyError as missing:
         name = str(missing.args[0])
@@ -109,7 +110,8 @@ def _value(node: Expression, parameters: Mapping[str, float], joints: Sequence[f
     if type(node) is Parameter:
         return parameters[node.name]
     if type(node) is Number:
-        return node.value.numerator / node.value.denominator
+        numerator, denominator = node.value.as_integer_ratio()
+        return numerator / denominator
     if type(node) is Product:
         if len(node.factors) == 2 and type(node.factors[1]) is Pi and type(node.factors[0]) is Number:
             return _times_pi(node.factors[0].value)
@@ -125,7 +127,8 @@ def _value(node: Expression, parameters: Mapping[str, float], joints: Sequence[f
 
 
 def _times_pi(value: Fraction) -> float:
+    numerator, denominator = value.as_integer_ratio()
     try:
-        return math.pi * value.numerator / value.denominator
+        return math.pi * numerator / denominator
     except OverflowError:  # no double is as large as the denominator of the least one
-        return math.pi * (value.numerator / value.denominator)
+        return math.pi * (numerator / denominator)
