@@ -14,7 +14,7 @@ from exercises.grading.judging.judgement import share_of
 from exercises.grading.judging.typed import ANGLES, Place
 from kinematics.chain import chain_of_table
 from kinematics.equivalence import Tolerance
-from kinematics.equivalence.decision import certify
+from kinematics.equivalence.decision import is_certified
 from kinematics.equivalence.invariants import axes_of
 from kinematics.equivalence.meter import Meter
 from kinematics.equivalence.search import Effort
@@ -58,5 +58,5 @@ def _keeps_rules(work: Work, steps: Mapping[Place, float]) -> bool:
     chains = [chain_of_table(table) for table in work.comparison.meant]
     policy, meter = replace(work.policy, tolerance=tolerance), Meter(WORK_OF_ONE_EDIT)
     with meter.at_most(WORK_OF_ONE_EDIT):
-        return certify(work.references, chains, policy, Effort.REFINED, meter, measured=False) is not None
+        return is_certified(work.references, chains, policy, Effort.REFINED, meter)
     return False

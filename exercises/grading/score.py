@@ -19,7 +19,7 @@ from exercises.grading.judging.digits import measured_as_typed, tightened
 from exercises.grading.judging.typed import SAME
 from kinematics.chain import Axis, chain_of_table
 from kinematics.equivalence import Decision, DirectionRule, Kind, Policy, ZeroRule
-from kinematics.equivalence.decision import certify, convention_fits
+from kinematics.equivalence.decision import convention_fits, is_certified
 from kinematics.equivalence.invariants import axes_of
 from kinematics.equivalence.measures import Measure, Shape
 from kinematics.equivalence.meter import Meter
@@ -159,8 +159,7 @@ def _has_one_other_twist(work: Work) -> bool:
     meter = Meter(WORK_OF_ONE_EDIT)
     with meter.at_most(WORK_OF_ONE_EDIT):
         return any(
-            certify((prepared(other),), (answer,), work.policy, Effort.PLAIN, meter, measured=False)
-            for other in others
+            is_certified((prepared(other),), (answer,), work.policy, Effort.PLAIN, meter) for other in others
         )
     return False
 

@@ -130,6 +130,30 @@ def certify(
         meter: counts the work, if it is bounded.
         measured: the residual at the samples is wanted.
     """
+    found = _found(references, submissions, policy, effort, meter, measured=measured)
+    return None if found is None else _certificate(found)
+
+
+def is_certified(
+    references: Sequence[Reference],
+    submissions: Sequence[Chain],
+    policy: Policy,
+    effort: Effort = Effort.REFINED,
+    meter: Meter | None = None,
+) -> bool:
+    """Return whether `certify` finds a certificate, where nobody wants to see it; arguments as there."""
+    return _found(references, submissions, policy, effort, meter, measured=False) is not None
+
+
+def _found(
+    references: Sequence[Reference],
+    submissions: Sequence[Chain],
+    policy: Policy,
+    effort: Effort,
+    meter: Meter | None,
+    *,
+    measured: bool,
+) -> Found | None:
     types = [axis.prismatic for axis in references[0].chain.axes]
     if types != [axis.prismatic for axis in submissions[0].axes]:
         return None
@@ -159,12 +183,12 @@ def _first(
     meter: Meter | None,
     *,
     measured: bool,
-) -> Certificate | None:
+) -> Found | None:
     """The first certificate that stands, whatever axes count as parallel."""
     for level in references[0].levels(policy.base, policy.zero, policy.tolerance):
         found = Search(references, submissions, policy, level, effort, meter, measured).run()
         if found is not None:
-            return _certificate(found)
+            return found
     return None
 
 

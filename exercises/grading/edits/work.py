@@ -17,7 +17,7 @@ from kinematics.cells import ReadTable
 from kinematics.chain import chain_of_table
 from kinematics.equivalence import Policy
 from kinematics.equivalence.batches import CellChange
-from kinematics.equivalence.decision import certify, convention_fits
+from kinematics.equivalence.decision import convention_fits, is_certified
 from kinematics.equivalence.invariants import Invariants, invariants_of
 from kinematics.equivalence.meter import PER_ROW, Meter
 from kinematics.equivalence.reference import Reference
@@ -225,8 +225,8 @@ class Work:
         self.meter.charge(PER_ROW * len(tables) * len(tables[0].rows))
         chains = [chain_of_table(table) for table in tables]
         with self.meter.at_most(WORK_OF_ONE_EDIT):
-            found = certify(references, chains, self.policy, effort, self.meter, measured=False)
-            return found is not None and not any(map(self._has_an_end_off, references, tables))
+            found = is_certified(references, chains, self.policy, effort, self.meter)
+            return found and not any(map(self._has_an_end_off, references, tables))
         return False
 
     def _has_an_end_off(self, reference: Reference, table: NumericTable) -> bool:

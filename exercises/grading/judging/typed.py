@@ -83,7 +83,13 @@ def meant(
     left: dict[Place, float] = {}
     for (i, cell), step in steps.items():
         entry = getattr(rows[i], cell)
-        if cell not in ANGLES and isinstance(entry, Number) and entry.value and abs(entry.value) in given:
+        if (
+            given
+            and cell not in ANGLES
+            and isinstance(entry, Number)
+            and entry.value
+            and abs(entry.value) in given
+        ):
             continue
         exact = _angle(entry, step, known_angles) if cell in ANGLES else _nearest(entry, step, known_lengths)
         if exact is None:
@@ -188,8 +194,13 @@ def _angle(entry: Expression, step: float, known: list[tuple[float, Expression]]
     here = evaluate(entry)
     twelfths = round(here / TWELFTH)
     if abs(here - twelfths * TWELFTH) <= step:
-        return pi_times(Fraction(twelfths, 12))
+        return _twelfths_of_pi(twelfths)
     return _nearest(entry, step, known)
+
+
+@lru_cache(maxsize=64)
+def _twelfths_of_pi(number: int) -> Expression:
+    return pi_times(Fraction(number, 12))
 
 
 def _nearest(entry: Expression, step: float, known: list[tuple[float, Expression]]) -> Expression | None:

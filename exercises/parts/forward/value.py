@@ -23,7 +23,7 @@ from exercises.parts.context import Context
 from exercises.parts.samples import Samples
 from kinematics.chain import Axis, Chain, chain_of_axes
 from kinematics.equivalence import Tolerance
-from kinematics.equivalence.decision import certify
+from kinematics.equivalence.decision import is_certified
 from kinematics.equivalence.reference import prepared
 from kinematics.errors import ParameterError
 from kinematics.se3 import cross_arrays, from_matrix, inverse_transform
@@ -117,7 +117,7 @@ def _is_robot_at(
         return False
     in_units = _scaled(chain, 1.0 / context.unit_ratio)
     policy = replace(context.policy, tolerance=tolerance)
-    return certify([prepared(key)], [in_units], policy) is not None
+    return is_certified([prepared(key)], [in_units], policy)
 
 
 def chain_of_poses(
