@@ -9,7 +9,8 @@ joint, sliders or frames take part, and axes that are parallel only nearly.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import NamedTuple
+from itertools import pairwise
+from typing import NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,14 +21,19 @@ from kinematics.equivalence.policy import Policy
 from kinematics.remembering import USUAL_INVARIANTS, remembered
 from kinematics.table import NumericTable
 
-Places = NDArray[np.intp]
+Places: TypeAlias = NDArray[np.intp] | slice
+"""Evenly spaced places are a slice: an array of a few takes ten times as long."""
 
 # A sine: axes are parallel but for the errors of the arithmetic.
 EXACTLY = 1e-12
 
 
 def measured_of_tables(
-    shapes: tuple[Shape, ...], tables: Sequence[NumericTable], variations: Sequence[Variation], policy: Policy
+    shapes: tuple[Shape, ...],
+    tables: Sequence[NumericTable],
+    variations: Sequence[Variation],
+    policy: Policy,
+    angles_alone: Sequence[int] = (),
 ) -> Floats:
     """(q, k) invariants of tables in which some cells are changed, as their axes point.
 
@@ -36,6 +42,7 @@ def measured_of_tables(
         tables: tables with the same number of joints.
         variations: the candidates.
         policy: what is fixed at the ends.
+        angles_alone: numbers of candidates of which only the angles are wanted; their lengths may be wrong.
     """
     joints = tables[0].joint_rows
     seen = _seen(shapes, len(joints)) if joints and _has_a_row_each(tables) else None
@@ -44,6 +51,8 @@ def measured_of_tables(
     first, last = joints[0], joints[-1] + 1
     cells = cells_of_tables(tables, variations)
     found, doubtful = _read(seen, cells[first + 1 : last], cells[first:last, 3].real)
+    if angles_alone:
+        doubtful[angles_alone] = False
     if doubtful.any():
         which = np.flatnonzero(doubtful)
         some = [variations[k] for k in which.tolist()]
@@ -128,8 +137,14 @@ def _seen(shapes: tuple[Shape, ...], joints: int) -> _Seen | None:
 
 
 def _columns(pairs: Sequence[tuple[int, int]]) -> tuple[Places, Places]:
-    places, numbers = np.array(pairs, dtype=np.intp).reshape(-1, 2).T
-    return places, numbers
+    return _places([place for place, _ in pairs]), _places([number for _, number in pairs])
+
+
+def _places(numbers: Sequence[int]) -> Places:
+    steps = {two - one for one, two in pairwise(numbers)} or {1}
+    if numbers and len(steps) == 1 and (step := min(steps)) > 0:
+        return slice(numbers[0], numbers[-1] + 1, step)
+    return np.array(numbers, dtype=np.intp)
 
 
 def _read(seen: _Seen, links: NDArray[np.complex128], d: Floats) -> tuple[Floats, NDArray[np.bool_]]:
@@ -152,4 +167,5 @@ def _read(seen: _Seen, links: NDArray[np.complex128], d: Floats) -> tuple[Floats
     for place, first, last in seen.runs:
         ways = np.copysign(1.0, np.multiply.accumulate(cosine[first:last], axis=0))
         found[place] = d[first] + (ways * d[first + 1 : last + 1]).sum(axis=0)
-    return found, ((size > seen.above) & (size <= seen.upto)).any(axis=0)
+    doubtful = (size > seen.above) & (size <= seen.upto)
+    return found, np.asarray(doubtful.any(axis=0))

@@ -60,13 +60,16 @@ class Unsolved(NamedTuple):
 
 
 def measured(
-    work: Work, tables: Sequence[NumericTable], variations: Sequence[Variation]
+    work: Work,
+    tables: Sequence[NumericTable],
+    variations: Sequence[Variation],
+    angles_alone: Sequence[int] = (),
 ) -> NDArray[np.float64]:
-    """(q, k) the invariants of tables in which some cells are changed, as their axes point."""
+    """(q, k) the invariants of tables in which some cells are changed; see `measured_of_tables`."""
     invariants = work.invariants
     rows = max(len(table.rows) for table in tables)
     work.meter.charge(per_batch(len(variations), rows, len(invariants.shapes)))
-    return measured_of_tables(invariants.shapes, tables, variations, work.policy)
+    return measured_of_tables(invariants.shapes, tables, variations, work.policy, angles_alone)
 
 
 def fitting_values(
@@ -83,7 +86,10 @@ def fitting_values(
     turns = any(shape.measure is Measure.TURN for shape in invariants.shapes)
     variations: list[Variation] = []
     counts: list[int] = []
+    owns: list[int] = []
+    turned: list[int] = []
     for unsolved in wanted:
+        owns.append(len(variations))
         variations.append((unsolved.number, unsolved.cells))
         for place in unsolved.places:
             here = _entry(tables, unsolved, place)
@@ -93,16 +99,18 @@ def fitting_values(
                 around = [here - scale, here + scale]
             else:
                 around = [-scale, scale, 0.0]
+            if place[1] in ANGLES:
+                turned += range(len(variations), len(variations) + len(around))
             counts.append(len(around))
             variations += [(unsolved.number, (*unsolved.cells, (*place, value))) for value in around]
-    found = measured(work, tables, variations)
-    functions = _Functions(invariants, work.n_facts, found, scale)
+    found = measured(work, tables, variations, turned)
+    functions = _Functions(invariants, found, scale)
+    strained_in = _strained(invariants, work.n_facts, found[:, owns])
     solved: list[dict[Place, list[float]]] = []
-    column, each = 0, iter(counts)
-    for unsolved in wanted:
-        own, column = column, column + 1
+    each = iter(counts)
+    for unsolved, own, (facts, misplaced) in zip(wanted, owns, strained_in, strict=True):
+        column = own + 1
         solved.append({})
-        facts, misplaced = functions.strained(own)
         for row, cell in unsolved.places:
             place, angular, count = (row, cell), cell in ANGLES, next(each)
             moves = cell == VARIABLE_CELLS.get(tables[unsolved.number].rows[row].joint)
@@ -128,19 +136,12 @@ def _entry(tables: Sequence[NumericTable], unsolved: Unsolved, place: Place) -> 
 class _Functions:
     """How invariants depend on cells, from their values at a few."""
 
-    def __init__(self, invariants: Invariants, facts: int, found: NDArray[np.float64], scale: float) -> None:
+    def __init__(self, invariants: Invariants, found: NDArray[np.float64], scale: float) -> None:
         self._scale = scale
         self._measures = [shape.measure for shape in invariants.shapes]
         self._targets: list[float] = invariants.own_sizes[:, 0].tolist()
-        self._values = np.where(invariants.gauge.twists, np.cos(found), found * found)
-        strains = invariants.strains(found)
-        self._strains = strains.T
-        self._worst = _worst(strains[:facts]), facts + _worst(strains[facts:])
-
-    def strained(self, column: int) -> tuple[list[int], ...]:
-        """The invariants that fit least at a column, the worst first: facts; and where joints are zero."""
-        strains = self._strains[column]
-        return tuple([k for k in worst[column].tolist() if strains[k] > OFF] for worst in self._worst)
+        values = np.where(invariants.gauge.twists, np.cos(found), found * found)
+        self._values: list[list[float]] = values.tolist()
 
     def solved(
         self, strained: Sequence[int], own: int, first: int, here: float, *, angular: bool
@@ -159,8 +160,7 @@ class _Functions:
             if (measure in (Measure.DISTANCE, Measure.OFFSET)) is angular:
                 continue
             values = self._values[k]
-            around: list[float] = values[first : first + 4].tolist()
-            middle = float(values[own])
+            around, middle = values[first : first + (4 if angular else 2)], values[own]
             if not angular:
                 found = list(_lengths(around[0], middle, around[1], target, here, self._scale))
             elif measure is Measure.ANGLE:
@@ -172,8 +172,17 @@ class _Functions:
         return []
 
 
-def _worst(strains: NDArray[np.float64]) -> NDArray[np.intp]:
-    return np.argsort(-strains, axis=0, kind="stable")[:MOST_STRAINED].T
+def _strained(
+    invariants: Invariants, facts: int, found: NDArray[np.float64]
+) -> list[tuple[list[int], list[int]]]:
+    """Of every table the invariants that fit least, the worst first: facts; and where joints are zero."""
+    strains = invariants.strains(found).T
+    worst = np.argsort(-strains[:, :facts], kind="stable")[:, :MOST_STRAINED]
+    others = facts + np.argsort(-strains[:, facts:], kind="stable")[:, :MOST_STRAINED]
+    return [
+        ([k for k in one if own[k] > OFF], [k for k in other if own[k] > OFF])
+        for own, one, other in zip(strains.tolist(), worst.tolist(), others.tolist(), strict=True)
+    ]
 
 
 def _lengths(

@@ -9,7 +9,7 @@ fixed rows or sliders stand between, or axes are parallel only nearly, nothing i
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
 from typing import NamedTuple
@@ -137,7 +137,11 @@ class LegibleFacts:
                 if most < 0:
                     return True
         at = self._at
-        touched = {fact for place in changed if place in at for fact in at[place]}
+        if len(changed) == 1:
+            (place,) = changed
+            touched: Collection[LegibleFact] = at.get(place, ())
+        else:
+            touched = {fact for place in changed for fact in at.get(place, ())}
         for fact in touched:
             if fact.is_wrong(rows, changed):
                 most -= 1
@@ -175,8 +179,9 @@ class Sieve:
         """Return whether too much is seen to be wrong after a change that leads to the key's joints."""
         if change.table is None and not change.unsolved:
             return self._entries.leave_wrong(change, self._rows, self.wrong, self._most)
-        table = change.table or self._work.table
-        return self._of(table).are_wrong(change, table.rows, self._most)
+        if change.table is None:
+            return self._entries.are_wrong(change, self._rows, self._most)
+        return self._of(change.table).are_wrong(change, change.table.rows, self._most)
 
     def concerned(self) -> Work:
         """The table and what an edit has to do with that mends anything, where all that fails is seen."""

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
+from functools import lru_cache
 from itertools import combinations
 from operator import neg
 
@@ -29,32 +30,32 @@ CLEARLY_DEGREES = math.tau
 def _every_cell(
     work: Work, code: str, names: tuple[str, ...], edit: Callable[[float], float], **params: str
 ) -> Iterator[Change]:
-    """Some cells of every row as a function of what stands in them."""
+    """Some cells of every row as a function of what stands in them; of nothing it makes nothing."""
     touching = tuple(name for name in names if name != "theta")
     if not work.leaves(touching):
         return iter(())
-    touched = _places(range(len(work.table.rows)), touching)
+    touched = _places(tuple(range(len(work.table.rows))), touching)
     cells = [
         (i, name, now)
         for i, row in enumerate(work.table.rows)
         for name in names
-        if (now := edit(here := getattr(row, name))) != here
+        if (here := getattr(row, name)) and (now := edit(here)) != here
     ]
     return _throughout(code, touched, cells, **params)
 
 
 def _throughout(
-    code: str, touched: Sequence[Place], cells: Sequence[CellChange], **params: str
+    code: str, touched: tuple[Place, ...], cells: Sequence[CellChange], **params: str
 ) -> Iterator[Change]:
     """One change of some columns; none if no cell is other than it was."""
     if cells:
-        yield Change(
-            code, Extent.TABLE, cells=tuple(cells), touched=tuple(touched), params=tuple(params.items())
-        )
+        yield Change(code, Extent.TABLE, cells=tuple(cells), touched=touched, params=tuple(params.items()))
 
 
-def _places(rows: Iterable[int], names: Sequence[str]) -> list[Place]:
-    return [(i, name) for i in rows for name in names]
+@lru_cache(maxsize=256)
+def _places(rows: tuple[int, ...], names: tuple[str, ...]) -> tuple[Place, ...]:
+    """The places in some rows and columns; the same in all tables of an exercise."""
+    return tuple((i, name) for i in rows for name in names)
 
 
 def other_convention(work: Work) -> Iterator[Change]:
@@ -123,7 +124,7 @@ def _along_x_of(work: Work, code: str, others: Sequence[NumericRow | None]) -> I
     """A and α of every row as they stand in another, or zero."""
     if not work.leaves(ALONG_X):
         return iter(())
-    touched = _places(range(len(others)), ALONG_X)
+    touched = _places(tuple(range(len(others))), ALONG_X)
     cells = [
         (i, name, now)
         for i, (row, other) in enumerate(zip(work.table.rows, others, strict=True))
@@ -171,14 +172,15 @@ def _in_order(work: Work, code: str, belongs: dict[str, str], **params: str) -> 
         for i, row in enumerate(work.table.rows)
         if row.joint is not JointType.PRISMATIC or "d" not in belongs
     ]
-    touched = _places([i for i, _ in rows], tuple(belongs))
+    touched = _places(tuple(i for i, _ in rows), tuple(belongs))
     units = {"alpha": 180.0 / math.pi if work.answer.angle_unit is AngleUnit.DEG else 1.0, "a": 1.0, "d": 1.0}
+    moved = [(column, place, units[column] / units[place]) for column, place in belongs.items()]
     named = {place for place, _, _ in _named_entries(work)}
     cells = [
         (i, place, now)
         for i, row in rows
-        for column, place in belongs.items()
-        if (now := getattr(row, column) * (1.0 if (i, column) in named else units[column] / units[place]))
+        for column, place, ratio in moved
+        if (now := (here := getattr(row, column)) * (1.0 if not here or (i, column) in named else ratio))
         != getattr(row, place)
     ]
     yield from _throughout(code, touched, cells, **params)

@@ -294,10 +294,13 @@ class _Misfits:
         might = (self._counts == 0) & (self._misplaced == 0)
         which = np.flatnonzero(might)
         if which.size:
-            costs = ~np.array(self._invariants.fits(self._found[:, which]))
-            sums = least_cost(self._invariants.shapes, self._axes, costs.astype(float), self._fixed)
-            might[which] = sums == 0.0
-        return might.tolist()
+            fits = np.array(self._invariants.fits(self._found[:, which]))
+            if not fits[0].all():
+                costs = (~fits).astype(float)
+                sums = least_cost(self._invariants.shapes, self._axes, costs, self._fixed)
+                might[which] = sums == 0.0
+        found: list[bool] = might.tolist()
+        return found
 
     @cached_property
     def told(self) -> list[_Misfit]:
@@ -314,6 +317,7 @@ class _Misfits:
         starts = np.where(failing, first, 0).max(axis=0, initial=0) - REACH_OF_A_ROW
         ends = np.where(failing, last, FAR).min(axis=0, initial=FAR) + REACH_OF_A_ROW
         reaches = zip(starts.tolist(), ends.tolist(), strict=True)
-        of_angles = (failing & angular).any(axis=0)
-        columns = (counts.tolist(), self._misplaced.tolist(), reaches, of_angles.tolist(), off)
-        return [_Misfit(*misfit) for misfit in zip(*columns, strict=True)]
+        of_angles: list[bool] = np.asarray((failing & angular).any(axis=0)).tolist()
+        misplaced: list[int] = self._misplaced.tolist()
+        misfits = zip(counts.tolist(), misplaced, reaches, of_angles, off, strict=True)
+        return [_Misfit(*misfit) for misfit in misfits]
