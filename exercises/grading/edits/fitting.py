@@ -160,7 +160,7 @@ class _Functions:
             if (measure in (Measure.DISTANCE, Measure.OFFSET)) is angular:
                 continue
             values = self._values[k]
-            around, middle = values[first : first + (4 if angular else 2)], values[own]
+            around, middle = values[first : first + 4], values[own]
             if not angular:
                 found = list(_lengths(around[0], middle, around[1], target, here, self._scale))
             elif measure is Measure.ANGLE:
