@@ -45,7 +45,7 @@ def _has_the_facts(work: Work, steps: Mapping[Place, float]) -> bool:
     )
     axes = axes_of(reference.chain, policy)
     worth = np.ones(len(invariants.shapes))
-    facts = Facts(axes, invariants, fixed_ends(len(axes), policy), worth, joint=1.0, sign=1.0)
+    facts = Facts(axes, invariants, fixed_ends(len(axes), policy), worth, sign=1.0)
     return not facts.wrong(axes_of(chain_of_table(work.table), policy))
 
 

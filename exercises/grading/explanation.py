@@ -22,7 +22,7 @@ from exercises.grading.findings import (
     wrong_facts,
 )
 from exercises.grading.judging.comparison import Comparison
-from exercises.grading.judging.digits import tightened
+from exercises.grading.judging.digits import steps_of_wrong, tightened
 from exercises.grading.judging.judgement import IMPRECISE, REFUTED, diagnosed, policy_of, share_of
 from exercises.grading.score import lost, score_of
 from exercises.grading.verdict import Edit, Feedback, HelpLevel, LinkFinding, ParamValue, Repair
@@ -186,7 +186,9 @@ def work_on(comparison: Comparison, tables: tuple[ReadTable, ReadTable], policy:
 
     @cache
     def at(draw: int) -> Invariants:
-        facts = tightened(references[draw], comparison.meant[draw], comparison.steps, strict, share)
+        key, table = references[draw], comparison.meant[draw]
+        steps = steps_of_wrong(comparison.steps, table, key, strict.tolerance)
+        facts = tightened(key, table, steps, strict, share)
         return facts.beside(home_invariants_of(references[draw], strict))
 
     return Work(

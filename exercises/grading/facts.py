@@ -37,7 +37,7 @@ class Weights:
     """What the facts of a robot are worth beside one another.
 
     Attributes:
-        joint: that a joint is there, has the right type and stands in the right order.
+        joint: that a joint is there and stands in the right order; that it has the right type, twice as much.
         twist: an angle between neighbouring axes.
         length: a distance of neighbouring axes.
         offset: a distance along an axis, or an angle about the axis of a prismatic joint.
@@ -72,28 +72,35 @@ class Facts:
         invariants: its lengths and angles, each with the slack within which an answer has it.
         fixed: the axes of which the policy fixes which way they point, by their numbers.
         worth: (q,) what each of these is worth.
-        joint: what a joint is worth.
         sign: the share of a fact that is lost where only its sign is wrong.
+        to_earn: the weight of the facts that a table of zeros does not have.
+        joint: the share of what an answer has of these that it loses by a joint too many or too few.
+        type: the share that it loses by a joint of another type.
     """
 
     axes: Sequence[Axis]
     invariants: Invariants
     fixed: tuple[int, ...]
     worth: Floats
-    joint: float
     sign: float
+    to_earn: float = 0.0
+    joint: float = 0.0
+    type: float = 0.0
 
     def wrong(self, axes: Sequence[Axis], found: Floats | None = None) -> float:
-        """Return the weight of the facts that an answer does not have.
+        """Return the weight of the facts that an answer does not have, and of what its joints take with them.
+
+        A table of zeros has the right joints for nothing, so they can only be lost: each that is wrong takes
+        a share of what is right beside it.
 
         Args:
             axes: its joint axes between base and tool, as those of the key.
             found: (q, 1) its invariants, if they are known; of an answer with the key's number of joints.
         """
-        lost, fits, has = self._compared(axes, found)
+        kept, fits, has = self._compared(axes, found)
         costs = np.where(fits & has, 0.0, np.where(has, self.sign, 1.0) * self.worth[:, None])
         least = least_cost(self.invariants.shapes, len(self.axes), costs, self.fixed)
-        return float((least + lost).min()) + self.joint * max(len(axes) - len(self.axes), 0)
+        return float((least + np.maximum(self.to_earn - least, 0.0) * (1.0 - kept)).min())
 
     def shared(self, axes: Sequence[Axis]) -> NDArray[np.bool_]:
         """(q,) which invariants an answer has, but for signs.
@@ -105,13 +112,12 @@ class Facts:
 
     def _compared(
         self, axes: Sequence[Axis], found: Floats | None
-    ) -> tuple[list[float], NDArray[np.bool_], NDArray[np.bool_]]:
+    ) -> tuple[Floats, NDArray[np.bool_], NDArray[np.bool_]]:
         """An answer compared with the key, its joints placed beside the key's in k ways.
 
         Returns:
-            (k,) the weight of the joints that are missing or of another type; (2, q, k) which invariants fit
-            as the axes point, and with one of them turned round; (q, k) which do either way and mean the
-            same.
+            (k,) the share that wrong joints leave of what is right; (2, q, k) which invariants fit as the
+            axes point, and with one of them turned round; (q, k) which do either way and mean the same.
         """
         shift = len(axes) - len(self.axes)
         splits = range(min(len(axes), len(self.axes)) - 1) if shift else range(1)
@@ -120,7 +126,8 @@ class Facts:
             [self.axes[i] if place is None else axes[place] for i, place in enumerate(places)]
             for places in placings
         ]
-        lost = [self._lost(*one) for one in zip(besides, placings, strict=True)]
+        kept = np.array([self._kept(*one) for one in zip(besides, placings, strict=True)])
+        kept *= (1.0 - self.joint) ** max(shift, 0)
         if found is None:
             found = self.invariants.measured(axis_batch(besides))
         fits = np.array(self.invariants.fits(found))
@@ -129,18 +136,19 @@ class Facts:
             shapes = self.invariants.shapes
             for q, k in zip(*map(np.ndarray.tolist, np.nonzero(has)), strict=True):
                 has[q, k] = self._has(shapes[q], besides[k], placings[k])
-        return lost, fits, has
+        return kept, fits, has
 
     def _alike(self, axes: Sequence[Axis]) -> bool:
         return all(one.prismatic is other.prismatic for one, other in zip(self.axes, axes, strict=True))
 
-    def _lost(self, beside: Sequence[Axis], places: Sequence[int | None]) -> float:
-        """The weight of the joints that are missing or of another type."""
-        ours = self.axes
-        return self.joint * sum(
-            place is None or beside[i].prismatic is not ours[i].prismatic
-            for i, place in enumerate(places[1:-1], 1)
+    def _kept(self, beside: Sequence[Axis], places: Sequence[int | None]) -> float:
+        """The share that joints which are missing or of another type leave of what is right."""
+        missing = sum(place is None for place in places[1:-1])
+        others = sum(
+            place is not None and one.prismatic is not other.prismatic
+            for place, one, other in zip(places[1:-1], beside[1:-1], self.axes[1:-1], strict=True)
         )
+        return float((1.0 - self.joint) ** missing * (1.0 - self.type) ** others)
 
     def _has(self, shape: Shape, axes: Sequence[Axis], places: Sequence[int | None]) -> bool:
         """Whether an invariant means in the answer what it means in the key."""

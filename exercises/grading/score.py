@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from exercises.grading.edits.changes import Change, Extent
+from exercises.grading.edits.changes import Change, Extent, with_row
 from exercises.grading.edits.repairs import Repaired
 from exercises.grading.edits.work import WORK_OF_ONE_EDIT, Work
 from exercises.grading.facts import Facts, Floats, Weights, fixed_ends
@@ -34,6 +34,10 @@ HIGHEST_PARTIAL = 0.95
 DECIMALS = 2
 """What is shown of a score."""
 RULES = frozenset({Kind.ZERO, Kind.DIRECTION, Kind.CONVENTION})
+OF_A_TYPE = 2.0
+"""How often the weight of a joint its type counts: an arm with another joint there is another kind of arm."""
+MOST_OF_A_JOINT = 0.5
+"""What a joint takes at the most of what is right beside it: a short arm has no more facts than joints."""
 CELL = 1.0
 """What a slip in a cell costs, in facts of weight 1."""
 SIGNS = frozenset({"alpha_sign", "a_sign", "d_sign", "variable_sign"})
@@ -56,13 +60,16 @@ def score_of(decision: Decision, repairs: Sequence[Repaired], work: Work, weight
     nothing = standard.nothing
     slip = repairs[0].changes[0] if repairs and len(repairs[0].changes) == 1 else None
     throughout = slip is not None and _is_throughout(slip)
-    if not nothing or (not throughout and _has_no_more_than_zeros(work, standard)):
+    if not nothing or not standard.facts.axes or (not throughout and _has_no_more_than_zeros(work, standard)):
+        return 0.0
+    singles = [repair.changes[0] for repair in repairs if len(repair.changes) == 1]
+    if slip is not None and all(_is_nothing_without_a_row(work, change, standard) for change in singles):
         return 0.0
     off = max(weights.sign, lost(decision, work, weights))
     if off > CELL:
         off -= _shared_across_sliders(work, standard)
     if slip is not None and not _is_of_length_or_turn(slip):
-        off = min(off, _cost(slip, weights, nothing))
+        off = min(off, max(_cost(slip, weights, nothing), _size_across_sliders(work, standard, slip)))
     elif slip is not None:
         off = min(off, max(CELL, _wrong(work, standard) - _shared_across_sliders(work, standard)))
     if off > CELL and _has_one_other_twist(work):
@@ -78,14 +85,15 @@ def marks_to_earn(key: NumericTable, policy: Policy, weights: Weights) -> float:
 def _cost(change: Change, weights: Weights, nothing: float) -> float:
     """What the slip costs that a change undoes, in facts.
 
-    One throughout the table leaves half of what a table of zeros loses, which has not one such thing right:
-    two names exchanged are all the facts of a SCARA, and still one slip. So does a forgotten variable, all of
-    whose row is right: the facts of a short arm may be its joint's and the neighbours'.
+    One in a row or throughout the table leaves half of what a table of zeros loses, which has not one such
+    thing right: two names exchanged are all the facts of a SCARA, those of a joint and its neighbours all of
+    a short arm, and still it is one slip.
     """
     if change.code in SIGNS:
         return weights.sign
-    cost = {Extent.CELL: CELL, Extent.ROW: weights.row, Extent.TABLE: weights.table}[change.extent]
-    return min(cost, nothing / 2.0) if _is_throughout(change) or change.code == "joint_fixed" else cost
+    if change.extent is Extent.CELL:
+        return CELL
+    return min(weights.row if change.extent is Extent.ROW else weights.table, nothing / 2.0)
 
 
 def _is_of_length_or_turn(change: Change) -> bool:
@@ -105,10 +113,30 @@ def _shared_across_sliders(work: Work, standard: _Standard) -> float:
     turn. One edit mends all of them in some frames, in others two do; the mark is the same.
     """
     wrong, least = _wrong(work, standard), 0.0
-    for of_gap in _across_sliders(standard.facts):
-        without = replace(standard.facts, worth=np.where(of_gap, 0.0, standard.facts.worth))
-        least = max(least, wrong - _wrong(work, standard._replace(facts=without)) - CELL)
+    for without in _without_each_gap(standard):
+        least = max(least, wrong - _wrong(work, without) - CELL)
     return least
+
+
+def _size_across_sliders(work: Work, standard: _Standard, slip: Change) -> float:
+    """What another sign of a length costs where it changes how far apart axes with sliders between them are.
+
+    In what rows that distance stands depends on where the sliders were drawn, and whether a sign mends it.
+    """
+    if slip.code not in ("a_sign", "d_sign"):
+        return 0.0
+    wrong = _wrong(work, standard)
+    across = [wrong - _wrong(work, without) for without in _without_each_gap(standard)]
+    return min(CELL, max(across, default=0.0))
+
+
+def _without_each_gap(standard: _Standard) -> list[_Standard]:
+    """The standard without what lies across sliders, for each group of them."""
+    facts = standard.facts
+    return [
+        standard._replace(facts=replace(facts, worth=np.where(of_gap, 0.0, facts.worth)))
+        for of_gap in _across_sliders(facts)
+    ]
 
 
 @lru_cache(maxsize=32)
@@ -183,6 +211,16 @@ def _has_no_more_than_zeros(work: Work, standard: _Standard) -> bool:
     return _wrong(work, standard) >= standard.of_zeros - SAME
 
 
+def _is_nothing_without_a_row(work: Work, change: Change, standard: _Standard) -> bool:
+    """Whether an answer lacks a row and the others have no more than zeros: it would bring all facts."""
+    if change.code != "row_missing" or change.row is None:
+        return False
+    table = change.of(work.table)
+    empty = replace(table.rows[change.row], theta=0.0, d=0.0, a=0.0, alpha=0.0)
+    completed = replace(work, table=with_row(table, change.row, empty))
+    return _has_no_more_than_zeros(completed, standard)
+
+
 def lost(decision: Decision, work: Work, weights: Weights) -> float:
     """Return the weight of the facts that are wrong, and of the rules that are not kept.
 
@@ -244,7 +282,7 @@ def _standard(reference: Reference, policy: Policy, weights: Weights) -> _Standa
     invariants = tightened(reference, None, {}, policy, 0.0)
     worth = np.array([weights.of(shape.measure) for shape in invariants.shapes], dtype=np.float64)
     axes = axes_of(reference.chain, policy)
-    facts = Facts(axes, invariants, fixed_ends(len(axes), policy), worth, weights.joint, weights.sign)
+    facts = Facts(axes, invariants, fixed_ends(len(axes), policy), worth, weights.sign)
     rules = weights.rule * _unconfirmed(policy)
     if not facts.axes:
         return _Standard(facts, 0.0, rules)
@@ -252,6 +290,11 @@ def _standard(reference: Reference, policy: Policy, weights: Weights) -> _Standa
     given = facts.shared(zeros)
     all_given = float(worth[given].sum()) + weights.joint * len(reference.chain.axes)
     share = min(1.0, (facts.wrong(zeros) + rules) / all_given) if all_given else 1.0
-    facts = replace(facts, worth=np.where(given, share * worth, worth), joint=share * weights.joint)
+    facts = replace(facts, worth=np.where(given, share * worth, worth))
     wrong = facts.wrong(zeros)
+    if wrong:
+        joint, other = (
+            min(cost / wrong, MOST_OF_A_JOINT) for cost in (weights.joint, OF_A_TYPE * weights.joint)
+        )
+        facts = replace(facts, to_earn=wrong, joint=joint, type=other)
     return _Standard(facts, wrong, wrong + rules)

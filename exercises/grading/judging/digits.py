@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from exercises.grading.judging.typed import ANGLES, Place
-from kinematics.equivalence import BaseRule, Policy, ToolRule
+from kinematics.equivalence import BaseRule, Policy, Tolerance, ToolRule
 from kinematics.equivalence.batches import Variation
 from kinematics.equivalence.invariants import FLOOR, Invariants, invariants_of
 from kinematics.equivalence.measures import Shape
@@ -127,6 +127,26 @@ def tightened(
     own = invariants.own_sizes[:, 0]
     slacks = np.maximum(share * own, SECOND_ORDER * reaches) + floors(invariants, reference)
     return invariants.held_to(slacks[:, None])
+
+
+def steps_of_wrong(
+    steps: Mapping[Place, float], table: NumericTable, reference: Reference, tolerance: Tolerance
+) -> dict[Place, float]:
+    """Return how exactly a wrong answer was typed: its zeros at least to within the tolerance.
+
+    Beside lengths typed to the metre, what was left out would else count as right.
+
+    Args:
+        steps: half a unit of the last place of its decimals.
+        table: the answer.
+        reference: the key.
+        tolerance: what its poses are held to.
+    """
+    lengths, angles = tolerance.length * reference.size, tolerance.angle
+    return {
+        (i, cell): step if getattr(table.rows[i], cell) else min(step, angles if cell in ANGLES else lengths)
+        for (i, cell), step in steps.items()
+    }
 
 
 def explained_by_digits(

@@ -95,6 +95,7 @@ def is_mended(mutation: Mutation, repairs: tuple[Repair, ...]) -> bool:
 
 MOST_WRONG = 5
 PADDED = 0.2
+IN_KEY_FRAMES = 0.3
 PADDING = DHRow(joint=JointType.FIXED, theta=0.0, d=0.0, a=0.0, alpha=0.0)
 
 
@@ -102,8 +103,9 @@ def score_chains(block: int, tables: int = TABLES_PER_BLOCK) -> Outcome:
     """Tables with one more cell wrong every time, each drawn in other frames: the score never rises.
 
     The cells are changed in the key's own frames, each once and by a random amount, so that no change undoes
-    another; then the robot that results is drawn as a person would. Failures are scores that rise or that
-    depend on rows of zeros, and tables of zeros that earn anything.
+    another; then the robot that results is drawn as a person would. Some tables stay in the key's frames, and
+    of these the types of joints become wrong as well. Failures are scores that rise or that depend on rows of
+    zeros, and tables of zeros that earn anything.
     """
     rng = Random(f"chains {block}")
     known = references()
@@ -119,10 +121,10 @@ def score_chains(block: int, tables: int = TABLES_PER_BLOCK) -> Outcome:
         verdict = grade(key, written(zeros), policy)
         if not verdict.correct and verdict.score != 0.0:
             outcome.failures.append(f"zeros earn {verdict.score}: {name}")
-        before, wrong = 1.0, reference
-        for cell in _some_cells(reference, rng):
+        before, wrong, redrawn = 1.0, reference, rng.random() > IN_KEY_FRAMES
+        for cell in _some_cells(reference, rng, types=not redrawn):
             wrong = _spoiled(wrong, cell, rng)
-            answer = drawn_by_hand(wrong, rng)
+            answer = drawn_by_hand(wrong, rng) if redrawn else wrong
             if answer is None:
                 break
             place = f"{name}, block {block}, {cell}"
@@ -140,21 +142,27 @@ def score_chains(block: int, tables: int = TABLES_PER_BLOCK) -> Outcome:
     return outcome
 
 
-def _some_cells(table: NumericTable, rng: Random) -> list[tuple[int, str]]:
-    """Cells of which a robot's facts depend, in random order."""
+def _some_cells(table: NumericTable, rng: Random, *, types: bool) -> list[tuple[int, str]]:
+    """Cells of which a robot's facts depend, in random order; perhaps those that make a joint what it is."""
     cells = [
         (i, cell)
         for i, row in enumerate(table.rows)
-        for cell in ("alpha", "a", "d")
-        if cell != "d" or row.joint is JointType.REVOLUTE
+        for cell in ("alpha", "a", "d", *(("joint",) if types else ()))
+        if (row.joint is JointType.REVOLUTE if cell == "d" else cell != "joint" or row.joint in _OTHER_TYPE)
     ]
     return rng.sample(cells, min(MOST_WRONG, len(cells)))
 
 
+_OTHER_TYPE = {JointType.REVOLUTE: JointType.PRISMATIC, JointType.PRISMATIC: JointType.REVOLUTE}
+
+
 def _spoiled(table: NumericTable, cell: tuple[int, str], rng: Random) -> NumericTable:
     row, name = cell
+    rows = list(table.rows)
+    if name == "joint":
+        rows[row] = replace(rows[row], joint=_OTHER_TYPE[rows[row].joint])
+        return DHTable(convention=table.convention, rows=tuple(rows))
     scale = 1.0 if name == "alpha" else prepared(table).size
     value = getattr(table.rows[row], name) + scale * rng.choice((-1, 1)) * rng.uniform(0.2, 0.7)
-    rows = list(table.rows)
     rows[row] = replace(rows[row], **{name: value})
     return DHTable(convention=table.convention, rows=tuple(rows))

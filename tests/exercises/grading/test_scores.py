@@ -29,7 +29,7 @@ from tests.exercises.grading.test_grade import (
 )
 from tests.exercises.grading.written import Cell, read, written
 from tests.kinematics.equivalence import tables
-from tests.kinematics.equivalence.tables import P, R
+from tests.kinematics.equivalence.tables import HALF, P, R
 from tests.kinematics.equivalence.test_refinement import scaled
 from tests.kinematics.robots import numeric
 
@@ -81,7 +81,7 @@ SCARAS: dict[str, tuple[Rows, float]] = {
     "lengths exchanged": (with_cells(SCARA, (2, 1, "a3"), (3, 1, "a2")), 1),
     "a twist": (with_cells(SCARA, (3, 0, "pi/2")), 1),
     "a twist and a length": (with_cells(SCARA, (3, 0, "pi/2"), (2, 1, 0)), 2),
-    "no slider": ([(0, 0, 0, "q1"), (0, "a2", 0, "q2"), (0, "a3", 0, "q3"), (0, 0, 0, "q4")], 0.5),
+    "no slider": ([(0, 0, 0, "q1"), (0, "a2", 0, "q2"), (0, "a3", 0, "q3"), (0, 0, 0, "q4")], 1),
 }
 
 
@@ -240,7 +240,7 @@ def test_a_turn_about_sliders_is_none_where_they_are_no_longer_parallel() -> Non
 @pytest.mark.parametrize("row", [1, 2, 3])
 @pytest.mark.parametrize("rule", [ToolRule.FREE, ToolRule.AXIS])
 def test_a_forgotten_variable_leaves_half_of_a_short_arm(row: int, rule: ToolRule) -> None:
-    """What a joint and its neighbours are may be all the facts; one more that is wrong leaves nothing."""
+    """What a joint and its neighbours are may be all the facts; one more that is wrong leaves no more."""
     policy = Policy(tool=rule)
     rows: Rows = [("pi/2", 0.1, 0, "q1"), (0, 0.4, 0.2, "q2"), ("pi/6", 0, "q3", 0.3), (0, 0.05, 0.2, 0)]
     forgotten = with_cells(rows, (row, 2 if row == 3 else 3, 0.3))
@@ -248,4 +248,84 @@ def test_a_forgotten_variable_leaves_half_of_a_short_arm(row: int, rule: ToolRul
     assert verdict.repairs[0].edits[0].code == "joint_fixed"
     assert verdict.score == 0.5
     more = with_cells(forgotten, (1, 0, 0.4))
-    assert grade(read("standard", rows), read("standard", more), policy).score < 0.5
+    assert grade(read("standard", rows), read("standard", more), policy).score <= 0.5
+
+
+KINDS = {
+    "puma": (tables.PUMA, 9),
+    "stanford": (
+        tables.standard(
+            (R, -HALF, 0, 0, 0),
+            (R, HALF, 0, 0.15, 0),
+            (P, 0, 0, 0, 0),
+            (R, -HALF, 0, 0, 0),
+            (R, HALF, 0, 0, 0),
+            (R, 0, 0, 0, 0),
+        ),
+        6,
+    ),
+    "scara": (tables.SCARA, 2),
+    "two links": (tables.standard((R, 0, 0.5, 0, 0), (R, 0, 0.3, 0, 0)), 1),
+    "polar": (tables.standard((R, -HALF, 0, 0.4, 0), (R, HALF, 0, 0.2, 0), (P, 0, 0, 0, 0)), 2),
+    "cartesian": (tables.standard((P, -HALF, 0, 0, 0), (P, HALF, 0, 0, HALF), (P, 0, 0, 0, 0)), 3),
+}
+OTHER = {R: P, P: R}
+
+
+@pytest.mark.parametrize(("key", "of"), KINDS.values(), ids=KINDS.keys())
+def test_another_type_of_joint_costs_twice_a_twist_and_at_most_half(key: NumericTable, of: int) -> None:
+    for row, given in enumerate(key.rows, start=1):
+        other = tables.changed(key, row, joint=OTHER[given.joint])
+        assert grade(written(key), written(other), USUAL).score == mark(min(2, of / 2), of)
+
+
+@pytest.mark.parametrize(("key", "of"), KINDS.values(), ids=KINDS.keys())
+def test_every_joint_more_of_another_type_leaves_less(key: NumericTable, of: int) -> None:
+    """Zeros and lengths left out beside them, too; of zeros nothing can be left."""
+    for start, most in ((key, 1.0), (_without_lengths(key), 1.0), (_zeros(key), 0.0)):
+        table, scores = start, [most]
+        for row, given in enumerate(key.rows, start=1):
+            table = tables.changed(table, row, joint=OTHER[given.joint])
+            scores.append(grade(written(key), written(table), USUAL).score)
+        assert scores == sorted(scores, reverse=True)
+
+
+def test_of_several_wrong_types_the_other_facts_leave_something() -> None:
+    """Each takes a third of what is right beside it."""
+    key = KINDS["stanford"][0]
+    wrong = tables.changed(key, 3, joint=R)
+    for row, cells in ((2, {"alpha": 0.0}), (2, {"d": 0.0}), (4, {"alpha": 0.0})):
+        score = grade(written(key), written(tables.changed(wrong, row, **cells)), USUAL).score
+        assert 0.4 < score < 0.67
+
+
+@pytest.mark.parametrize(("key", "of"), KINDS.values(), ids=KINDS.keys())
+def test_a_row_left_out_leaves_what_the_others_say(key: NumericTable, of: int) -> None:
+    """It costs two facts, and no more than half; where the others say no more than zeros, nothing is left."""
+    for row in range(len(key.rows)):
+        rest = replace(key, rows=(*key.rows[:row], *key.rows[row + 1 :]))
+        says_nothing = len(rest.rows) == 1 and row == 0
+        expected = 0.0 if says_nothing else mark(min(2, of / 2), of)
+        assert grade(written(key), written(rest), USUAL).score == expected
+        assert grade(written(key), written(_zeros(rest)), USUAL).score == 0.0
+
+
+def _without_lengths(table: NumericTable) -> NumericTable:
+    return replace(table, rows=tuple(replace(row, a=0.0, d=0.0) for row in table.rows))
+
+
+def _zeros(table: NumericTable) -> NumericTable:
+    rows = (replace(row, theta=0.0, d=0.0, a=0.0, alpha=0.0) for row in table.rows)
+    return replace(table, rows=tuple(rows))
+
+
+@pytest.mark.parametrize("typed", [1, 0.4, 2])
+def test_a_zero_is_no_length_that_was_typed_coarsely(typed: Cell) -> None:
+    """Beside a length typed to the metre, or to a decimetre, those left out counted as right."""
+    zeros = [(2, 1, 0), (3, 1, 0), (3, 2, 0), (4, 2, 0)]
+    key = read("standard", numbers(PUMA))
+    nothing, one = (
+        grade(key, read("standard", with_cells(numbers(PUMA), *cells)), USUAL).score  # type: ignore[arg-type]
+        for cells in (zeros, [*zeros, (2, 1, typed)])
+    )
+    assert nothing == one == mark(4, OF_PUMA)
