@@ -1,4 +1,4 @@
-"""Units written behind a value, in the languages of the pages: 90 grados, 12 mm, π rad, q1 градусів."""
+"""Units written behind a value, in the languages of the pages and in Russian: 90 grados, q1 градусів."""
 
 from __future__ import annotations
 
@@ -17,6 +17,8 @@ grade radiani metru metri milimetru milimetri centimetru centimetri țol țoli i
 градус градуса градуси градусів градусах град радіан радіана радіани радіанів рад метр метра метри метрів м
 міліметр міліметра міліметри міліметрів мм сантиметр сантиметра сантиметри сантиметрів см дюйм дюйма дюйми
 дюймів
+градусов радиан радиана радианы радианов метры метров миллиметр миллиметра миллиметры миллиметров
+сантиметры сантиметров дюймы дюймов
 """
 _SYMBOLS = frozenset({"N", "g", "s", "J", "W", "Hz", "kN"})
 """Symbols of units that are names, too: a cell may hold them where they have a value."""
@@ -27,7 +29,7 @@ _NUMBER = r"(?:\d+[.,]?\d*|\.\d+)(?:[eE][+-]?\d+)?"
 _VARIABLE = r"(?:[qθd]|theta)_?(?:\d+|[₀-₉]+)"
 _VALUE_AND_WORD = re.compile(
     rf"(?<![\w.])(?:{_NUMBER}[ \u00a0\u202f]*|(?:pi|π|{_VARIABLE})[ \u00a0\u202f]+)"
-    r"((?:de )?([^\W\d_]+))(?![\w(])"
+    r"((?:de )?([^\W\d_]+)(?:\.(?!\d))?)(?![\w(])"
 )
 
 

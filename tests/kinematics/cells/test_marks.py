@@ -105,9 +105,13 @@ def test_other_names_of_the_variable_are_told(name):
         "1.5 Rad",
         "12 MM",
         "0.4 метра",
+        "90 градусов",
+        "1.5 радиана",
+        "0.4 метров",
+        "40 миллиметров",
     ],
 )
-def test_units_in_six_languages_are_told(cell):
+def test_units_in_seven_languages_are_told(cell):
     assert faults_of(raw_row(theta=cell)) == [("unit_in_cell", ("rows", 0, "theta"))]
 
 
@@ -121,6 +125,8 @@ def test_the_degree_sign_may_be_a_word(cell):
     [
         ("90 grados", "90"),
         ("pi/2 rad", "pi/2"),
+        ("90 град.", "90"),
+        ("12 мм. + 3 mm.", "12 + 3"),
         ("0.3 m + 0.2 m", "0.3 + 0.2"),
         ("q1 + 90 grados", "q1 + 90"),
         ("90 de grade", "90"),
