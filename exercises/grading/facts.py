@@ -22,7 +22,7 @@ from kinematics.equivalence.groups import outside
 from kinematics.equivalence.invariants import Invariants
 from kinematics.equivalence.measures import Measure, Shape
 from kinematics.remembering import USUAL_ROWS, remembered
-from kinematics.se3 import Vector, cross, norm, unit
+from kinematics.se3 import Vector, cross, dot, norm, unit
 
 Floats = NDArray[np.float64]
 
@@ -172,6 +172,8 @@ class Facts:
         if shape.measure is Measure.OFFSET:
             pairs = {(i, i + 1) for i in span[:-1]} | {(shape.axes[2], shape.axes[3])}
             return all(self._is_as_parallel(axes, i, j) for i, j in pairs)
+        if shape.measure is Measure.SUM:
+            return all(self._is_as_parallel(axes, i, i + 1) for i in span[:-1]) and _are_level(axes, shape)
         if shape.measure is Measure.DISTANCE:
             if len(span) == len(shape.axes) - 2:
                 return True
@@ -262,3 +264,10 @@ def _links(
 
 def _are_parallel(one: Axis, other: Axis) -> bool:
     return norm(cross(one.direction, other.direction)) <= NEARLY
+
+
+def _are_level(axes: Sequence[Axis], shape: Shape) -> bool:
+    """Whether all sliders between the runs of a sum of offsets lie in one plane."""
+    one, other, before, *_, behind = shape.axes[:7]
+    normal = unit(cross(axes[one].direction, axes[other].direction))
+    return all(abs(dot(axes[i].direction, normal)) <= NEARLY for i in range(before + 1, behind))

@@ -5,23 +5,21 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import lru_cache
-from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from exercises.grading.edits.changes import Change, Extent, with_row
+from exercises.grading.across_sliders import across_sliders
+from exercises.grading.edits.changes import Change, Extent, with_joints_mended
 from exercises.grading.edits.repairs import Repaired
 from exercises.grading.edits.work import WORK_OF_ONE_EDIT, Work
 from exercises.grading.facts import Facts, Floats, Weights, fixed_ends
 from exercises.grading.judging.digits import measured_as_typed, tightened
-from exercises.grading.judging.typed import SAME
+from exercises.grading.judging.typed import NOTHING_TYPED, SAME
 from kinematics.chain import Axis, chain_of_table
 from kinematics.equivalence import Decision, DirectionRule, Kind, Policy, ZeroRule
 from kinematics.equivalence.decision import convention_fits, is_certified
 from kinematics.equivalence.invariants import axes_of
-from kinematics.equivalence.measures import Measure, Shape
 from kinematics.equivalence.meter import Meter
 from kinematics.equivalence.reference import Reference, prepared
 from kinematics.equivalence.search import Effort
@@ -47,8 +45,9 @@ def score_of(decision: Decision, repairs: Sequence[Repaired], work: Work, weight
     """Return the partial credit of a wrong answer, in [0, 0.95].
 
     The facts that the answer has wrong, over those that a table of zeros has wrong, taken from 1. Where one
-    named slip explains everything, the answer loses no more than that costs; nor where its robot is the key's
-    but for one twist: among sliders it takes lengths with it, and one edit undoes it in some frames only.
+    named slip explains everything, or one of a joint and another, the answer loses no more than they cost;
+    nor where its robot is the key's but for one twist: among sliders it takes lengths with it, and one edit
+    undoes it in some frames only.
 
     Args:
         decision: what was decided.
@@ -62,8 +61,8 @@ def score_of(decision: Decision, repairs: Sequence[Repaired], work: Work, weight
     throughout = slip is not None and _is_throughout(slip)
     if not nothing or not standard.facts.axes or (not throughout and _has_no_more_than_zeros(work, standard)):
         return 0.0
-    singles = [repair.changes[0] for repair in repairs if len(repair.changes) == 1]
-    if slip is not None and all(_is_nothing_without_a_row(work, change, standard) for change in singles):
+    singles = [repair.changes for repair in repairs if len(repair.changes) == 1]
+    if slip is not None and all(_is_nothing_beside_a_row(work, change, standard) for change in singles):
         return 0.0
     off = max(weights.sign, lost(decision, work, weights))
     if off > CELL:
@@ -72,6 +71,8 @@ def score_of(decision: Decision, repairs: Sequence[Repaired], work: Work, weight
         off = min(off, max(_cost(slip, weights, nothing), _size_across_sliders(work, standard, slip)))
     elif slip is not None:
         off = min(off, max(CELL, _wrong(work, standard) - _shared_across_sliders(work, standard)))
+    elif repairs and not work.has_the_joints() and _is_something(work, repairs[0].changes, standard):
+        off = min(off, sum(_cost(change, weights, nothing) for change in repairs[0].changes))
     if off > CELL and _has_one_other_twist(work):
         off = CELL
     return round(min(max(1.0 - off / nothing, 0.0), HIGHEST_PARTIAL), DECIMALS)
@@ -135,29 +136,8 @@ def _without_each_gap(standard: _Standard) -> list[_Standard]:
     facts = standard.facts
     return [
         standard._replace(facts=replace(facts, worth=np.where(of_gap, 0.0, facts.worth)))
-        for of_gap in _across_sliders(facts)
+        for of_gap in across_sliders(facts)
     ]
-
-
-@lru_cache(maxsize=32)
-def _across_sliders(facts: Facts) -> tuple[NDArray[np.bool_], ...]:
-    """(q,) for each group of sliders: which facts say how the axes on both sides of it lie to each other.
-
-    Angles between neighbours are facts of their own.
-    """
-    turning = [i for i, axis in enumerate(facts.axes) if not axis.prismatic]
-    return tuple(
-        np.array([_is_across(shape, i, k) for shape in facts.invariants.shapes], dtype=np.bool_)
-        for i, k in pairwise(turning)
-        if k > i + 1
-    )
-
-
-def _is_across(shape: Shape, i: int, k: int) -> bool:
-    first, last = min(shape.axes), max(shape.axes)
-    if shape.measure is Measure.TURN:
-        return i <= first and last <= k
-    return shape.measure is not Measure.ANGLE and first <= i and k <= last
 
 
 def _is_throughout(change: Change) -> bool:
@@ -211,14 +191,16 @@ def _has_no_more_than_zeros(work: Work, standard: _Standard) -> bool:
     return _wrong(work, standard) >= standard.of_zeros - SAME
 
 
-def _is_nothing_without_a_row(work: Work, change: Change, standard: _Standard) -> bool:
+def _is_nothing_beside_a_row(work: Work, changes: Sequence[Change], standard: _Standard) -> bool:
     """Whether an answer lacks a row and the others have no more than zeros: it would bring all facts."""
-    if change.code != "row_missing" or change.row is None:
-        return False
-    table = change.of(work.table)
-    empty = replace(table.rows[change.row], theta=0.0, d=0.0, a=0.0, alpha=0.0)
-    completed = replace(work, table=with_row(table, change.row, empty))
-    return _has_no_more_than_zeros(completed, standard)
+    return changes[0].code == "row_missing" and not _is_something(work, changes, standard)
+
+
+def _is_something(work: Work, changes: Sequence[Change], standard: _Standard) -> bool:
+    """Whether an answer of which one joint is wrong has more than zeros, once that joint stands there."""
+    table = with_joints_mended(work.table, changes, work.reference.table.joint_types)
+    completed = replace(work, table=table, comparison=replace(work.comparison, steps=NOTHING_TYPED))
+    return completed.has_the_joints() and not _has_no_more_than_zeros(completed, standard)
 
 
 def lost(decision: Decision, work: Work, weights: Weights) -> float:

@@ -93,6 +93,7 @@ _KIND_OF_MEASURE = {
     Measure.DISTANCE: Kind.LENGTH,
     Measure.OFFSET: Kind.OFFSET,
     Measure.TURN: Kind.OFFSET,
+    Measure.SUM: Kind.OFFSET,
 }
 
 
@@ -105,7 +106,7 @@ def mismatches_of(
     last = len(reference.chain.axes)
     found = []
     for shape, apart in zip(invariants.shapes, off, strict=True):
-        joint, kind = shape.axes[1], _KIND_OF_MEASURE[shape.measure]
+        joint, kind = shape.axes[2 if shape.measure is Measure.SUM else 1], _KIND_OF_MEASURE[shape.measure]
         angle, length = (apart, 0.0) if shape.is_angle else (0.0, apart)
         if joint > last:
             found.append(_placed(Mismatch(kind=Kind.TOOL, joint=last, angle=angle, length=length), table))

@@ -2,7 +2,8 @@
 
 Between neighbouring axes the angle and the distance (sliders between them disregarded); along a run of
 parallel axes the distance between the common normals before and after, or, where sliders move the axis there
-in a plane, the points in which that plane meets the run; about a slider the angle between its neighbours.
+in a plane, the points in which that plane meets the run, or the sum of what lies beyond the plane on both
+sides; about a slider the angle between its neighbours.
 Their sizes are necessary for equivalence, not sufficient; with their signs, and each axis turned round as it
 suits best (`exercises.grading.facts`), hardly anything wrong is left.
 """
@@ -149,6 +150,8 @@ def invariants_of(reference: Reference, policy: Policy) -> Invariants:
         found += _between(axes, i, last, reference.size, policy)
     for i in range(first if fixed_base else first + 1, last):
         found += _along(axes, i, last, reference.size, policy)
+    for i in range(first, last):
+        found += _across(axes, i, last, reference.size, policy)
     shapes = tuple(shape for shape, _ in found)
     slacks = np.array([slack for _, slack in found], dtype=np.float64)[:, None]
     return Invariants(shapes, measured(shapes, axis_batch([axes])), slacks)
@@ -218,6 +221,42 @@ def _along(axes: Sequence[Axis], i: int, last: int, size: float, policy: Policy)
     shape = (start.axis, i, j, end.axis, *((start.slider, end.slider) if slides else ()))
     slack = (SLACK * policy.tolerance.length + FLOOR) * size / min(start.steepness, end.steepness)
     return [(Shape(Measure.OFFSET, shape), slack)]
+
+
+def _across(
+    axes: Sequence[Axis], b: int, last: int, size: float, policy: Policy
+) -> list[tuple[Shape, float]]:
+    """Across the plane that the sliders behind axis b span: neither axis beside them lies in it.
+
+    Along each of these the offset may be anything, but not the sum of both.
+    """
+    c = next((k for k in range(b + 1, last + 1) if not axes[k].prismatic), b)
+    if axes[b].prismatic or c < b + 3:
+        return []
+    sliders = range(b + 1, c)
+    plane = next((k for k in sliders[:-1] if not _parallel(axes[k], axes[k + 1])), None)
+    if plane is None or len(_spanning(axes, sliders)[0]) == DIMENSIONS:
+        return []
+    normal = cross(axes[plane].direction, axes[plane + 1].direction)
+    first = 0 if policy.base in (BaseRule.ORIGIN, BaseRule.FRAME) else 1
+    i = next((k + 1 for k in range(b - 1, first - 1, -1) if not _runs_on(axes, k, b)), first)
+    j = next((k - 1 for k in range(c + 1, last + 1) if not _runs_on(axes, k, c)), last)
+    if (i == first == 1) or (j == last != len(axes) - 1):
+        return []
+    start = _end_of_run(axes, i, range(i - 1, first - 1, -1))
+    end = _end_of_run(axes, j, range(j + 1, last + 1))
+    if start is None or end is None:
+        return []
+    flattest = min(abs(dot(axes[k].direction, unit(normal))) for k in (b, c))
+    if flattest < STEEPEST:
+        return []
+    steepness = min(start.steepness, end.steepness, max(norm(normal), STEEPEST))
+    shape = (plane, plane + 1, b, i, start.axis, start.slider, c, j, end.axis, end.slider)
+    return [(Shape(Measure.SUM, shape), (SLACK * policy.tolerance.length + FLOOR) * size / steepness)]
+
+
+def _runs_on(axes: Sequence[Axis], k: int, beside: int) -> bool:
+    return not axes[k].prismatic and _parallel(axes[k], axes[beside])
 
 
 class _End(NamedTuple):

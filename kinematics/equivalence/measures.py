@@ -33,6 +33,7 @@ class Measure(StrEnum):
     DISTANCE = "distance"
     OFFSET = "offset"
     TURN = "turn"
+    SUM = "sum"
 
 
 class Shape(NamedTuple):
@@ -44,7 +45,10 @@ class Shape(NamedTuple):
             those whose directions are disregarded; of an offset the axis before, the first and the last of
             the run, and the axis after; then, if sliders between move the axis before or after in a plane,
             one of them at either end, or the axis of the run where there is none; of a turn the axis before,
-            the slider, and the axis after.
+            the slider, and the axis after; of a sum of offsets two sliders side by side that span a plane,
+            then the last and the first of the run before them, the axis before that and the slider between
+            or the first again, then in the same way the first and the last of the run behind them, the axis
+            after and the slider between.
     """
 
     measure: Measure
@@ -56,6 +60,13 @@ class Shape(NamedTuple):
         if self.measure is Measure.DISTANCE:
             return set(self.axes[2:]) == set(self.axes[:2])
         return self.measure is not Measure.TURN
+
+    @property
+    def runs(self) -> tuple[int, ...]:
+        """The axes, first and last of each run, along which it measures an offset."""
+        if self.measure is Measure.SUM:
+            return (self.axes[3], self.axes[2], self.axes[6], self.axes[7])
+        return self.axes[1:3] if self.measure is Measure.OFFSET else ()
 
     @property
     def is_angle(self) -> bool:
@@ -148,6 +159,8 @@ def measured(shapes: tuple[Shape, ...], axes: AxisBatch) -> Floats:
     for (measure, _), (places, numbers) in gauge.others.items():
         if measure is Measure.OFFSET:
             found[places] = _offsets_past_sliders(numbers, axes.directions[numbers], axes.points[numbers])
+        elif measure is Measure.SUM:
+            found[places] = _sums_of_offsets(numbers, axes.directions[numbers], axes.points[numbers])
         else:
             how = _turns if measure is Measure.TURN else _distances
             found[places] = how(axes.directions[numbers], axes.points[numbers])
@@ -220,17 +233,38 @@ def _offsets_past_sliders(numbers: Places, directions: Floats, points: Floats) -
     The plane of an axis z through p and a slider s has the normal n = z × s, and meets the run's axis u
     through o at o + u n·(p - o) / n·u; without a slider, s is the common normal u × z.
     """
-    feet = []
-    for beyond, own, slider in ((0, 1, 4), (3, 2, 5)):
-        z, run = directions[beyond], directions[own]
-        slides = (numbers[slider] != numbers[own])[:, None, None]
-        normal = _crosses(z, np.where(slides, directions[slider], _crosses(run, z)))
-        across = _dots(normal, run)
-        steep = np.abs(across) > PARALLEL * PARALLEL
-        gap = points[beyond] - points[own]
-        feet.append(np.where(steep, _dots(normal, gap) / np.where(steep, across, 1.0), 0.0))
-    run = points[2] - points[1] + feet[1][:, None] * directions[2]
-    return _dots(directions[1], run) - feet[0]
+    before, after = (_feet(ends, numbers, directions, points) for ends in ((0, 1, 4), (3, 2, 5)))
+    run = points[2] - points[1] + after[:, None] * directions[2]
+    return _dots(directions[1], run) - before
+
+
+def _feet(ends: tuple[int, int, int], numbers: Places, directions: Floats, points: Floats) -> Floats:
+    """How far along an axis, from its point, such a plane meets it; ends: the axis beyond, it, the slider."""
+    beyond, own, slider = ends
+    z, run = directions[beyond], directions[own]
+    slides = (numbers[slider] != numbers[own])[:, None, None]
+    normal = _crosses(z, np.where(slides, directions[slider], _crosses(run, z)))
+    across = _dots(normal, run)
+    steep = np.abs(across) > PARALLEL * PARALLEL
+    feet = _dots(normal, points[beyond] - points[own]) / np.where(steep, across, 1.0)
+    return np.where(steep, feet, 0.0)
+
+
+def _sums_of_offsets(numbers: Places, directions: Floats, points: Floats) -> Floats:
+    """The distance across the plane of two sliders between the axes before and behind them.
+
+    Either axis is taken where its offset is measured from: level with the foot at the other end of its run.
+    """
+    normal = _crosses(directions[0], directions[1])
+    sine = _norms(normal)
+    ends = []
+    for near, far, beyond, slider in ((2, 3, 4, 5), (6, 7, 8, 9)):
+        foot = (
+            points[far] + _feet((beyond, far, slider), numbers, directions, points)[:, None] * directions[far]
+        )
+        along = _dots(directions[near], foot - points[near])
+        ends.append(points[near] + along[:, None] * directions[near])
+    return _dots(normal, ends[1] - ends[0]) / np.where(sine > PARALLEL, sine, 1.0)
 
 
 def _turns(directions: Floats, _: Floats) -> Floats:

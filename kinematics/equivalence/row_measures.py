@@ -100,7 +100,7 @@ def _seen(shapes: tuple[Shape, ...], joints: int) -> _Seen | None:
     flat: set[int] = set()
     steep: set[int] = set()
     for place, (measure, axes) in enumerate(shapes):
-        if min(axes) < 1 or max(axes) > joints or measure is Measure.TURN:
+        if min(axes) < 1 or max(axes) > joints or measure in (Measure.TURN, Measure.SUM):
             return None
         if measure is Measure.OFFSET:
             if len(axes) != PLAIN_OFFSET:

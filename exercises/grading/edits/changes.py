@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 from enum import Enum
 from typing import NamedTuple
 
 from exercises.grading.judging.typed import SAME, Place
 from exercises.grading.verdict import Edit, ParamValue
 from kinematics.equivalence.batches import CellChange
-from kinematics.table import DHRow, DHTable, NumericRow, NumericTable
+from kinematics.table import DHRow, DHTable, JointType, NumericRow, NumericTable
 
+_OF_JOINTS = frozenset({"row_missing", "row_extra", "joint_fixed", "joint_moving", "joint_type"})
 ROW_CELLS = ("alpha", "a", "d", "joint")
 
 
@@ -148,6 +150,32 @@ def after(first: Change, second: Change) -> Change:
         touched=tuple((origin(row), cell) for row, cell in second.places),
         params=tuple((name, number(name, value)) for name, value in second.params),
     )
+
+
+def with_joints_mended(
+    table: NumericTable, changes: Iterable[Change], wanted: Sequence[JointType]
+) -> NumericTable:
+    """Return a table with the joints that changes give it, and with cells as they are: zeros in a new row.
+
+    Args:
+        table: the answer.
+        changes: of the answer.
+        wanted: the types of the key's joints.
+    """
+    rows = list(table.rows)
+    for change in changes:
+        if change.row is None or change.code not in _OF_JOINTS:
+            continue
+        if change.code == "row_extra":
+            del rows[change.row]
+            continue
+        place = change.row
+        if change.code == "row_missing":
+            rows.insert(place, DHRow(joint=JointType.FIXED, theta=0.0, d=0.0, a=0.0, alpha=0.0))
+        joint = sum(row.joint is not JointType.FIXED for row in rows[:place])
+        moves = change.code != "joint_moving" and joint < len(wanted)
+        rows[place] = replace(rows[place], joint=wanted[joint] if moves else JointType.FIXED)
+    return with_rows(table, rows)
 
 
 def _with_cells(row: NumericRow, values: Mapping[str, float]) -> NumericRow:

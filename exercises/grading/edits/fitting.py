@@ -157,7 +157,7 @@ class _Functions:
         """
         for k in strained:
             measure, target = self._measures[k], self._targets[k]
-            if (measure in (Measure.DISTANCE, Measure.OFFSET)) is angular:
+            if (measure in (Measure.ANGLE, Measure.TURN)) is not angular:
                 continue
             values = self._values[k]
             around, middle = values[first : first + 4], values[own]

@@ -66,9 +66,5 @@ def _on_the_line(reference: Reference, line: Policy, end: int) -> Invariants:
     """What no choice of frames changes of the key's line, but for where its origin lies along it."""
     invariants = invariants_of(reference, line)
     return invariants.some(
-        [
-            i
-            for i, (measure, axes) in enumerate(invariants.shapes)
-            if end in axes and (measure is not Measure.OFFSET or end not in axes[1:3])
-        ]
+        [i for i, shape in enumerate(invariants.shapes) if end in shape.axes and end not in shape.runs]
     )

@@ -280,7 +280,7 @@ VERDICTS: dict[str, tuple[float, str, list[str]]] = {
         ["not_equivalent", "length_wrong 2", "offset_wrong 4"],
     ),
     "a row missing and a cell": (
-        0.4,
+        0.67,
         ".... x... .... .... .... ++++",
         ["not_equivalent", "joint_count_wrong", "length_wrong 2", "row_missing 4"],
     ),
@@ -347,12 +347,12 @@ VERDICTS: dict[str, tuple[float, str, list[str]]] = {
         ["not_equivalent", "joint_count_wrong", "row_missing 1"],
     ),
     "an angle in degrees and a row missing": (
-        0.6,
+        0.79,
         ".x.. .... .... .... .... ++++",
         ["not_equivalent", "joint_count_wrong", "twist_wrong 1", "row_missing 4"],
     ),
     "two columns exchanged and a row missing": (
-        0.27,
+        0.64,
         "x.x. x.x. x.x. .... x.x. ++++",
         ["not_equivalent", "joint_count_wrong", "columns_in_disorder", "row_missing 4"],
     ),

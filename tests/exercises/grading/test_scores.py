@@ -29,7 +29,7 @@ from tests.exercises.grading.test_grade import (
 )
 from tests.exercises.grading.written import Cell, read, written
 from tests.kinematics.equivalence import tables
-from tests.kinematics.equivalence.tables import HALF, P, R
+from tests.kinematics.equivalence.tables import HALF, F, P, R
 from tests.kinematics.equivalence.test_refinement import scaled
 from tests.kinematics.robots import numeric
 
@@ -329,3 +329,60 @@ def test_a_zero_is_no_length_that_was_typed_coarsely(typed: Cell) -> None:
         for cells in (zeros, [*zeros, (2, 1, typed)])
     )
     assert nothing == one == mark(4, OF_PUMA)
+
+
+PLANE = tables.standard(
+    (R, 1.0123, 0.3111, 0.2123, 0),
+    (R, 0.8456, 0.4123, 0.2511, 0),
+    (P, HALF, 0, 0.1234, 0.3),
+    (P, 0.7123, 0.2345, 0.3, 0.5),
+    (R, -0.9, 0.3456, 0.3511, 0),
+    (R, 0, 0.1, 0.2, 0),
+)
+
+
+@pytest.mark.parametrize(("row", "cells"), [(2, {"d": 0.5123}), (5, {"d": 0.6123}), (3, {"a": 0.3123})])
+def test_the_sum_of_offsets_beside_a_plane_of_sliders_is_a_fact(row: int, cells: dict[str, float]) -> None:
+    """Nothing else is wrong, and it was told that the entries are too few digits long, for 0.94."""
+    policy = Policy(tool=ToolRule.FREE)
+    wrong = tables.changed(PLANE, row, **cells)
+    assert grade(written(PLANE), written(wrong), policy).score == mark(1, 10)
+    for seed in range(4):
+        right, answer = (drawn_by_hand(table, Random(seed)) for table in (PLANE, wrong))
+        assert right
+        assert grade(written(PLANE), written(right), policy).correct
+        assert answer
+        verdict = grade(written(PLANE), written(answer), policy)
+        assert verdict.score == mark(1, 10)
+        assert {edit.code for repair in verdict.repairs for edit in repair.edits} & {"a_value", "d_value"}
+
+
+BESIDE_A_CELL: dict[str, tuple[NumericTable, float]] = {
+    "row missing": (replace(tables.PUMA, rows=(*tables.PUMA.rows[:2], *tables.PUMA.rows[3:])), 2),
+    "last row missing": (replace(tables.PUMA, rows=tables.PUMA.rows[:5]), 2),
+    "row extra": (replace(tables.PUMA, rows=(*tables.PUMA.rows, replace(tables.PUMA.rows[0], a=0.2))), 1),
+    "other type": (tables.changed(tables.PUMA, 3, joint=P), 2),
+    "forgotten variable": (tables.changed(tables.PUMA, 3, joint=F, theta=0.3), 2),
+}
+
+
+@pytest.mark.parametrize(("wrong", "lost"), BESIDE_A_CELL.values(), ids=BESIDE_A_CELL.keys())
+def test_a_wrong_joint_and_a_wrong_cell_cost_what_both_cost(wrong: NumericTable, lost: float) -> None:
+    """Two facts and one; what lies about the joint would else be lost as well, and a third leaves less."""
+    key, one_more = written(tables.PUMA), tables.changed(wrong, 2, a=0.6)
+    assert grade(key, written(wrong), USUAL).score == mark(lost, OF_PUMA)
+    both = grade(key, written(one_more), USUAL).score
+    assert mark(3, OF_PUMA) <= both < mark(lost, OF_PUMA)
+    third = tables.changed(one_more, 1, alpha=0.3)
+    assert grade(key, written(third), USUAL).score < both
+
+
+@pytest.mark.parametrize(("key", "of"), KINDS.values(), ids=KINDS.keys())
+def test_of_a_short_arm_a_row_and_all_else_left_out_leave_nothing(key: NumericTable, of: int) -> None:
+    """Two edits would mend some of these, and one of them would bring what the other rows lack."""
+    zeros = _zeros(key)
+    for row in range(len(key.rows)):
+        rest = (*zeros.rows[:row], *zeros.rows[row + 1 :])
+        assert grade(written(key), written(replace(zeros, rows=rest)), USUAL).score == 0.0
+        fixed = tables.changed(zeros, row + 1, joint=F)
+        assert grade(written(key), written(fixed), USUAL).score == 0.0
