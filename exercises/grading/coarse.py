@@ -11,7 +11,7 @@ from exercises.grading.edits.work import WORK_OF_ONE_EDIT, Work
 from exercises.grading.facts import Facts, fixed_ends
 from exercises.grading.judging.digits import SECOND_ORDER, explained_by_digits
 from exercises.grading.judging.judgement import share_of
-from exercises.grading.judging.typed import ANGLES, Place
+from exercises.grading.judging.typed import ANGLES, SAME, Place
 from kinematics.chain import chain_of_table
 from kinematics.equivalence import Tolerance
 from kinematics.equivalence.decision import is_certified
@@ -19,18 +19,25 @@ from kinematics.equivalence.invariants import axes_of
 from kinematics.equivalence.meter import Meter
 from kinematics.equivalence.search import Effort
 
+COARSEST = 0.25
+"""Half a unit of the last place beside the number itself: 0.2 may be 0.15, 0.1 is not 0.15 rounded."""
+
 
 def is_rounded_too_much(work: Work) -> bool:
     """Whether the digits of a wrong answer explain all that is wrong in it.
 
-    Every decimal may be off by half a unit of its last place, however much that is. A zero stands for itself,
-    so that what was left out is not taken for rounded.
+    Every decimal may be off by half a unit of its last place, up to a quarter of itself. A zero stands for
+    itself, so that what was left out is not taken for rounded, and so does a lone 1: it is no 0.8.
 
     Args:
         work: the answer as it was meant, and the key.
     """
     rows = work.table.rows
-    steps = {(i, cell): step for (i, cell), step in work.comparison.steps.items() if getattr(rows[i], cell)}
+    steps = {
+        (i, cell): step
+        for (i, cell), step in work.comparison.steps.items()
+        if step <= COARSEST * abs(getattr(rows[i], cell)) * (1.0 + SAME)
+    }
     if not steps or not work.has_the_joints():
         return False
     draws = range(len(work.references))

@@ -85,3 +85,12 @@ def test_in_other_frames_too() -> None:
 )
 def test_what_the_digits_do_not_explain_is_wrong(answer: ReadTable, policy: Policy) -> None:
     assert "entries_imprecise" not in _codes(grade(_puma(NAMES), answer, policy, VALUES))
+
+
+@pytest.mark.parametrize(("typed", "length"), [(1, 0.8), (1, 1.4), (0.1, 0.08)])
+def test_a_lone_one_is_no_rounded_length(typed: Cell, length: Cell) -> None:
+    """Half of it would be room for everything: its row is told, and what may stand there."""
+    key, answer = (read("standard", [(0, a, 0, "q1"), (0, 0.537, 0, "q2")]) for a in (length, typed))
+    verdict = grade(key, answer, FREE)
+    assert [(edit.code, edit.row) for edit in verdict.repairs[0].edits] == [("a_value", 1)]
+    assert "entries_imprecise" not in _codes(verdict)
