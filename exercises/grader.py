@@ -14,6 +14,7 @@ from exercises.drawings import KeyPose, key_pose
 from exercises.grading import HelpLevel, Verdict
 from exercises.instance import Instance
 from exercises.parts.context import Context
+from exercises.parts.following import as_it_follows
 from exercises.parts.registry import part_type
 from exercises.parts.report import PartReport
 from kinematics.cells import AngleUnit, LengthUnit
@@ -96,7 +97,8 @@ def grade(
         given = answer.get(part.kind)
         if given is not None:
             judge = part_type(part.kind)
-            reports.append(judge.shown(judge.grade(part, given, context), level))
+            found = as_it_follows(judge.grade(part, given, context), context.own_share)
+            reports.append(judge.shown(found, level))
     return Report(
         verdict=verdict,
         parts=tuple(reports),

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from exercises.grading import Policy, Verdict
 from exercises.instance import Instance
+from exercises.parts.following import share_that_follows
 from exercises.parts.joint_draws import key_numbers, key_size
 from exercises.parts.protocol import Answer
 from exercises.parts.report import Credit
@@ -63,6 +64,17 @@ class Context:
     def own_correct(self) -> bool:
         """Whether the student's own table was accepted."""
         return self.verdict is not None and self.verdict.correct
+
+    @cached_property
+    def own_share(self) -> float:
+        """Which share of its marks an answer earns that follows from the student's own table."""
+        if self.own is None:
+            return 1.0
+        try:
+            own = self.own_numbers(self.values(self.own_names()))
+        except ParameterError:
+            return 1.0
+        return share_that_follows(own, self.reference_numbers)
 
     @property
     def own_credit(self) -> Credit:

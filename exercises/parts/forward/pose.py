@@ -34,6 +34,7 @@ from exercises.parts.cells.number_cells import on_paper
 from exercises.parts.cells.symbolic_matrix import SymbolicMatrix
 from exercises.parts.context import Context
 from exercises.parts.definition_keys import TOLERANCE, DefinitionKey, Start, joint_keys, usual_joints
+from exercises.parts.following import ENOUGH
 from exercises.parts.forward.transform import transform_is_robot
 from exercises.parts.joint_draws import drawn_joints, read_joints
 from exercises.parts.protocol import TABLE, PartType, Reading, RobotFacts
@@ -238,8 +239,17 @@ def _expected(
     if transform is not None and len(context.joint_types) == len(joints):
         if transform_is_robot(context, transform):
             yield transform.at(context.values(transform.names()), joints), Credit.KEY
-        elif context.own is None:
+        elif context.own is None and _moves(transform, context, joints):
             yield transform.at(context.values(transform.names()), joints), Credit.OWN_TABLE
+
+
+def _moves(transform: SymbolicMatrix, context: Context, joints: Sequence[float]) -> bool:
+    """Whether ⁰T_N depends on half of the joints at least: that it was evaluated rightly says little else."""
+    values = context.values(transform.names())
+    here = transform.at(values, joints)
+    others = ([*joints[:i], joint + 1.0, *joints[i + 1 :]] for i, joint in enumerate(joints))
+    moving = sum(not np.array_equal(transform.at(values, other), here) for other in others)
+    return moving >= ENOUGH * len(joints)
 
 
 def _feedback(

@@ -106,6 +106,7 @@ feedback-matrix_not_rigid = Matrix { $matrix } is not a rigid motion: its column
 feedback-transform_right = ⁰T is right.
 feedback-transform_follows_table = ⁰T follows from your table and earns its marks, although the table is not right.
 feedback-transform_right_not_from_table = ⁰T is right for the robot, although it does not follow from your table.
+feedback-table_says_little = Your table has fewer than half of the lengths and twists that it takes to describe this robot; what follows from it earns only part of its marks, and from zeros nothing.
 feedback-transform_wrong = This ⁰T does not describe the robot.
 feedback-transform_rotation_right = The rotation in ⁰T is right.
 feedback-transform_position_right = The position in ⁰T is right.

@@ -106,6 +106,7 @@ feedback-matrix_not_rigid = La matriz { $matrix } no es un movimiento rígido: s
 feedback-transform_right = ⁰T es correcta.
 feedback-transform_follows_table = ⁰T se sigue de su tabla y recibe sus puntos, aunque la tabla no es correcta.
 feedback-transform_right_not_from_table = ⁰T es correcta para el robot, aunque no se sigue de su tabla.
+feedback-table_says_little = Su tabla tiene menos de la mitad de las longitudes y los ángulos α que hacen falta para describir este robot; lo que se sigue de ella recibe solo una parte de sus puntos, y de una tabla de ceros, ninguno.
 feedback-transform_wrong = Esta ⁰T no describe el robot.
 feedback-transform_rotation_right = La rotación de ⁰T es correcta.
 feedback-transform_position_right = La posición de ⁰T es correcta.

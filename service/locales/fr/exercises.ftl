@@ -106,6 +106,7 @@ feedback-matrix_not_rigid = La matrice { $matrix } n’est pas un déplacement r
 feedback-transform_right = ⁰T est juste.
 feedback-transform_follows_table = ⁰T découle de votre tableau et rapporte ses points, bien que le tableau ne soit pas juste.
 feedback-transform_right_not_from_table = ⁰T est juste pour le robot, bien qu’elle ne découle pas de votre tableau.
+feedback-table_says_little = Votre tableau a moins de la moitié des longueurs et des angles α qu’il faut pour décrire ce robot ; ce qui en découle ne rapporte qu’une partie de ses points, et rien si tout y est nul.
 feedback-transform_wrong = Cette matrice ⁰T ne décrit pas le robot.
 feedback-transform_rotation_right = La rotation dans ⁰T est juste.
 feedback-transform_position_right = La position dans ⁰T est juste.

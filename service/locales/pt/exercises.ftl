@@ -106,6 +106,7 @@ feedback-matrix_not_rigid = A matriz { $matrix } não é um movimento rígido: a
 feedback-transform_right = ⁰T está certa.
 feedback-transform_follows_table = ⁰T decorre da sua tabela e recebe os seus pontos, embora a tabela não esteja certa.
 feedback-transform_right_not_from_table = ⁰T está certa para o robô, embora não decorra da sua tabela.
+feedback-table_says_little = A sua tabela tem menos de metade dos comprimentos e dos ângulos α necessários para descrever este robô; o que dela decorre recebe só uma parte dos pontos, e de uma tabela de zeros, nenhum.
 feedback-transform_wrong = Esta ⁰T não descreve o robô.
 feedback-transform_rotation_right = A rotação em ⁰T está certa.
 feedback-transform_position_right = A posição em ⁰T está certa.

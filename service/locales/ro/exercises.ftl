@@ -108,6 +108,7 @@ feedback-matrix_not_rigid = Matricea { $matrix } nu este o mișcare rigidă: col
 feedback-transform_right = ⁰T este corectă.
 feedback-transform_follows_table = ⁰T rezultă din tabelul dumneavoastră și își primește punctele, deși tabelul nu este corect.
 feedback-transform_right_not_from_table = ⁰T este corectă pentru robot, deși nu rezultă din tabelul dumneavoastră.
+feedback-table_says_little = Tabelul dumneavoastră are mai puțin de jumătate din lungimile și unghiurile α necesare pentru a descrie acest robot; ce rezultă din el primește doar o parte din puncte, iar dintr-un tabel de zerouri, niciunul.
 feedback-transform_wrong = Această matrice ⁰T nu descrie robotul.
 feedback-transform_rotation_right = Rotația din ⁰T este corectă.
 feedback-transform_position_right = Poziția din ⁰T este corectă.

@@ -107,6 +107,7 @@ feedback-matrix_not_rigid = Матриця { $matrix } не є рухом тве
 feedback-transform_right = ⁰T правильна.
 feedback-transform_follows_table = ⁰T випливає з вашої таблиці й отримує свої бали, хоча таблиця неправильна.
 feedback-transform_right_not_from_table = ⁰T правильна для робота, хоча й не випливає з вашої таблиці.
+feedback-table_says_little = У вашій таблиці менше половини довжин і кутів α, потрібних для опису цього робота; те, що з неї випливає, отримує лише частину балів, а з таблиці нулів — жодного.
 feedback-transform_wrong = Ця ⁰T не описує робота.
 feedback-transform_rotation_right = Поворот у ⁰T правильний.
 feedback-transform_position_right = Положення в ⁰T правильне.
