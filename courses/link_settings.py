@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import hashlib
+import json
 from collections.abc import Collection, Mapping
 from datetime import UTC, datetime
 from typing import Any, TypeVar
@@ -43,6 +45,12 @@ def written(settings: LinkSettings) -> dict[str, Any]:
         "feedback_after": policy.feedback_after,
         "mode": policy.mode.value,
     }
+
+
+def version_of(settings: LinkSettings) -> str:
+    """Return what tells these settings from those that somebody else has saved meanwhile."""
+    content = json.dumps([settings.exercise_id, written(settings)], sort_keys=True)
+    return hashlib.sha256(content.encode()).hexdigest()[:16]
 
 
 def read(

@@ -11,12 +11,13 @@ import sqlalchemy as sa
 from courses import records
 from courses.attempts import attempt_of
 from courses.gradebook import regrade
-from courses.link_settings import stored, written
+from courses.link_settings import stored, version_of, written
 from courses.model import Attempt, Link, LinkSettings
 from courses.outbox import release_scores
 from courses.policies import Allowance
-from courses.refusals import unknown_record
+from courses.refusals import OutdatedError, unknown_record
 from courses.storage import Store
+from kinematics.errors import Fault
 
 LONGEST_NUMBER = 9
 """Digits of a number of a course, and one more: both databases hold what has fewer."""
@@ -76,9 +77,26 @@ def newest_links(store: Store, count: int) -> list[LinkSettings]:
         return [stored(row.exercise_id, row.settings) for row in connection.execute(wanted)]
 
 
-def change_settings(store: Store, link_id: int, settings: LinkSettings, now: datetime) -> None:
-    """Give a link its exercise and rules; grades follow in the same transaction."""
+def change_settings(
+    store: Store, link_id: int, settings: LinkSettings, now: datetime, seen: str | None = None
+) -> None:
+    """Give a link its exercise and rules; grades follow in the same transaction.
+
+    Args:
+        store: the database.
+        link_id: the link.
+        settings: its new ones.
+        now: the time.
+        seen: version of those that they were made from; None: whatever they were.
+
+    Raises:
+        OutdatedError: somebody has saved others since.
+    """
     with store.writing() as connection:
+        if seen is not None:
+            row = connection.execute(sa.select(_LINK).where(_LINK.c.id == link_id).with_for_update()).one()
+            if seen != version_of(stored(row.exercise_id, row.settings)):
+                raise OutdatedError(Fault.at("settings_changed"))
         values = {"exercise_id": settings.exercise_id, "settings": written(settings)}
         connection.execute(sa.update(_LINK).where(_LINK.c.id == link_id).values(values))
         _regrade_all(connection, link_id, now)

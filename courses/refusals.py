@@ -5,6 +5,7 @@ CourseError
 │   └── StorageUnavailableError  it could be, and will be again
 ├── UnknownRecordError  there is no such link, attempt or person
 ├── AttemptError        the policy takes no attempt now
+├── OutdatedError       what was looked at has changed meanwhile
 ├── PublicationError    no more exercises can be published here
 └── SessionError        nobody is signed in by this token, or not with the role that is needed
 """
@@ -40,6 +41,10 @@ class UnknownRecordError(CourseError):
 
 class AttemptError(CourseError):
     """The policy takes no attempt now."""
+
+
+class OutdatedError(CourseError):
+    """What somebody has looked at, and decided upon, has changed meanwhile."""
 
 
 class SessionError(CourseError):

@@ -72,6 +72,16 @@ class Library:
         self.exercise(exercise_id)
         return self._files.get(exercise_id)
 
+    def take(self, exercise_id: str, files: Mapping[str, bytes]) -> None:
+        """Hold an exercise as it was read from some files, whatever stands in its folder now.
+
+        Raises:
+            DefinitionError: they are malformed.
+        """
+        if self._files.get(exercise_id) != files:
+            self._read[exercise_id] = exercise_of_files(exercise_id, files, is_checked=True)
+            self._files[exercise_id] = files
+
     def read_own(self) -> None:
         """Read every exercise of the folders now; the packaged ones are known to be well-formed.
 

@@ -32,6 +32,7 @@ import orjson
 from courses.refusals import (
     AttemptError,
     NoExerciseError,
+    OutdatedError,
     PublicationError,
     SessionError,
     StaffOnlyError,
@@ -176,6 +177,7 @@ STATUS: dict[type[Exception], int] = {
     NoExerciseError: 404,
     PublicationError: 503,
     AttemptError: 409,
+    OutdatedError: 409,
     StorageUnavailableError: 503,
     UnavailableError: 503,
 }

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 import os
 import pickle
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from functools import lru_cache
-from pathlib import Path
 from queue import SimpleQueue
 
 from courses.model import Attempt, LinkSettings
@@ -17,7 +16,7 @@ from exercises.library import Library
 from kinematics.cells import Limits
 from service.settings import Settings
 from service.work.processes import Confinement, ProcessDiedError, UnansweredError, WorkerProcess
-from service.work.session_grading import Grader
+from service.work.session_grading import UNREAD, Grader
 from service.work.worker_process import WorkOutcome
 
 CHUNK = 8
@@ -38,7 +37,7 @@ class RegradingProcesses:
     Args:
         grader: what judges here, and where an exercise stands in no folder.
         asked: what the link asks.
-        settings: of the service: its folders and what a process may take.
+        settings: of the service: what a process may take.
     """
 
     def __init__(self, grader: Grader, asked: LinkSettings, settings: Settings) -> None:
@@ -61,7 +60,8 @@ class RegradingProcesses:
         """Return what the attempts of a batch are worth now, in their order."""
         keys = [self._grader.question(attempt, self._asked) for attempt in batch]
         new = {key: attempt for key, attempt in zip(keys, batch, strict=True) if key not in self._known}
-        found = dict(self._known)
+        new.pop(None, None)
+        found = {None: UNREAD, **self._known}
         found.update(zip(new, self._judged(list(new.values())), strict=True))
         self._known = dict(list(found.items())[-REMEMBERED:])
         return [replace(found[key], attempt_id=attempt.id) for key, attempt in zip(keys, batch, strict=True)]
@@ -74,6 +74,9 @@ class RegradingProcesses:
 
     def _in_a_folder(self, exercise_id: str) -> bool:
         return self._grader.library.files(exercise_id) is not None
+
+    def _files(self, exercise_id: str) -> Mapping[str, bytes]:
+        return dict(self._grader.library.files(exercise_id) or {})
 
     def _started(self) -> ThreadPoolExecutor:
         if self._threads is None:
@@ -89,9 +92,9 @@ class RegradingProcesses:
         return self._threads
 
     def _elsewhere(self, attempts: Sequence[Attempt]) -> list[Rejudged]:
-        """Judge a chunk in a process; here, where the process cannot."""
-        limits = self._grader.limits
-        task = (_judged_there, (self._settings.exercise_folders, limits, self._asked, tuple(attempts)))
+        """Judge a chunk in a process, by exercises as they were read here; here, where it cannot."""
+        files = {attempt.exercise_id: self._files(attempt.exercise_id) for attempt in attempts}
+        task = (_judged_there, (files, self._grader.limits, self._asked, tuple(attempts)))
         process = self._idle.get()
         try:
             reply = process.perform(pickle.dumps(task, pickle.HIGHEST_PROTOCOL), PATIENCE)
@@ -107,12 +110,15 @@ class RegradingProcesses:
 
 
 def _judged_there(
-    folders: tuple[Path, ...], limits: Limits, asked: LinkSettings, attempts: Sequence[Attempt]
+    files: Mapping[str, Mapping[str, bytes]], limits: Limits, asked: LinkSettings, attempts: Sequence[Attempt]
 ) -> list[Rejudged]:
-    return Grader(library=_library(folders), limits=limits).rejudge(attempts, asked)
+    library = _library()
+    for exercise_id, read in files.items():
+        library.take(exercise_id, read)
+    return Grader(library=library, limits=limits).rejudge(attempts, asked)
 
 
 @lru_cache(maxsize=1)
-def _library(folders: tuple[Path, ...]) -> Library:
-    """Return the exercises that a process grades by; it reads each once."""
-    return Library(folders)
+def _library() -> Library:
+    """Return the exercises that a process grades by; it takes each once."""
+    return Library()

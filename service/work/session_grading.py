@@ -9,6 +9,7 @@ from functools import lru_cache
 from typing import Any
 
 import orjson
+from pydantic import ValidationError
 
 from courses.attempts import check_open, path_of_codes
 from courses.model import Attempt, CourseSession, LinkSettings
@@ -18,13 +19,14 @@ from courses.submissions import JudgedSubmission
 from exercises.access import ExerciseAccess
 from exercises.answers import parse
 from exercises.definition import Exercise
-from exercises.errors import UnknownExerciseError
+from exercises.errors import ExerciseError, UnknownExerciseError
 from exercises.grader import Report, allowed_help, grade
 from exercises.grading import HelpLevel
 from exercises.instance import kept_instance
 from exercises.library import Library
+from exercises.parts.protocol import RawAnswer
 from kinematics.cells import Limits
-from kinematics.errors import Fault
+from kinematics.errors import Fault, KinematicsError
 from service.course_resources import now
 from service.revision import revision
 from service.schemas.exercises.exercises import AnswerBase, ExerciseAnswer
@@ -116,14 +118,19 @@ class Grader:
 
     def rejudge(self, attempts: Sequence[Attempt], settings: LinkSettings) -> list[Rejudged]:
         """Judge stored attempts by the exercise as it is now."""
-        return [
-            replace(_judged_again(self.limits, *self.question(attempt, settings)), attempt_id=attempt.id)
-            for attempt in attempts
-        ]
+        found = []
+        for attempt in attempts:
+            question = self.question(attempt, settings)
+            judged = UNREAD if question is None else _judged_again(self.limits, *question)
+            found.append(replace(judged, attempt_id=attempt.id))
+        return found
 
-    def question(self, attempt: Attempt, settings: LinkSettings) -> tuple[Exercise, str | None, bytes]:
-        """Return all that the judgement of a stored attempt depends on."""
-        asked = asked_exercise(self.library, replace(settings, exercise_id=attempt.exercise_id))
+    def question(self, attempt: Attempt, settings: LinkSettings) -> tuple[Exercise, str | None, bytes] | None:
+        """Return all that the judgement of a stored attempt depends on; None if its exercise is gone."""
+        try:
+            asked = asked_exercise(self.library, replace(settings, exercise_id=attempt.exercise_id))
+        except ExerciseError:
+            return None
         return asked, attempt.seed, orjson.dumps(attempt.answer)
 
 
@@ -133,12 +140,24 @@ def _as_stored(report: Report) -> dict[str, Any]:
     return found
 
 
+UNREAD = Rejudged(attempt_id=0, score=None)
+"""What is said of an answer that the exercise as it is now cannot read."""
+
+
 @lru_cache(maxsize=4096)
 def _judged_again(limits: Limits, asked: Exercise, seed: str | None, answer: bytes) -> Rejudged:
-    """Many students hand in the same answer: it is judged once, and nothing is drawn or put into words."""
-    wire: AnswerBase = ExerciseAnswer.model_validate(orjson.loads(answer))
+    """Many students hand in the same answer: it is judged once, and nothing is drawn or put into words.
+
+    Parts that are no longer asked are left out.
+    """
     instance = kept_instance(_open(asked), seed)
-    report = grade(instance, parse(instance, wire.raw(), limits), drawn=False)
+    try:
+        wire: AnswerBase = ExerciseAnswer.model_validate(orjson.loads(answer))
+        raw = RawAnswer(**{part.kind: wire.raw().get(part.kind) for part in asked.parts})
+        read = parse(instance, raw, limits)
+    except (ValidationError, KinematicsError, ExerciseError):
+        return UNREAD
+    report = grade(instance, read, drawn=False)
     return Rejudged(
         attempt_id=0,
         score=report.score,

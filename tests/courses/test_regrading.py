@@ -19,8 +19,8 @@ from courses.model import Attempt, LinkSettings, Role
 from courses.outbox import delivered, lease_scores
 from courses.policies import AttemptPolicy
 from courses.privacy import erase_person
-from courses.refusals import UnknownRecordError
-from courses.regrading import Rejudged, Scope, apply, begin, changes, rejudge
+from courses.refusals import OutdatedError, UnknownRecordError
+from courses.regrading import Rejudged, Scope, apply, begin, changes, rejudge, unread
 from courses.statistics import class_overview, link_statistics, misconceptions, unexplained
 from courses.storage import Store
 from service.wire.courses.course_views import attempt_record, csv_of, json_of
@@ -50,7 +50,7 @@ def test_an_export_holds_what_counts(store: Store) -> None:
     link = joined(store, "ann").link
     before = [(each.attempt.score, each.path, each.counted) for each in exported_attempts(store, link)]
     assert before == [(0.5, tuple(path_of_codes(WRONG)), True), (0.75, (), False)]
-    apply(store, link.id, run, NOW)
+    apply(store, link.id, run, "2", NOW)
     first, second = (attempt_record(each) for each in exported_attempts(store, link))
     kept = ("attempt", "score", "points", "max_points", "counted", "correct", "codes", "report")
     codes = ["repair:alpha_sign@2", "wrong:pose"]
@@ -116,7 +116,7 @@ def test_a_person_is_erased_while_answers_are_judged_again(store: Store, left: s
     run = begin(store, ann.link.id, Scope.ALL, "2", NOW)
     rejudge(store, run, judge)
     assert [found["after"] for found in changes(store, run)] == ([1.0] if left else [])
-    apply(store, ann.link.id, run, NOW)
+    apply(store, ann.link.id, run, "2", NOW)
 
 
 def test_numbers_follow_the_judgement_that_counts(store: Store) -> None:
@@ -129,7 +129,7 @@ def test_numbers_follow_the_judgement_that_counts(store: Store) -> None:
         lambda batch: [Rejudged(attempt_id=a.id, score=1.0, correct=True, path=()) for a in batch],
     )
     assert link_statistics(store, ann.link.id)["solved"] == 0
-    apply(store, ann.link.id, run, NOW)
+    apply(store, ann.link.id, run, "2", NOW)
     assert link_statistics(store, ann.link.id)["solved"] == 1
     assert (misconceptions(store, ann.link.id), unexplained(store, ann.link.id)) == ([], [])
     assert class_overview(store, ann.course.id)["links"][0]["solved"] == 1
@@ -166,11 +166,11 @@ def test_a_regrading_is_looked_at_then_applied_and_resumed(store: Store) -> None
         (ann.person.key, 0.5, 1.0)
     ]
     assert lease_scores(store, NOW + minutes(99)) == []
-    apply(store, ann.link.id, run, NOW)
+    apply(store, ann.link.id, run, "2", NOW)
     assert [item.score for item in lease_scores(store, NOW)] == [1.0]
     assert misconceptions(store, ann.link.id)[0]["students"] == 1
     with pytest.raises(UnknownRecordError):
-        apply(store, ann.link.id, run, NOW)
+        apply(store, ann.link.id, run, "2", NOW)
 
 
 def test_a_mend_that_is_taken_back_brings_the_codes_back(store: Store) -> None:
@@ -182,10 +182,57 @@ def test_a_mend_that_is_taken_back_brings_the_codes_back(store: Store) -> None:
         run = begin(store, ann.link.id, Scope.ALL, version, NOW)
         found = Rejudged(attempt_id=0, score=score, correct=score == 1.0, path=path)
         rejudge(store, run, lambda batch, found=found: [replace(found, attempt_id=a.id) for a in batch])
-        apply(store, ann.link.id, run, NOW)
+        assert [(told["before"], told["after"]) for told in changes(store, run)] == [(1.5 - score, score)]
+        apply(store, ann.link.id, run, version, NOW)
         assert misconceptions(store, ann.link.id) == (before if path else [])
         (exported,) = exported_attempts(store, ann.link)
         assert exported.path == path
+
+
+def test_an_answer_that_cannot_be_read_any_more_keeps_what_counts(store: Store) -> None:
+    ann = joined(store, "ann")
+    submitted(store, ann, 0.5, key="1", report=WRONG)
+    submitted(store, joined(store, "bob"), 0.5, key="1", report=WRONG)
+    both = {"ann": Rejudged(attempt_id=0, score=0.75, path=MENDED), "bob": Rejudged(attempt_id=0, score=1.0)}
+    now_unread = {**both, "ann": Rejudged(attempt_id=0, score=None)}
+    for basis, found in (("2", both), ("3", now_unread)):
+        run = begin(store, ann.link.id, Scope.ALL, basis, NOW)
+        judge = lambda batch, found=found: [  # noqa: E731
+            replace(found["ann" if a.person_id == ann.person.id else "bob"], attempt_id=a.id) for a in batch
+        ]
+        rejudge(store, run, judge)
+        kept = [(told["key"], told["before"]) for told in unread(store, run)]
+        assert kept == ([] if basis == "2" else [(ann.person.key, 0.75)])
+        assert len(changes(store, run)) == (2 if basis == "2" else 0)
+        apply(store, ann.link.id, run, basis, NOW)
+        scores = {each.person: (each.attempt.score, each.path) for each in exported_attempts(store, ann.link)}
+        assert scores[ann.person.key] == (0.75, MENDED)
+        assert [(entry["kind"], entry["code"]) for entry in misconceptions(store, ann.link.id)] == [
+            ("repair", "alpha_sign")
+        ]
+
+
+def test_what_was_looked_at_before_something_changed_is_not_applied(store: Store) -> None:
+    """Two lecturers: the second corrects the exercise, or applies scores of a run begun later."""
+    ann = joined(store, "ann")
+    submitted(store, ann, 0.5, report=WRONG)
+
+    def looked_at(scope: Scope, basis: str, score: float) -> int:
+        run = begin(store, ann.link.id, scope, basis, NOW)
+        rejudge(store, run, lambda batch: [Rejudged(attempt_id=a.id, score=score) for a in batch])
+        return run
+
+    first = looked_at(Scope.COUNTED, "2", 1.0)
+    with pytest.raises(OutdatedError, match="regrading_outdated"):
+        apply(store, ann.link.id, first, "3", NOW)
+    later = looked_at(Scope.ALL, "2", 0.75)
+    apply(store, ann.link.id, later, "2", NOW)
+    with pytest.raises(OutdatedError, match="regrading_outdated"):
+        apply(store, ann.link.id, first, "2", NOW)
+    again = looked_at(Scope.COUNTED, "2", 0.875)
+    assert again not in (first, later)
+    apply(store, ann.link.id, again, "2", NOW)
+    assert [each.attempt.score for each in exported_attempts(store, ann.link)] == [0.875]
 
 
 def test_a_run_of_an_earlier_version_is_applied(store: Store) -> None:
@@ -205,6 +252,6 @@ def test_a_run_of_an_earlier_version_is_applied(store: Store) -> None:
         kept = {"report": WRONG, "analysis": WRONG}
         connection.execute(sa.update(done).where(done.c.attempt_id == first).values(report=kept))
         connection.execute(sa.update(done).where(done.c.attempt_id != first).values(report=None))
-    apply(store, link.id, run, NOW)
+    apply(store, link.id, run, "2", NOW)
     assert misconceptions(store, link.id)[0]["students"] == 2
     assert [each.path for each in exported_attempts(store, link)] == [tuple(path_of_codes(WRONG))] * 2

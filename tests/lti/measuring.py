@@ -75,7 +75,7 @@ def main() -> None:
         children = resource.getrusage(resource.RUSAGE_CHILDREN)
         print(f"  processor time of ended processes so far: {children.ru_utime + children.ru_stime:.1f} s")
         found = len(changes(store, run))
-        applied = timed(lambda run=run: apply(store, link.id, run, now()))
+        applied = timed(lambda run=run: apply(store, link.id, run, "2", now()))
         print(f"regrading {scope.value}: {spent:.1f} s, {found} changes, applied in {applied:.1f} s")
     store.close()
 

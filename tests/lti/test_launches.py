@@ -187,6 +187,24 @@ def test_a_look_at_a_regrading_does_not_stand_in_the_way_of_another(
     assert (found["before"], found["after"]) == (pytest.approx(whole), 1.0)
 
 
+def test_rules_that_somebody_else_has_saved_meanwhile_are_not_overwritten(
+    browser: Browser, another_browser: Callable[[], Browser]
+) -> None:
+    link = hint([TEACHER], resource="shared", context="course-5", custom={"exercise": "puma560"})
+    browser.launch("tina", link)
+    other = another_browser()
+    other.launch("tom", link)
+    path = f"course/links/{other.api('GET', 'course').json()['link']}/settings"
+    seen = [each.api("GET", path).json() for each in (browser, other)]
+    saved = browser.api("PUT", path, {**seen[0], "closes": "2027-06-01T12:00:00+00:00"})
+    assert saved.status_code == 200
+    late = other.api("PUT", path, {**seen[1], "points": 20})
+    assert (late.status_code, late.json()["code"]) == (409, "settings_changed")
+    assert browser.api("GET", path).json() == saved.json()
+    looked = other.api("GET", path).json()
+    assert other.api("PUT", path, {**looked, "points": 20}).json()["closes"] == saved.json()["closes"]
+
+
 def test_a_draft_is_there_after_a_relaunch(browser: Browser, another_browser: Callable[[], Browser]) -> None:
     link = hint(resource="draft", custom=CUSTOM)
     browser.launch("dora", link)

@@ -31,6 +31,8 @@ error-attempts_used = { $allowed ->
    *[other] All { $allowed } attempts that this exercise allows have been made.
 }
 error-exercise_changed = The exercise was changed after you opened this page, and nothing was handed in. Reload the page: what you typed is still there.
+error-settings_changed = Your changes were not saved: somebody else has saved other rules since you opened this page. Reload the page and look at them.
+error-regrading_outdated = Nothing was applied: the exercise or the rules of the link have changed since these scores were computed, or other scores have been applied. Regrade again.
 error-setting_invalid = { $name } can be: { $known }.
 error-closes_before_opening = The exercise would close before it opens.
 error-session_expired = You are no longer signed in. What you typed is still here: open the exercise from your course again.

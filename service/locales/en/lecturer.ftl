@@ -91,6 +91,7 @@ lecturer-regrade-counted = Regrade the attempts that count
 lecturer-regrade-all = Regrade all attempts
 lecturer-changes = What would change
 lecturer-no-changes = Nobody’s score would change.
+lecturer-unread = The scores of these attempts stay: the exercise as it is now cannot read their answers
 lecturer-before = Before
 lecturer-after = After
 lecturer-apply = Apply these scores

@@ -31,6 +31,8 @@ error-attempts_used = { $allowed ->
    *[other] Ya se han hecho los { $allowed } intentos que permite este ejercicio.
 }
 error-exercise_changed = El ejercicio se modificó después de que abriera esta página y no se ha entregado nada. Vuelva a cargar la página: lo que escribió sigue ahí.
+error-settings_changed = Sus cambios no se han guardado: otra persona ha guardado otras reglas desde que abrió esta página. Vuelva a cargar la página y revíselas.
+error-regrading_outdated = No se ha aplicado nada: el ejercicio o las reglas del enlace han cambiado desde que se calcularon estas puntuaciones, o se han aplicado otras. Vuelva a calificar.
 error-setting_invalid = { $name } puede ser: { $known }.
 error-closes_before_opening = El ejercicio se cerraría antes de abrirse.
 error-session_expired = Su sesión ha terminado. Lo que escribió sigue aquí: vuelva a abrir el ejercicio desde su curso.

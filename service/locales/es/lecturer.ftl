@@ -91,6 +91,7 @@ lecturer-regrade-counted = Volver a calificar los intentos que cuentan
 lecturer-regrade-all = Volver a calificar todos los intentos
 lecturer-changes = Lo que cambiaría
 lecturer-no-changes = No cambiaría ninguna puntuación.
+lecturer-unread = La puntuación de estos intentos se mantiene: el ejercicio tal como es ahora no puede leer sus respuestas
 lecturer-before = Antes
 lecturer-after = Después
 lecturer-apply = Aplicar estas puntuaciones

@@ -31,6 +31,8 @@ error-attempts_used = { $allowed ->
    *[other] Les { $allowed } essais que permet cet exercice ont tous été faits.
 }
 error-exercise_changed = L’exercice a été modifié après l’ouverture de cette page, et rien n’a été remis. Rechargez la page : ce que vous avez saisi est toujours là.
+error-settings_changed = Vos modifications n’ont pas été enregistrées : quelqu’un d’autre a enregistré d’autres règles depuis l’ouverture de cette page. Rechargez la page et consultez-les.
+error-regrading_outdated = Rien n’a été appliqué : l’exercice ou les règles du lien ont changé depuis le calcul de ces points, ou d’autres points ont été appliqués. Notez à nouveau.
 error-setting_invalid = { $name } peut valoir : { $known }.
 error-closes_before_opening = L’exercice fermerait avant d’ouvrir.
 error-session_expired = Vous n’êtes plus connecté. Ce que vous avez saisi est toujours là : rouvrez l’exercice depuis votre cours.

@@ -91,6 +91,7 @@ lecturer-regrade-counted = Noter à nouveau les essais qui comptent
 lecturer-regrade-all = Noter à nouveau tous les essais
 lecturer-changes = Ce qui changerait
 lecturer-no-changes = Aucune note ne changerait.
+lecturer-unread = Les points de ces essais restent : l’exercice tel qu’il est maintenant ne peut pas lire leurs réponses
 lecturer-before = Avant
 lecturer-after = Après
 lecturer-apply = Appliquer ces notes

@@ -91,6 +91,7 @@ lecturer-regrade-counted = Voltar a classificar as tentativas que contam
 lecturer-regrade-all = Voltar a classificar todas as tentativas
 lecturer-changes = O que mudaria
 lecturer-no-changes = Nenhuma classificação mudaria.
+lecturer-unread = A pontuação destas tentativas mantém-se: o exercício como está agora não consegue ler as respostas
 lecturer-before = Antes
 lecturer-after = Depois
 lecturer-apply = Aplicar estas classificações

@@ -92,6 +92,7 @@ lecturer-regrade-counted = Notează din nou încercările care contează
 lecturer-regrade-all = Notează din nou toate încercările
 lecturer-changes = Ce s-ar schimba
 lecturer-no-changes = Nicio notă nu s-ar schimba.
+lecturer-unread = Punctajele acestor încercări rămân: exercițiul așa cum este acum nu poate citi răspunsurile lor
 lecturer-before = Înainte
 lecturer-after = După
 lecturer-apply = Aplică aceste note

@@ -92,6 +92,7 @@ lecturer-regrade-counted = Оцінити знову зараховані спр
 lecturer-regrade-all = Оцінити знову всі спроби
 lecturer-changes = Що зміниться
 lecturer-no-changes = Жодна оцінка не зміниться.
+lecturer-unread = Бали за ці спроби залишаються: вправа в її теперішньому вигляді не може прочитати їхні відповіді
 lecturer-before = Було
 lecturer-after = Стане
 lecturer-apply = Застосувати ці оцінки

@@ -14,8 +14,9 @@ from fastapi.responses import StreamingResponse
 
 from courses.attempt_export import ExportedAttempt, exported_attempts
 from courses.enrolment import preview
-from courses.link_settings import written
+from courses.link_settings import version_of, written
 from courses.links import allow, change_settings, release_feedback, reports_of
+from courses.model import LinkSettings
 from courses.outbox import resend
 from courses.policies import Allowance
 from courses.refusals import NoExerciseError
@@ -77,18 +78,27 @@ async def show_settings(request: ApiRequest) -> Response:
     """Return the exercise and the rules of a link."""
     staff = await staff_of(request)
     link = await staff.link()
-    return json_response({"exercise": link.settings.exercise_id, **written(link.settings)})
+    return _settings_told(link.settings)
+
+
+def _settings_told(settings: LinkSettings) -> Response:
+    """Return settings with what tells them from others; it comes back with those that are made from them."""
+    told = {"exercise": settings.exercise_id, **written(settings), "version": version_of(settings)}
+    return json_response(told)
 
 
 @router.put("/course/links/{link}/settings")
 async def put_settings(request: ApiRequest) -> Response:
-    """Give a link its exercise and rules."""
+    """Give a link its exercise and rules; with the `version` they were made from, only if it still holds."""
     staff = await staff_of(request)
-    link, body = await staff.link(), await object_body(request)
+    link, body = await staff.link(), dict(await object_body(request))
+    seen = body.pop("version", None)
     settings = settings_in(request, body)
-    await staff.run(change_settings, staff.store, link.id, settings, now())
+    await staff.run(
+        change_settings, staff.store, link.id, settings, now(), None if seen is None else str(seen)
+    )
     await staff.log("settings", link=link.id, exercise=settings.exercise_id)
-    return json_response({"exercise": settings.exercise_id, **written(settings)})
+    return _settings_told(settings)
 
 
 @router.get("/course/links/{link}/statistics")

@@ -6,7 +6,7 @@ from typing import Any
 
 from fastapi import Response
 
-from courses.regrading import Scope, apply, begin, changes, rejudge
+from courses.regrading import Scope, apply, begin, changes, rejudge, unread
 from service.course_callers import grader_of, json_response, object_body, record_number, staff_of
 from service.course_resources import now
 from service.http.routing import ApiRequest, DirectRoute, api_router
@@ -30,7 +30,8 @@ async def regrade(request: ApiRequest) -> Response:
         run = begin(staff.store, link.id, scope, grader.basis(link.settings), now())
         with RegradingProcesses(grader, link.settings, resources_of(request).settings) as judge:
             rejudge(staff.store, run, judge)
-        return {"run": run, "version": version, "changes": changes(staff.store, run)}
+        told = {"changes": changes(staff.store, run), "unread": unread(staff.store, run)}
+        return {"run": run, "version": version, **told}
 
     found = await staff.run(work)
     await staff.log("regrading", link=link.id, run=found["run"])
@@ -42,6 +43,11 @@ async def apply_regrading(request: ApiRequest) -> Response:
     """Let the scores of a regrading count."""
     staff = await staff_of(request)
     link, run = await staff.link(), record_number(request, "run")
-    await staff.run(apply, staff.store, link.id, run, now())
+    grader = grader_of(request)
+
+    def work() -> None:
+        apply(staff.store, link.id, run, grader.basis(link.settings), now())
+
+    await staff.run(work)
     await staff.log("regrading applied", link=link.id, run=run)
     return Response(status_code=204)
