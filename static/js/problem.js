@@ -1,7 +1,7 @@
 /** A refusal or a failure, as something to read. */
 
 import { Problem } from "./api.js";
-import { el } from "./dom.js";
+import { el, fill } from "./dom.js";
 import { t } from "./i18n.js";
 
 /** What to say of an error. @param {unknown} error @returns {string[]} */
@@ -25,4 +25,18 @@ export function problemNotice(error, { retry } = {}) {
         ),
     retry ? el("button", { type: "button", onclick: retry, text: t("form-retry") }) : null,
   );
+}
+
+/**
+ * Work that says at a place what went wrong.
+ * @param {HTMLElement} place @param {() => Promise<void>} work @returns {() => Promise<void>}
+ */
+export function telling(place, work) {
+  return async () => {
+    try {
+      await work();
+    } catch (error) {
+      fill(place, problemNotice(error));
+    }
+  };
 }

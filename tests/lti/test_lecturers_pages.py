@@ -12,6 +12,7 @@ from playwright.sync_api import Page, expect
 from courses.administration import invite_administrator
 from courses.storage import Store
 from service.course_resources import now
+from service.schemas.exercises.examples_authoring import TWO_LINKS
 from tests.lti.classes import TEACHER, Browser, Lms, hint
 from tests.lti.test_in_a_browser import PATIENCE, chromium, framed  # noqa: F401
 from tests.lti.test_launches import CUSTOM, RIGHT, WRONG
@@ -20,6 +21,7 @@ from tests.web.conftest import assert_accessible, axe, wait_ready  # noqa: F401
 Check = Callable[[Page], None]
 pytestmark = pytest.mark.parametrize("address", ["sqlite"], indirect=True)
 SIZES = (320, 1280)
+ENDED = {"code": "session_expired", "title": "Not signed in", "detail": "You are no longer signed in."}
 
 
 @pytest.fixture(params=SIZES)
@@ -97,6 +99,50 @@ def test_the_class_its_numbers_and_an_attempt(
     preview.wait_for_selector("html[data-ready=true]", state="attached", timeout=PATIENCE)
     expect(preview.locator(".session-banner")).to_contain_text("of 3")
     preview.close()
+
+
+def test_rules_of_a_published_exercise_keep_it(
+    page: Page, browser: Browser, another_browser: Callable[[], Browser], lms: Lms, service: str
+) -> None:
+    """It stands in no list: the form showed the first of the list, and a new deadline made that the link's."""
+    published = browser.api("POST", "author/publish", {"draft": TWO_LINKS}).json()["id"]
+    where = {"resource": "own", "context": "own", "custom": {"exercise": published}}
+    browser.launch("ann", hint(**where))
+    arrived(page, lms, "tina", hint([TEACHER], **where))
+    page.locator("#link details summary").first.click()
+    expect(page.locator("#link select[name=exercise]")).to_have_value(published)
+    page.get_by_label("Points").fill("7")
+    page.get_by_role("button", name="Save").click()
+    expect(page.locator("#link details[open]")).to_have_count(0)
+    session = browser.api("GET", "session").json()
+    assert (session["exercise"], session["points"]) == (published, 7)
+
+    other = another_browser()
+    other.launch("tom", hint([TEACHER], **where))
+    path = f"course/links/{session['link']['id']}"
+    page.locator("#link details summary").first.click()
+    assert other.api("PUT", f"{path}/settings", {"exercise": published, "points": 9}).status_code == 200
+    page.get_by_role("button", name="Save").click()
+    expect(page.locator("#link .notice-problem")).to_contain_text("somebody else has saved other rules")
+
+    student = {"person": session["person"]["key"], "extra_minutes": 30, "extra_attempts": 2}
+    assert other.api("POST", f"{path}/allowances", student).status_code == 204
+    page.reload()
+    arrived(page, lms, "tina", hint([TEACHER], **where))
+    page.locator("#class").get_by_role("button", name="opened, no attempt", exact=True).click()
+    expect(page.get_by_label("Extra time [min]")).to_have_value("30")
+    expect(page.get_by_label("Extra attempts")).to_have_value("2")
+
+
+def test_what_is_refused_is_said(page: Page, browser: Browser, lms: Lms, service: str) -> None:
+    """The page stood at "Loading" for ever, and a refusal was saved as a file of attempts."""
+    where = {"resource": "refused", "context": "refused", "custom": CUSTOM}
+    browser.launch("ann", hint(**where))
+    arrived(page, lms, "tina", hint([TEACHER], **where))
+    page.route("**/api/v1/course/links/**", lambda route: route.fulfill(status=401, json=ENDED))
+    for name in ("Regrade all attempts", "Release feedback", "CSV", "JSON"):
+        page.get_by_role("button", name=name).click()
+        expect(page.locator("#link [role=status] .notice-problem")).to_contain_text("signed in")
 
 
 def test_the_administrators_page(

@@ -49,13 +49,14 @@ export function showClass(place, { links, students }, { openLink, openStudent, o
   const cell = (student, link) => {
     const found = student.links[link.id];
     const state = found?.state ?? "absent";
-    if (!found?.attempts) return el("span", { class: "badge", text: t(`lecturer-state-${state}`) });
+    const said = t(`lecturer-state-${state}`);
+    if (!found) return el("span", { class: "badge", text: said });
     const share = found.score === null ? "" : ` ${Math.round(found.score * 100)} %`;
     return el("button", {
       type: "button",
       class: `badge ${TONES[state]}`,
       onclick: () => openStudent(link, student),
-      text: `${t(`lecturer-state-${state}`)}${share} (${found.attempts})`,
+      text: found.attempts ? `${said}${share} (${found.attempts})` : said,
     });
   };
   const people = dataTable(

@@ -1,14 +1,15 @@
 /** One link: its numbers, the attempts behind them, its rules, regrading, export. */
 
+import { Problem } from "../api.js";
 import { dataTable } from "../data-table.js";
 import { announce, el, fill } from "../dom.js";
 import { partName } from "../exercise/progress.js";
 import { knows, language, named, t } from "../i18n.js";
-import { problemNotice } from "../problem.js";
 import { pageAddress } from "../page.js";
+import { problemNotice, telling } from "../problem.js";
 import { barChart } from "./chart.js";
 import { studentName } from "./class-view.js";
-import { settingsForm } from "./settings-form.js";
+import { entryOf, settingsForm } from "./settings-form.js";
 
 const DAYS = 40;
 
@@ -38,7 +39,8 @@ export class LinkView {
       const settings = await this.api.get(this.#path("settings"));
       const found = await this.api.get(this.#path("statistics"));
       const numbers = link.exercise ? [this.#numbers(found), this.#mistakes(found), this.#unexplained(found)] : [];
-      fill(body, numbers, this.behind, this.#rules(settings), link.exercise ? this.#work() : null);
+      const rules = this.#rules(settings, await this.#choice(settings));
+      fill(body, numbers, this.behind, rules, link.exercise ? this.#work() : null);
     } catch (error) {
       fill(body, problemNotice(error));
     }
@@ -179,6 +181,11 @@ export class LinkView {
 
   /** @param {Record<string, any>} asked */
   async #open(asked) {
+    await telling(this.behind, () => this.#list(asked))();
+  }
+
+  /** @param {Record<string, any>} asked */
+  async #list(asked) {
     const { attempts } = await this.api.get(this.#path(`attempts?${new URLSearchParams(asked)}`));
     const when = new Intl.DateTimeFormat(language, { dateStyle: "short", timeStyle: "short" });
     fill(
@@ -206,9 +213,11 @@ export class LinkView {
 
   /** @param {any} student */
   #allowance(student) {
-    const minutes = el("input", { type: "number", min: 0, max: 527040, value: 0 });
-    const attempts = el("input", { type: "number", min: 0, max: 1000, value: 0 });
-    const give = async () => {
+    const given = student.links[this.link.id] ?? { extra_seconds: 0, extra_attempts: 0 };
+    const minutes = el("input", { type: "number", min: 0, max: 527040, value: given.extra_seconds / 60 });
+    const attempts = el("input", { type: "number", min: 0, max: 1000, value: given.extra_attempts });
+    const said = el("div", { role: "status" });
+    const give = telling(said, async () => {
       const value = (/** @type {any} */ field) => Number(field.value);
       await this.api.post(this.#path("allowances"), {
         person: student.key,
@@ -217,22 +226,34 @@ export class LinkView {
       });
       announce(t("lecturer-saved"));
       await this.act.changed();
-    };
+    });
     return el(
       "div",
       { class: "row" },
       el("label", {}, t("lecturer-extra-minutes"), minutes),
       el("label", {}, t("lecturer-extra-attempts"), attempts),
       el("button", { type: "button", onclick: give, text: t("lecturer-give") }),
+      said,
     );
   }
 
-  /** @param {any} settings */
-  #rules(settings) {
+  /** The exercises among which the link's own always is: a published one stands in no list. @param {any} settings */
+  async #choice({ exercise, parts }) {
+    if (!exercise || this.exercises.some(({ id }) => id === exercise)) return this.exercises;
+    try {
+      return [entryOf(await this.api.get(`exercises/${encodeURIComponent(exercise)}`)), ...this.exercises];
+    } catch (error) {
+      if (!(error instanceof Problem)) throw error;
+      return [{ id: exercise, title: exercise, parts }, ...this.exercises];
+    }
+  }
+
+  /** @param {any} settings @param {any[]} exercises */
+  #rules(settings, exercises) {
     const said = el("div", { role: "status" });
     const save = async (/** @type {any} */ chosen) => {
       try {
-        await this.api.put(this.#path("settings"), chosen);
+        await this.api.put(this.#path("settings"), { ...chosen, version: settings.version });
         this.link.exercise = chosen.exercise;
         await this.act.changed();
         await this.show(this.link);
@@ -245,7 +266,7 @@ export class LinkView {
       "details",
       { open },
       el("summary", {}, el("h3", { text: t("lecturer-rules") })),
-      settingsForm(this.exercises, settings, save, t("lecturer-save")),
+      settingsForm(exercises, settings, save, t("lecturer-save")),
       said,
     );
   }
@@ -265,29 +286,28 @@ export class LinkView {
     };
     const regrade = async (/** @type {string} */ scope) => {
       fill(said, el("p", { text: t("form-loading") }));
-      const { run, changes } = await this.api.post(this.#path("regradings"), { scope });
-      const apply = async () => {
+      const { run, changes, unread } = await this.api.post(this.#path("regradings"), { scope });
+      const apply = telling(said, async () => {
         await this.api.post(this.#path(`regradings/${run}/apply`), {});
         await this.act.changed();
         fill(said, el("p", { text: t("lecturer-applied") }));
-      };
-      const rows = changes.map((/** @type {any} */ entry) => [
-        studentName(entry),
-        entry.number,
-        `${Math.round(entry.before * 100)} %`,
-        `${Math.round(entry.after * 100)} %`,
-      ]);
-      const headings = [t("lecturer-student"), t("lecturer-attempt"), t("lecturer-before"), t("lecturer-after")];
+      });
+      const percent = (/** @type {number} */ score) => `${Math.round(score * 100)} %`;
+      const row = (/** @type {any} */ { before, ...entry }) => [studentName(entry), entry.number, percent(before)];
+      const rows = changes.map((/** @type {any} */ entry) => [...row(entry), percent(entry.after)]);
+      const kept = [t("lecturer-student"), t("lecturer-attempt"), t("lecturer-before")];
+      const headings = [...kept, t("lecturer-after")];
       fill(
         said,
         changes.length ? dataTable(t("lecturer-changes"), headings, rows) : el("p", { text: t("lecturer-no-changes") }),
         changes.length
           ? el("button", { type: "button", class: "primary", onclick: apply, text: t("lecturer-apply") })
           : null,
+        unread.length ? dataTable(t("lecturer-unread"), kept, unread.map(row)) : null,
       );
     };
-    /** @param {string} text @param {any} onclick */
-    const button = (text, onclick) => el("button", { type: "button", onclick, text });
+    /** @param {string} text @param {() => Promise<void>} work */
+    const button = (text, work) => el("button", { type: "button", onclick: telling(said, work), text });
     return el(
       "section",
       { class: "stack" },
@@ -311,6 +331,7 @@ export class LinkView {
       headers: { Authorization: `Bearer ${this.api.token}` },
       credentials: "omit",
     });
+    if (!answer.ok) throw new Problem(answer.status, await answer.json());
     const address = URL.createObjectURL(await answer.blob());
     const anchor = /** @type {HTMLAnchorElement} */ (el("a", { href: address, download: `attempts.${form}` }));
     anchor.click();

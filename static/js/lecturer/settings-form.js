@@ -152,3 +152,8 @@ function settingsOf(form) {
     variants: number("variants"),
   };
 }
+
+/** An exercise that stands in no list, as an entry of it. @param {any} exercise */
+export function entryOf({ id, title, parts }) {
+  return { id, title, parts: parts.map((/** @type {any} */ { kind }) => kind) };
+}

@@ -2,7 +2,7 @@
 
 import { el, fill } from "../dom.js";
 import { t } from "../i18n.js";
-import { settingsForm } from "../lecturer/settings-form.js";
+import { entryOf, settingsForm } from "../lecturer/settings-form.js";
 import { api, pageAddress, startPage } from "../page.js";
 import { problemNotice } from "../problem.js";
 
@@ -38,11 +38,6 @@ async function run() {
       fill(problem, problemNotice(error));
     }
   }
-}
-
-/** An exercise that stands in no list, as an entry of it. @param {any} exercise */
-function entryOf({ id, title, parts }) {
-  return { id, title, parts: parts.map((/** @type {any} */ { kind }) => kind) };
 }
 
 startPage(run);

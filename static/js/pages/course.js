@@ -6,7 +6,7 @@ import { showAttempt } from "../lecturer/attempt-view.js";
 import { showClass, showUndelivered } from "../lecturer/class-view.js";
 import { LinkView } from "../lecturer/link-view.js";
 import { api, startPage } from "../page.js";
-import { problemNotice } from "../problem.js";
+import { problemNotice, telling } from "../problem.js";
 import "../scene/robot-scene.js";
 import { openSession } from "../session/course-session.js";
 
@@ -41,10 +41,12 @@ async function run() {
         openStudent: (chosen, student) => link.showStudent(chosen, student),
         openState: (chosen, state, students) => link.showState(chosen, state, students),
       });
-      showUndelivered($("undelivered-card"), $("undelivered"), found.undelivered, async (id) => {
-        await api.post(`course/links/${id}/resend`, {});
-        await refresh();
-      });
+      showUndelivered($("undelivered-card"), $("undelivered"), found.undelivered, (id) =>
+        telling($("course-problem"), async () => {
+          await api.post(`course/links/${id}/resend`, {});
+          await refresh();
+        })(),
+      );
       return found;
     }
   } catch (error) {
