@@ -49,13 +49,15 @@ def content_of(draft: ExerciseDraft) -> str:
     return json.dumps(content, ensure_ascii=False, allow_nan=False, default=dict)
 
 
-def publish(store: Store, draft: ExerciseDraft, at: datetime) -> Publication:
+def publish(store: Store, draft: ExerciseDraft, at: datetime, *, most: int | None = MOST) -> Publication:
     """Keep a version of an exercise for good.
 
     Args:
         store: the database.
         draft: one that was read without a fault.
         at: the time.
+        most: publications of an installation; None for the exercises of its own folders, which courses need
+            whatever strangers have published.
 
     Raises:
         PublicationError: as many as may be are there already.
@@ -67,8 +69,9 @@ def publish(store: Store, draft: ExerciseDraft, at: datetime) -> Publication:
     with store.writing() as connection:
         known = sa.select(publication.c.digest).where(publication.c.address == found.address)
         if connection.scalar(known) is None:
-            if (connection.scalar(sa.select(sa.func.count()).select_from(publication)) or 0) >= MOST:
-                raise PublicationError(Fault.at("publications_full", limit=MOST))
+            count = connection.scalar(sa.select(sa.func.count()).select_from(publication)) or 0
+            if most is not None and count >= most:
+                raise PublicationError(Fault.at("publications_full", limit=most))
             row = {"address": found.address, "digest": digest, "content": content, "published": at}
             insert_once(connection, publication, row)
     return found

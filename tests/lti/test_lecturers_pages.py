@@ -104,7 +104,7 @@ def test_the_class_its_numbers_and_an_attempt(
 def test_rules_of_a_published_exercise_keep_it(
     page: Page, browser: Browser, another_browser: Callable[[], Browser], lms: Lms, service: str
 ) -> None:
-    """It stands in no list: the form showed the first of the list, and a new deadline made that the link's."""
+    """It stands in no list: the form showed the first of the list, which a new deadline chose."""
     published = browser.api("POST", "author/publish", {"draft": TWO_LINKS}).json()["id"]
     where = {"resource": "own", "context": "own", "custom": {"exercise": published}}
     browser.launch("ann", hint(**where))

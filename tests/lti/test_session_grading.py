@@ -14,7 +14,8 @@ from courses.attempts import path_of_codes
 from courses.links import change_settings
 from courses.model import Attempt, CourseSession, LinkSettings
 from courses.policies import AttemptPolicy
-from courses.refusals import AttemptError
+from courses.publications import MOST, publish
+from courses.refusals import AttemptError, PublicationError
 from courses.storage import Store, open_store
 from exercises.grading import HelpLevel
 from exercises.instance import generate, kept_instance
@@ -25,7 +26,7 @@ from service.schemas.exercises.exercises import ExerciseAnswer
 from service.settings import Settings
 from service.work.session_grading import Grader, judged_submission, with_exercise_rules
 from tests.courses.classroom import attempts_of, handed_in, joined
-from tests.exercises.folders import TWO_LINKS, changed, folder
+from tests.exercises.folders import TWO_LINKS, changed, draft_of, folder
 
 RULES = """
 [access]
@@ -173,4 +174,22 @@ def test_a_mended_exercise_is_another_version_and_the_old_one_stays(tmp_path: Pa
     assert first == same != mended
     values = [generate(library.exercise(version), None).parameters["L1"] for version in (first, mended)]
     assert values == [0.5, 0.6]
+    courses.close()
+
+
+def test_what_strangers_have_published_keeps_no_course_from_its_exercise(tmp_path: Path) -> None:
+    """As many as may be: an exercise that nobody had opened before could not be handed in any more."""
+    courses = CourseResources(Settings(storage="on", data_folder=tmp_path / "data"))
+    folder(tmp_path / "own", TWO_LINKS)
+    rows = [{"address": f"x-{i}", "digest": "", "content": "{}", "published": now()} for i in range(MOST)]
+    with courses.store.writing() as connection:
+        connection.execute(sa.insert(records.publication), rows)
+    draft = draft_of(tmp_path / "own" / "two")
+    with pytest.raises(PublicationError):
+        publish(courses.store, draft, now())
+    library = Library((tmp_path / "own",), courses.published)
+    grader = Grader(library=library, limits=DEFAULT, edition=courses.edition)
+    session = joined(courses.store, at=now(), exercise_id="two")
+    judged, _ = judged_submission(grader, session, ExerciseAnswer.model_validate(WRONG), WRONG, None, "en")
+    assert courses.published(handed_in(courses.store, judged, now()).version) is not None
     courses.close()

@@ -12,7 +12,7 @@ from pydantic import TypeAdapter
 from courses.attempts import attempt_numbered, by_key, keep_draft, shown_now, standing_of
 from courses.model import CourseSession, StudentStanding
 from courses.policies import Shown
-from courses.refusals import AttemptError, NoExerciseError, PublicationError
+from courses.refusals import AttemptError, NoExerciseError
 from courses.secrets import redeem_code
 from courses.sessions import end_session
 from exercises.errors import UnknownExerciseError
@@ -66,7 +66,7 @@ def _version_now(grader: Grader, session: CourseSession) -> str | None:
     """What the exercise of a link is now; None where there is none, or none any more."""
     try:
         return grader.version(session.link.settings)
-    except (NoExerciseError, UnknownExerciseError, PublicationError):
+    except (NoExerciseError, UnknownExerciseError):
         return None
 
 
