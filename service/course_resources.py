@@ -88,6 +88,7 @@ class CourseResources:
         self._people: dict[str, Proven] = {}
         self._lock = threading.Lock()
         self._members: dict[int, tuple[dict[str, str | None] | None, float]] = {}
+        self._asking: dict[int, threading.Lock] = {}
         self._answered = (True, float("-inf"))
         self._editions: dict[str, str] = {}
         self._published: dict[str, Exercise] = {}
@@ -186,28 +187,33 @@ class CourseResources:
         They are asked for only where the operator lets names be stored for the platform, at most every few
         minutes, and are not written down.
         """
-        with self._lock:
-            known = self._members.get(course.id)
-            if known is not None and time.monotonic() < known[1]:
-                return known[0]
         platform = platform_by_id(self.store, course.platform_id)
         if not platform.names_shared or not course.memberships_url:
             return None
-        try:
-            listed = members(self.services, platform, course.memberships_url)
-        except PlatformError:
-            found = None
-        else:
-            found = {
-                pseudonym(self.store, platform.issuer, platform.client_id, member.user): member.name
-                for member in listed
-                if not member.is_staff
-            }
         with self._lock:
-            if len(self._members) >= _COURSES_KNOWN:
-                self._members.clear()
-            self._members[course.id] = (found, time.monotonic() + _MEMBERS_LIVE)
-        return found
+            asking = self._asking.setdefault(course.id, threading.Lock())
+        with asking:  # a platform that is slow to answer is asked once for all who look at the class
+            with self._lock:
+                known = self._members.get(course.id)
+            if known is not None and time.monotonic() < known[1]:
+                return known[0]
+            found = self._asked_members(platform, course.memberships_url)
+            with self._lock:
+                if len(self._members) >= _COURSES_KNOWN:
+                    self._members.clear()
+                self._members[course.id] = (found, time.monotonic() + _MEMBERS_LIVE)
+            return found
+
+    def _asked_members(self, platform: Platform, address: str) -> dict[str, str | None] | None:
+        try:
+            listed = members(self.services, platform, address)
+        except PlatformError:
+            return None
+        return {
+            pseudonym(self.store, platform.issuer, platform.client_id, member.user): member.name
+            for member in listed
+            if not member.is_staff
+        }
 
     def keys(self) -> list[StoredKey]:
         """Return the tool's keys; the first one is made when it is first needed."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import time
 from collections.abc import Mapping
 from dataclasses import dataclass
 
@@ -12,6 +13,8 @@ from service.lti.services import Services
 
 PAGES = 200
 """Pages that are followed, so that a platform cannot lead round in circles."""
+LONGEST = 30.0
+"""Seconds for all pages together: a lecturer waits for them, and a thread of everybody's courses."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -31,9 +34,12 @@ def members(services: Services, platform: LtiPlatform, address: str) -> list[Mem
     """
     found: list[Member] = []
     page: str | None = address
+    end = time.monotonic() + LONGEST
     for _ in range(PAGES):
         if page is None:
             break
+        if time.monotonic() > end:
+            raise unreachable(page, f"> {LONGEST:g} s")
         answer = services.call(platform, names.MEMBERSHIP_SCOPE, "GET", page, accept=names.MEMBERSHIPS)
         if answer.status // 100 != 2:
             raise unreachable(page, f"HTTP {answer.status}", status=answer.status)
