@@ -14,6 +14,8 @@ from kinematics.errors import Fault
 
 STATEMENT = re.compile(r"statement\.([a-z]{2})\.md")
 """The name of a statement's file; its group is the language."""
+ENCODING = "utf-8-sig"
+"""UTF-8, with the mark in front that editors on Windows write, or without."""
 
 
 def files_of_folder(folder: Traversable) -> Mapping[str, bytes]:
@@ -35,7 +37,7 @@ def read_definition(files: Mapping[str, bytes]) -> Mapping[str, Any]:
     if FILE not in files:
         raise DefinitionError(Fault.at("exercise_file_missing", FILE))
     try:
-        return tomllib.loads(files[FILE].decode())
+        return tomllib.loads(files[FILE].decode(ENCODING))
     except (
         ValueError,
         RecursionError,
@@ -54,7 +56,7 @@ def read_statements(files: Mapping[str, bytes]) -> Mapping[str, str]:
     for name in sorted(files):
         if named := STATEMENT.fullmatch(name):
             try:
-                found[named[1]] = files[name].decode().strip()
+                found[named[1]] = files[name].decode(ENCODING).strip()
             except UnicodeDecodeError as error:
                 raise DefinitionError(Fault.at("statement_not_text", name)) from error
     return found

@@ -132,8 +132,10 @@ class KeyReader:
         return self._each(key, value, ValueKind.TEXT, lambda entry: isinstance(entry, str))
 
     def integer(self, key: str, default: Any = _MISSING) -> int:
-        """Return a whole number."""
+        """Return a whole number of at most `LARGEST` in size."""
         value = self.value(key, int, ValueKind.INTEGER, default)
+        if isinstance(value, int) and abs(value) > LARGEST:
+            self.mistyped(ValueKind.NUMBER, key)
         return value if isinstance(value, int) else 0
 
     def exact(self, key: str, default: Any = _MISSING) -> Fraction:

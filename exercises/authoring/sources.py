@@ -11,6 +11,7 @@ from typing import Any, NoReturn
 
 from exercises.authoring.axes_drawing import in_named_lengths, read_drawing
 from exercises.authoring.named_tables import ExerciseSource, from_numeric_table, with_names
+from exercises.definition_files import ENCODING
 from exercises.errors import DefinitionError
 from exercises.reading import Reader
 from exercises.sample_reading import read_raw_table
@@ -172,7 +173,7 @@ def from_urdf_file(path: Path) -> ExerciseSource:
         DefinitionError: the file cannot be read, or its chain is none that a DH table can hold.
     """
     try:
-        return from_urdf(path.read_text(encoding="utf-8"), path.name)
+        return from_urdf(path.read_text(encoding=ENCODING), path.name)
     except (OSError, UnicodeDecodeError) as error:
         raise DefinitionError(_unreadable(path, str(error))) from error
 
@@ -206,9 +207,9 @@ def _six(reader: Reader) -> dict[str, Cell]:
 
 def _document(path: Path) -> dict[str, Any]:
     try:
-        text = path.read_text(encoding="utf-8")
+        text = path.read_text(encoding=ENCODING)
         document = json.loads(text) if path.suffix == ".json" else tomllib.loads(text)
-    except (OSError, ValueError) as error:
+    except (OSError, ValueError, RecursionError) as error:
         reason = getattr(error, "strerror", None) or str(error)
         raise DefinitionError(_unreadable(path, reason)) from error
     if not isinstance(document, dict):

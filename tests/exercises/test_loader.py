@@ -41,6 +41,24 @@ def test_a_definition_is_read(tmp_path: Path) -> None:
     )
 
 
+def test_files_of_an_editor_on_windows_are_read(tmp_path: Path) -> None:
+    """They begin with a mark, and their lines end with two characters."""
+    made = folder(tmp_path)
+    for file in made.iterdir():
+        file.write_bytes(b"\xef\xbb\xbf" + file.read_bytes().replace(b"\n", b"\r\n"))
+    (tmp_path / "plain").mkdir()
+    plain = load_exercise(folder(tmp_path / "plain"))
+    marked = load_exercise(made)
+    assert (marked.titles, marked.statements) == (plain.titles, plain.statements)
+
+
+def test_a_version_beyond_what_json_holds_is_refused(tmp_path: Path) -> None:
+    """One such folder ended the list of all exercises with error 500."""
+    made = folder(tmp_path, changed("version = 1", f"version = {10**15 + 1}"))
+    assert faults(made) == {"two.exercise.toml.version": "exercise_value_type"}
+    assert load_exercise(folder(tmp_path, changed("version = 1", f"version = {10**15}"))).version == 10**15
+
+
 def test_an_unknown_exercise_names_those_that_exist() -> None:
     with pytest.raises(UnknownExerciseError) as refused:
         exercise("puma")
