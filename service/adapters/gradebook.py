@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import csv
+import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from enum import StrEnum
 from typing import TextIO
 
-_FORMULA = ("=", "+", "-", "@", "\t", "\r")
+_FORMULA = re.compile(r"^(?=[\t\r\n])|(?:^|(?<=[;\t\r\n]))(?=[ \xa0]{0,9}[=+\-@＝＋－＠])")
+"""Where a spreadsheet would begin a formula: at the beginning of a cell, also of one that it makes of our text
+where it takes a semicolon or a tab for the end of a cell."""
 
 
 class GradebookFormat(StrEnum):
@@ -92,7 +95,7 @@ def _of_students(marks: Iterable[Mark]) -> Iterator[Mark]:
 
 def safe(text: str) -> str:
     """Return the text as no spreadsheet takes it for a formula."""
-    return f"'{text}" if text.startswith(_FORMULA) else text
+    return _FORMULA.sub("'", text)
 
 
 def _write_canvas(marks: Iterable[Mark], writer: csv._writer) -> None:  # type: ignore[name-defined]

@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import io
 import json
+import re
 from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
@@ -131,9 +132,11 @@ def test_a_gradebook_has_no_line_for_nobody_and_keeps_what_an_exercise_is_worth(
             assert [row[4:] for row in found] == [["x"], ["2"], ["1"], [""]]
 
 
-def test_no_cell_of_a_gradebook_is_a_formula() -> None:
+@pytest.mark.parametrize("before", ["", "x;", "x; ", "x\t", "x\n", " "])
+def test_no_cell_of_a_gradebook_is_a_formula(before: str) -> None:
+    """Nor one of those that a spreadsheet makes where a semicolon or a tab ends a cell, as in most of Europe."""
     mark = Mark(
-        student="=HYPERLINK(1)", exercise="x", points=1, max_points=1, correct=True, codes=(), feedback="@x",
+        student=f"{before}=HYPERLINK(1)", exercise="x", points=1, max_points=1, correct=True, codes=(), feedback="@x",
         source="-1",
     )  # fmt: skip
     for form in GradebookFormat:
@@ -141,6 +144,8 @@ def test_no_cell_of_a_gradebook_is_a_formula() -> None:
         write_marks([mark], stream, form)
         cells = [cell for row in csv.reader(io.StringIO(stream.getvalue())) for cell in row]
         assert not any(cell.startswith(("=", "@", "-")) for cell in cells)
+        split = re.split(r"[;\t\n,]", stream.getvalue().replace('"', ""))
+        assert not any(cell.strip().startswith("=") for cell in split)
 
 
 @pytest.mark.parametrize(("text", "score"), [(RIGHT, 1.0), (WRONG, None), (BROKEN, 0.0)])
