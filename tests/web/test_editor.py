@@ -210,6 +210,29 @@ def test_empty_cells_are_pointed_out_and_led_to_when_handed_in(open_page: OpenPa
     expect(page.locator("#verdict-card")).to_be_hidden()
 
 
+def test_empty_cells_and_cells_that_cannot_be_read_are_pointed_out_together(open_page: OpenPage) -> None:
+    """In the order in which they stand, so that nobody mends the one and is then told of the other."""
+    page = open_page("/exercises/twolink", lang="fr")
+    with page.expect_response("**/understand"):
+        put_table(
+            page,
+            {
+                "convention": "modified",
+                "rows": [
+                    {"joint": "revolute", "alpha": "0", "a": "2(", "d": "0", "theta": "q1"},
+                    {"joint": "revolute", "alpha": "", "a": "L1", "d": "0 m", "theta": "q2"},
+                ],
+            },
+        )
+    expect(page.locator(".fault:visible")).to_have_count(2)
+    page.locator("button[type=submit].primary").click()
+    links = editor(page).locator(".editor-summary").get_by_role("link")
+    expect(links).to_have_count(3)
+    expect(links.nth(0)).to_contain_text("ligne 1, aᵢ₋₁\u00a0: ")
+    expect(links.nth(1)).to_contain_text("ligne 2, αᵢ₋₁\u00a0: ")
+    expect(links.nth(2)).to_contain_text("ligne 2, dᵢ\u00a0: ")
+
+
 def test_what_was_typed_survives_a_reload_and_a_change_of_language(open_page: OpenPage) -> None:
     page = open_page("/exercises/twolink")
     choose(page, "convention", "standard")

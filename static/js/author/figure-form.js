@@ -1,7 +1,7 @@
 /** How the figure is drawn: from where it is seen, in which posture, what is marked, and all that a definition may nudge. */
 
 import { el, fill, iconButton } from "../dom.js";
-import { t } from "../i18n.js";
+import { named, t } from "../i18n.js";
 import { field, numberField, part, textField, tick } from "./fields.js";
 import { entriesField, group, listField, numbersField, wordsField } from "./shapes.js";
 
@@ -151,7 +151,7 @@ export function figureSection(store) {
   function recordsField(label, key, fields, fresh) {
     const path = [...FIGURE, key];
     const entries = store.at(path) ?? {};
-    const name = el("input", { type: "text", size: "6", "aria-label": `${label}: ${t("author-figure-name")}` });
+    const name = el("input", { type: "text", size: "6", "aria-label": named(label, t("author-figure-name")) });
     const add = () => {
       const wanted = name.value.trim();
       if (wanted) rebuild(() => store.set([...path, wanted], fresh))();

@@ -1,7 +1,7 @@
 /** Fields of the shapes that a definition's values have: numbers by name, words, draws, pairs of frames, ranges. */
 
 import { el, fill, iconButton } from "../dom.js";
-import { t } from "../i18n.js";
+import { named, t } from "../i18n.js";
 import { field, numberField, numberOf, textField, tick } from "./fields.js";
 
 /**
@@ -288,7 +288,7 @@ function rangesField(store, label, path, labels) {
       inputmode: "decimal",
       autocomplete: "off",
       value: now()[i]?.[end] ?? "",
-      "aria-label": `${label}, ${labels[i]}: ${what}`,
+      "aria-label": named(`${label}, ${labels[i]}`, what),
       dataset: { path: [...path, i, end].join("/") },
       oninput: set,
     });

@@ -174,8 +174,7 @@ export class DhTableEditor extends HTMLElement {
     const stands = (/** @type {import("./faults.js").PlacedFault} */ { row, cell }) =>
       sameRows && (row < 0 || at(table.rows, row, cell) === at(present.rows, row, cell));
     const placed = placedFaults(faults).filter(stands);
-    this.#faults.refuse(placed, this.#table.convention);
-    this.#placeFaults();
+    this.#refuse(placed);
     if (placed.length === 0) return false;
     if (JSON.stringify(table) === JSON.stringify(present)) this.#faults.summary.focus();
     else announce(`${this.#faults.title.textContent} ${placed[0].text}`);
@@ -267,16 +266,20 @@ export class DhTableEditor extends HTMLElement {
     this.#faults.showGeneral((row, cell) => Boolean(this.#grid.at(row, /** @type {any} */ (cell))));
   }
 
-  /** Says that cells are empty, with links to them. */
+  /** Says which cells are empty, and what is known to be wrong with others, with links to all of them. */
   showMissing() {
-    /** @param {any} options */
-    const fault = ({ row, cell }) => ({
-      code: "cell_empty",
-      pointer: `/rows/${row}/${cell}`,
-      detail: t("form-cell-empty"),
-      params: {},
-    });
-    this.showRefusal(this.missing.map(fault));
+    const empty = this.missing.map(({ row, cell }) => ({ row, cell, text: t("form-cell-empty") }));
+    const columns = COLUMNS[this.#table.convention];
+    const place = (/** @type {any} */ { row, cell }) => row * columns.length + columns.indexOf(cell);
+    const known = this.#faults.known.filter(({ row }) => row >= 0);
+    this.#refuse([...empty, ...known].sort((one, other) => place(one) - place(other)));
+    this.#faults.summary.focus();
+  }
+
+  /** @param {import("./faults.js").PlacedFault[]} faults */
+  #refuse(faults) {
+    this.#faults.refuse(faults, this.#table.convention);
+    this.#placeFaults();
   }
 
   #showBar() {

@@ -5,7 +5,7 @@
  */
 
 import { el, fill } from "../dom.js";
-import { t } from "../i18n.js";
+import { named, t } from "../i18n.js";
 import { columnText } from "./grid.js";
 
 /** @typedef {{row: number, cell: string, text: string}} PlacedFault row -1 is the table as a whole */
@@ -50,6 +50,11 @@ export class Faults {
   /** What the service says of the table as it stands. @param {PlacedFault[]} faults */
   read(faults) {
     this.#read = faults;
+  }
+
+  /** What the service said last of the table as it stands. */
+  get known() {
+    return this.#read;
   }
 
   /** What a table was refused for, listed in the summary. @param {PlacedFault[]} faults @param {string} convention */
@@ -117,6 +122,6 @@ export class Faults {
       this.go(row, cell);
     };
     const place = t("form-row-cell", { row: row + 1, name });
-    return el("li", {}, el("a", { href: `#${this.id}-${row}-${cell}`, onclick: follow, text: `${place}: ${text}` }));
+    return el("li", {}, el("a", { href: `#${this.id}-${row}-${cell}`, onclick: follow, text: named(place, text) }));
   }
 }

@@ -2,7 +2,7 @@
 
 import { dataTable } from "../data-table.js";
 import { announce, el, fill } from "../dom.js";
-import { language, t } from "../i18n.js";
+import { language, named, t } from "../i18n.js";
 import { api, startPage } from "../page.js";
 import { problemNotice } from "../problem.js";
 
@@ -63,9 +63,9 @@ function platformRow({ id, issuer, client_id: client, name, status, names_shared
     });
   /** @param {string} text @param {any} onclick */
   const button = (text, onclick) =>
-    el("button", { type: "button", class: "quiet small", onclick, text, "aria-label": `${text}: ${name || issuer}` });
+    el("button", { type: "button", class: "quiet small", onclick, text, "aria-label": named(text, name || issuer) });
   const deployment = /** @type {HTMLInputElement} */ (
-    el("input", { size: 12, required: true, "aria-label": `${t("platforms-deployment")}: ${name || issuer}` })
+    el("input", { size: 12, required: true, "aria-label": named(t("platforms-deployment"), name || issuer) })
   );
   const more = el(
     "form",

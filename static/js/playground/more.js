@@ -6,7 +6,7 @@
 import { Latest } from "../api.js";
 import { el, fill, segmented, uniqueId } from "../dom.js";
 import { rowsTable } from "../editor/rows-table.js";
-import { t } from "../i18n.js";
+import { named as called, t } from "../i18n.js";
 import { shown } from "../numbers.js";
 import { Cells, cellValue } from "./cells.js";
 import { MISTAKES } from "./mistakes.js";
@@ -168,7 +168,7 @@ function singularities({ correct, whole, conditions, families }, { show }) {
   const said = conditions.filter((/** @type {any} */ { message }) => message);
   const postures = families.map((/** @type {any} */ { example, found }, /** @type {number} */ i) => {
     const name = t("playground-family", { number: i + 1 });
-    const look = { type: "button", class: "small", "aria-label": `${name}: ${t("playground-show")}` };
+    const look = { type: "button", class: "small", "aria-label": called(name, t("playground-show")) };
     const label = conditions.length ? `${name} (${t(found === 1 ? "playground-found" : "playground-missing")})` : name;
     const button = example ? el("button", { ...look, onclick: () => show(example) }, t("playground-show")) : null;
     return el("li", { class: "row" }, label, button);
@@ -178,7 +178,7 @@ function singularities({ correct, whole, conditions, families }, { show }) {
     el(
       "ul",
       { class: "plain-list" },
-      said.map((/** @type {any} */ { number, message }) => el("li", { text: `${number}: ${message}` })),
+      said.map((/** @type {any} */ { number, message }) => el("li", { text: called(number, message) })),
     ),
     el("p", { text: t(whole ? "playground-families" : "playground-families-some", { count: families.length }) }),
     el("ul", { class: "plain-list" }, postures),
