@@ -29,7 +29,18 @@ const POINTS = new Intl.NumberFormat(globalThis.document?.documentElement?.lang 
 
 /** Points, to a tenth: the same text however they were added up. @param {number} value */
 export function asPoints(value) {
-  return POINTS.format(Math.round(value * 10 + 1e-6) / 10);
+  return POINTS.format(toTenth(value));
+}
+
+/** Points for a message, which inflects the noun by a number; from a thousand on as text, whose digits are not grouped. @param {number} value */
+export function pointsTold(value) {
+  const told = toTenth(value);
+  return told < 1000 ? told : POINTS.format(told);
+}
+
+/** @param {number} value */
+function toTenth(value) {
+  return Math.round(value * 10 + 1e-6) / 10;
 }
 
 /** A number with all its digits, for programs. @param {number} value */

@@ -5,8 +5,10 @@ from __future__ import annotations
 import re
 
 import pytest
+from fluent.runtime import FluentBundle, FluentResource
 
-from tests.architecture.test_messages import LANGUAGES, LOCALES
+from service.messages import FUNCTIONS
+from tests.architecture.test_messages import LANGUAGES, LOCALES, ROOMS, entries, variables
 
 DEFINITIONS = LOCALES.parent.parent / "exercises" / "definitions"
 CATALOGUE = LOCALES.parent.parent / "kinematics" / "catalogue"
@@ -69,12 +71,14 @@ TERMS: dict[str, dict[str, str]] = {
         r"[Aa]rticulaci\w+ (?:de revolución|rotacional)|\brotacional": "de rotación",
         r"\bficheros?\b|\b[Rr]esguardo": "archivo; comprobante",
         r"(?:inercia|masa) M\b": "matriz de masas M",
+        r"\bórden(?:es)?\b|\besta orden\b|la orden|cadena serial": "comando; cadena en serie",
     },
     "fr": {
         r"[Tt]ables? DH|[Ff]orme (?:fermée|close)": "tableau DH; forme littérale",
         r"\b[Tt]entatives?\b|[Rr]écépissé": "essai; reçu",
         r"\b[Jj]acobien\b": "la jacobienne",
         r"plateforme pédagogique": "plateforme d’apprentissage",
+        r"[Cc]inématique inverse|[Mm]atrices? des segments": "modèle géométrique inverse; matrice de passage",
     },
     "pt": {
         r"\b[Ss]istemas? (?:\{\}|de coordenadas|fixo)": "referencial",
@@ -83,6 +87,7 @@ TERMS: dict[str, dict[str, str]] = {
         r"[Qq]uatérnio": "quaternião",
         r"[Cc]onvenção (?:padrão|clássica)": "convenção standard",
         r"[Ff]orma literal|[Vv]eredito": "forma fechada; veredicto",
+        r"\b[Vv]ersor|\bcruza[mr]?\b|\bcortam?-se\b|\bgira\b": "vetor unitário; interseta; roda",
         r"\b[Ee]m outr[oa]s?\b|\bfaltando\b|\baté o\b": "noutro, falta, até ao",
         r"\b(?:usuário|tela|arquivos? d[eo]|você|salvar|celular|registro)\b": "European Portuguese",
         r"(?<!\w)(?:Sua|Seu|Suas|Seus) \w+": "an article stands before a possessive",
@@ -93,6 +98,7 @@ TERMS: dict[str, dict[str, str]] = {
         r"\b[Pp]oz(?:a|ă|e|ele|ei|elor)\b": "situare",
         r"\blegătur\w+ (?:robotului|brațului)": "element",
         r"\bnavigator\w*|[Cc]hitanț\w+|[Aa]deverinț\w+": "browser, recipisă",
+        r"\blinkuri|[Gg]ripper\w*|\btaie\b": "legături; prehensor; intersectează",
     },
     "uk": {
         r"[Кк]онвенц\w+": "угода",
@@ -100,6 +106,7 @@ TERMS: dict[str, dict[str, str]] = {
         r"[Уу]загальнен\w+ координат\w*": "змінні зчленувань",
         r"[Бб]уквен\w+ вигляд\w*|[Аа]налітичн\w+ (?:форм|вигляд)\w*": "замкнений вигляд",
         r"\b[Сс]хват\w*|\b[Сс]ервіс\w*": "захват; служба",
+        r"[Оо]бернен\w+ (?:кінематик|задач\w+(?! кінематики))": "обернена задача кінематики",
     },
 }
 """What is not said, and what is said instead: one term for one thing."""
@@ -108,3 +115,38 @@ TERMS: dict[str, dict[str, str]] = {
 @pytest.mark.parametrize("language", TERMS)
 def test_one_thing_has_one_term(language: str) -> None:
     assert not _broken(language, TERMS[language])
+
+
+COUNTS = re.compile(
+    "allowed|choices|count|deepest|depth|digits|elements|entries|expected|failed|given|joints|length|limit|most|"
+    "passed|points|rows|total|values"
+)
+"""Parameters that count what the next word names."""
+FEW = re.compile(
+    "task-pose|playground-singular-choice|check-rounded|form-unit-converted-but|error-function_arity|error-vector_length|"
+    "error-urdf_numbers_malformed|feedback-branch_.*|feedback-jacobian_.*"
+)
+"""Messages in which such a parameter is a name or a list, or counts no more than a robot's joints."""
+GENITIVES = r"\w+(?:ів|їв|ей|ок|ень|вань|имен|ій)\b|(?:цифр|імен)\b"
+UNINFLECTED = {
+    "ro": (100, r"\b100 (?!de |din |au |sunt |unul |rad |nereușite)[a-zăâîșț]{2,}"),
+    "uk": (22, rf"(?<!до )(?<![Зз] )\b22 (?:різних )?(?:{GENITIVES})"),
+}
+"""A number, and a noun after it that does not have the form that the number asks for."""
+
+
+@pytest.mark.parametrize("language", UNINFLECTED)
+def test_counted_nouns_are_inflected(language: str) -> None:
+    number, uninflected = UNINFLECTED[language]
+    bundle = FluentBundle([language], use_isolating=False, functions=FUNCTIONS)
+    found = []
+    for room in ROOMS:
+        bundle.add_resource(FluentResource((LOCALES / language / room).read_text(encoding="utf-8")))
+        for name, entry in entries(language, room).items():
+            arguments = {each: number if COUNTS.fullmatch(each) else "…" for each in variables(entry)}
+            pattern = bundle.get_message(name).value
+            assert pattern is not None
+            told, _ = bundle.format_pattern(pattern, arguments)
+            if not FEW.fullmatch(name) and re.search(uninflected, str(told)):
+                found.append(f"{name}: {told}")
+    assert found == []

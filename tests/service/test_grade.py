@@ -114,7 +114,7 @@ def test_what_cannot_be_graded_costs_no_attempt(
     ("tolerance", "says"),
     [
         ({"angle": 0}, "The number must be greater than 0."),
-        ({"length": 5}, "The number is too large; the bound is 0.1."),
+        ({"length": 5}, "The number must be at most 0.1."),
     ],
 )
 def test_a_bound_that_is_excluded_itself_is_told_so(

@@ -15,10 +15,10 @@ from tests.web.driving import PUMA, SCARA, put_table, submit, wrong
 
 def taken(page: Page, name: str) -> str:
     """The receipt of the verdict that is shown, as text."""
-    page.get_by_role("button", name="Take a receipt").click()
+    page.get_by_role("button", name="Get a receipt").click()
     dialog = page.get_by_role("dialog")
     dialog.get_by_label("Your name").fill(name)
-    dialog.get_by_role("button", name="Take a receipt").click()
+    dialog.get_by_role("button", name="Get a receipt").click()
     text = dialog.get_by_label("Receipt as text")
     expect(text).to_be_visible()
     expect(dialog.get_by_alt_text("Receipt as a QR code")).to_be_visible()

@@ -96,7 +96,11 @@ author-statement-none = There is no text in this language yet: its readers are s
 author-statement-waiting = A moment …
 author-points = points
 author-points-of = Points for { $part }
-author-points-total = Altogether { $points } points.
+author-points-total =
+    Altogether { $points ->
+        [one] { $points } point
+       *[other] { $points } points
+    }.
 author-rule-convention = Convention
 author-rule-convention-any = either
 author-rule-convention-standard = standard
@@ -169,7 +173,11 @@ author-right-shown = { $wrong ->
 }
 author-wrong = Show the commonest wrong answers and their marks
 author-wrong-hint = The likeliest first: what a student would be told, and what the whole answer still earns. Add your own words where you like.
-author-wrong-marks = { $points } of { $most } points, table { $score } %
+author-wrong-marks =
+    { $points } of { $most ->
+        [one] { $most } point
+       *[other] { $most } points
+    }, table { $score } %
 author-wrong-refused = refused, costs no attempt
 author-wrong-untold = No repair is suggested ({ $name }).
 author-wrong-tested = the exercise tests itself with this mistake
@@ -184,7 +192,7 @@ author-open = Open the exercise
 author-insert = Insert it into the course
 author-lti-hint = If your learning platform creates the link itself, add this custom parameter:
 author-link = Copy a link to the draft
-author-link-copied = The address holds the whole draft now, and is copied.
+author-link-copied = The address now holds the whole draft, and has been copied.
 author-import = Open a folder (zip)
 author-import-hint = As it is downloaded here, or as you have it in git.
 author-imported = The exercise is open.

@@ -22,7 +22,11 @@ form-home-more = More
 form-home-playground = Any table: poses, Jacobians, closed forms, conversions.
 form-home-api = Programming interface
 form-home-api-text = The same over HTTP, as an OpenAPI document.
-form-home-best = Best: { $points } of { $total } points
+form-home-best =
+    Best: { $points } of { $total ->
+        [one] { $total } point
+       *[other] { $total } points
+    }
 form-home-joints =
     { $joints ->
         [one] One joint
@@ -149,7 +153,11 @@ form-figure-move = Move the joints
 form-figure-posture = Measured from the configuration in the drawing.
 form-choose = Choose …
 form-choose-missing = Choose one.
-form-points = { $points } of { $total } points
+form-points =
+    { $points } of { $total ->
+        [one] { $total } point
+       *[other] { $total } points
+    }
 form-row-go = Go to row { $row }
 form-row-heading = Row
 form-row-missing =
@@ -347,7 +355,7 @@ form-sharing-help = What they are told about a wrong answer
 form-sharing-attempts = Attempts
 form-sharing-link = Make a link
 form-sharing-receipts = Verify receipts
-form-receipt = Take a receipt
+form-receipt = Get a receipt
 form-receipt-text = A receipt states what this answer earned, signed by this service. Hand it in to your lecturer as text, as a QR code or as a printed page.
 form-receipt-name = Your name, as your course knows it
 form-receipt-as-text = Receipt as text

@@ -49,12 +49,12 @@ error-number_not_finite = “{ $field }” must be a finite number.
 error-number_too_small =
     { $bound ->
         [excluded] The number must be greater than { $limit }.
-       *[included] The number is too small; the bound is { $limit }.
+       *[included] The number must be at least { $limit }.
     }
 error-number_too_large =
     { $bound ->
         [excluded] The number must be less than { $limit }.
-       *[included] The number is too large; the bound is { $limit }.
+       *[included] The number must be at most { $limit }.
     }
 error-integer_expected = “{ $field }” must be a whole number.
 error-boolean_expected = “{ $field }” must be true or false.

@@ -9,7 +9,11 @@ session-signed-in = Signed in as { $name } · { $course }
 session-attempts = Attempts: { $made }
 session-attempts-of = Attempts: { $made } of { $allowed }
 session-closes = Closes: { $when }
-session-grade = Counted: { $points } of { $total } points
+session-grade =
+    Counted: { $points } of { $total ->
+        [one] { $total } point
+       *[other] { $total } points
+    }
 session-no-more = No attempts are accepted now
 session-back = Back to the course
 session-received = Attempt { $attempt } has been received and stored. The result will be shown later.

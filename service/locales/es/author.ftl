@@ -96,7 +96,11 @@ author-statement-none = No hay nada escrito en este idioma: a sus lectores se le
 author-statement-waiting = Un momento …
 author-points = puntos
 author-points-of = Puntos por { $part }
-author-points-total = En total: { $points } puntos.
+author-points-total =
+    En total: { $points ->
+        [one] { $points } punto
+       *[other] { $points } puntos
+    }.
 author-rule-convention = Convención
 author-rule-convention-any = cualquiera
 author-rule-convention-standard = estándar
@@ -126,7 +130,7 @@ author-policy-admits = De las { $choices } formas en que los libros escribirían
 author-values-hint = Cada estudiante recibe valores propios donde se da un intervalo; en los demás casos vale el habitual.
 author-values-none = La tabla no tiene dimensiones con nombre.
 author-value = Valor habitual
-author-drawn = sorteado por estudiante
+author-drawn = sorteado para cada estudiante
 author-draw-from = { $name } desde
 author-draw-to = { $name } hasta
 author-draw-step = { $name } con paso
@@ -169,7 +173,11 @@ author-right-shown = { $wrong ->
 }
 author-wrong = Mostrar las respuestas erróneas más comunes y su nota
 author-wrong-hint = Las más probables primero: qué se le diría a un estudiante y qué vale aún la respuesta completa. Añada sus propias palabras donde quiera.
-author-wrong-marks = { $points } de { $most } puntos, tabla { $score } %
+author-wrong-marks =
+    { $points } de { $most ->
+        [one] { $most } punto
+       *[other] { $most } puntos
+    }, tabla { $score } %
 author-wrong-refused = se rechaza, no cuesta ningún intento
 author-wrong-untold = No se dice ninguna corrección ({ $name }).
 author-wrong-tested = el ejercicio se prueba con este error
@@ -263,8 +271,8 @@ author-figure-coordinates = coordenadas
 author-figure-ratio = en la fracción
 author-figure-from = desde el punto
 author-key-joints = Valores articulares
-author-key-turns = Ángulos sorteados por estudiante
-author-key-slides = Desplazamientos sorteados por estudiante
+author-key-turns = Ángulos sorteados para cada estudiante
+author-key-slides = Desplazamientos sorteados para cada estudiante
 author-key-tolerance = Tolerancia
 author-key-point = Punto marcado
 author-key-from = Distancia desde
@@ -326,4 +334,4 @@ author-body-centre = centro de masas
 author-body-moments = momentos de inercia
 author-quantity-name = Nombre de una magnitud
 author-quantity-value = valor
-author-quantity-draw = distinto para cada estudiante
+author-quantity-draw = sorteado para cada estudiante

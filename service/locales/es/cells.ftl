@@ -12,7 +12,7 @@ error-character_invisible = En el carácter { $column }: hay un carácter invisi
 error-character_lookalike = En el carácter { $column }: { $character } solo se parece a la letra latina { $latin }. Escriba { $latin }.
 error-character_full_width = En el carácter { $column }: { $character } es un carácter de ancho completo. Escriba { $latin }.
 error-dollar_misplaced = En el carácter { $column }: $ solo puede encerrar la celda entera.
-error-command_unknown = En el carácter { $column }: la orden \{ $command } no se reconoce.
+error-command_unknown = En el carácter { $column }: el comando \{ $command } no se reconoce.
 error-script_misplaced = En el carácter { $column }: { $character } no sigue a nada a lo que pueda pertenecer.
 
 error-number_malformed = En el carácter { $column }: { $text } no es un número decimal. Escriba cifras y un solo punto, sin separadores.

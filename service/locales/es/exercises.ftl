@@ -116,12 +116,12 @@ feedback-transform_inverse = Esta es la inversa de ⁰T: lleva del sistema 0 al 
 feedback-transform_rotation_transposed = La rotación de ⁰T está traspuesta.
 feedback-transform_order_reversed = Las matrices de los eslabones se multiplicaron en orden inverso.
 feedback-transform_links_missing = Este es el producto solo hasta el sistema { $last }; continúe hasta el último sistema.
-feedback-pose_right = La posición y la orientación son correctas.
-feedback-pose_follows_table = La posición y la orientación se siguen de su tabla y reciben sus puntos, aunque la tabla no es correcta.
-feedback-pose_wrong = No es lo que su tabla da para estos valores articulares.
+feedback-pose_right = La pose es correcta.
+feedback-pose_follows_table = La pose se sigue de su tabla y recibe sus puntos, aunque la tabla no es correcta.
+feedback-pose_wrong = Esta pose no es la que su tabla da para estos valores articulares.
 feedback-pose_rotation_right = La rotación es correcta.
 feedback-pose_position_right = La posición es correcta.
-feedback-pose_inverse = Esta es la transformación inversa.
+feedback-pose_inverse = Esta es la inversa de la pose.
 feedback-pose_rotation_transposed = La rotación está traspuesta.
 feedback-pose_degrees_as_radians = Los senos y cosenos se calcularon tomando los grados por radianes.
 feedback-workspace_right = Los dos radios son correctos.
@@ -144,7 +144,7 @@ error-link_matrices_count = La tabla tiene { $expected ->
    *[other] se dan { $given } matrices
 }. Dé una por cada fila; null omite una.
 error-link_matrices_need_table = Sin la tabla, las matrices de los eslabones se juzgan por su producto. Inclúyalas todas.
-error-pose_needs_table = La posición y la orientación son las de su propia tabla. Entregue también la tabla.
+error-pose_needs_table = La pose es la de su propia tabla. Entregue también la tabla.
 error-matrix_not_4x4 = Una matriz tiene cuatro filas de cuatro celdas.
 error-joint_variable_unknown = No existe { $name }; el robot tiene { $joints ->
     [one] una articulación

@@ -19,10 +19,14 @@ form-home-lead = Tablas de Denavit–Hartenberg con un robot que se mueve mientr
 form-home-exercises = Ejercicios
 form-home-subjects = Temas
 form-home-more = Más
-form-home-playground = Cualquier tabla: poses, jacobianas, formas simbólicas, conversiones.
+form-home-playground = Cualquier tabla: poses, jacobianas, formas cerradas, conversiones.
 form-home-api = Interfaz de programación
 form-home-api-text = Lo mismo por HTTP, como documento OpenAPI.
-form-home-best = Lo mejor: { $points } de { $total } puntos
+form-home-best =
+    Lo mejor: { $points } de { $total ->
+        [one] { $total } punto
+       *[other] { $total } puntos
+    }
 form-home-joints =
     { $joints ->
         [one] Una articulación
@@ -34,7 +38,7 @@ form-scene-role = vista 3D
 form-scene-label = Robot
 form-scene-tools = Vista
 form-scene-view = Mirar
-form-scene-view-corner = En esquina
+form-scene-view-corner = Desde una esquina
 form-scene-view-front = De frente
 form-scene-view-side = De lado
 form-scene-view-top = Desde arriba
@@ -127,7 +131,7 @@ form-matrix-notation = Notación
 form-matrix-short = abreviada
 form-matrix-full = completa
 form-matrix-none = Las matrices aparecen en cuanto se puedan leer todas las filas.
-form-matrix-name = Sistema { $to } respecto al sistema { $from }
+form-matrix-name = Pose del sistema { $to } en el sistema { $from }
 form-copy = Copiar como
 form-copy-group = Copiar: { $what }
 form-copied = Copiado como { $format }
@@ -149,7 +153,11 @@ form-figure-move = Mover las articulaciones
 form-figure-posture = Contado desde la configuración del dibujo.
 form-choose = Elija …
 form-choose-missing = Elija una opción.
-form-points = { $points } de { $total } puntos
+form-points =
+    { $points } de { $total ->
+        [one] { $total } punto
+       *[other] { $total } puntos
+    }
 form-row-go = Ir a la fila { $row }
 form-row-heading = Fila
 form-row-missing =
@@ -294,7 +302,7 @@ form-name-unknown =
     }
 
 form-nav-lesson = Primera lección
-form-term = ¿Qué es? { $term }
+form-term = ¿Qué significa «{ $term }»?
 form-convention-what = ¿Qué son?
 form-exercise-write = Fije un sistema de referencia a cada eslabón y escriba la tabla DH de este robot.
 

@@ -1,7 +1,7 @@
 ### Plataformas: la página del administrador y lo que un docente envía al administrador de una plataforma.
 
 platforms-title = Plataformas
-platforms-come = Abra esta página con la dirección que imprime esta orden:
+platforms-come = Abra esta página con la dirección que imprime este comando:
 platforms-list = Plataformas registradas
 platforms-none = Todavía no hay ninguna plataforma registrada.
 platforms-platform = Plataforma
@@ -11,7 +11,7 @@ platforms-status-active = activa
 platforms-status-disabled = desactivada
 platforms-deployments = Despliegues
 platforms-deployment = ID de despliegue
-platforms-add-deployment = Permitir
+platforms-add-deployment = Añadir
 platforms-names = Nombres
 platforms-names-yes = se guardan
 platforms-names-no = no se piden

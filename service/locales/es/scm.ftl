@@ -16,6 +16,6 @@ error-scm_revolute_second_turn = La articulación { $joint } gira alrededor de u
 error-scm_limits_reversed = Articulación { $joint }: los límites son [inferior, superior], ambos finitos y el inferior no mayor que el superior.
 error-chain_or_robot = Dé exactamente uno de los dos: chain o robot.
 error-scm_six_entries = Hacen falta seis entradas: la lista [X, Y, Z, A, B, C] o un objeto con algunas de x, y, z, a, b, c; lo que falte vale 0.
-error-matrix_not_rotation = La parte de rotación de esta matriz no es una rotación: sus columnas deben ser vectores unitarios perpendiculares, a derechas, para todos los valores de las variables articulares. Solo entonces tiene velocidad angular.
+error-matrix_not_rotation = La parte de rotación de esta matriz no es una rotación: sus columnas deben ser vectores unitarios perpendiculares, en terna dextrógira, para todos los valores de las variables articulares. Solo entonces tiene velocidad angular.
 error-variable_name_invalid = { $name } no puede ser el nombre de la variable articular { $joint }: un nombre es una palabra con un índice, como a1, y cada variable tiene el suyo.
 error-no_derivative = Una variable articular aparece dentro de una función que aquí no se deriva: escriba senos y cosenos de ella.

@@ -49,12 +49,12 @@ error-number_not_finite = «{ $field }» debe ser un número finito.
 error-number_too_small =
     { $bound ->
         [excluded] El número debe ser mayor que { $limit }.
-       *[included] El número es demasiado pequeño; el límite es { $limit }.
+       *[included] El número debe ser al menos { $limit }.
     }
 error-number_too_large =
     { $bound ->
         [excluded] El número debe ser menor que { $limit }.
-       *[included] El número es demasiado grande; el límite es { $limit }.
+       *[included] El número debe ser como máximo { $limit }.
     }
 error-integer_expected = «{ $field }» debe ser un número entero.
 error-boolean_expected = «{ $field }» debe ser true o false.
@@ -113,7 +113,7 @@ error-api_key_scope = Esta clave sirve para { $scopes }; la llamada necesita { $
 error-idempotency_key_length = Una Idempotency-Key tiene de 1 a { $limit } caracteres.
 error-idempotency_key_in_use = Todavía se está respondiendo a una petición con esta Idempotency-Key. Inténtelo de nuevo dentro de un segundo.
 error-idempotency_key_reused = Esta Idempotency-Key ya se usó para otra petición. Use una clave nueva para una petición nueva.
-error-rate_exceeded = Se ha pedido más de { $limit } por minuto, según el coste. Inténtelo de nuevo en { $seconds } s.
+error-rate_exceeded = Se ha superado el límite de { $limit } unidades de coste por minuto. Inténtelo de nuevo en { $seconds } s.
 error-setting_missing = Falta el ajuste { $name }.
 problem-title-429 = Demasiadas peticiones
 error-quaternion_or_axis = Indique a lo sumo uno de «quaternion» y «axis».

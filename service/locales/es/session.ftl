@@ -9,7 +9,11 @@ session-signed-in = Sesión iniciada como { $name } · { $course }
 session-attempts = Intentos: { $made }
 session-attempts-of = Intentos: { $made } de { $allowed }
 session-closes = Se cierra: { $when }
-session-grade = Cuentan { $points } de { $total } puntos
+session-grade =
+    Cuentan { $points } de { $total ->
+        [one] { $total } punto
+       *[other] { $total } puntos
+    }
 session-no-more = Ahora no se admiten intentos
 session-back = Volver al curso
 session-received = El intento { $attempt } se ha recibido y guardado. El resultado se mostrará más adelante.

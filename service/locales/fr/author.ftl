@@ -45,7 +45,7 @@ author-start-axes = Dessin
 author-start-table = Tableau DH
 author-start-scm = Chaîne SCM
 author-start-urdf = URDF
-author-start-robot-hint = Un robot du catalogue, avec son tableau et ses dimensions.
+author-start-robot-hint = Un robot du catalogue, avec son tableau et ses cotes.
 author-start-axes-hint = Placez les axes des articulations l’un après l’autre, depuis la base, le robot étant à zéro. Les longueurs nommées deviennent les cotes de la figure ; le tableau en découle.
 author-start-table-hint = La solution telle que vous l’écririez : des nombres, ou des noms comme L1. Les longueurs en nombres reçoivent un nom d’elles-mêmes.
 author-start-scm-hint = Une ligne par articulation : translations X Y Z et rotations A B C jusqu’à la suivante ; la variable figure dans sa cellule, q1, q2, …
@@ -96,7 +96,11 @@ author-statement-none = Rien n’est écrit dans cette langue : ses lecteurs en
 author-statement-waiting = Un instant …
 author-points = points
 author-points-of = Points pour { $part }
-author-points-total = En tout : { $points } points.
+author-points-total =
+    En tout : { $points ->
+        [one] { $points } point
+       *[other] { $points } points
+    }.
 author-rule-convention = Convention
 author-rule-convention-any = l’une ou l’autre
 author-rule-convention-standard = standard
@@ -167,12 +171,16 @@ author-right-shown = { $wrong ->
     [0] Les { $count } sont acceptées ; la première est votre solution.
    *[other] { $wrong } sur { $count } sont refusées.
 }
-author-wrong = Montrer les fautes les plus courantes et leurs points
+author-wrong = Montrer les réponses fausses les plus courantes et leurs points
 author-wrong-hint = Les plus probables d’abord : ce qu’un étudiant lirait, et ce que la réponse entière vaut encore. Ajoutez vos propres mots où vous voulez.
-author-wrong-marks = { $points } points sur { $most }, tableau { $score } %
+author-wrong-marks =
+    { $points ->
+        [one] { $points } point
+       *[other] { $points } points
+    } sur { $most }, tableau { $score } %
 author-wrong-refused = refusée, ne coûte aucun essai
 author-wrong-untold = Aucune correction n’est dite ({ $name }).
-author-wrong-tested = l’exercice se teste avec cette faute
+author-wrong-tested = l’exercice se teste avec cette erreur
 author-own-words = Vos propres mots, après les nôtres
 author-id = Nom du dossier
 author-download = Télécharger le dossier
@@ -229,7 +237,7 @@ author-sample-feedback = Codes contenus dans le verdict
 author-sample-keep = Garder cette réponse comme échantillon
 author-sample-kept = Gardée parmi les échantillons.
 author-figure-more = Tout le reste de la figure
-author-figure-upright = Position du repère 0 dans la figure, degrés
+author-figure-upright = Orientation du repère 0 dans la figure, degrés
 author-figure-roll = roulis
 author-figure-pitch = tangage
 author-figure-yaw = lacet

@@ -90,10 +90,10 @@ feedback-schematic_joint_type = Le type de l’articulation { $joint } n’est p
 feedback-schematic_relation = La position relative des axes { $first } et { $second } n’est pas juste.
 feedback-schematic_angle_right = Axes { $first } et { $second } : l’angle entre eux est juste, mais pas le fait qu’ils se coupent ou non.
 feedback-schematic_meeting_right = Les axes { $first } et { $second } se coupent bien, mais pas sous cet angle.
-feedback-matrices_right = Les matrices des segments sont justes.
-feedback-matrices_follow_table = Les matrices des segments découlent de votre tableau et rapportent leurs points, bien que le tableau ne soit pas juste.
-feedback-matrices_right_not_from_table = Les matrices des segments sont justes pour le robot, bien qu’elles ne découlent pas de votre tableau.
-feedback-matrices_product_wrong = Multipliées entre elles, vos matrices ne décrivent pas ce robot.
+feedback-matrices_right = Les matrices de passage sont justes.
+feedback-matrices_follow_table = Les matrices de passage découlent de votre tableau et rapportent leurs points, bien que le tableau ne soit pas juste.
+feedback-matrices_right_not_from_table = Les matrices de passage sont justes pour le robot, bien qu’elles ne découlent pas de votre tableau.
+feedback-matrices_product_wrong = Multipliées entre elles, vos matrices de passage ne décrivent pas ce robot.
 feedback-matrix_missing = La matrice { $matrix } manque.
 feedback-matrix_wrong = La matrice { $matrix } ne correspond pas à la ligne { $matrix } de votre tableau.
 feedback-matrix_cells_wrong = La matrice { $matrix } diffère de la ligne { $matrix } de votre tableau dans ces cellules (ligne,colonne) : { $cells }.
@@ -114,14 +114,14 @@ feedback-transform_cells_wrong = ⁰T diffère de votre tableau dans ces cellule
 feedback-transform_not_rigid = ⁰T n’est pas un déplacement rigide : ses colonnes ne sont pas des vecteurs unitaires orthogonaux, ou elles forment un trièdre indirect (déterminant −1), ou sa dernière ligne n’est pas 0 0 0 1.
 feedback-transform_inverse = C’est l’inverse de ⁰T : elle mène du repère 0 au dernier repère.
 feedback-transform_rotation_transposed = La rotation dans ⁰T est transposée.
-feedback-transform_order_reversed = Les matrices des segments ont été multipliées dans l’ordre inverse.
+feedback-transform_order_reversed = Les matrices de passage ont été multipliées dans l’ordre inverse.
 feedback-transform_links_missing = C’est le produit jusqu’au repère { $last } seulement ; continuez jusqu’au dernier repère.
-feedback-pose_right = La position et l’orientation sont justes.
-feedback-pose_follows_table = La position et l’orientation découlent de votre tableau et rapportent leurs points, bien que le tableau ne soit pas juste.
-feedback-pose_wrong = Ce n’est pas ce que votre tableau donne pour ces valeurs articulaires.
+feedback-pose_right = La pose est juste.
+feedback-pose_follows_table = La pose découle de votre tableau et rapporte ses points, bien que le tableau ne soit pas juste.
+feedback-pose_wrong = Cette pose n’est pas celle que votre tableau donne pour ces valeurs articulaires.
 feedback-pose_rotation_right = La rotation est juste.
 feedback-pose_position_right = La position est juste.
-feedback-pose_inverse = C’est la transformation inverse.
+feedback-pose_inverse = C’est l’inverse de la pose.
 feedback-pose_rotation_transposed = La rotation est transposée.
 feedback-pose_degrees_as_radians = Les sinus et cosinus ont été calculés avec des degrés pris pour des radians.
 feedback-workspace_right = Les deux rayons sont justes.
@@ -143,8 +143,8 @@ error-link_matrices_count = Le tableau a { $expected ->
     [one] une matrice est donnée
    *[other] { $given } matrices sont données
 }. Donnez-en une par ligne ; null en saute une.
-error-link_matrices_need_table = Sans le tableau, les matrices des segments sont jugées sur leur produit. Donnez-les toutes.
-error-pose_needs_table = La position et l’orientation sont celles de votre propre tableau. Rendez aussi le tableau.
+error-link_matrices_need_table = Sans le tableau, les matrices de passage sont jugées sur leur produit. Donnez-les toutes.
+error-pose_needs_table = La pose est celle de votre propre tableau. Rendez aussi le tableau.
 error-matrix_not_4x4 = Une matrice a quatre lignes de quatre cellules.
 error-joint_variable_unknown = Il n’y a pas de { $name } ; le robot a { $joints ->
     [one] une articulation

@@ -22,7 +22,11 @@ form-home-more = Autres pages
 form-home-playground = Un tableau quelconque : poses, jacobiennes, formes littérales, conversions.
 form-home-api = Interface de programmation
 form-home-api-text = La même chose par HTTP, en document OpenAPI.
-form-home-best = Meilleur essai : { $points } points sur { $total }
+form-home-best =
+    Meilleur essai : { $points ->
+        [one] { $points } point
+       *[other] { $points } points
+    } sur { $total }
 form-home-joints =
     { $joints ->
         [one] Une articulation
@@ -127,7 +131,7 @@ form-matrix-notation = Notation
 form-matrix-short = abrégée
 form-matrix-full = complète
 form-matrix-none = Les matrices apparaissent dès que chaque ligne peut être lue.
-form-matrix-name = Repère { $to } dans le repère { $from }
+form-matrix-name = Pose du repère { $to } dans le repère { $from }
 form-copy = Copier en
 form-copy-group = Copier : { $what }
 form-copied = Copié en { $format }
@@ -149,7 +153,11 @@ form-figure-move = Bouger les articulations
 form-figure-posture = Compté à partir de la configuration du dessin.
 form-choose = Choisir …
 form-choose-missing = Choisissez une option.
-form-points = { $points } points sur { $total }
+form-points =
+    { $points ->
+        [one] { $points } point
+       *[other] { $points } points
+    } sur { $total }
 form-row-go = Voir la ligne { $row }
 form-row-heading = Ligne
 form-row-missing =
@@ -175,7 +183,7 @@ form-part-workspace = Espace de travail
 form-part-orientation = Orientation
 form-part-rotation-check = Rotation ou non
 form-part-frame-chain = Chaîne de repères
-form-part-inverse-kinematics = Cinématique inverse
+form-part-inverse-kinematics = Modèle géométrique inverse
 form-part-find-mistake = Trouver l’erreur
 form-part-matrix-mistake = Trouver l’erreur dans une matrice
 form-part-frame-mistake = Trouver l’erreur dans une figure
@@ -294,7 +302,7 @@ form-name-unknown =
     }
 
 form-nav-lesson = Première leçon
-form-term = Qu’est-ce ? { $term }
+form-term = Que signifie « { $term } » ?
 form-convention-what = De quoi s’agit-il ?
 form-exercise-write = Attachez un repère à chaque segment et écrivez le tableau DH de ce robot.
 
@@ -347,7 +355,7 @@ form-sharing-help = Ce qui leur est dit d’une réponse fausse
 form-sharing-attempts = Essais
 form-sharing-link = Créer un lien
 form-sharing-receipts = Vérifier des reçus
-form-receipt = Prendre un reçu
+form-receipt = Obtenir un reçu
 form-receipt-text = Un reçu dit ce que cette réponse a rapporté ; ce service le signe. Remettez-le à votre enseignant : en texte, en code QR ou en page à imprimer.
 form-receipt-name = Votre nom, tel que le cours le connaît
 form-receipt-as-text = Reçu en texte

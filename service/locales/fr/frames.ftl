@@ -2,7 +2,7 @@
 
 rule-z_not_along_axis = z doit être porté par l’axe { $axis }, car l’articulation { $axis } tourne autour de ce z ou glisse le long de lui.
 rule-origin_not_on_axis = L’origine doit se trouver sur l’axe { $axis }, car z de ce repère est porté par lui.
-rule-origin_not_on_common_normal = L’origine doit être au point où la perpendiculaire commune aux axes { $first } et { $second } rencontre l’axe de ce repère, car a se mesure sur cette normale.
+rule-origin_not_on_common_normal = L’origine doit être au point où la perpendiculaire commune aux axes { $first } et { $second } rencontre l’axe de ce repère, car a se mesure sur celle-ci.
 rule-origin_not_at_intersection = Les axes { $first } et { $second } se coupent : l’origine se place à leur point d’intersection, car a y est nul.
 rule-x_not_across_z = x doit être perpendiculaire à z, car les axes d’un repère sont perpendiculaires.
 rule-x_not_along_common_normal = x doit être porté par la perpendiculaire commune aux axes { $first } et { $second }, car a se mesure le long de x et c’est la plus courte distance entre les axes.

@@ -56,7 +56,7 @@ task-frame-mistake =
     }, mais l’un d’eux contient une erreur. Quel repère est faux, qu’a-t-il de faux et comment devrait-il être placé ? Points et directions sont donnés dans les coordonnées de la figure ; la longueur d’une direction est libre.
 
 feedback-frame_mistake_place_wrong = Ce repère est juste ; l’erreur est dans un autre.
-feedback-frame_mistake_name_wrong = L’erreur est d’une autre sorte.
+feedback-frame_mistake_name_wrong = L’erreur est d’un autre genre.
 feedback-frame_not_mended = Avec ce repère, le dessin enfreint encore une règle.
 feedback-frame_mistake_missing =
     { $what ->

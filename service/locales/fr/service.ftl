@@ -49,12 +49,12 @@ error-number_not_finite = « { $field } » doit être un nombre fini.
 error-number_too_small =
     { $bound ->
         [excluded] Le nombre doit être supérieur à { $limit }.
-       *[included] Le nombre est trop petit ; la limite est { $limit }.
+       *[included] Le nombre doit être au moins { $limit }.
     }
 error-number_too_large =
     { $bound ->
         [excluded] Le nombre doit être inférieur à { $limit }.
-       *[included] Le nombre est trop grand ; la limite est { $limit }.
+       *[included] Le nombre doit être au plus { $limit }.
     }
 error-integer_expected = « { $field } » doit être un nombre entier.
 error-boolean_expected = « { $field } » doit être true ou false.
@@ -113,7 +113,7 @@ error-api_key_scope = Cette clé sert à { $scopes } ; l’appel demande { $nee
 error-idempotency_key_length = Une Idempotency-Key compte de 1 à { $limit } caractères.
 error-idempotency_key_in_use = Une requête portant cette Idempotency-Key est encore en cours. Réessayez dans une seconde.
 error-idempotency_key_reused = Cette Idempotency-Key a déjà servi pour une autre requête. Prenez une nouvelle clé pour une nouvelle requête.
-error-rate_exceeded = Il a été demandé plus de { $limit } par minute, compté selon le coût. Réessayez dans { $seconds } s.
+error-rate_exceeded = La limite de { $limit } unités de coût par minute a été dépassée. Réessayez dans { $seconds } s.
 error-setting_missing = Le réglage { $name } manque.
 problem-title-429 = Trop de requêtes
 error-quaternion_or_axis = Donnez au plus l’un de « quaternion » et « axis ».

@@ -9,7 +9,11 @@ session-signed-in = Connecté en tant que { $name } · { $course }
 session-attempts = Essais : { $made }
 session-attempts-of = Essais : { $made } sur { $allowed }
 session-closes = Ferme : { $when }
-session-grade = Compte : { $points } points sur { $total }
+session-grade =
+    Compte : { $points ->
+        [one] { $points } point
+       *[other] { $points } points
+    } sur { $total }
 session-no-more = Aucun essai n’est accepté maintenant
 session-back = Retour au cours
 session-received = L’essai { $attempt } est reçu et conservé. Le résultat sera montré plus tard.

@@ -96,7 +96,11 @@ author-statement-none = Nada está escrito nesta língua: aos seus leitores most
 author-statement-waiting = Um momento …
 author-points = pontos
 author-points-of = Pontos por { $part }
-author-points-total = No total: { $points } pontos.
+author-points-total =
+    No total: { $points ->
+        [one] { $points } ponto
+       *[other] { $points } pontos
+    }.
 author-rule-convention = Convenção
 author-rule-convention-any = qualquer
 author-rule-convention-standard = standard
@@ -126,7 +130,7 @@ author-policy-admits = Das { $choices } formas como os manuais escreveriam a tab
 author-values-hint = Cada estudante recebe valores próprios onde se dá um intervalo; nos outros vale o habitual.
 author-values-none = A tabela não tem dimensões com nome.
 author-value = Valor habitual
-author-drawn = sorteado por estudante
+author-drawn = sorteado para cada estudante
 author-draw-from = { $name } de
 author-draw-to = { $name } até
 author-draw-step = { $name } com passo
@@ -169,7 +173,11 @@ author-right-shown = { $wrong ->
 }
 author-wrong = Mostrar as respostas erradas mais comuns e as suas notas
 author-wrong-hint = As mais prováveis primeiro: o que se diria a um estudante e o que a resposta toda ainda vale. Acrescente palavras suas onde quiser.
-author-wrong-marks = { $points } de { $most } pontos, tabela { $score } %
+author-wrong-marks =
+    { $points } de { $most ->
+        [one] { $most } ponto
+       *[other] { $most } pontos
+    }, tabela { $score } %
 author-wrong-refused = recusada, não custa tentativa
 author-wrong-untold = Não se diz nenhuma correção ({ $name }).
 author-wrong-tested = o exercício testa-se com este erro
@@ -263,8 +271,8 @@ author-figure-coordinates = coordenadas
 author-figure-ratio = na fração
 author-figure-from = a partir do ponto
 author-key-joints = Valores das juntas
-author-key-turns = Ângulos sorteados por estudante
-author-key-slides = Deslizamentos sorteados por estudante
+author-key-turns = Ângulos sorteados para cada estudante
+author-key-slides = Deslizamentos sorteados para cada estudante
 author-key-tolerance = Tolerância
 author-key-point = Ponto marcado
 author-key-from = Distância a partir de
@@ -326,4 +334,4 @@ author-body-centre = centro de massa
 author-body-moments = momentos de inércia
 author-quantity-name = Nome de uma grandeza
 author-quantity-value = valor
-author-quantity-draw = sorteado por estudante
+author-quantity-draw = sorteado para cada estudante

@@ -88,8 +88,8 @@ feedback-schematic_joint_count = Indicou { $given ->
 }; conte de novo quantas se podem mover.
 feedback-schematic_joint_type = O tipo da junta { $joint } não está certo.
 feedback-schematic_relation = A posição relativa dos eixos { $first } e { $second } não está certa.
-feedback-schematic_angle_right = Eixos { $first } e { $second }: o ângulo entre eles está certo, mas não o facto de se cortarem ou não.
-feedback-schematic_meeting_right = Os eixos { $first } e { $second } cortam-se de facto, mas não sob esse ângulo.
+feedback-schematic_angle_right = Eixos { $first } e { $second }: o ângulo entre eles está certo, mas não o facto de se intersetarem ou não.
+feedback-schematic_meeting_right = Os eixos { $first } e { $second } intersetam-se de facto, mas não sob esse ângulo.
 feedback-matrices_right = As matrizes dos elos estão certas.
 feedback-matrices_follow_table = As matrizes dos elos decorrem da sua tabela e recebem os seus pontos, embora a tabela não esteja certa.
 feedback-matrices_right_not_from_table = As matrizes dos elos estão certas para o robô, embora não decorram da sua tabela.
@@ -116,12 +116,12 @@ feedback-transform_inverse = Esta é a inversa de ⁰T: leva do referencial 0 ao
 feedback-transform_rotation_transposed = A rotação em ⁰T está transposta.
 feedback-transform_order_reversed = As matrizes dos elos foram multiplicadas em ordem inversa.
 feedback-transform_links_missing = Este é o produto só até ao referencial { $last }; continue até ao último referencial.
-feedback-pose_right = A posição e a orientação estão certas.
-feedback-pose_follows_table = A posição e a orientação decorrem da sua tabela e recebem os seus pontos, embora a tabela não esteja certa.
-feedback-pose_wrong = Não é o resultado que a sua tabela dá para esses valores das juntas.
+feedback-pose_right = A pose está certa.
+feedback-pose_follows_table = A pose decorre da sua tabela e recebe os seus pontos, embora a tabela não esteja certa.
+feedback-pose_wrong = Esta pose não é a que a sua tabela dá para esses valores das juntas.
 feedback-pose_rotation_right = A rotação está certa.
 feedback-pose_position_right = A posição está certa.
-feedback-pose_inverse = Esta é a transformação inversa.
+feedback-pose_inverse = Esta é a inversa da pose.
 feedback-pose_rotation_transposed = A rotação está transposta.
 feedback-pose_degrees_as_radians = Os senos e cossenos foram calculados com graus tomados como radianos.
 feedback-workspace_right = Os dois raios estão certos.
@@ -144,7 +144,7 @@ error-link_matrices_count = A tabela tem { $expected ->
    *[other] foram dadas { $given } matrizes
 }. Dê uma para cada linha; null omite uma.
 error-link_matrices_need_table = Sem a tabela, as matrizes dos elos são julgadas pelo seu produto. Dê-as todas.
-error-pose_needs_table = A posição e a orientação são as da sua própria tabela. Entregue também a tabela.
+error-pose_needs_table = A pose é a da sua própria tabela. Entregue também a tabela.
 error-matrix_not_4x4 = Uma matriz tem quatro linhas de quatro células.
 error-joint_variable_unknown = Não existe { $name }; o robô tem { $joints ->
     [one] uma junta

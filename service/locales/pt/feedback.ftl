@@ -98,8 +98,8 @@ repair-a_sign = Linha { $row }: a tem o sinal errado. Conta-se no sentido de x.
 repair-d_sign = Linha { $row }: d tem o sinal errado. Conta-se no sentido de z.
 repair-a_d_swapped = Linha { $row }: a e d estão trocados. a mede-se ao longo de x, d ao longo de z.
 repair-a_value = Linha { $row }: a tem um valor errado. Meça sobre a normal comum aos dois eixos z.
-repair-a_missing = Linha { $row }: a não deveria ser zero, pois os dois eixos z não se cruzam.
-repair-a_not_zero = Linha { $row }: a deveria ser zero, pois os dois eixos z cruzam-se ou coincidem.
+repair-a_missing = Linha { $row }: a não deveria ser zero, pois os dois eixos z não se intersetam.
+repair-a_not_zero = Linha { $row }: a deveria ser zero, pois os dois eixos z intersetam-se ou coincidem.
 repair-d_value = Linha { $row }: d tem um valor errado. Meça ao longo de z, de um eixo x ao seguinte.
 repair-d_missing = Linha { $row }: falta um deslocamento d.
 repair-d_not_zero = Linha { $row }: d deveria ser zero, pois os dois eixos x encontram z no mesmo ponto.
@@ -142,7 +142,7 @@ feedback-frame_first_x_misses_axis = Referencial { $frame }: { rule-first_x_miss
 feedback-frame_last_x_misses_axis = Referencial { $frame }: { rule-last_x_misses_axis }
 feedback-frames_other_convention = Estes referenciais cumprem as regras da outra convenção.
 feedback-frames_not_as_asked = Os referenciais cumprem as regras, mas não estão colocados como o exercício pede.
-feedback-frames_right = Os referenciais estão corretos.
+feedback-frames_right = Os referenciais estão certos.
 feedback-repairs_one_cell = Várias alterações corrigiriam, cada uma por si, a tabela; todas estão na célula { $cell ->
     [alpha] α
     [theta] θ

@@ -19,10 +19,14 @@ form-home-lead = Tabelas de Denavit–Hartenberg com um robô que se move enquan
 form-home-exercises = Exercícios
 form-home-subjects = Temas
 form-home-more = Mais
-form-home-playground = Qualquer tabela: poses, jacobianas, formas simbólicas, conversões.
+form-home-playground = Qualquer tabela: poses, jacobianas, formas fechadas, conversões.
 form-home-api = Interface de programação
 form-home-api-text = O mesmo por HTTP, como documento OpenAPI.
-form-home-best = Melhor: { $points } de { $total } pontos
+form-home-best =
+    Melhor: { $points } de { $total ->
+        [one] { $total } ponto
+       *[other] { $total } pontos
+    }
 form-home-joints =
     { $joints ->
         [one] Uma junta
@@ -127,7 +131,7 @@ form-matrix-notation = Notação
 form-matrix-short = abreviada
 form-matrix-full = completa
 form-matrix-none = As matrizes aparecem assim que todas as linhas possam ser lidas.
-form-matrix-name = Referencial { $to } no referencial { $from }
+form-matrix-name = Pose do referencial { $to } no referencial { $from }
 form-copy = Copiar como
 form-copy-group = Copiar: { $what }
 form-copied = Copiado como { $format }
@@ -149,7 +153,11 @@ form-figure-move = Mover as juntas
 form-figure-posture = A contar da configuração do desenho.
 form-choose = Escolha …
 form-choose-missing = Escolha uma opção.
-form-points = { $points } de { $total } pontos
+form-points =
+    { $points } de { $total ->
+        [one] { $total } ponto
+       *[other] { $total } pontos
+    }
 form-row-go = Ir para a linha { $row }
 form-row-heading = Linha
 form-row-missing =
@@ -294,11 +302,11 @@ form-name-unknown =
     }
 
 form-nav-lesson = Primeira lição
-form-term = O que é? { $term }
+form-term = O que significa “{ $term }”?
 form-convention-what = O que são?
 form-exercise-write = Fixe um referencial a cada elo e escreva a tabela DH deste robô.
 
-form-why = Porque está certa cada linha
+form-why = Porque é que cada linha está certa
 form-why-row = Linha { $row }: posição dos eixos z{ $before } e z{ $row }: { $relation }; por isso α = { $alpha } e a = { $a }; ao longo de z, os referenciais distam d = { $d }.
 form-second-table = Outra tabela válida
 form-second-other-convention = Está escrita na convenção { $convention }.
@@ -325,11 +333,11 @@ form-help-principle = O princípio.
 form-help-worked = Um passo resolvido, noutro robô.
 form-help-next = O passo seguinte da ajuda vem com a sua próxima resposta, depois de a ter alterado.
 form-principle-twist = A torção α leva um eixo z ao seguinte, vista ao longo do eixo x, perpendicular a ambos. Eixos z paralelos têm 0° ou 180°, perpendiculares 90° ou −90°; a mão direita, com o polegar segundo x, dá o sinal.
-form-principle-length = O comprimento a é a distância entre dois eixos z vizinhos ao longo da normal comum, que é o eixo x. É 0 se e só se as duas retas se cortam.
+form-principle-length = O comprimento a é a distância entre dois eixos z vizinhos ao longo da normal comum, que é o eixo x. É 0 se e só se as duas retas se intersetam.
 form-principle-offset = O deslocamento d é a distância, ao longo de um eixo z, entre dois pés: onde chega a normal comum vinda do eixo anterior e onde parte a que vai para o seguinte. Se eixos vizinhos são paralelos, pode escolher onde fica, mas uma só vez.
 form-principle-joint = Uma junta rotativa roda em torno do seu eixo z: a variável é θ. Uma junta prismática desliza ao longo dele: a variável é d. Cada junta tem uma linha, pela ordem da base à ferramenta.
 form-worked-twist = Um ombro cujo primeiro eixo é vertical e cujo segundo eixo é horizontal: os dois eixos z são perpendiculares. Com x virado para si, a mão direita leva o z vertical ao horizontal com −90° ou 90°, conforme o sentido dado a z; logo α = −90° ou 90°, nunca 0.
-form-worked-length = Dois elos num plano, com 0,4 m e 0,3 m: os dois eixos são verticais, a 0,4 m um do outro. A normal comum é o primeiro elo, logo a = 0,4 m. Num punho cujos eixos se cortam num ponto, cada a é 0.
+form-worked-length = Dois elos num plano, com 0,4 m e 0,3 m: os dois eixos são verticais, a 0,4 m um do outro. A normal comum é o primeiro elo, logo a = 0,4 m. Num punho cujos eixos se intersetam num ponto, cada a é 0.
 form-worked-offset = Um ombro está 0,2 m ao lado do primeiro eixo, vertical, e o segundo eixo é horizontal. Ao longo do segundo eixo há 0,2 m entre o pé da normal vinda do primeiro e o da normal para o terceiro: d = 0,2 m, na linha da segunda junta.
 form-worked-joint = Um pórtico desloca o carro ao longo de uma calha e roda a garra por baixo. A calha é uma junta prismática: a sua linha tem a variável em d e um número em θ. A garra é uma junta rotativa: a variável em θ e um número em d.
 form-home-author = Criar um exercício

@@ -24,7 +24,7 @@ error-pose_not_finite = Este elemento não é um número finito.
 error-pose_in_one_row = Dezasseis números numa só lista não são uma pose: escreva quatro linhas de quatro números, [[…], […], […], [0, 0, 0, 1]].
 error-inertia_in_one_row = Uma inércia não se escreve numa só lista: escreva três linhas de três, [[Ixx, Ixy, Ixz], [Ixy, Iyy, Iyz], [Ixz, Iyz, Izz]], Ixy = −∫ x y dm.
 error-pose_bottom_row = A última linha de uma pose é 0, 0, 0, 1.
-error-pose_not_orthonormal = A parte de rotação não é ortonormal (desvio de { $error }): as colunas devem ser versores perpendiculares, com tolerância de { $tolerance }. Dê mais casas decimais ou, na cinemática inversa, uma tolerância (`tolerance`).
+error-pose_not_orthonormal = A parte de rotação não é ortonormal (desvio de { $error }): as colunas devem ser vetores unitários perpendiculares, com tolerância de { $tolerance }. Dê mais casas decimais ou, na cinemática inversa, uma tolerância (`tolerance`).
 error-pose_left_handed = A parte de rotação forma um triedro esquerdo: o determinante é −1, uma reflexão. Deve ser +1.
 
 error-notation_wrong_length =
@@ -34,11 +34,11 @@ error-notation_wrong_length =
     }
 error-notation_not_finite = { $name } de { $what } não é um número finito.
 error-quaternion_length = Um quaternião de norma nula ou demasiado grande não é uma orientação. Dê um quaternião unitário.
-error-axis_length = Um eixo de comprimento nulo ou demasiado grande não tem direção. Dê um versor.
+error-axis_length = Um eixo de comprimento nulo ou demasiado grande não tem direção. Dê um vetor unitário.
 
 error-screw_not_finite = Um helicoide é formado por seis números finitos.
 error-screw_not_unit = A parte angular do helicoide de uma junta rotativa e a parte linear do de uma junta prismática têm de ter comprimento 1.
-error-screw_has_pitch = Este helicoide tem passo de { $pitch } por radiano. Uma junta ou gira ou desliza.
+error-screw_has_pitch = Este helicoide tem passo de { $pitch } por radiano. Uma junta ou roda ou desliza.
 error-screw_of_other_type = O helicoide { $joint } não é do tipo indicado: uma junta rotativa tem parte angular, uma prismática não.
 error-tree_after_unknown = A linha { $row } segue o referencial { $given }: tem de seguir a base (0) ou uma linha anterior. Não são admitidas cadeias fechadas.
 error-frame_unknown = Não existe o referencial { $given }; o último é o { $count }.

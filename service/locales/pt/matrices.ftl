@@ -40,12 +40,12 @@ field-mended_z = O seu eixo z como deveria ser
 option-z_not_along_axis = z não segue o eixo da sua junta
 option-origin_not_on_axis = a origem não está no eixo da sua junta
 option-origin_not_on_common_normal = a origem não está na normal comum
-option-origin_not_at_intersection = a origem não está onde os dois eixos se cruzam
+option-origin_not_at_intersection = a origem não está onde os dois eixos se intersetam
 option-x_not_across_z = x não é perpendicular a z
 option-x_not_along_common_normal = x não segue a normal comum
 option-x_not_across_both_axes = x não é perpendicular aos dois eixos
-option-first_x_misses_axis = x do primeiro referencial não cruza o eixo 1 em ângulo reto
-option-last_x_misses_axis = x do último referencial não cruza o último eixo em ângulo reto
+option-first_x_misses_axis = x do primeiro referencial não interseta o eixo 1 em ângulo reto
+option-last_x_misses_axis = x do último referencial não interseta o último eixo em ângulo reto
 option-y_left_handed = o referencial é esquerdo: y não é z × x
 given-drawn-frames = Os referenciais tal como estão desenhados
 

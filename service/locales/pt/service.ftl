@@ -49,12 +49,12 @@ error-number_not_finite = “{ $field }” tem de ser um número finito.
 error-number_too_small =
     { $bound ->
         [excluded] O número tem de ser maior do que { $limit }.
-       *[included] O número é demasiado pequeno; o limite é { $limit }.
+       *[included] O número tem de ser pelo menos { $limit }.
     }
 error-number_too_large =
     { $bound ->
         [excluded] O número tem de ser menor do que { $limit }.
-       *[included] O número é demasiado grande; o limite é { $limit }.
+       *[included] O número tem de ser no máximo { $limit }.
     }
 error-integer_expected = “{ $field }” tem de ser um número inteiro.
 error-boolean_expected = “{ $field }” tem de ser true ou false.
@@ -113,7 +113,7 @@ error-api_key_scope = Esta chave serve para { $scopes }; a chamada precisa de { 
 error-idempotency_key_length = Uma Idempotency-Key tem de 1 a { $limit } caracteres.
 error-idempotency_key_in_use = Um pedido com esta Idempotency-Key ainda está a ser respondido. Tente de novo daqui a um segundo.
 error-idempotency_key_reused = Esta Idempotency-Key já foi usada para outro pedido. Use uma chave nova para um pedido novo.
-error-rate_exceeded = Foi pedido mais do que { $limit } por minuto, contado pelo custo. Tente de novo daqui a { $seconds } s.
+error-rate_exceeded = Foi excedido o limite de { $limit } unidades de custo por minuto. Tente de novo daqui a { $seconds } s.
 error-setting_missing = Falta a definição { $name }.
 problem-title-429 = Demasiados pedidos
 error-quaternion_or_axis = Dê no máximo um de “quaternion” e “axis”.

@@ -9,7 +9,11 @@ session-signed-in = Sessão iniciada como { $name } · { $course }
 session-attempts = Tentativas: { $made }
 session-attempts-of = Tentativas: { $made } de { $allowed }
 session-closes = Fecha: { $when }
-session-grade = Contam { $points } de { $total } pontos
+session-grade =
+    Contam { $points } de { $total ->
+        [one] { $total } ponto
+       *[other] { $total } pontos
+    }
 session-no-more = Agora não se aceitam tentativas
 session-back = Voltar à disciplina
 session-received = A tentativa { $attempt } foi recebida e guardada. O resultado será mostrado mais tarde.

@@ -12,7 +12,12 @@ error-file_unreadable = { $file } nu poate fi citit: { $reason }.
 error-file_unusable = { $file } nu poate fi citit sau scris: { $reason }.
 error-file_type_unknown = { $file } este de un tip care nu se citește aici. Se citesc { $known }.
 error-file_without_table = { $file } nu conține niciun tabel DH. Un tabel are coloanele theta, d, a și alpha.
-error-files_too_many = { $file } conține mai mult de { $limit } fișiere.
+error-files_too_many =
+    { $file } conține mai mult de { $limit ->
+        [one] { $limit } fișier
+        [few] { $limit } fișiere
+       *[other] { $limit } de fișiere
+    }.
 error-columns_unknown = Niciun rând din { $file } nu numește coloanele { $known }. Scrieți-le deasupra tabelului.
 error-columns_differ_in_length = Coloanele din { $file } au lungimi diferite; fiecare are nevoie de o valoare pentru fiecare rând.
 error-exercise_not_named = Nu se spune la ce exercițiu răspunde. Numiți-l, de exemplu puma560.

@@ -1,8 +1,22 @@
 error-text_markup = Acesta este marcaj, pe care niciun text al unui exercițiu nu îl poate conține: { $found }. Scrieți L1 < L2 cu spații.
-error-text_too_long = Textul este prea lung; sunt admise cel mult { $limit } caractere.
+error-text_too_long =
+    Textul este prea lung; sunt admise cel mult { $limit ->
+        [one] { $limit } caracter
+        [few] { $limit } caractere
+       *[other] { $limit } de caractere
+    }.
 error-text_control_character = Textul conține caracterul de control { $found }, care nu se vede. Ștergeți-l.
 error-statement_not_text = Enunțul nu este text în UTF-8.
-error-draft_too_large = Definiția este mai mare decât poate fi cea a unui robot: un tabel sau o listă are cel mult { $entries } intrări, toate împreună { $values }, pe cel mult { $deepest } niveluri.
+error-draft_too_large =
+    Definiția este mai mare decât poate fi cea a unui robot: un tabel sau o listă are cel mult { $entries ->
+        [one] { $entries } intrare
+        [few] { $entries } intrări
+       *[other] { $entries } de intrări
+    }, toate împreună { $values }, pe cel mult { $deepest ->
+        [one] { $deepest } nivel
+        [few] { $deepest } niveluri
+       *[other] { $deepest } de niveluri
+    }.
 error-archive_too_large =
     Arhiva este prea mare; un exercițiu are cel mult { $limit ->
         [one] { $limit } octet
@@ -10,7 +24,12 @@ error-archive_too_large =
        *[other] { $limit } de octeți
     }.
 error-archive_not_zip = Aceasta nu este o arhivă zip care poate fi citită.
-error-archive_too_many_files = Arhiva conține { $count } fișiere; dosarul unui exercițiu are cel mult { $limit }.
+error-archive_too_many_files =
+    Arhiva conține { $count ->
+        [one] { $count } fișier
+        [few] { $count } fișiere
+       *[other] { $count } de fișiere
+    }; dosarul unui exercițiu are cel mult { $limit }.
 error-archive_entry = { $name } nu aparține unui exercițiu: un dosar cu { $known } și fișiere statement.<limbă>.md, și nimic altceva.
 error-archive_method = { $name } este criptat sau comprimat într-un mod care nu se citește aici. Folosiți un zip obișnuit.
 error-archive_file_too_large =
@@ -21,11 +40,26 @@ error-archive_file_too_large =
     }.
 error-archive_no_exercise = Arhiva nu conține niciun exercițiu: se așteaptă un dosar cu { $known }.
 error-source_form = Un exercițiu se începe de la una dintre { $known }.
-error-drawing_too_many_axes = Sunt { $count } axe; se pot desena cel mult { $limit }.
-error-drawing_too_many_lengths = Sunt { $count } lungimi cu nume; sunt posibile cel mult { $limit }.
+error-drawing_too_many_axes =
+    Sunt { $count ->
+        [one] { $count } axă
+        [few] { $count } axe
+       *[other] { $count } de axe
+    }; se pot desena cel mult { $limit }.
+error-drawing_too_many_lengths =
+    Sunt { $count ->
+        [one] { $count } lungime cu nume
+        [few] { $count } lungimi cu nume
+       *[other] { $count } de lungimi cu nume
+    }; sunt posibile cel mult { $limit }.
 error-axis_not_before = Axa { $axis } nu este printre cele { $before } axe desenate înaintea acesteia.
 error-length_unknown = { $name } nu este încă o lungime a acestui desen. Lungimile lui: { $known }.
-error-draft_too_many_rows = Tabelul are { $count } rânduri; într-o ciornă are cel mult { $limit }. Unul mai lung se poate scrie ca dosar.
+error-draft_too_many_rows =
+    Tabelul are { $count ->
+        [one] { $count } rând
+        [few] { $count } rânduri
+       *[other] { $count } de rânduri
+    }; într-o ciornă are cel mult { $limit }. Unul mai lung se poate scrie ca dosar.
 error-draft_without_table = Exercițiul nu cere niciun tabel DH, deci nu există tabele de arătat. Adăugați partea „Tabel DH”.
 error-publications_full = Sunt publicate deja toate exercițiile pe care le păstrează acest serviciu ({ $limit }). Descărcați dosarul.
 author-title = Creează un exercițiu
@@ -99,7 +133,12 @@ author-statement-none = Nu este scris nimic în această limbă: cititorilor ei 
 author-statement-waiting = O clipă …
 author-points = puncte
 author-points-of = Puncte pentru { $part }
-author-points-total = În total: { $points } puncte.
+author-points-total =
+    În total: { $points ->
+        [one] { $points } punct
+        [few] { $points } puncte
+       *[other] { $points } de puncte
+    }.
 author-rule-convention = Convenția
 author-rule-convention-any = oricare
 author-rule-convention-standard = standard
@@ -122,7 +161,12 @@ author-rule-direction-free = liber
 author-rule-direction-figure = ca în figură
 author-tolerance-length = Toleranța, ca fracție din mărimea robotului
 author-tolerance-angle = Toleranța unghiurilor, rad
-author-policy-admits = Din cele { $choices } moduri în care manualele ar scrie tabelul acestui robot, { $admitted ->
+author-policy-admits =
+    Din cele { $choices ->
+        [one] { $choices } mod
+        [few] { $choices } moduri
+       *[other] { $choices } de moduri
+    } în care manualele ar scrie tabelul acestui robot, { $admitted ->
     [one] unul este acceptat
     [few] { $admitted } sunt acceptate
    *[other] { $admitted } de moduri sunt acceptate
@@ -130,7 +174,7 @@ author-policy-admits = Din cele { $choices } moduri în care manualele ar scrie 
 author-values-hint = Fiecare student primește valori proprii unde se dă un interval; în rest este valabilă cea obișnuită.
 author-values-none = Tabelul nu are cote cu nume.
 author-value = Valoarea obișnuită
-author-drawn = aleasă pe student
+author-drawn = trasă la sorți pentru fiecare student
 author-draw-from = { $name } de la
 author-draw-to = { $name } până la
 author-draw-step = { $name } cu pasul
@@ -159,7 +203,12 @@ author-saved = păstrat în acest browser
 author-test-waiting = Schimbat; testele rulează imediat.
 author-test-refused = Testele rulează de îndată ce greșelile semnalate mai sus sunt corectate.
 author-test-running = Se testează: răspunsuri corecte cu alte sisteme, greșeli, fiecare parte …
-author-test-passed = Toate cele { $passed } verificări au trecut.
+author-test-passed =
+    { $passed ->
+        [one] Singura verificare a trecut.
+        [few] Toate cele { $passed } verificări au trecut.
+       *[other] Toate cele { $passed } de verificări au trecut.
+    }
 author-test-failed = { $failed ->
     [one] O verificare a eșuat
     [few] { $failed } verificări au eșuat
@@ -174,7 +223,12 @@ author-right-shown = { $wrong ->
 }
 author-wrong = Arată cele mai frecvente răspunsuri greșite și punctele lor
 author-wrong-hint = Cele mai probabile întâi: ce i s-ar spune unui student și cât mai valorează tot răspunsul. Adăugați cuvintele dumneavoastră unde doriți.
-author-wrong-marks = { $points } din { $most } puncte, tabelul { $score } %
+author-wrong-marks =
+    { $points } din { $most ->
+        [one] { $most } punct
+        [few] { $most } puncte
+       *[other] { $most } de puncte
+    }, tabelul { $score } %
 author-wrong-refused = refuzat, nu costă nicio încercare
 author-wrong-untold = Nu se spune nicio corectură ({ $name }).
 author-wrong-tested = exercițiul se testează cu această greșeală
@@ -268,8 +322,8 @@ author-figure-coordinates = coordonate
 author-figure-ratio = la fracția
 author-figure-from = din punctul
 author-key-joints = Valorile cuplelor
-author-key-turns = Unghiuri trase la sorți pe student
-author-key-slides = Deplasări trase la sorți pe student
+author-key-turns = Unghiuri trase la sorți pentru fiecare student
+author-key-slides = Deplasări trase la sorți pentru fiecare student
 author-key-tolerance = Toleranță
 author-key-point = Punct marcat
 author-key-from = Distanța de la
@@ -331,4 +385,4 @@ author-body-centre = centrul de masă
 author-body-moments = momente de inerție
 author-quantity-name = Numele unei mărimi
 author-quantity-value = valoare
-author-quantity-draw = trasă pentru fiecare student
+author-quantity-draw = trasă la sorți pentru fiecare student

@@ -3,9 +3,24 @@
 error-cell_empty = Celula este goală. Scrieți 0 acolo unde nu este nimic.
 error-cell_dash = Această celulă conține doar o liniuță. Scrieți 0 acolo unde nu este nimic.
 error-cell_not_a_value = O celulă conține un număr sau o expresie sub formă de text, nu { $kind }.
-error-cell_too_long = Celula are { $length } caractere; se citesc cel mult { $limit }.
-error-cell_too_deep = Expresia din celulă depășește { $limit } niveluri de imbricare.
-error-cell_too_many_symbols = Celula conține peste { $limit } nume diferite.
+error-cell_too_long =
+    Celula are { $length ->
+        [one] { $length } caracter
+        [few] { $length } caractere
+       *[other] { $length } de caractere
+    }; se citesc cel mult { $limit }.
+error-cell_too_deep =
+    Expresia din celulă depășește { $limit ->
+        [one] { $limit } nivel
+        [few] { $limit } niveluri
+       *[other] { $limit } de niveluri
+    } de imbricare.
+error-cell_too_many_symbols =
+    Celula conține peste { $limit ->
+        [one] { $limit } nume
+        [few] { $limit } nume diferite
+       *[other] { $limit } de nume diferite
+    }.
 
 error-character_not_allowed = La caracterul { $column }: { $character } nu are sens într-o celulă.
 error-character_invisible = La caracterul { $column }: există un caracter invizibil sau de control ({ $character }). Ștergeți-l.
@@ -16,7 +31,12 @@ error-command_unknown = La caracterul { $column }: comanda \{ $command } nu este
 error-script_misplaced = La caracterul { $column }: { $character } nu urmează după nimic de care să țină.
 
 error-number_malformed = La caracterul { $column }: { $text } nu este un număr zecimal. Scrieți cifre și un singur punct, fără separatori.
-error-number_too_long = La caracterul { $column }: un număr poate avea cel mult { $limit } cifre.
+error-number_too_long =
+    La caracterul { $column }: un număr poate avea cel mult { $limit ->
+        [one] { $limit } cifră
+        [few] { $limit } cifre
+       *[other] { $limit } de cifre
+    }.
 error-number_out_of_range =
     { $size ->
         [small] La caracterul { $column }: acest număr este prea apropiat de 0 ca să fie citit. Scrieți 0.
@@ -29,7 +49,12 @@ error-about_in_cell = La caracterul { $column }: o celulă spune care este valoa
 
 error-names_run_together = La caracterul { $column }: { $text } este lipit de ceea ce urmează. Scrieți produsul cu *.
 error-name_malformed = La caracterul { $column }: liniuța de subliniere stă doar între literă și indice, ca în L_1.
-error-name_too_long = La caracterul { $column }: un nume poate avea cel mult { $limit } caractere.
+error-name_too_long =
+    La caracterul { $column }: un nume poate avea cel mult { $limit ->
+        [one] { $limit } caracter
+        [few] { $limit } caractere
+       *[other] { $limit } de caractere
+    }.
 error-name_is_not_a_number = La caracterul { $column }: { $name } nu este o valoare. O celulă conține doar numere finite.
 error-unit_in_cell = La caracterul { $column }: unitățile nu se scriu în celule. Dacă unitatea cerută este { $name }, scrieți { $suggestion }; dacă nu, convertiți mai întâi.
 error-function_unknown = La caracterul { $column }: { $name } nu este o funcție. Funcțiile sunt { $functions }. Un produs se scrie { $name }*(…).
@@ -93,9 +118,24 @@ error-variable_of_other_row = La caracterul { $column }: { $name } nu este varia
 error-variable_numbering_mixed = La caracterul { $column }: { $name } este numerotată după rând, iar altele după cuplă. Numerotați-le de la q1 la q{ $joints }, în ordinea cuplelor.
 
 error-table_empty = Tabelul nu are niciun rând; este nevoie de cel puțin unul.
-error-table_too_many_rows = Tabelul are { $rows } rânduri; se citesc cel mult { $limit }.
-error-table_too_long = Celulele au împreună { $length } caractere; se citesc cel mult { $limit }.
-error-table_too_many_parameters = Tabelul conține peste { $limit } parametri diferiți.
+error-table_too_many_rows =
+    Tabelul are { $rows ->
+        [one] { $rows } rând
+        [few] { $rows } rânduri
+       *[other] { $rows } de rânduri
+    }; se citesc cel mult { $limit }.
+error-table_too_long =
+    Celulele au împreună { $length ->
+        [one] { $length } caracter
+        [few] { $length } caractere
+       *[other] { $length } de caractere
+    }; se citesc cel mult { $limit }.
+error-table_too_many_parameters =
+    Tabelul conține peste { $limit ->
+        [one] { $limit } parametru
+        [few] { $limit } parametri diferiți
+       *[other] { $limit } de parametri diferiți
+    }.
 
 error-parameter_missing = Parametrul { $name } nu are valoare.
 error-parameter_unused = Tabelul nu conține parametrul { $name }.

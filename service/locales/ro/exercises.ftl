@@ -118,12 +118,12 @@ feedback-transform_inverse = Aceasta este inversa lui ⁰T: duce de la sistemul 
 feedback-transform_rotation_transposed = Rotația din ⁰T este transpusă.
 feedback-transform_order_reversed = Matricele elementelor au fost înmulțite în ordine inversă.
 feedback-transform_links_missing = Acesta este produsul doar până la sistemul { $last }; continuați până la ultimul sistem.
-feedback-pose_right = Poziția și orientarea sunt corecte.
-feedback-pose_follows_table = Poziția și orientarea rezultă din tabelul dumneavoastră și își primesc punctele, deși tabelul nu este corect.
-feedback-pose_wrong = Nu este rezultatul pe care îl dă tabelul dumneavoastră pentru aceste valori ale cuplelor.
+feedback-pose_right = Situarea este corectă.
+feedback-pose_follows_table = Situarea rezultă din tabelul dumneavoastră și își primește punctele, deși tabelul nu este corect.
+feedback-pose_wrong = Aceasta nu este situarea pe care o dă tabelul dumneavoastră pentru aceste valori ale cuplelor.
 feedback-pose_rotation_right = Rotația este corectă.
 feedback-pose_position_right = Poziția este corectă.
-feedback-pose_inverse = Aceasta este transformarea inversă.
+feedback-pose_inverse = Aceasta este inversa situării.
 feedback-pose_rotation_transposed = Rotația este transpusă.
 feedback-pose_degrees_as_radians = Sinusurile și cosinusurile au fost calculate cu gradele luate drept radiani.
 feedback-workspace_right = Ambele raze sunt corecte.
@@ -148,7 +148,7 @@ error-link_matrices_count = Tabelul are { $expected ->
    *[other] sunt date { $given } de matrice
 }. Dați câte una pentru fiecare rând; null sare peste una.
 error-link_matrices_need_table = Fără tabel, matricele elementelor sunt judecate după produsul lor. Dați-le pe toate.
-error-pose_needs_table = Poziția și orientarea sunt cele ale tabelului dumneavoastră. Predați și tabelul.
+error-pose_needs_table = Situarea este cea a tabelului dumneavoastră. Predați și tabelul.
 error-matrix_not_4x4 = O matrice are patru rânduri cu câte patru celule.
 error-joint_variable_unknown = Nu există { $name }; robotul are { $joints ->
     [one] o cuplă
@@ -175,7 +175,12 @@ error-schematic_relations_count = { $joints ->
    *[other] { $expected } de perechi
 } de axe vecine. Dați câte o relație pentru fiecare pereche.
 error-seed_invalid = O sămânță este un text sau un număr întreg.
-error-seed_too_long = O sămânță are cel mult { $limit } caractere.
+error-seed_too_long =
+    O sămânță are cel mult { $limit ->
+        [one] { $limit } caracter
+        [few] { $limit } caractere
+       *[other] { $limit } de caractere
+    }.
 error-exercise_unknown = Nu există exercițiul { $id }. Disponibile: { $known }.
 error-language_unknown = Limba { $language } nu este disponibilă aici. Disponibile: { $known }.
 
@@ -202,8 +207,18 @@ error-nothing_asked = Un exercițiu cere ceva: adăugați o parte.
 error-part_twice = { $kind } se cere de două ori.
 error-points_not_positive = O parte valorează mai mult de zero puncte.
 error-draw_empty = Nu există nicio valoare din care să se tragă la sorți: „from” nu poate depăși „to”, iar „step” trebuie să fie pozitiv.
-error-draw_too_large = O tragere la sorți are cel mult { $limit } valori.
-error-variants_too_many = Sunt cel mult { $limit } variante.
+error-draw_too_large =
+    O tragere la sorți are cel mult { $limit ->
+        [one] { $limit } valoare
+        [few] { $limit } valori
+       *[other] { $limit } de valori
+    }.
+error-variants_too_many =
+    Sunt cel mult { $limit ->
+        [one] { $limit } variantă
+        [few] { $limit } variante
+       *[other] { $limit } de variante
+    }.
 error-tolerance_out_of_range = { $name } este între 0 și 0.1.
 error-name_invalid = { $name } nu este numele unei cote; un nume arată ca L1.
 error-width_out_of_range = Lățimea este între 320 și 960.
@@ -233,7 +248,12 @@ rule-dimension-free = { $names } nu trebuie să apară neapărat în tabel: cu s
 error-context_invalid = Această legătură nu a fost creată aici sau a fost modificată.
 error-context_expired = Această legătură a expirat.
 error-switched_off = { $path } este dezactivat pentru acest exercițiu.
-error-attempts_used_up = Toate cele { $limit } încercări au fost folosite.
+error-attempts_used_up =
+    { $limit ->
+        [one] Singura încercare a fost folosită.
+        [few] Toate cele { $limit } încercări au fost folosite.
+       *[other] Toate cele { $limit } de încercări au fost folosite.
+    }
 error-ladder_falls = La fiecare încercare se poate spune cel puțin cât la cea dinainte, niciodată mai puțin.
 task-frames = Așezați sistemele 0 până la { $n } pe robotul din figură: pentru fiecare originea, în { $unit } și în coordonatele figurii, și direcțiile axelor x și z.
 error-frames_count = Există sistemele 0 până la N: sunt necesare { $expected }, au fost date { $given }.

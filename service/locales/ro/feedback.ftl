@@ -155,4 +155,9 @@ feedback-repairs_one_column = Sunt mai multe schimbări posibile și oricare din
     [theta] θ
    *[other] { $cell }
 }.
-feedback-repairs_one_kind = Sunt { $count } schimbări posibile și oricare dintre ele ar corecta tabelul; toate sunt de același fel.
+feedback-repairs_one_kind =
+    Sunt { $count ->
+        [one] { $count } schimbare
+        [few] { $count } schimbări
+       *[other] { $count } de schimbări
+    } posibile și oricare dintre ele ar corecta tabelul; toate sunt de același fel.

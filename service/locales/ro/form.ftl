@@ -19,10 +19,15 @@ form-home-lead = Tabele Denavit–Hartenberg cu un robot care se mișcă în tim
 form-home-exercises = Exerciții
 form-home-subjects = Subiecte
 form-home-more = Mai mult
-form-home-playground = Orice tabel: situări, jacobieni, forme simbolice, conversii.
+form-home-playground = Orice tabel: situări, jacobieni, forme închise, conversii.
 form-home-api = Interfață de programare
 form-home-api-text = Același lucru prin HTTP, ca document OpenAPI.
-form-home-best = Cel mai bine: { $points } din { $total } puncte
+form-home-best =
+    Cel mai bine: { $points } din { $total ->
+        [one] { $total } punct
+        [few] { $total } puncte
+       *[other] { $total } de puncte
+    }
 form-home-joints =
     { $joints ->
         [one] O cuplă
@@ -132,7 +137,7 @@ form-matrix-notation = Notație
 form-matrix-short = scurtă
 form-matrix-full = completă
 form-matrix-none = Matricele apar de îndată ce fiecare rând poate fi citit.
-form-matrix-name = Sistemul { $to } față de sistemul { $from }
+form-matrix-name = Situarea sistemului { $to } în sistemul { $from }
 form-copy = Copiază ca
 form-copy-group = Copiază: { $what }
 form-copied = Copiat ca { $format }
@@ -154,7 +159,12 @@ form-figure-move = Mișcă cuplele
 form-figure-posture = Socotit de la poziția din desen.
 form-choose = Alegeți …
 form-choose-missing = Alegeți una dintre variante.
-form-points = { $points } din { $total } puncte
+form-points =
+    { $points } din { $total ->
+        [one] { $total } punct
+        [few] { $total } puncte
+       *[other] { $total } de puncte
+    }
 form-row-go = La rândul { $row }
 form-row-heading = Rând
 form-row-missing =
@@ -256,7 +266,7 @@ form-both-text = Cei doi roboți se mișcă împreună: al dumneavoastră cu sis
 form-both-description = Sistemele dumneavoastră stau pe robotul exercițiului și amândoi urmează aceeași mișcare.
 form-both-position = Momentul mișcării
 form-play = Pornește
-form-pause = Oprește
+form-pause = Pauză
 
 form-history-heading = Încercările dumneavoastră
 form-history-restore = Readu în formular
@@ -303,7 +313,7 @@ form-name-unknown =
     }
 
 form-nav-lesson = Prima lecție
-form-term = Ce este? { $term }
+form-term = Ce înseamnă „{ $term }”?
 form-convention-what = Ce sunt acestea?
 form-exercise-write = Legați un sistem de fiecare element și scrieți tabelul DH al acestui robot.
 
@@ -334,11 +344,11 @@ form-help-principle = Principiul.
 form-help-worked = Un pas rezolvat, la alt robot.
 form-help-next = Următorul pas al ajutorului vine cu următorul răspuns, după ce l-ați schimbat.
 form-principle-twist = Torsiunea α duce o axă z în următoarea, privită de-a lungul axei x, care este perpendiculară pe amândouă. Axele z paralele au 0° sau 180°, cele perpendiculare 90° sau −90°; mâna dreaptă, cu degetul mare după x, dă semnul.
-form-principle-length = Lungimea a este distanța dintre două axe z vecine, măsurată pe perpendiculara lor comună, care este axa x. Este 0 dacă și numai dacă cele două drepte se taie.
+form-principle-length = Lungimea a este distanța dintre două axe z vecine, măsurată pe perpendiculara lor comună, care este axa x. Este 0 dacă și numai dacă cele două drepte se intersectează.
 form-principle-offset = Decalajul d este distanța de-a lungul unei axe z între două picioare: unde sosește perpendiculara comună de la axa dinainte și unde pleacă cea spre axa următoare. Dacă axele vecine sunt paralele, puteți alege unde îl puneți, dar o singură dată.
 form-principle-joint = O cuplă de rotație se rotește în jurul axei sale z: variabila este θ. O cuplă de translație alunecă de-a lungul ei: variabila este d. Fiecare cuplă are un rând, în ordine de la bază la sculă.
 form-worked-twist = Un umăr a cărui primă axă este verticală, iar a doua orizontală: cele două axe z sunt perpendiculare. Cu x spre dumneavoastră, mâna dreaptă duce z vertical în cel orizontal cu −90° sau 90°, după sensul ales pentru z; deci α = −90° sau 90°, niciodată 0.
-form-worked-length = Două elemente într-un plan, de 0,4 m și 0,3 m: ambele axe sunt verticale, la 0,4 m una de alta. Perpendiculara lor comună este primul element, deci a = 0,4 m. La o încheietură ale cărei axe se taie într-un punct, fiecare a este 0.
+form-worked-length = Două elemente într-un plan, de 0,4 m și 0,3 m: ambele axe sunt verticale, la 0,4 m una de alta. Perpendiculara lor comună este primul element, deci a = 0,4 m. La o încheietură ale cărei axe se intersectează într-un punct, fiecare a este 0.
 form-worked-offset = Un umăr se află la 0,2 m lateral de prima axă, verticală, iar a doua axă este orizontală. De-a lungul celei de-a doua axe sunt 0,2 m între piciorul perpendicularei de la prima și cel al perpendicularei spre a treia: d = 0,2 m, în rândul cuplei a doua.
 form-worked-joint = Un portal își mișcă căruciorul pe o șină și rotește prehensorul de sub el. Șina este o cuplă de translație: rândul ei are variabila în d și un număr în θ. Prehensorul este o cuplă de rotație: variabila în θ și un număr în d.
 form-home-author = Creează un exercițiu

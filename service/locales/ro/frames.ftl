@@ -9,19 +9,29 @@ rule-x_not_along_common_normal = x trebuie să fie de-a lungul perpendicularei c
 rule-x_not_across_both_axes = x trebuie să fie perpendiculară pe ambele axe { $first } și { $second }, deoarece α rotește una peste cealaltă în jurul lui x.
 rule-first_x_misses_axis = x al primului sistem trebuie să intersecteze axa { $axis } în unghi drept, deoarece rândul lui are doar a și α, de-a lungul și în jurul lui x, ca să ajungă acolo.
 rule-last_x_misses_axis = x al ultimului sistem trebuie să intersecteze axa { $axis } în unghi drept, deoarece rândul lui are doar a și α, de-a lungul și în jurul lui x, ca să vină de acolo.
-rule-z_reversed = z este opus sensului pozitiv al axei { $axis }. Este permis; variabila cuplei apare atunci cu semnul minus.
+rule-z_reversed = z este opusă sensului pozitiv al axei { $axis }. Este permis; variabila cuplei apare atunci cu semnul minus.
 rule-x_reversed = x este îndreptată de la axa { $second } spre axa { $first }. Este permis; lungimea elementului devine atunci negativă.
 rule-offset_could_vanish = Cu altă origine pe această axă, d{ $joint } ar fi zero.
 rule-angle_could_vanish = Cu altă direcție a lui x, θ{ $joint } ar fi zero.
 rule-first_not_simplest = Sistemul 0 poate fi ales astfel încât să se anuleze mai mulți parametri.
 rule-last_not_simplest = Ultimul sistem poate fi ales astfel încât să se anuleze mai mulți parametri.
 
-error-axes_wrong_number = Un lanț are între 1 și { $limit } axe; acesta are { $count }.
+error-axes_wrong_number =
+    Un lanț are între 1 și { $limit ->
+        [one] { $limit } axă
+        [few] { $limit } axe
+       *[other] { $limit } de axe
+    }; acesta are { $count }.
 error-axis_joint_unknown = Cupla unei axe este de rotație (revolute) sau de translație (prismatic).
 error-gripper_jaws_along_approach = Fălcile alunecă transversal față de direcția de apropiere, nu de-a lungul ei.
 error-vector_malformed = Dați trei numere finite x, y, z, niciunul mai mare decât { $limit }.
 error-direction_zero = O direcție are nevoie de lungime: 0, 0, 0 nu indică nicăieri.
-error-frames_too_many = Un lanț cu { $count } cuple are sistemele de la 0 la { $count }.
+error-frames_too_many =
+    Un lanț cu { $count ->
+        [one] { $count } cuplă
+        [few] { $count } cuple
+       *[other] { $count } de cuple
+    } are sistemele de la 0 la { $count }.
 error-frame_y_not_z_cross_x = y rezultă din z și x. Omiteți-l sau dați z × x alături de ambele.
 error-parallel_tolerance_out_of_range = Toleranța pentru axe paralele este între { $least } și { $greatest } rad.
 error-near_parallel = Axele { $previous } și { $joint } sunt paralele cu o abatere de { $angle } rad și au fost considerate paralele. Din această cauză ultimul sistem poate fi rotit cu cel mult dublul acestui unghi și deplasat cu cel mult { $displacement }.

@@ -109,7 +109,7 @@ error-name_without_value = Numele { $name } nu are valoare aici.{ $found ->
     [0] {""}
    *[one] {" "}Ați vrut să scrieți { $close }?
 } Se cunosc { $known }.
-error-rate_in_marks = { $text } nu este un nume aici. Ați vrut să scrieți viteza articulară { $suggestion }?
+error-rate_in_marks = { $text } nu este un nume aici. Ați vrut să scrieți viteza cuplei { $suggestion }?
 error-expected_not_rotation =
     Matricea așteptată nu este o rotație: { $property ->
         [unit_columns] o coloană nu are lungimea 1.
@@ -313,7 +313,16 @@ feedback-screw_length_unit = Lungimile sunt în altă unitate decât a robotului
 feedback-screw_exchanged = Rândurile cuplei { $joint } și ale celei următoare sunt schimbate între ele.
 feedback-screw_reversed = Rândurile sunt în ordine inversă: primul este al cuplei de lângă bază.
 feedback-screws_relation_wrong = Axele cuplelor { $joint } și { $next } nu sunt așezate una față de alta ca în figură.
-error-screw_count = Robotul are { $expected } cuple, s-au dat { $given } torsori.
+error-screw_count =
+    Robotul are { $expected ->
+        [one] { $expected } cuplă
+        [few] { $expected } cuple
+       *[other] { $expected } de cuple
+    }, s-au dat { $given ->
+        [one] { $given } torsor
+        [few] { $given } torsori
+       *[other] { $given } de torsori
+    }.
 
 error-screw_too_large = Un număr este prea mare pentru un robot; cel mai mare este { $limit }.
 

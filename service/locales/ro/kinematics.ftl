@@ -32,7 +32,7 @@ error-pose_in_one_row = Șaisprezece numere într-o singură listă nu sunt o si
 error-inertia_in_one_row = O inerție nu se scrie într-o singură listă: scrieți trei rânduri a câte trei numere, [[Ixx, Ixy, Ixz], [Ixy, Iyy, Iyz], [Ixz, Iyz, Izz]], cu Ixy = −∫ x y dm.
 error-pose_bottom_row = Ultimul rând al unei situări este 0, 0, 0, 1.
 error-pose_not_orthonormal = Partea de rotație nu este ortonormată (abatere { $error }): coloanele ei trebuie să fie versori perpendiculari, cu toleranța { $tolerance }. Dați mai multe zecimale sau, în cinematica inversă, o toleranță (`tolerance`).
-error-pose_left_handed = Partea de rotație formează un sistem stâng: determinantul ei este −1, adică o reflexie. Trebuie să fie +1.
+error-pose_left_handed = Partea de rotație formează un triedru stâng: determinantul ei este −1, adică o reflexie. Trebuie să fie +1.
 
 error-notation_wrong_length =
     { $expected ->

@@ -44,8 +44,8 @@ option-origin_not_at_intersection = originea nu este în punctul de intersecție
 option-x_not_across_z = x nu este perpendiculară pe z
 option-x_not_along_common_normal = x nu este de-a lungul perpendicularei comune
 option-x_not_across_both_axes = x nu este perpendiculară pe ambele axe
-option-first_x_misses_axis = x a primului sistem nu taie axa 1 în unghi drept
-option-last_x_misses_axis = x a ultimului sistem nu taie ultima axă în unghi drept
+option-first_x_misses_axis = x al primului sistem nu intersectează axa 1 în unghi drept
+option-last_x_misses_axis = x al ultimului sistem nu intersectează ultima axă în unghi drept
 option-y_left_handed = sistemul este stâng: y nu este z × x
 given-drawn-frames = Sistemele de coordonate așa cum sunt desenate
 

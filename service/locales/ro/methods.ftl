@@ -1,8 +1,22 @@
 # Cinematica inversă.
 
 error-inverse_form_unknown = Axele acestui braț nu se succed într-un mod a cărui cinematică inversă să fie cunoscută în formă simbolică: ele trebuie să fie perpendiculare sau paralele, cu două sau trei cuple care se mișcă într-un plan și cu o încheietură ale cărei axe se intersectează într-un punct. Numeric se rezolvă oricum.
-error-inverse_joint_count = Cinematica inversă se calculează pentru 1 până la { $limit } cuple; tabelul are { $count }.
-error-limits_wrong_length = Brațul are { $expected } cuple, dar s-au dat { $given } limite; dați câte una pentru fiecare cuplă, null acolo unde nu există limită.
+error-inverse_joint_count =
+    Cinematica inversă se calculează pentru 1 până la { $limit ->
+        [one] { $limit } cuplă
+        [few] { $limit } cuple
+       *[other] { $limit } de cuple
+    }; tabelul are { $count }.
+error-limits_wrong_length =
+    Brațul are { $expected ->
+        [one] { $expected } cuplă
+        [few] { $expected } cuple
+       *[other] { $expected } de cuple
+    }, dar s-au dat { $given ->
+        [one] { $given } limită
+        [few] { $given } limite
+       *[other] { $given } de limite
+    }; dați câte una pentru fiecare cuplă, null acolo unde nu există limită.
 error-limits_reversed = Dați ca limite ale cuplei { $joint } valoarea minimă și valoarea maximă, în această ordine.
 error-limits_too_far = Limitele cuplei { $joint } sunt ambele la peste { $limit } rad de 0. Scădeți din amândouă rotații complete.
 error-pose_tolerance_out_of_range = Toleranța este un număr pozitiv de cel mult { $limit }.

@@ -104,7 +104,12 @@ playground-least = minim
 playground-greatest = maxim
 playground-numbers = Același lucru în cifre
 playground-slide-needed = Dați fiecărei cuple de translație un minim și un maxim la „Limitele cuplelor”.
-playground-cloud = În imagine: { $count } poziții ale originii sistemului final, răspândite uniform pe cursele cuplelor.
+playground-cloud =
+    În imagine: { $count ->
+        [one] { $count } poziție
+        [few] { $count } poziții
+       *[other] { $count } de poziții
+    } ale originii sistemului final, răspândite uniform pe cursele cuplelor.
 playground-section = Secțiunea spațiului de lucru prin prima axă
 playground-section-radius = distanța de la prima axă
 playground-section-height = înălțimea de-a lungul primei axe
@@ -122,7 +127,7 @@ playground-solution = Soluția { $number }
 playground-trajectory = Traiectoria cuplelor
 playground-trajectory-start = De la
 playground-trajectory-end = Până la
-playground-trajectory-now = unde sunt cuplele acum
+playground-trajectory-now = valorile actuale ale cuplelor
 playground-duration = Durata
 playground-scaling = Polinom
 playground-scaling-quintic = gradul 5
@@ -156,7 +161,7 @@ playground-missing = lipsește
 playground-families = Familii de configurații singulare: { $count }. Altele nu există.
 playground-families-some = Familii de configurații singulare: { $count }. Pot exista și altele.
 playground-more-rotations = Orientarea în toate notațiile
-playground-more-rotations-hint = A sistemului final, la valorile actuale ale cuplelor. La blocaj cardanic este fixată doar o sumă sau o diferență de unghiuri.
+playground-more-rotations-hint = Orientarea sistemului final, la valorile actuale ale cuplelor. La blocaj cardanic este determinată doar o sumă sau o diferență de unghiuri.
 playground-rotation-matrix = Matrice de rotație
 playground-sequences = Unghiurile celor 24 de secvențe
 playground-turning-current = axe curente

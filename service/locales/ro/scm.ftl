@@ -1,8 +1,18 @@
 # Metoda SCM: lanțuri de rânduri [X Y Z A B C].
 
 error-scm_chain_empty = Lanțul nu are nicio cuplă. Este nevoie de cel puțin un rând.
-error-scm_too_many_joints = Lanțul are { $joints } cuple; se citesc cel mult { $limit }.
-error-scm_chain_too_long = Elementele au împreună { $length } caractere; se citesc cel mult { $limit }.
+error-scm_too_many_joints =
+    Lanțul are { $joints ->
+        [one] { $joints } cuplă
+        [few] { $joints } cuple
+       *[other] { $joints } de cuple
+    }; se citesc cel mult { $limit }.
+error-scm_chain_too_long =
+    Elementele au împreună { $length ->
+        [one] { $length } caracter
+        [few] { $length } caractere
+       *[other] { $length } de caractere
+    }; se citesc cel mult { $limit }.
 error-scm_no_variable = Rândul { $joint } nu conține nicio variabilă de cuplă. Scrieți q{ $joint } în elementul care se mișcă.
 error-scm_two_variables = Rândul { $joint } își conține variabila și în { $first }, și în { $second }. Un rând are exact una.
 error-scm_variable_of_other_row = { $name } nu este variabila rândului { $joint }; aceasta este q{ $joint }.

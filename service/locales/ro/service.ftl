@@ -18,8 +18,18 @@ error-json_too_deep = Documentul JSON are prea multe niveluri de imbricare.
 error-json_not_finite = Linia { $line }, coloana { $column }: un număr trebuie să fie finit. JSON nu cunoaște NaN și nici infinit.
 error-json_invalid = Corpul cererii nu este JSON: linia { $line }, coloana { $column }. Analizorul spune: { $reason }.
 error-json_duplicate_key = Cheia „{ $key }” apare de două ori în același obiect. Păstrați una singură.
-error-json_too_many_values = Corpul conține prea mult: se citesc cel mult { $limit } valori, câmpuri, liste sau obiecte.
-error-json_too_many_fields = Un obiect din corp are { $given } câmpuri; niciun apel nu are mai mult de { $limit }.
+error-json_too_many_values =
+    Corpul conține prea mult: se citesc cel mult { $limit ->
+        [one] { $limit } valoare
+        [few] { $limit } valori
+       *[other] { $limit } de valori
+    }, câmpuri, liste sau obiecte.
+error-json_too_many_fields =
+    Un obiect din corp are { $given ->
+        [one] { $given } câmp
+        [few] { $given } câmpuri
+       *[other] { $given } de câmpuri
+    }; niciun apel nu are mai mult de { $limit }.
 error-body_timed_out = Corpul nu a sosit în { $seconds } s. Trimiteți-l mai repede sau în părți mai mici.
 error-content_encoding_unsupported = Corpurile comprimate nu sunt citite. Trimiteți corpul fără Content-Encoding.
 error-charset_unsupported = Corpul este anunțat ca { $charset }. JSON este citit numai în UTF-8.
@@ -50,12 +60,12 @@ error-number_not_finite = „{ $field }” trebuie să fie un număr finit.
 error-number_too_small =
     { $bound ->
         [excluded] Numărul trebuie să fie mai mare decât { $limit }.
-       *[included] Numărul este prea mic; limita este { $limit }.
+       *[included] Numărul trebuie să fie cel puțin { $limit }.
     }
 error-number_too_large =
     { $bound ->
         [excluded] Numărul trebuie să fie mai mic decât { $limit }.
-       *[included] Numărul este prea mare; limita este { $limit }.
+       *[included] Numărul trebuie să fie cel mult { $limit }.
     }
 error-integer_expected = „{ $field }” trebuie să fie un număr întreg.
 error-boolean_expected = „{ $field }” trebuie să fie true sau false.
@@ -93,7 +103,12 @@ error-value_not_allowed = Valoarea trebuie să fie una dintre: { $expected }.
 error-value_invalid = Această valoare nu poate fi folosită: { $reason }.
 
 error-joints_wrong_dimensions = Un tablou de variabile ale cuplelor are una sau două dimensiuni, nu { $dimensions }: (cuple) sau (configurații, cuple).
-error-batch_too_large = Lotul are { $given } configurații; într-o cerere se calculează cel mult { $limit }.
+error-batch_too_large =
+    Lotul are { $given ->
+        [one] { $given } configurație
+        [few] { $given } configurații
+       *[other] { $given } de configurații
+    }; într-o cerere se calculează cel mult { $limit }.
 error-query_missing = Variabilele cuplelor au venit ca npy; restul cererii se dă ca JSON în parametrul de interogare „request”.
 error-npy_header_invalid =
     Corpul nu este un fișier npy așa cum îl scrie numpy.save: { $rule ->
@@ -116,10 +131,20 @@ error-one_source = Descrieți robotul într-un singur fel: { $allowed }.
 error-api_key_missing = Cererea nu indică nicio cheie. Trimiteți-o ca Authorization: Bearer fwk_….
 error-api_key_invalid = Această cheie nu este cunoscută aici, a expirat sau a fost revocată.
 error-api_key_scope = Această cheie este pentru { $scopes }; apelul cere { $needed }.
-error-idempotency_key_length = O Idempotency-Key are între 1 și { $limit } caractere.
+error-idempotency_key_length =
+    O Idempotency-Key are între 1 și { $limit ->
+        [one] { $limit } caracter
+        [few] { $limit } caractere
+       *[other] { $limit } de caractere
+    }.
 error-idempotency_key_in_use = O cerere cu acest Idempotency-Key este încă în lucru. Încercați din nou peste o secundă.
 error-idempotency_key_reused = Acest Idempotency-Key a fost folosit pentru altă cerere. Folosiți o cheie nouă pentru o cerere nouă.
-error-rate_exceeded = S-a cerut mai mult de { $limit } pe minut, socotit după cost. Încercați din nou peste { $seconds } s.
+error-rate_exceeded =
+    S-a depășit limita de { $limit ->
+        [one] { $limit } unitate
+        [few] { $limit } unități
+       *[other] { $limit } de unități
+    } de cost pe minut. Încercați din nou peste { $seconds } s.
 error-setting_missing = Lipsește setarea { $name }.
 problem-title-429 = Prea multe cereri
 error-quaternion_or_axis = Dați cel mult unul dintre „quaternion” și „axis”.

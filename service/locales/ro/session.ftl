@@ -9,7 +9,12 @@ session-signed-in = Autentificat ca { $name } · { $course }
 session-attempts = Încercări: { $made }
 session-attempts-of = Încercări: { $made } din { $allowed }
 session-closes = Se închide: { $when }
-session-grade = Contează { $points } din { $total } puncte
+session-grade =
+    Contează { $points } din { $total ->
+        [one] { $total } punct
+        [few] { $total } puncte
+       *[other] { $total } de puncte
+    }
 session-no-more = Acum nu se primesc încercări
 session-back = Înapoi la curs
 session-received = Încercarea { $attempt } a fost primită și păstrată. Rezultatul se arată mai târziu.

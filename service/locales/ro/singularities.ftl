@@ -29,7 +29,12 @@ feedback-lost_motion_never = Brațul nu se mișcă astfel în nicio configurați
 error-conditions_empty = Dați condiții sau o mișcare pierdută.
 error-condition_not_equation = { $text } nu este o condiție: scrieți o funcție care se anulează sau o ecuație cu un singur semn =.
 error-condition_angle_nonlinear = Un unghi al unei cuple în afara sinusului, cosinusului și tangentei poate sta numai într-o ecuație ca q2 + q3 = π/2.
-error-conditions_too_many = Celula conține peste { $limit } condiții.
+error-conditions_too_many =
+    Celula conține peste { $limit ->
+        [one] { $limit } condiție
+        [few] { $limit } condiții
+       *[other] { $limit } de condiții
+    }.
 error-condition_period = Ceea ce se adună de k ori trebuie să fie o rotație completă împărțită la un număr întreg: 2π, π, π/2…
 error-singularities_no_families = Nicio condiție nu poate spune unde este singular acest braț: nu este niciodată sau numai în familii de dimensiune mai mică. Alegeți cealaltă mișcare sau alt robot.
 error-not_singular = Brațul nu este singular în această configurație.

@@ -39,7 +39,7 @@ trainer-candidate-coordinates =
        *[other] originea coordonatelor
     }
 trainer-candidate-axis = de-a lungul axei { $axis }
-trainer-candidate-normal = de-a lungul perpendicularei axelor { $axis } și { $other }
+trainer-candidate-normal = de-a lungul perpendicularei comune a axelor { $axis } și { $other }
 trainer-candidate-frame_x = de-a lungul lui x din sistemul { $frame }
 trainer-candidate-across = perpendicular pe axa { $axis }
 

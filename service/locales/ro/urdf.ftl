@@ -2,8 +2,22 @@
 
 error-urdf_not_xml = Textul nu este XML bine format: linia { $line }, coloana { $column }.
 error-urdf_unsafe = Un URDF nu are tip de document, nici entități și nu trimite la alte fișiere. Eliminați <!DOCTYPE …>.
-error-urdf_too_long = Descrierea are mai mult de { $limit } caractere.
-error-urdf_too_complex = Descrierea are mai mult de { $depth } niveluri sau mai mult de { $elements } elemente.
+error-urdf_too_long =
+    Descrierea are mai mult de { $limit ->
+        [one] { $limit } caracter
+        [few] { $limit } caractere
+       *[other] { $limit } de caractere
+    }.
+error-urdf_too_complex =
+    Descrierea are mai mult de { $depth ->
+        [one] { $depth } nivel
+        [few] { $depth } niveluri
+       *[other] { $depth } de niveluri
+    } sau mai mult de { $elements ->
+        [one] { $elements } element
+        [few] { $elements } elemente
+       *[other] { $elements } de elemente
+    }.
 error-urdf_no_robot = Elementul rădăcină este <{ $found }>; un URDF începe cu <robot>.
 error-urdf_is_xacro = Acesta este xacro, un limbaj de macrouri. Expandați-l mai întâi: xacro robot.xacro > robot.urdf
 error-urdf_no_links = Descrierea nu are elemente (link).
@@ -20,7 +34,12 @@ error-urdf_base_needed = Elemente fără părinte: { $count }. Indicați unul ca
 error-urdf_tip_needed = Descrierea se ramifică; capete: { $count }. Indicați unul ca tip_link: { $links }.
 error-urdf_no_path = Nicio succesiune de cuple nu duce de la elementul „{ $base }” la elementul „{ $tip }”.
 error-urdf_nothing_moves = Nimic nu se mișcă între elementul „{ $base }” și elementul „{ $tip }”.
-error-urdf_too_many_joints = Lanțul are { $count } cuple mobile; un tabel primește cel mult { $limit }.
+error-urdf_too_many_joints =
+    Lanțul are { $count ->
+        [one] { $count } cuplă mobilă
+        [few] { $count } cuple mobile
+       *[other] { $count } de cuple mobile
+    }; un tabel primește cel mult { $limit }.
 error-urdf_several_freedoms = Cupla „{ $joint }” este de tip { $kind }: are mai multe grade de libertate, iar un rând al tabelului DH are unul.
 error-urdf_type_unknown = Cupla „{ $joint }” este de tipul „{ $kind }”; tipurile cunoscute sunt { $known }.
 error-urdf_mimic = Cupla „{ $joint }” se mișcă odată cu „{ $other }”, iar amândouă sunt în lanț; într-un tabel DH fiecare cuplă are propria variabilă.
@@ -29,8 +48,18 @@ error-urdf_attribute_unknown = Cupla „{ $joint }”: <{ $element }> nu are atr
 error-urdf_element_twice = Cupla „{ $joint }” are mai multe elemente <{ $element }> diferite. Lăsați doar unul.
 error-urdf_two_orientations = Cupla „{ $joint }” își dă orientarea de două ori, prin rpy și prin quat_xyzw. Lăsați doar una.
 error-urdf_quaternion_zero = Cuaternionul cuplei „{ $joint }” este 0 0 0 0, ceea ce nu este o orientare.
-error-urdf_joint_names = Un robot cu { $expected } cuple primește tot atâtea nume, toate diferite și niciunul fixed_base, fixed_tool sau fixed_row_…; s-au dat { $given }.
-error-urdf_link_names = Un robot cu { $expected } cuple primește tot atâtea nume de elemente (link), unul pentru ce poartă fiecare cuplă, toate diferite; s-au dat { $given }.
+error-urdf_joint_names =
+    Un robot cu { $expected ->
+        [one] { $expected } cuplă
+        [few] { $expected } cuple
+       *[other] { $expected } de cuple
+    } primește tot atâtea nume, toate diferite și niciunul fixed_base, fixed_tool sau fixed_row_…; s-au dat { $given }.
+error-urdf_link_names =
+    Un robot cu { $expected ->
+        [one] { $expected } cuplă
+        [few] { $expected } cuple
+       *[other] { $expected } de cuple
+    } primește tot atâtea nume de elemente (link), unul pentru ce poartă fiecare cuplă, toate diferite; s-au dat { $given }.
 error-urdf_axis_zero = Axa cuplei „{ $joint }” este 0 0 0 și nu are direcție.
 error-urdf_limits_reversed = Limita inferioară a cuplei „{ $joint }” este mai mare decât cea superioară.
 error-urdf_numbers_malformed = Cupla „{ $joint }”: { $attribute } din <{ $element }> primește { $count ->

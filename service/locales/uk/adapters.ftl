@@ -12,7 +12,12 @@ error-file_unreadable = { $file } не вдається прочитати: { $r
 error-file_unusable = { $file } неможливо прочитати або записати: { $reason }.
 error-file_type_unknown = Файли такого типу, як { $file }, тут не читаються. Читаються { $known }.
 error-file_without_table = { $file } не містить таблиці DH. Таблиця має стовпці theta, d, a та alpha.
-error-files_too_many = { $file } містить понад { $limit } файлів.
+error-files_too_many =
+    { $file } містить понад { $limit ->
+        [one] { $limit } файл
+        [few] { $limit } файли
+       *[other] { $limit } файлів
+    }.
 error-columns_unknown = Жоден рядок у { $file } не називає стовпців { $known }. Напишіть їх над таблицею.
 error-columns_differ_in_length = Стовпці в { $file } різної довжини; у кожному має бути по одному значенню на рядок.
 error-exercise_not_named = Не сказано, на яку вправу це відповідь. Назвіть її, наприклад puma560.

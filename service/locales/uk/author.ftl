@@ -1,8 +1,18 @@
 error-text_markup = Це розмітка, якої не може бути в тексті вправи: { $found }. Пишіть L1 < L2 з пробілами.
-error-text_too_long = Текст задовгий; дозволено щонайбільше { $limit } символів.
+error-text_too_long =
+    Текст задовгий; дозволено щонайбільше { $limit ->
+        [one] { $limit } символ
+        [few] { $limit } символи
+       *[other] { $limit } символів
+    }.
 error-text_control_character = Текст містить керівний символ { $found }, якого не видно. Вилучіть його.
 error-statement_not_text = Умова не є текстом у кодуванні UTF-8.
-error-draft_too_large = Опис більший, ніж може бути опис робота: таблиця чи список має щонайбільше { $entries } записів, усі разом — { $values }, а вкладеність не перевищує { $deepest }.
+error-draft_too_large =
+    Опис більший, ніж може бути опис робота: таблиця чи список має щонайбільше { $entries ->
+        [one] { $entries } запис
+        [few] { $entries } записи
+       *[other] { $entries } записів
+    }, усі разом — { $values }, а вкладеність не перевищує { $deepest }.
 error-archive_too_large =
     Архів завеликий; вправа має щонайбільше { $limit ->
         [one] { $limit } байт
@@ -10,7 +20,12 @@ error-archive_too_large =
        *[other] { $limit } байтів
     }.
 error-archive_not_zip = Це не zip-архів, який можна прочитати.
-error-archive_too_many_files = Архів містить { $count } файлів; у теці вправи їх щонайбільше { $limit }.
+error-archive_too_many_files =
+    Архів містить { $count ->
+        [one] { $count } файл
+        [few] { $count } файли
+       *[other] { $count } файлів
+    }; у теці вправи їх щонайбільше { $limit }.
 error-archive_entry = { $name } не належить до вправи: одна тека з { $known } і файлами statement.<мова>.md, і більше нічого.
 error-archive_method = { $name } зашифровано або стиснуто способом, який тут не читається. Візьміть звичайний zip.
 error-archive_file_too_large =
@@ -25,7 +40,12 @@ error-drawing_too_many_axes = Осей { $count }; накреслити можн
 error-drawing_too_many_lengths = Іменованих довжин { $count }; можливо щонайбільше { $limit }.
 error-axis_not_before = Осі { $axis } немає серед накреслених раніше (їх { $before }).
 error-length_unknown = { $name } ще не є довжиною цього креслення. Його довжини: { $known }.
-error-draft_too_many_rows = У таблиці { $count } рядків; у чернетці їх щонайбільше { $limit }. Довшу можна записати текою.
+error-draft_too_many_rows =
+    У таблиці { $count ->
+        [one] { $count } рядок
+        [few] { $count } рядки
+       *[other] { $count } рядків
+    }; у чернетці їх щонайбільше { $limit }. Довшу можна записати текою.
 error-draft_without_table = У вправі не запитується таблиця DH, тож таблиць для показу немає. Додайте частину «Таблиця DH».
 error-publications_full = Уже опубліковано стільки вправ, скільки зберігає ця служба ({ $limit }). Завантажте натомість теку.
 author-title = Створити вправу
@@ -50,7 +70,7 @@ author-start-urdf = URDF
 author-start-robot-hint = Робот із каталогу, з його таблицею та розмірами.
 author-start-axes-hint = Розставте осі зчленувань одну за одною від основи, коли робот у нулі. Іменовані довжини стануть розмірами рисунка; таблиця складеться сама.
 author-start-table-hint = Розв’язок так, як ви б його записали: числа або імена на зразок L1. Довжини-числа самі отримують імена.
-author-start-scm-hint = Рядок на зчленування: зсуви X Y Z і повороти A B C до наступного; змінна стоїть у своїй клітинці: q1, q2, …
+author-start-scm-hint = Рядок на зчленування: переміщення X Y Z і повороти A B C до наступного; змінна стоїть у своїй клітинці: q1, q2, …
 author-start-urdf-hint = Файл з одним послідовним ланцюгом. Читаються лише зчленування, без сіток.
 author-robot = Робот
 author-begin = Почати з цим роботом
@@ -99,7 +119,12 @@ author-statement-none = Цією мовою нічого не написано: 
 author-statement-waiting = Хвилинку …
 author-points = балів
 author-points-of = Бали за: { $part }
-author-points-total = Усього: { $points } балів.
+author-points-total =
+    Усього: { $points ->
+        [one] { $points } бал
+        [few] { $points } бали
+       *[other] { $points } балів
+    }.
 author-rule-convention = Угода
 author-rule-convention-any = будь-яка
 author-rule-convention-standard = стандартна
@@ -122,7 +147,11 @@ author-rule-direction-free = вільний
 author-rule-direction-figure = як на рисунку
 author-tolerance-length = Допуск, частка розміру робота
 author-tolerance-angle = Допуск кутів, рад
-author-policy-admits = З { $choices } способів, якими підручники записали б таблицю цього робота, { $admitted ->
+author-policy-admits =
+    З { $choices ->
+        [one] { $choices } способу
+       *[other] { $choices } способів
+    }, якими підручники записали б таблицю цього робота, { $admitted ->
     [one] прийнятний { $admitted }
     [few] прийнятні { $admitted }
    *[other] прийнятно { $admitted }
@@ -174,7 +203,11 @@ author-right-shown = { $wrong ->
 }
 author-wrong = Показати найчастіші хибні відповіді та їхні бали
 author-wrong-hint = Спершу найімовірніші: що скажуть студентові й скільки ще варта вся відповідь. Де хочете, додайте власні слова.
-author-wrong-marks = { $points } з { $most } балів, таблиця { $score } %
+author-wrong-marks =
+    { $points } з { $most ->
+        [one] { $most } бала
+       *[other] { $most } балів
+    }, таблиця { $score } %
 author-wrong-refused = не приймається, спроби не коштує
 author-wrong-untold = Виправлення не підказують ({ $name }).
 author-wrong-tested = вправа перевіряє себе цією помилкою
@@ -269,7 +302,7 @@ author-figure-ratio = на частці
 author-figure-from = від точки
 author-key-joints = Значення зчленувань
 author-key-turns = Кути, що випадають кожному студентові
-author-key-slides = Зсуви, що випадають кожному студентові
+author-key-slides = Переміщення, що випадають кожному студентові
 author-key-tolerance = Допуск
 author-key-point = Позначена точка
 author-key-from = Відстань від

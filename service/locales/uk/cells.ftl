@@ -3,9 +3,24 @@
 error-cell_empty = Ця клітинка порожня. Напишіть 0 там, де нічого немає.
 error-cell_dash = У цій клітинці лише риска. Напишіть 0 там, де нічого немає.
 error-cell_not_a_value = Клітинка містить число або вираз у вигляді тексту, а не { $kind }.
-error-cell_too_long = У цій клітинці { $length } символів; читається щонайбільше { $limit }.
-error-cell_too_deep = Вкладеність у цій клітинці перевищує { $limit } рівнів.
-error-cell_too_many_symbols = У цій клітинці понад { $limit } різних імен.
+error-cell_too_long =
+    У цій клітинці { $length ->
+        [one] { $length } символ
+        [few] { $length } символи
+       *[other] { $length } символів
+    }; читається щонайбільше { $limit }.
+error-cell_too_deep =
+    Вкладеність у цій клітинці перевищує { $limit ->
+        [one] { $limit } рівень
+        [few] { $limit } рівні
+       *[other] { $limit } рівнів
+    }.
+error-cell_too_many_symbols =
+    У цій клітинці понад { $limit ->
+        [one] { $limit } ім’я
+        [few] { $limit } різні імена
+       *[other] { $limit } різних імен
+    }.
 
 error-character_not_allowed = Символ { $column }: { $character } не має змісту в клітинці.
 error-character_invisible = Символ { $column }: тут невидимий або керівний символ ({ $character }). Вилучіть його.
@@ -16,7 +31,12 @@ error-command_unknown = Символ { $column }: команда \{ $command } �
 error-script_misplaced = Символ { $column }: перед { $character } немає нічого, чого він міг би стосуватися.
 
 error-number_malformed = Символ { $column }: { $text } не є десятковим числом. Пишіть цифри й одну крапку, без роздільників.
-error-number_too_long = Символ { $column }: число може мати щонайбільше { $limit } цифр.
+error-number_too_long =
+    Символ { $column }: число може мати щонайбільше { $limit ->
+        [one] { $limit } цифру
+        [few] { $limit } цифри
+       *[other] { $limit } цифр
+    }.
 error-number_out_of_range =
     { $size ->
         [small] Символ { $column }: це число надто близьке до 0, щоб його прочитати. Напишіть 0.
@@ -29,7 +49,12 @@ error-about_in_cell = Символ { $column }: клітинка містить 
 
 error-names_run_together = Символ { $column }: { $text } зливається з наступним. Пишіть добуток через *.
 error-name_malformed = Символ { $column }: підкреслення стоїть лише між літерою та її індексом, як у L_1.
-error-name_too_long = Символ { $column }: ім’я може мати щонайбільше { $limit } символів.
+error-name_too_long =
+    Символ { $column }: ім’я може мати щонайбільше { $limit ->
+        [one] { $limit } символ
+        [few] { $limit } символи
+       *[other] { $limit } символів
+    }.
 error-name_is_not_a_number = Символ { $column }: { $name } не є значенням. Клітинка містить лише скінченні числа.
 error-unit_in_cell = Символ { $column }: одиниці в клітинках не пишуть. Якщо потрібні саме ці одиниці ({ $name }), напишіть { $suggestion }; якщо ні, спершу перетворіть.
 error-function_unknown = Символ { $column }: { $name } не є функцією. Є такі функції: { $functions }. Добуток пишуть { $name }*(…).
@@ -89,9 +114,24 @@ error-variable_of_other_row = Символ { $column }: { $name } не є змі
 error-variable_numbering_mixed = Символ { $column }: { $name } пронумеровано за рядком, а інші — за зчленуванням. Нумеруйте їх від q1 до q{ $joints } у порядку зчленувань.
 
 error-table_empty = У таблиці немає рядків; потрібен щонайменше один.
-error-table_too_many_rows = У таблиці { $rows } рядків; читається щонайбільше { $limit }.
-error-table_too_long = Усі клітинки разом мають { $length } символів; читається щонайбільше { $limit }.
-error-table_too_many_parameters = У таблиці понад { $limit } різних параметрів.
+error-table_too_many_rows =
+    У таблиці { $rows ->
+        [one] { $rows } рядок
+        [few] { $rows } рядки
+       *[other] { $rows } рядків
+    }; читається щонайбільше { $limit }.
+error-table_too_long =
+    Усі клітинки разом мають { $length ->
+        [one] { $length } символ
+        [few] { $length } символи
+       *[other] { $length } символів
+    }; читається щонайбільше { $limit }.
+error-table_too_many_parameters =
+    У таблиці понад { $limit ->
+        [one] { $limit } параметр
+        [few] { $limit } різні параметри
+       *[other] { $limit } різних параметрів
+    }.
 
 error-parameter_missing = Параметр { $name } не має значення.
 error-parameter_unused = У таблиці немає параметра { $name }.

@@ -117,12 +117,12 @@ feedback-transform_inverse = Це обернена до ⁰T: вона веде 
 feedback-transform_rotation_transposed = Поворот у ⁰T транспоновано.
 feedback-transform_order_reversed = Матриці ланок перемножено у зворотному порядку.
 feedback-transform_links_missing = Це добуток лише до системи { $last }; продовжіть до останньої системи.
-feedback-pose_right = Положення й орієнтація правильні.
-feedback-pose_follows_table = Положення й орієнтація випливають із вашої таблиці й отримують свої бали, хоча таблиця неправильна.
-feedback-pose_wrong = Це не те, що дає ваша таблиця для цих значень змінних.
+feedback-pose_right = Поза правильна.
+feedback-pose_follows_table = Поза випливає з вашої таблиці й отримує свої бали, хоча таблиця неправильна.
+feedback-pose_wrong = Це не та поза, яку дає ваша таблиця для цих значень у зчленуваннях.
 feedback-pose_rotation_right = Поворот правильний.
 feedback-pose_position_right = Положення правильне.
-feedback-pose_inverse = Це обернене перетворення.
+feedback-pose_inverse = Це обернена поза.
 feedback-pose_rotation_transposed = Поворот транспоновано.
 feedback-pose_degrees_as_radians = Синуси й косинуси обчислено так, ніби градуси — це радіани.
 feedback-workspace_right = Обидва радіуси правильні.
@@ -147,7 +147,7 @@ error-link_matrices_count = У таблиці { $expected ->
    *[other] { $given } матриць
 }. Подайте по одній на кожен рядок; null пропускає одну.
 error-link_matrices_need_table = Без таблиці матриці ланок оцінюються за їхнім добутком. Подайте всі.
-error-pose_needs_table = Положення й орієнтація визначаються вашою власною таблицею. Здайте і таблицю.
+error-pose_needs_table = Поза визначається вашою власною таблицею. Здайте і таблицю.
 error-matrix_not_4x4 = Матриця має чотири рядки по чотири клітинки.
 error-joint_variable_unknown = Немає { $name }; робот має { $joints ->
     [one] { $joints } зчленування
@@ -174,13 +174,18 @@ error-schematic_relations_count = { $joints ->
    *[other] { $expected } пар
 } сусідніх осей. Подайте одне відношення для кожної пари.
 error-seed_invalid = Зерно — це текст або ціле число.
-error-seed_too_long = Зерно має щонайбільше { $limit } символів.
+error-seed_too_long =
+    Зерно має щонайбільше { $limit ->
+        [one] { $limit } символ
+        [few] { $limit } символи
+       *[other] { $limit } символів
+    }.
 error-exercise_unknown = Немає вправи { $id }. Є такі: { $known }.
 error-language_unknown = Мови { $language } тут немає. Є такі: { $known }.
 
 ## Чому опис вправи не можна прочитати
 
-error-exercise_file_missing = Немає файла exercise.toml.
+error-exercise_file_missing = Немає файлу exercise.toml.
 error-exercise_file_not_toml = Це не TOML: { $reason }
 error-exercise_key_missing = Бракує { $key }.
 error-exercise_key_unknown = { $key } — невідомий ключ. Відомі ключі: { $known }.
@@ -201,7 +206,12 @@ error-nothing_asked = У вправі щось запитується: дода�
 error-part_twice = { $kind } запитується двічі.
 error-points_not_positive = Частина варта більше ніж нуль балів.
 error-draw_empty = Немає з чого вибирати: «from» не може перевищувати «to», а «step» має бути додатним.
-error-draw_too_large = Вибір має щонайбільше { $limit } значень.
+error-draw_too_large =
+    Вибір має щонайбільше { $limit ->
+        [one] { $limit } значення
+        [few] { $limit } значення
+       *[other] { $limit } значень
+    }.
 error-variants_too_many = Варіантів щонайбільше { $limit }.
 error-tolerance_out_of_range = { $name } лежить між 0 і 0.1.
 error-name_invalid = { $name } не є назвою розміру; назва має вигляд L1.

@@ -14,15 +14,19 @@ form-named = { $name }: { $said }
 form-loading = Завантаження …
 
 form-home-title = Вправи
-form-home-heading = Опишіть робота. Зараховується будь‑який правильний вибір систем координат.
+form-home-heading = Опишіть робота. Зараховується будь-який правильний вибір систем координат.
 form-home-lead = Таблиці Денавіта–Гартенберга з роботом, що рухається під час введення, і перевіркою, яка доводить, чи описує таблиця той самий механізм.
 form-home-exercises = Вправи
 form-home-subjects = Теми
 form-home-more = Інше
-form-home-playground = Будь-яка таблиця: пози, якобіани, символьні вирази, перетворення.
+form-home-playground = Будь-яка таблиця: пози, якобіани, вирази в замкненому вигляді, перетворення.
 form-home-api = Програмний інтерфейс
 form-home-api-text = Те саме через HTTP, як документ OpenAPI.
-form-home-best = Найкраще: { $points } з { $total } балів
+form-home-best =
+    Найкраще: { $points } з { $total ->
+        [one] { $total } бала
+       *[other] { $total } балів
+    }
 form-home-joints =
     { $joints ->
         [one] { $joints } зчленування
@@ -137,7 +141,7 @@ form-matrix-notation = Запис
 form-matrix-short = скорочений
 form-matrix-full = повний
 form-matrix-none = Матриці з’являться, щойно кожен рядок можна буде прочитати.
-form-matrix-name = Система { $to } відносно системи { $from }
+form-matrix-name = Поза системи { $to } у системі { $from }
 form-copy = Копіювати як
 form-copy-group = Копіювати: { $what }
 form-copied = Скопійовано як { $format }
@@ -159,7 +163,11 @@ form-figure-move = Рухати зчленуваннями
 form-figure-posture = Відлік від конфігурації на рисунку.
 form-choose = Виберіть …
 form-choose-missing = Виберіть один із варіантів.
-form-points = { $points } з { $total } балів
+form-points =
+    { $points } з { $total ->
+        [one] { $total } бала
+       *[other] { $total } балів
+    }
 form-row-go = До рядка { $row }
 form-row-heading = Рядок
 form-row-missing =
@@ -185,7 +193,7 @@ form-part-workspace = Робоча зона
 form-part-orientation = Орієнтація
 form-part-rotation-check = Поворот чи ні
 form-part-frame-chain = Ланцюг систем
-form-part-inverse-kinematics = Обернена кінематика
+form-part-inverse-kinematics = Обернена задача кінематики
 form-part-find-mistake = Знайти помилку
 form-part-matrix-mistake = Знайти помилку в матриці
 form-part-frame-mistake = Знайти помилку на рисунку
@@ -242,7 +250,7 @@ form-matrices = Матриці
 form-verdict-heading = Висновок
 form-verdict-correct = Ваша таблиця описує цього робота.
 form-verdict-wrong = Ваша таблиця ще неправильна.
-form-verdict-all = Усе, що ви подали, правильне.
+form-verdict-all = Усе, що ви здали, правильне.
 form-verdict-some = Ще не все правильно.
 form-verdict-outdated = Відтоді ви змінили відповідь.
 form-basis-proved = Доведено: тотожність справджується за всіх значень змінних зчленувань.
@@ -311,7 +319,7 @@ form-name-unknown =
     }
 
 form-nav-lesson = Перший урок
-form-term = Що це? { $term }
+form-term = Що означає «{ $term }»?
 form-convention-what = Що це таке?
 form-exercise-write = Зв’яжіть із кожною ланкою систему координат і запишіть таблицю DH цього робота.
 
@@ -333,7 +341,7 @@ form-new-done = Нова, порожня таблиця.
 form-progress = Поступ
 form-progress-open = ще не зроблено
 form-progress-typed = ще не перевірено
-form-part-missing = не подано
+form-part-missing = не здано
 form-part-empty = Тут ще нічого не написано.
 form-submit-part = Перевірити цю частину
 form-points-for = Хибна таблиця отримує бали за те, що в ній правильно: наявні зчленування правильного типу, кути скручення, довжини й зміщення. Найдорожче коштує пропущене зчленування, найдешевше — помилка в знаку.

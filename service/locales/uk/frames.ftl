@@ -21,7 +21,11 @@ error-axis_joint_unknown = Зчленування осі обертальне (r
 error-gripper_jaws_along_approach = Губки рухаються впоперек напряму підходу, а не вздовж нього.
 error-vector_malformed = Задайте три скінченні числа x, y, z, не більші за { $limit }.
 error-direction_zero = Напрям мусить мати довжину: 0, 0, 0 нікуди не вказує.
-error-frames_too_many = У ланцюга з { $count } зчленувань є системи від 0 до { $count }.
+error-frames_too_many =
+    У ланцюга з { $count ->
+        [one] { $count } зчленування
+       *[other] { $count } зчленувань
+    } є системи від 0 до { $count }.
 error-frame_y_not_z_cross_x = y випливає із z та x. Не вказуйте його або вкажіть z × x разом з обома.
 error-parallel_tolerance_out_of_range = Допуск для паралельних осей лежить між { $least } і { $greatest } рад.
 error-near_parallel = Осі { $previous } і { $joint } паралельні з точністю до { $angle } рад і були прийняті за паралельні. Через це остання система може бути повернута щонайбільше на подвоєний кут і зсунута щонайбільше на { $displacement }.

@@ -30,7 +30,7 @@ playground-yes = так
 playground-no = ні
 playground-manipulability = Маніпулятивність
 playground-no-joints = У таблиці немає зчленувань.
-playground-inverse = Обернена кінематика
+playground-inverse = Обернена задача кінематики
 playground-target = Поза, якої слід досягти
 playground-target-x = вісь x
 playground-target-y = вісь y
@@ -97,14 +97,19 @@ playground-from-urdf = З URDF
 playground-urdf-hint = Вставте файл URDF з одним послідовним ланцюгом; нерухомі зчленування об’єднуються із сусідніми.
 playground-taken = Таблицю перенесено.
 playground-limits = Межі зчленувань
-playground-limits-hint = Повзунки, обернена кінематика, траєкторії та робоча зона їх дотримуються. Порожнє поле означає, що межі немає.
+playground-limits-hint = Повзунки, обернена задача кінематики, траєкторії та робоча зона їх дотримуються. Порожнє поле означає, що межі немає.
 playground-limits-source = Джерело: { $source }
 playground-joint = Зчленування
 playground-least = найменше
 playground-greatest = найбільше
 playground-numbers = Те саме в числах
 playground-slide-needed = Задайте кожному поступальному зчленуванню найменше й найбільше значення в розділі «Межі зчленувань».
-playground-cloud = На рисунку: { $count } положень початку кінцевої системи координат, рівномірно розподілених за діапазонами зчленувань.
+playground-cloud =
+    На рисунку: { $count ->
+        [one] { $count } положення
+        [few] { $count } положення
+       *[other] { $count } положень
+    } початку кінцевої системи координат, рівномірно розподілених за діапазонами зчленувань.
 playground-section = Переріз робочої зони через першу вісь
 playground-section-radius = відстань від першої осі
 playground-section-height = висота вздовж першої осі
@@ -123,7 +128,7 @@ playground-solution = Розв’язок { $number }
 playground-trajectory = Траєкторія зчленувань
 playground-trajectory-start = Звідки
 playground-trajectory-end = Куди
-playground-trajectory-now = де зчленування зараз
+playground-trajectory-now = поточні значення у зчленуваннях
 playground-duration = Тривалість
 playground-scaling = Многочлен
 playground-scaling-quintic = п’ятого степеня
@@ -140,7 +145,7 @@ playground-plot-velocities-prismatic = Лінійні швидкості зчл�
 playground-plot-accelerations-revolute = Кутові прискорення зчленувань у часі
 playground-plot-accelerations-prismatic = Лінійні прискорення зчленувань у часі
 playground-more = Більше про цього робота
-playground-more-inverse = Обернена кінематика в символах
+playground-more-inverse = Обернена задача кінематики в символах
 playground-more-inverse-hint = Одне зчленування за одним. Кожен знак — вибір 1 або −1; кути в радіанах. Робот із шістьма зчленуваннями може потребувати часу.
 playground-condition-reachable = Ця гілка існує лише там, де це 0 або більше:
 playground-condition-determined = Де це 0, кут не визначено (сингулярність):
@@ -157,7 +162,7 @@ playground-missing = бракує
 playground-families = Родин сингулярних конфігурацій: { $count }. Інших немає.
 playground-families-some = Родин сингулярних конфігурацій: { $count }. Можуть бути й інші.
 playground-more-rotations = Орієнтація в усіх записах
-playground-more-rotations-hint = Кінцевої системи координат за поточних значень у зчленуваннях. При складанні рамок визначено лише суму чи різницю кутів.
+playground-more-rotations-hint = Орієнтація кінцевої системи координат за поточних значень у зчленуваннях. За складання рамок визначено лише суму чи різницю кутів.
 playground-rotation-matrix = Матриця повороту
 playground-sequences = Кути всіх 24 послідовностей
 playground-turning-current = поточні осі

@@ -1,8 +1,18 @@
 # Метод SCM: ланцюги рядків [X Y Z A B C].
 
 error-scm_chain_empty = У ланцюзі немає жодного зчленування. Потрібен принаймні один рядок.
-error-scm_too_many_joints = У ланцюзі { $joints } зчленувань; читається щонайбільше { $limit }.
-error-scm_chain_too_long = Усі елементи разом мають { $length } символів; читається щонайбільше { $limit }.
+error-scm_too_many_joints =
+    У ланцюзі { $joints ->
+        [one] { $joints } зчленування
+        [few] { $joints } зчленування
+       *[other] { $joints } зчленувань
+    }; читається щонайбільше { $limit }.
+error-scm_chain_too_long =
+    Усі елементи разом мають { $length ->
+        [one] { $length } символ
+        [few] { $length } символи
+       *[other] { $length } символів
+    }; читається щонайбільше { $limit }.
 error-scm_no_variable = Рядок { $joint } не містить змінної зчленування. Запишіть q{ $joint } в елементі, що рухається.
 error-scm_two_variables = Рядок { $joint } містить свою змінну і в { $first }, і в { $second }. У рядку має бути рівно одна.
 error-scm_variable_of_other_row = { $name } не є змінною рядка { $joint }; його змінна — q{ $joint }.

@@ -18,8 +18,18 @@ error-json_too_deep = Документ JSON має завелику глибин
 error-json_not_finite = Рядок { $line }, стовпець { $column }: число має бути скінченним. У JSON немає NaN і нескінченності.
 error-json_invalid = Тіло запиту не є JSON: рядок { $line }, стовпець { $column }. Аналізатор повідомляє: { $reason }.
 error-json_duplicate_key = Ключ «{ $key }» трапляється двічі в одному об’єкті. Залиште один із них.
-error-json_too_many_values = Тіло містить забагато: читається щонайбільше { $limit } значень, полів, списків або об’єктів.
-error-json_too_many_fields = Об’єкт у тілі має { $given } полів; жоден виклик не має більше ніж { $limit }.
+error-json_too_many_values =
+    Тіло містить забагато: читається щонайбільше { $limit ->
+        [one] { $limit } значення
+        [few] { $limit } значення
+       *[other] { $limit } значень
+    }, полів, списків або об’єктів.
+error-json_too_many_fields =
+    Об’єкт у тілі має { $given ->
+        [one] { $given } поле
+        [few] { $given } поля
+       *[other] { $given } полів
+    }; жоден виклик не має більше ніж { $limit }.
 error-body_timed_out = Тіло не надійшло за { $seconds } с. Надсилайте його швидше або меншими частинами.
 error-content_encoding_unsupported = Стиснені тіла запитів не читаються. Надішліть тіло без Content-Encoding.
 error-charset_unsupported = Тіло запиту оголошено як { $charset }. JSON читається лише в UTF-8.
@@ -50,12 +60,12 @@ error-number_not_finite = «{ $field }» має бути скінченним ч
 error-number_too_small =
     { $bound ->
         [excluded] Число має бути більшим за { $limit }.
-       *[included] Число замале; межа — { $limit }.
+       *[included] Число має бути не менше ніж { $limit }.
     }
 error-number_too_large =
     { $bound ->
         [excluded] Число має бути меншим за { $limit }.
-       *[included] Число завелике; межа — { $limit }.
+       *[included] Число має бути не більше ніж { $limit }.
     }
 error-integer_expected = «{ $field }» має бути цілим числом.
 error-boolean_expected = «{ $field }» має бути true або false.
@@ -93,7 +103,12 @@ error-value_not_allowed = Значення має бути одним із та�
 error-value_invalid = Це значення неможливо використати: { $reason }.
 
 error-joints_wrong_dimensions = Масив змінних зчленувань має один або два виміри, а не { $dimensions }: (зчленування) або (конфігурації, зчленування).
-error-batch_too_large = У пакеті { $given } конфігурацій; за один запит обчислюється не більше ніж { $limit }.
+error-batch_too_large =
+    У пакеті { $given ->
+        [one] { $given } конфігурація
+        [few] { $given } конфігурації
+       *[other] { $given } конфігурацій
+    }; за один запит обчислюється не більше ніж { $limit }.
 error-query_missing = Змінні зчленувань надійшли як npy; решту запиту подайте як JSON у параметрі запиту «request».
 error-npy_header_invalid =
     Тіло запиту не є файлом npy, як його записує numpy.save: { $rule ->
@@ -119,7 +134,12 @@ error-api_key_scope = Цей ключ призначено для { $scopes }; �
 error-idempotency_key_length = Idempotency-Key має від 1 до { $limit } символів.
 error-idempotency_key_in_use = Запит із цим Idempotency-Key ще виконується. Спробуйте знову за секунду.
 error-idempotency_key_reused = Цей Idempotency-Key уже використано для іншого запиту. Для нового запиту візьміть новий ключ.
-error-rate_exceeded = Запитано більше, ніж { $limit } за хвилину, з урахуванням вартості. Спробуйте ще раз за { $seconds } с.
+error-rate_exceeded =
+    Перевищено межу в { $limit ->
+        [one] { $limit } одиницю
+        [few] { $limit } одиниці
+       *[other] { $limit } одиниць
+    } вартості за хвилину. Спробуйте ще раз за { $seconds } с.
 error-setting_missing = Бракує налаштування { $name }.
 problem-title-429 = Забагато запитів
 error-quaternion_or_axis = Задайте щонайбільше одне з «quaternion» і «axis».

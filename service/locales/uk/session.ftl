@@ -9,7 +9,11 @@ session-signed-in = Ви ввійшли як { $name } · { $course }
 session-attempts = Спроби: { $made }
 session-attempts-of = Спроби: { $made } з { $allowed }
 session-closes = Закривається: { $when }
-session-grade = Зараховано: { $points } з { $total } балів
+session-grade =
+    Зараховано: { $points } з { $total ->
+        [one] { $total } бала
+       *[other] { $total } балів
+    }
 session-no-more = Зараз спроби не приймаються
 session-back = Назад до курсу
 session-received = Спробу { $attempt } отримано й збережено. Результат буде показано пізніше.

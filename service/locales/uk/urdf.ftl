@@ -2,8 +2,22 @@
 
 error-urdf_not_xml = Текст не є правильно побудованим XML: рядок { $line }, стовпець { $column }.
 error-urdf_unsafe = URDF не має типу документа й сутностей і не посилається на інші файли. Вилучіть <!DOCTYPE …>.
-error-urdf_too_long = Опис довший за { $limit } символів.
-error-urdf_too_complex = В описі понад { $depth } рівнів вкладення або понад { $elements } елементів.
+error-urdf_too_long =
+    Опис довший за { $limit ->
+        [one] { $limit } символ
+        [few] { $limit } символи
+       *[other] { $limit } символів
+    }.
+error-urdf_too_complex =
+    В описі понад { $depth ->
+        [one] { $depth } рівень
+        [few] { $depth } рівні
+       *[other] { $depth } рівнів
+    } вкладення або понад { $elements ->
+        [one] { $elements } елемент
+        [few] { $elements } елементи
+       *[other] { $elements } елементів
+    }.
 error-urdf_no_robot = Кореневий елемент — <{ $found }>; URDF починається з <robot>.
 error-urdf_is_xacro = Це xacro, мова макросів. Спершу розгорніть його: xacro robot.xacro > robot.urdf
 error-urdf_no_links = В описі немає ланок (link).

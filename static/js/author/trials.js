@@ -4,7 +4,7 @@ import { Latest, Problem } from "../api.js";
 import { announce, el, fill } from "../dom.js";
 import { rowsTable } from "../editor/rows-table.js";
 import { language, t } from "../i18n.js";
-import { asPoints } from "../numbers.js";
+import { pointsTold } from "../numbers.js";
 import { problemNotice } from "../problem.js";
 import { tick } from "./fields.js";
 import { keepSample } from "./samples.js";
@@ -123,8 +123,8 @@ function mistake(store, answer, remarked) {
   const marks = answer.refused
     ? t("author-wrong-refused")
     : t("author-wrong-marks", {
-        points: asPoints(answer.points),
-        most: asPoints(answer.max_points),
+        points: pointsTold(answer.points),
+        most: pointsTold(answer.max_points),
         score: Math.round(100 * answer.score),
       });
   const listed = () => store.at(["definition", "tests", "misconceptions"]) ?? [];

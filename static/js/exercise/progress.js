@@ -2,13 +2,13 @@
 
 import { el, fill, icon } from "../dom.js";
 import { named, t } from "../i18n.js";
-import { asPoints } from "../numbers.js";
+import { pointsTold } from "../numbers.js";
 
 /** @typedef {{kind: string, touched: boolean, print: string}} PartState what stands in a part's fields */
 
 /** Points out of points, as they are said everywhere. @param {number} earned @param {number} total */
 export function pointsText(earned, total) {
-  return t("form-points", { points: asPoints(earned), total: asPoints(total) });
+  return t("form-points", { points: pointsTold(earned), total: pointsTold(total) });
 }
 
 /** @param {string} kind */

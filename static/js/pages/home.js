@@ -3,7 +3,7 @@
 import { browserAttempts } from "../attempts.js";
 import { el, fill } from "../dom.js";
 import { language, t } from "../i18n.js";
-import { asPoints } from "../numbers.js";
+import { pointsTold } from "../numbers.js";
 import { api, pageAddress, startPage } from "../page.js";
 import { problemNotice } from "../problem.js";
 
@@ -102,7 +102,7 @@ async function entry({ id, title, summary, joints, points, parts }) {
         attempts.length
           ? el("span", {
               class: `badge ${best >= 1 ? "good" : "warn"}`,
-              text: t("form-home-best", { points: asPoints(best * points), total: asPoints(points) }),
+              text: t("form-home-best", { points: pointsTold(best * points), total: pointsTold(points) }),
             })
           : null,
         subjectOf({ parts }) === "table"

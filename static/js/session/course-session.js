@@ -6,7 +6,7 @@
 import { Problem } from "../api.js";
 import { debounced, el, fill } from "../dom.js";
 import { language, t } from "../i18n.js";
-import { asPoints } from "../numbers.js";
+import { pointsTold } from "../numbers.js";
 import { keep, recall } from "../storage.js";
 
 const KEPT = "framewise:session";
@@ -187,7 +187,7 @@ export class CourseSession {
       grade
         ? el("span", {
             class: "badge good",
-            text: t("session-grade", { points: asPoints(grade.score * this.total), total: asPoints(this.total) }),
+            text: t("session-grade", { points: pointsTold(grade.score * this.total), total: pointsTold(this.total) }),
           })
         : null,
       refusal ? el("span", { class: "badge warn", text: t("session-no-more") }) : null,
