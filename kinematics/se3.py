@@ -336,7 +336,7 @@ def _rotation_faults(
     products = ((x, x, 1.0), (y, y, 1.0), (z, z, 1.0), (x, y, 0.0), (y, z, 0.0), (z, x, 0.0))
     error = max(abs(dot(u, v) - meant) for u, v, meant in products)
     if error > tolerance:
-        return [Fault.at("pose_not_orthonormal", *where, error=f"{error:.1e}", tolerance=f"{tolerance:g}")]
+        return [Fault.at("pose_not_orthonormal", *where, error=f"{error:.2g}", tolerance=f"{tolerance:g}")]
     if dot(x, cross(y, z)) < 0.0:
         return [Fault.at("pose_left_handed", *where)]
     return []

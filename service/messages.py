@@ -140,7 +140,13 @@ def _argument(value: object) -> str | int:
     if isinstance(value, (tuple, list)):
         value = ", ".join(str(item) for item in value)
     text = str(value)
-    return text if len(text) <= _TEXT_LIMIT else text[: _TEXT_LIMIT - 1] + "…"
+    return text if len(text) <= _TEXT_LIMIT else _shortened(text)
+
+
+def _shortened(text: str) -> str:
+    """Cut a text at the limit; a list, which has commas, after its last whole item."""
+    whole = text[:_TEXT_LIMIT].rpartition(", ")[0]
+    return f"{whole}, …" if len(whole) > _TEXT_LIMIT // 2 else text[: _TEXT_LIMIT - 1] + "…"
 
 
 @cache

@@ -51,6 +51,14 @@ def test_what_a_caller_sent_is_cut_short_in_a_sentence() -> None:
     assert len(sentence("en", "error-address_unknown", {"path": "/" + "x" * 10_000}) or "") < 400
 
 
+def test_a_long_list_ends_with_a_whole_item() -> None:
+    names = tuple(f"exercise-{i}" for i in range(100))
+    told = sentence("en", "error-exercise_unknown", {"id": "x", "known": names}) or ""
+    assert told == sentence("en", "error-exercise_unknown", {"id": "x", "known": ", ".join(names)})
+    assert re.search(r"exercise-1, .*exercise-\d+, …\.$", told)
+    assert set(re.findall(r"[\w-]*-\d+", told)) <= set(names)
+
+
 def test_numbers_that_are_not_counts_keep_their_digits() -> None:
     told = sentence("fr", "error-number_too_small", {"limit": 1e-9, "bound": "included"})
     assert "1e-09" in (told or "")

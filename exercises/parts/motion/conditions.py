@@ -91,7 +91,8 @@ def read_conditions(
     equations = list(islice(_equations(text.replace("==", "=")), MOST_CONDITIONS + 1))
     if len(equations) > MOST_CONDITIONS:
         return [Fault.at("conditions_too_many", *where, limit=MOST_CONDITIONS)]
-    if not equations or any("=" in equation.right for equation in equations):
+    sides = [side for equation in equations for side in (equation.left, equation.right)]
+    if not sides or any(not side or "=" in side for side in sides):
         return [_no_condition(cell, where)]
     return [_condition(equation, joint_types, angle_unit, where) for equation in equations]
 

@@ -2,7 +2,12 @@
 
 error-cell_empty = This cell is empty. Write 0 where nothing is meant.
 error-cell_dash = This cell holds only a dash. Write 0 where nothing is meant.
-error-cell_not_a_value = A cell is a number or an expression in text, not { $kind }.
+error-cell_not_a_value =
+    A cell is a number or an expression in text, not { $kind ->
+        [list] a list
+        [dict] an object
+       *[other] { $kind }
+    }.
 error-cell_too_long = This cell has { $length } characters; at most { $limit } are read.
 error-cell_too_deep = This cell is nested deeper than { $limit } levels.
 error-cell_too_many_symbols = This cell holds more than { $limit } different names.

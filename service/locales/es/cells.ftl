@@ -2,7 +2,12 @@
 
 error-cell_empty = Esta celda está vacía. Escriba 0 donde no haya nada.
 error-cell_dash = Esta celda solo contiene un guion. Escriba 0 donde no haya nada.
-error-cell_not_a_value = Una celda contiene un número o una expresión en texto, no { $kind }.
+error-cell_not_a_value =
+    Una celda contiene un número o una expresión en texto, no { $kind ->
+        [list] una lista
+        [dict] un objeto
+       *[other] { $kind }
+    }.
 error-cell_too_long = Esta celda tiene { $length } caracteres; se leen como máximo { $limit }.
 error-cell_too_deep = Esta celda supera { $limit } niveles de anidamiento.
 error-cell_too_many_symbols = Esta celda contiene más de { $limit } nombres distintos.

@@ -2,7 +2,12 @@
 
 error-cell_empty = Cette cellule est vide. Écrivez 0 là où il n’y a rien.
 error-cell_dash = Cette cellule ne contient qu’un tiret. Écrivez 0 là où il n’y a rien.
-error-cell_not_a_value = Une cellule contient un nombre ou une expression sous forme de texte, et non { $kind }.
+error-cell_not_a_value =
+    Une cellule contient un nombre ou une expression sous forme de texte, et non { $kind ->
+        [list] une liste
+        [dict] un objet
+       *[other] { $kind }
+    }.
 error-cell_too_long = Cette cellule compte { $length } caractères ; { $limit } au plus sont lus.
 error-cell_too_deep = Cette cellule dépasse { $limit } niveaux d’imbrication.
 error-cell_too_many_symbols = Cette cellule contient plus de { $limit } noms différents.

@@ -2,7 +2,12 @@
 
 error-cell_empty = Esta célula está vazia. Escreva 0 onde não há nada.
 error-cell_dash = Esta célula contém apenas um traço. Escreva 0 onde não há nada.
-error-cell_not_a_value = Uma célula contém um número ou uma expressão em texto, não { $kind }.
+error-cell_not_a_value =
+    Uma célula contém um número ou uma expressão em texto, não { $kind ->
+        [list] uma lista
+        [dict] um objeto
+       *[other] { $kind }
+    }.
 error-cell_too_long = Esta célula tem { $length } caracteres; são lidos no máximo { $limit }.
 error-cell_too_deep = Esta célula ultrapassa { $limit } níveis de aninhamento.
 error-cell_too_many_symbols = Esta célula contém mais de { $limit } nomes diferentes.

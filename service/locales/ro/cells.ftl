@@ -2,7 +2,12 @@
 
 error-cell_empty = Celula este goală. Scrieți 0 acolo unde nu este nimic.
 error-cell_dash = Această celulă conține doar o liniuță. Scrieți 0 acolo unde nu este nimic.
-error-cell_not_a_value = O celulă conține un număr sau o expresie sub formă de text, nu { $kind }.
+error-cell_not_a_value =
+    O celulă conține un număr sau o expresie sub formă de text, nu { $kind ->
+        [list] o listă
+        [dict] un obiect
+       *[other] { $kind }
+    }.
 error-cell_too_long =
     Celula are { $length ->
         [one] { $length } caracter
