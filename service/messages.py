@@ -149,6 +149,22 @@ def _shortened(text: str) -> str:
     return f"{whole}, …" if len(whole) > _TEXT_LIMIT // 2 else text[: _TEXT_LIMIT - 1] + "…"
 
 
+def in_sentence(params: Mapping[str, object], language: str) -> dict[str, object]:
+    """Return parameters with numbers as the language writes them: its decimal sign, and a true minus sign."""
+    return {name: _as_written(_argument(value), language) for name, value in params.items()}
+
+
+def _as_written(value: str | int, language: str) -> str | int:
+    if isinstance(value, int):
+        return value
+    text = _MINUS.sub("\u2212", value)
+    return text if language == DEFAULT_LANGUAGE else _DECIMAL_POINT.sub(",", text)
+
+
+_MINUS = re.compile(r"(?<![\w)])-(?=\d)")
+_DECIMAL_POINT = re.compile(r"(?<=\d)\.(?=\d)")
+
+
 @cache
 def refusal_codes() -> frozenset[str]:
     """Return every code that has a message."""

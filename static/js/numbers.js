@@ -1,9 +1,10 @@
 /**
- * Numbers as people read them. The decimal sign is a point: these are things to copy into programs. Points that an answer
- * earned are not, and have the page's own.
+ * Numbers as people read them. In tables and matrices the decimal sign is a point: these are things to copy into programs.
+ * In sentences it is the language's.
  */
 
 const MINUS = "\u2212";
+const LANGUAGE = globalThis.document?.documentElement?.lang || "en";
 
 /**
  * A number with so many decimals at most, no trailing zeros, a true minus sign, and no negative zero.
@@ -14,6 +15,12 @@ export function shown(value, decimals = 4) {
   return text.startsWith("-") ? MINUS + text.slice(1) : text;
 }
 
+/** The same in a sentence, with the decimal sign of the language. @param {number} value @param {number} [decimals] */
+export function inSentence(value, decimals = 4) {
+  const text = shown(value, decimals);
+  return LANGUAGE === "en" ? text : text.replace(".", ",");
+}
+
 /** The same with an ASCII hyphen, for programs. @param {number} value @param {number} [decimals] */
 export function plain(value, decimals = 4) {
   if (!Number.isFinite(value)) return "–";
@@ -22,7 +29,7 @@ export function plain(value, decimals = 4) {
   return trimmed === "-0" ? "0" : trimmed;
 }
 
-const POINTS = new Intl.NumberFormat(globalThis.document?.documentElement?.lang || "en", {
+const POINTS = new Intl.NumberFormat(LANGUAGE, {
   maximumFractionDigits: 1,
   useGrouping: false,
 });

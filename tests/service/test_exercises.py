@@ -7,7 +7,7 @@ import re
 import threading
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import httpx
 import numpy as np
@@ -370,3 +370,13 @@ def test_a_malformed_exercise_of_ones_own_stops_the_service(
     with pytest.raises(SystemExit, match="2"):
         main(["--port", "0"])
     assert "two/exercise.toml: title" in capsys.readouterr().err
+
+
+def test_a_reader_is_told_the_language_of_a_text_by_its_name() -> None:
+    class InEnglish:
+        def text_language(self, language: str) -> str:
+            return "en"
+
+    note = exercise_views._language_note(cast("Exercise", InEnglish()), "fr")
+    assert note is not None
+    assert note.endswith("English.")

@@ -9,7 +9,7 @@ from fluent.syntax import FluentParser, ast
 from kinematics.keys import ValueKind
 from service import messages
 from service.http.languages import language_for
-from service.messages import FUNCTIONS, LOCALES, languages, sentence, template
+from service.messages import FUNCTIONS, LOCALES, in_sentence, languages, sentence, template
 from service.plain_sentences import plainly_written
 
 
@@ -49,6 +49,12 @@ def test_a_time_is_told_as_the_language_writes_it(
 
 def test_what_a_caller_sent_is_cut_short_in_a_sentence() -> None:
     assert len(sentence("en", "error-address_unknown", {"path": "/" + "x" * 10_000}) or "") < 400
+
+
+@pytest.mark.parametrize(("language", "told"), [("en", "(0; −0.15; 1.5)"), ("fr", "(0; −0,15; 1,5)")])
+def test_numbers_in_a_sentence_are_written_as_the_language_writes_them(language: str, told: str) -> None:
+    given = {"name": "L-1", "place": "(0; -0.15; 1.5)", "joint": 2}
+    assert in_sentence(given, language) == {"name": "L-1", "place": told, "joint": 2}
 
 
 def test_a_long_list_ends_with_a_whole_item() -> None:

@@ -279,7 +279,7 @@ error-joint_variable_in_number = { $name } is a joint variable, and a number is 
 error-no_mistake_does_harm = None of these mistakes changes this robot under its policy.
 error-frame_mistakes_not_shown = This robot’s frames can show none of these mistakes. What they can show: { $known }.
 error-key_given_away = This part shows a table; an exercise that asks for the table cannot have it.
-error-not_plantable = No mistake of the catalogue that was asked for changes this robot.
+error-not_plantable = None of the mistakes that were asked for changes this robot.
 
 field-frame = The screws are written in
 field-order = Order of v and ω

@@ -220,7 +220,7 @@ error-need_unmet = Con estas reglas ninguna respuesta necesita { $name }: se pue
 error-need_unknown = { $name } no es ninguna dimensión de la tabla. Sus dimensiones: { $known }.
 error-alias_taken = { $name } ya tiene un significado.
 error-title_missing = Hace falta un título al menos en un idioma: [title] con en = "…".
-exercise-other-language = Este ejercicio aún no está escrito en su idioma; su texto está en { $language }.
+exercise-other-language = Este ejercicio aún no está escrito en su idioma. Idioma del texto: { $language }.
 rule-dimension-free = { $names } no tiene por qué aparecer en su tabla: con sistemas elegidos de cierto modo desaparece.
 error-context_invalid = Este enlace no se creó aquí o ha sido modificado.
 error-context_expired = Este enlace ha caducado.

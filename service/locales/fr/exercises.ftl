@@ -220,7 +220,7 @@ error-need_unmet = Avec ces règles, aucune réponse n’a besoin de { $name } 
 error-need_unknown = { $name } n’est pas une cote du tableau. Ses cotes : { $known }.
 error-alias_taken = { $name } a déjà un sens.
 error-title_missing = Il faut un titre dans une langue au moins : [title] avec en = "…".
-exercise-other-language = Cet exercice n’est pas encore écrit dans votre langue ; son texte est en { $language }.
+exercise-other-language = Cet exercice n’est pas encore écrit dans votre langue. Langue du texte : { $language }.
 rule-dimension-free = { $names } ne doit pas nécessairement figurer dans votre tableau : un choix convenable des repères la fait disparaître.
 error-context_invalid = Ce lien n’a pas été créé ici, ou il a été modifié.
 error-context_expired = Ce lien a expiré.

@@ -220,7 +220,7 @@ error-need_unmet = Com estas regras nenhuma resposta precisa de { $name }: podem
 error-need_unknown = { $name } não é nenhuma dimensão da tabela. As suas dimensões: { $known }.
 error-alias_taken = { $name } já tem um significado.
 error-title_missing = É preciso um título pelo menos numa língua: [title] com en = "…".
-exercise-other-language = Este exercício ainda não está escrito na sua língua; o texto está em { $language }.
+exercise-other-language = Este exercício ainda não está escrito na sua língua. Língua do texto: { $language }.
 rule-dimension-free = { $names } não tem de aparecer na sua tabela: com referenciais escolhidos de certo modo desaparece.
 error-context_invalid = Esta ligação não foi criada aqui ou foi alterada.
 error-context_expired = Esta ligação expirou.

@@ -243,7 +243,7 @@ error-need_unmet = Cu aceste reguli niciun răspuns nu are nevoie de { $name }: 
 error-need_unknown = { $name } nu este o cotă a tabelului. Cotele lui: { $known }.
 error-alias_taken = { $name } are deja un înțeles.
 error-title_missing = Este nevoie de un titlu în cel puțin o limbă: [title] cu en = "…".
-exercise-other-language = Acest exercițiu nu este încă scris în limba dumneavoastră; textul este în { $language }.
+exercise-other-language = Acest exercițiu nu este încă scris în limba dumneavoastră. Limba textului: { $language }.
 rule-dimension-free = { $names } nu trebuie să apară neapărat în tabel: cu sisteme alese potrivit, dispare.
 error-context_invalid = Această legătură nu a fost creată aici sau a fost modificată.
 error-context_expired = Această legătură a expirat.

@@ -237,7 +237,7 @@ error-need_unmet = За цих правил жодна відповідь не �
 error-need_unknown = { $name } не є розміром таблиці. Її розміри: { $known }.
 error-alias_taken = { $name } вже має значення.
 error-title_missing = Потрібна назва принаймні однією мовою: [title] з en = "…".
-exercise-other-language = Цю вправу ще не написано вашою мовою; її текст мовою { $language }.
+exercise-other-language = Цю вправу ще не написано вашою мовою. Мова тексту: { $language }.
 rule-dimension-free = { $names } не мусить бути у вашій таблиці: за відповідного вибору систем координат цей розмір зникає.
 error-context_invalid = Це посилання створено не тут, або його змінено.
 error-context_expired = Термін дії цього посилання минув.

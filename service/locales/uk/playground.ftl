@@ -116,7 +116,7 @@ playground-section-height = висота вздовж першої осі
 playground-ellipsoid = Радіуси еліпсоїда швидкостей
 playground-ellipsoid-hint = На рисунку: еліпсоїд маніпулятивності в кінцевій системі координат. Де радіус дорівнює 0, штрихова лінія показує напрям, у якому початок рухатися не може.
 playground-blocked = Чого кінцева система тут не може:
-playground-blocked-motion = v = { $v } { $unit }/с разом з ω = { $w } рад/с
+playground-blocked-motion = v = { $v } { $unit }/s разом з ω = { $w } rad/s
 playground-outside-limits = { $count ->
     [one] Ще { $count } розв’язок лежить поза межами зчленувань.
     [few] Ще { $count } розв’язки лежать поза межами зчленувань.

@@ -20,7 +20,7 @@ from exercises.parts.registry import part_type
 from exercises.parts.task import FormField, GivenNumbers
 from exercises.statements import first_sentence, to_html
 from service.http.link_context import LinkContext
-from service.messages import languages, sentence
+from service.messages import in_sentence, languages, sentence
 from service.schemas.exercises.exercises import TASK_FIELDS
 
 FRAMED = (TABLE, "frames", "screws")
@@ -160,14 +160,16 @@ def _language_note(found: Exercise, language: str) -> str | None:
     written = found.text_language(language)
     if written == language:
         return None
-    return sentence(language, "exercise-other-language", {"language": written})
+    name = sentence(written, "language-name")
+    return sentence(language, "exercise-other-language", {"language": name or written})
 
 
 @lru_cache(maxsize=DESCRIBED)
 def figure_description(instance: Instance, language: str) -> str:
     """Return the figure in words."""
     sentences = (
-        sentence(language, f"figure-{entry.code}", entry.params) for entry in figure_sentences(instance)
+        sentence(language, f"figure-{entry.code}", in_sentence(entry.params, language))
+        for entry in figure_sentences(instance)
     )
     return " ".join(text for text in sentences if text)
 
@@ -190,7 +192,7 @@ def _part(part: Part, instance: Instance, language: str) -> dict[str, Any]:
     return {
         "kind": part.kind,
         "points": float(part.points),
-        "task": sentence(language, task.message, task.values),
+        "task": sentence(language, task.message, in_sentence(task.values, language)),
         "form": [_field(field, language) for field in task.form],
         "numbers": [_numbers(numbers, language) for numbers in task.numbers],
         **dict.fromkeys(TASK_FIELDS),

@@ -14,7 +14,7 @@ import orjson
 
 from exercises.grader import Report
 from exercises.grading import Edit, Feedback
-from service.messages import sentence
+from service.messages import in_sentence, sentence
 from service.schemas.derived import SPOKEN, carries_sentences
 
 
@@ -90,7 +90,7 @@ def _names(record: type) -> tuple[str, ...]:
 
 def _sentence(told: Feedback | Edit, language: str) -> str:
     values = told.params if told.row is None else {"row": told.row, **told.params}
-    return sentence(language, f"{SPOKEN[type(told)]}-{told.code}", values) or told.code
+    return sentence(language, f"{SPOKEN[type(told)]}-{told.code}", in_sentence(values, language)) or told.code
 
 
 def _plain(value: object) -> object:

@@ -6,7 +6,7 @@
 import { announce, el, fill, icon, iconButton } from "../dom.js";
 import { LETTERS } from "../editor/model.js";
 import { t } from "../i18n.js";
-import { degrees, shown, subscript } from "../numbers.js";
+import { degrees, inSentence, subscript } from "../numbers.js";
 import { emptyModel, poses } from "../scene/model.js";
 import { still, stepsOf } from "../scene/film.js";
 
@@ -158,9 +158,9 @@ export class FilmBar {
     const { angle, length } = this.units();
     const value = turns
       ? angle === "deg"
-        ? `${shown(degrees(amount), 2)}°`
-        : `${shown(amount)} rad`
-      : `${shown(amount)} ${length}`;
+        ? `${inSentence(degrees(amount), 2)}°`
+        : `${inSentence(amount)} rad`
+      : `${inSentence(amount)} ${length}`;
     // Standard: about z of frame i−1, then x of frame i; modified: x of frame i−1, then z of frame i.
     const index = (axis === "x") === standard ? row : before;
     const number = Math.ceil(this.#phase);

@@ -17,7 +17,7 @@ import "../joint-sliders.js";
 import { LiveRobot, robotOf } from "../live-robot.js";
 import "../matrix-panel.js";
 import { api, pageAddress, startPage, warnAbove } from "../page.js";
-import { plain } from "../numbers.js";
+import { inSentence } from "../numbers.js";
 import { problemNotice } from "../problem.js";
 import "../scene/robot-scene.js";
 import { keep, recall, whenKeptElsewhere } from "../storage.js";
@@ -307,7 +307,7 @@ function givenBy({ parameters, dimensions, angle_unit: angle, length_unit: lengt
 /** Below the statement: what is given, and what is free to choose. @param {any} options */
 function showRules({ dimensions, rules }) {
   const given = dimensions.map((/** @type {any} */ { name, value, unit }) =>
-    el("li", {}, variable(name), ` = ${plain(value, 6)} ${unit}`),
+    el("li", {}, variable(name), ` = ${inSentence(value, 6)} ${unit}`),
   );
   fill(
     $("givens"),

@@ -4,7 +4,7 @@ import "../scene/robot-scene.js";
 import { el, fill, uniqueId } from "../dom.js";
 import { LETTERS } from "../editor/model.js";
 import { t } from "../i18n.js";
-import { radians, shown } from "../numbers.js";
+import { inSentence, radians } from "../numbers.js";
 import { robotOf } from "../live-robot.js";
 import { api, startPage } from "../page.js";
 import { problemNotice } from "../problem.js";
@@ -26,7 +26,7 @@ const place = (/** @type {string} */ id) => /** @type {HTMLElement} */ (document
  */
 function slider(label, { min, max, step, value, unit }, changed) {
   const id = uniqueId("slider");
-  const text = el("output", { for: id, text: `${shown(value, 2)}${unit}` });
+  const text = el("output", { for: id, text: `${inSentence(value, 2)}${unit}` });
   /** @type {HTMLInputElement} */
   const input = el("input", {
     id,
@@ -36,7 +36,7 @@ function slider(label, { min, max, step, value, unit }, changed) {
     step,
     value: String(value),
     oninput: () => {
-      text.textContent = `${shown(Number(input.value), 2)}${unit}`;
+      text.textContent = `${inSentence(Number(input.value), 2)}${unit}`;
       changed(Number(input.value));
     },
   });
