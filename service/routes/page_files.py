@@ -36,21 +36,21 @@ async def static_file(request: ApiRequest) -> Response:
 
 
 @lru_cache(maxsize=64)
-def _messages(language: str, rooms: frozenset[str]) -> str:
+def _messages(language: str, wanted: frozenset[str]) -> str:
     paths = sorted((LOCALES / language).glob("*.ftl"))
-    return "\n".join(path.read_text(encoding="utf-8") for path in paths if path.stem in rooms)
+    return "\n".join(path.read_text(encoding="utf-8") for path in paths if path.stem in wanted)
 
 
 @router.get("/locales/{language}.ftl")
 async def messages(request: ApiRequest) -> Response:
     """Return the messages of a language, the same that the API answers with.
 
-    `?rooms=form+feedback` picks files.
+    `?files=form+feedback` picks files.
     """
-    language, rooms = request.path_params["language"], request.query_params.get("rooms", "")
+    language, wanted = request.path_params["language"], request.query_params.get("files", "")
     if language not in languages():
         return Response(status_code=404, headers={"Cache-Control": "no-cache"})
     files = frozenset(path.stem for path in (LOCALES / language).glob("*.ftl"))
-    text = _messages(language, files.intersection(rooms.split()) if rooms else files)
+    text = _messages(language, files.intersection(wanted.split()) if wanted else files)
     headers = {"Cache-Control": "no-cache", "Access-Control-Allow-Origin": "*"}
     return text_response(request, text, "text/plain; charset=utf-8", headers)

@@ -27,38 +27,38 @@ HOME = Page(name="home", title="form-home-title", styles=("exercise",))
 EXERCISE = Page(
     name="exercise",
     title="form-exercise-title",
-    rooms=("session",),
+    messages=("session",),
     depth=1,
     styles=("scene", "editor", "exercise"),
 )
 LESSON = Page(
     name="lesson",
     title="lesson-title",
-    rooms=("lesson",),
+    messages=("lesson",),
     styles=("scene", "exercise", "playground"),
 )
 PLAYGROUND = Page(
     name="playground",
     title="playground-title",
-    rooms=("playground",),
+    messages=("playground",),
     styles=("editor", "scene", "exercise", "playground"),
 )
 TRAINER = Page(
     name="trainer",
     title="trainer-title",
-    rooms=("trainer",),
+    messages=("trainer",),
     depth=1,
     styles=("scene", "exercise", "playground"),
 )
 AUTHOR = Page(
     name="author",
     title="author-title",
-    rooms=("author", "exercises", "kinds"),
+    messages=("author", "exercises", "kinds"),
     styles=("scene", "editor", "exercise", "playground", "author"),
 )
-RECEIPTS = Page(name="receipts", title="receipts-title", rooms=("receipts",))
-PLATFORMS = Page(name="platforms", title="platforms-title", rooms=("platforms",), styles=("lecturer",))
-CONNECT = Page(name="connect", title="connect-title", rooms=("platforms",), depth=1, styles=("lecturer",))
+RECEIPTS = Page(name="receipts", title="receipts-title", messages=("receipts",))
+PLATFORMS = Page(name="platforms", title="platforms-title", messages=("platforms",), styles=("lecturer",))
+CONNECT = Page(name="connect", title="connect-title", messages=("platforms",), depth=1, styles=("lecturer",))
 
 
 @router.get("/")

@@ -80,7 +80,7 @@ def page_response(
     Args:
         request: the request that it answers.
         page: which kind of page.
-        values: what its template asks for as `${.name}`; `title` overrides the page's title.
+        values: what its template asks for as `{{ name }}`; `title` overrides the page's title.
         status: the HTTP status.
         in_any_frame: whether anybody may frame it.
         form_action: where its forms may go.
@@ -99,7 +99,7 @@ def page_response(
         modules=store.imports(f"js/pages/{page.name}.js"),
         query=[item for item in request.query_params.multi_items() if item[0] != "lang"],
         values=values,
-        rooms_open=_rooms_open(request, off),
+        linked=_linked(request, off),
     )
     headers = {
         "Content-Security-Policy": content_security_policy(
@@ -113,7 +113,7 @@ def page_response(
     return text_response(request, text, "text/html; charset=utf-8", headers, status)
 
 
-def _rooms_open(request: Request, off: frozenset[Tool]) -> list[str]:
+def _linked(request: Request, off: frozenset[Tool]) -> list[str]:
     """The pages that the bar may lead to: not what is switched off."""
     context, library = context_of(request), resources_of(request).exercises
     return [

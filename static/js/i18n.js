@@ -10,10 +10,10 @@ export const language = document.documentElement?.lang || "en";
 /**
  * Loads the messages of the page's language. Texts asked for before that come out as their ids.
  * @param {string} root address of the service's root
- * @param {string} rooms names of message files, joined by "+"
+ * @param {string} files names of message files, joined by "+"
  */
-export async function loadMessages(root, rooms) {
-  const answer = await fetch(`${root}locales/${language}.ftl?rooms=${rooms}`);
+export async function loadMessages(root, files) {
+  const answer = await fetch(`${root}locales/${language}.ftl?files=${files}`);
   if (!answer.ok) throw new Error(`messages: HTTP ${answer.status}`);
   useMessages(await answer.text(), language);
 }

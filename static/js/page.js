@@ -5,7 +5,7 @@ import { announce, el } from "./dom.js";
 import { language, loadMessages, t } from "./i18n.js";
 import { carried, takeCarried, whenNothingLasts } from "./storage.js";
 
-const { root: relativeRoot, rooms, page: pageName, assets: relativeAssets } = document.documentElement.dataset;
+const { root: relativeRoot, messages, page: pageName, assets: relativeAssets } = document.documentElement.dataset;
 
 /** Address of the service's root, ending in a slash. */
 export const root = new URL(relativeRoot || "./", location.href).href;
@@ -45,7 +45,7 @@ export async function startPage(run) {
     if (link.dataset.nav === pageName) link.setAttribute("aria-current", "page");
   }
   prepareLanguages();
-  await loadMessages(root, rooms || "form");
+  await loadMessages(root, messages || "form");
   whenNothingLasts(sayThatNothingLasts);
   await run();
   document.documentElement.dataset.ready = "true";

@@ -166,7 +166,7 @@ def test_files_are_sent_in_the_smallest_encoding_that_is_accepted(
 
 TEXTS = {
     "/": "Accept-Language",
-    "/locales/uk.ftl?rooms=form": None,
+    "/locales/uk.ftl?files=form": None,
     "/api/v1/exercises": "Accept-Language",
     "/api/v1/exercises/puma560": "Accept-Language",
     "/api/v1/exercises/puma560/figure.svg": "Accept-Language",
@@ -228,7 +228,7 @@ def test_assets_follow_the_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatc
 
 def test_messages_are_served_as_the_api_speaks_them(client: httpx.Client) -> None:
     whole = client.get("/locales/ro.ftl").text
-    form = client.get("/locales/ro.ftl", params={"rooms": "form"}).text
+    form = client.get("/locales/ro.ftl", params={"files": "form"}).text
     assert "form-skip = Sari la conținut" in form
     assert "error-" not in form
     assert form in whole

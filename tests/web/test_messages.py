@@ -14,7 +14,7 @@ ROOM = r"(?:form|playground|receipts|trainer)"
 OTHERWISE = r"(?<!class: )(?<!id: )(?<!Event\()(?<!Listener\()(?<!add\()"
 QUOTED = re.compile(rf"""{OTHERWISE}["'`]({ROOM}-[a-z0-9]+(?:-[a-z0-9]+)*)["'`]""")
 STEM = re.compile(rf"""`({ROOM}-(?:[a-z0-9]+-)*)\$\{{""")
-FIELD = re.compile(r"\$\{([a-z][a-z0-9-]*)\}")
+FIELD = re.compile(r'say\("([a-z][a-z0-9-]*)"\)')
 
 
 def messages(language: str, room: str) -> dict[str, ast.Message]:

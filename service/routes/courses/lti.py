@@ -56,14 +56,14 @@ from service.work.limiters import WorkKind
 
 router = APIRouter(include_in_schema=False)
 
-LAUNCH = Page(name="launch", title="session-launch-title", rooms=("session",), depth=1)
+LAUNCH = Page(name="launch", title="session-launch-title", messages=("session",), depth=1)
 CHOOSE = Page(
-    name="choose", title="lecturer-choose-title", rooms=("lecturer",), depth=1, styles=("lecturer",)
+    name="choose", title="lecturer-choose-title", messages=("lecturer",), depth=1, styles=("lecturer",)
 )
 COURSE = Page(
     name="course",
     title="lecturer-title",
-    rooms=("lecturer", "session", "kinds"),
+    messages=("lecturer", "session", "kinds"),
     styles=("scene", "exercise", "lecturer"),
 )
 COOKIE = "__Host-framewise-login-"
