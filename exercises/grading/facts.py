@@ -102,13 +102,14 @@ class Facts:
         least = least_cost(self.invariants.shapes, len(self.axes), costs, self.fixed)
         return float((least + np.maximum(self.to_earn - least, 0.0) * (1.0 - kept)).min())
 
-    def shared(self, axes: Sequence[Axis]) -> NDArray[np.bool_]:
+    def shared(self, axes: Sequence[Axis], found: Floats | None = None) -> NDArray[np.bool_]:
         """(q,) which invariants an answer has, but for signs.
 
         Args:
             axes: as for `wrong`.
+            found: likewise.
         """
-        return np.asarray(self._compared(axes, None)[2].any(axis=1), dtype=np.bool_)
+        return np.asarray(self._compared(axes, found)[2].any(axis=1), dtype=np.bool_)
 
     def _compared(
         self, axes: Sequence[Axis], found: Floats | None
@@ -150,11 +151,11 @@ class Facts:
         )
         return float((1.0 - self.joint) ** missing * (1.0 - self.type) ** others)
 
-    def _has(self, shape: Shape, axes: Sequence[Axis], places: Sequence[int | None]) -> bool:
+    def _has(self, shape: Shape, axes: Sequence[Axis], places: list[int | None]) -> bool:
         """Whether an invariant means in the answer what it means in the key."""
         span = range(min(shape.axes), max(shape.axes) + 1)
         first = places[span[0]]
-        if first is None or any(place != first + k for k, place in enumerate(places[span[0] : span[-1] + 1])):
+        if first is None or places[span[0] : span[-1] + 1] != list(range(first, first + len(span))):
             return False
         if shape.measure is Measure.ANGLE:
             return True

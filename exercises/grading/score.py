@@ -18,6 +18,7 @@ from exercises.grading.judging.digits import measured_as_typed, tightened
 from exercises.grading.judging.typed import NOTHING_TYPED, SAME
 from kinematics.chain import Axis, chain_of_table
 from kinematics.equivalence import Decision, DirectionRule, Kind, Policy, ZeroRule
+from kinematics.equivalence.batches import axis_batch
 from kinematics.equivalence.decision import convention_fits, is_certified
 from kinematics.equivalence.invariants import axes_of
 from kinematics.equivalence.meter import Meter
@@ -253,7 +254,7 @@ class _Standard(NamedTuple):
 
 
 @remembered(
-    lambda reference, policy, weights: len(reference.table.rows), longest=USUAL_ROWS, most=256, few=32
+    lambda reference, policy, weights: len(reference.table.rows), longest=USUAL_ROWS, most=1024, few=32
 )
 def _standard(reference: Reference, policy: Policy, weights: Weights) -> _Standard:
     """The facts of a key; those that a table of zeros has for nothing weigh no more than the others together.
@@ -269,11 +270,12 @@ def _standard(reference: Reference, policy: Policy, weights: Weights) -> _Standa
     if not facts.axes:
         return _Standard(facts, 0.0, rules)
     zeros = [Axis(axis.prismatic, Z_AXIS, ORIGIN) for axis in facts.axes]
-    given = facts.shared(zeros)
+    found = invariants.measured(axis_batch([zeros]))
+    given = facts.shared(zeros, found)
     all_given = float(worth[given].sum()) + weights.joint * len(reference.chain.axes)
-    share = min(1.0, (facts.wrong(zeros) + rules) / all_given) if all_given else 1.0
+    share = min(1.0, (facts.wrong(zeros, found) + rules) / all_given) if all_given else 1.0
     facts = replace(facts, worth=np.where(given, share * worth, worth))
-    wrong = facts.wrong(zeros)
+    wrong = facts.wrong(zeros, found)
     if wrong:
         joint, other = (
             min(cost / wrong, MOST_OF_A_JOINT) for cost in (weights.joint, OF_A_TYPE * weights.joint)
