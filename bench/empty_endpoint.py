@@ -5,12 +5,12 @@ from __future__ import annotations
 from fastapi import FastAPI, Response
 
 from service.app import create_app
-from service.http.routing import ApiRequest, DirectRoute, Written
+from service.http.routing import ApiRequest, BytesResponse, DirectRoute
 
 
 async def _nothing(request: ApiRequest) -> Response:
     await request.body()
-    return Written(b"{}")
+    return BytesResponse(b"{}")
 
 
 def application() -> FastAPI:

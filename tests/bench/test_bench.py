@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 import importlib
 import math
 import re
@@ -9,10 +10,12 @@ import subprocess
 import sys
 from pathlib import Path
 
+import httpx
 import pytest
 
 from bench import Better, Row, Skipped, measured, race
 from bench.__main__ import modules
+from bench.empty_endpoint import application
 from bench.machine import describe
 from bench.report import quantity, section, terminal, write
 
@@ -118,3 +121,15 @@ def test_measured_rows_carry_their_unit():
     )
     assert one.met is True
     assert one.unit == "requests/s"
+
+
+@pytest.mark.parametrize("path", ["/empty", "/bare"])
+def test_the_endpoints_that_do_nothing_answer(path):
+    """The service starts with them in a process of its own, where nobody sees why it did not."""
+
+    async def answer() -> object:
+        transport = httpx.ASGITransport(app=application())
+        async with httpx.AsyncClient(transport=transport, base_url="http://here") as client:
+            return (await client.post(path, json={})).json()
+
+    assert asyncio.run(answer()) == {}
