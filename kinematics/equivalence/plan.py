@@ -10,7 +10,7 @@ fixes the zeros of the variables there is no exp(S_i ℝ), and H_i = Stab_i.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import lru_cache
 from typing import NamedTuple
 
@@ -51,9 +51,6 @@ from kinematics.se3 import (
 
 Floats = NDArray[np.float64]
 
-# Of misfits, over all joints: above it the limit of a misfit is at its widest in any case.
-LARGEST_AMPLIFICATION = 60.0
-
 
 @dataclass(frozen=True, slots=True)
 class Step:
@@ -69,7 +66,6 @@ class Step:
         moment: moment of the target about the group's point.
         slide: 3x3 by rows; takes the displacement still needed to the translation of the group that does most
             of it.
-        amplification: how much larger than the submission's own errors the misfits may be here.
     """
 
     axis: Axis
@@ -79,7 +75,6 @@ class Step:
     by_moment: float
     moment: Vector
     slide: tuple[float, ...] | None
-    amplification: float
 
 
 @dataclass(frozen=True, slots=True)
@@ -140,11 +135,9 @@ def _plan(
     chain: Chain, group: Group, starts: tuple[Motion, ...], zero: ZeroRule, near: Nearness, size: float
 ) -> Plan:
     steps: list[Step] = []
-    amplification = 1.0
     for axis in chain.axes:
         step = prepare(axis, group, near, size)
-        amplification += step.amplification
-        steps.append(replace(step, amplification=min(amplification, LARGEST_AMPLIFICATION)))
+        steps.append(step)
         group = step.stabiliser
         if zero is ZeroRule.FIGURE:
             continue
@@ -163,27 +156,18 @@ def prepare(axis: Axis, group: Group, near: Nearness, size: float) -> Step:
     else:
         stabiliser = fixing_line(group, axis.point, direction, near)
     by_direction = by_moment = 0.0
-    amplification = 1.0
     moment = ORIGIN
     if group.rotations is Rotations.ABOUT_LINE:
-        sine = norm(rejection(direction, group.axis))
-        levers = []
-        if sine > near.angle:
-            by_direction = 1.0
-            levers.append(sine)
+        by_direction = 1.0 if norm(rejection(direction, group.axis)) > near.angle else 0.0
         if not axis.prismatic and (
             not group.translations or (not by_direction and len(group.translations) == 1)
         ):
             moment = cross(subtract(axis.point, group.point), direction)
-            lever = norm(rejection(moment, group.axis))
-            if lever > near.length:
-                by_moment = 1.0 / (size * size)
-                levers.append(lever / size)
-        amplification = 1.0 / max(levers) if levers else 1.0
+            by_moment = 1.0 / (size * size) if norm(rejection(moment, group.axis)) > near.length else 0.0
     elif group.rotations is Rotations.ABOUT_POINT and not axis.prismatic and not group.translations:
         moment = cross(subtract(axis.point, group.point), direction)
         by_moment = 1.0 / (size * size) if norm(moment) > near.length else 0.0
-    slide, stretch = _slide(group.translations, direction, near) if not axis.prismatic else (None, 1.0)
+    slide = None if axis.prismatic else _slide(group.translations, direction, near)
     return Step(
         axis=axis,
         group=group,
@@ -192,22 +176,19 @@ def prepare(axis: Axis, group: Group, near: Nearness, size: float) -> Step:
         by_moment=by_moment,
         moment=moment,
         slide=slide,
-        amplification=max(amplification, stretch),
     )
 
 
-def _slide(
-    basis: tuple[Vector, ...], direction: Vector, near: Nearness
-) -> tuple[tuple[float, ...] | None, float]:
+def _slide(basis: tuple[Vector, ...], direction: Vector, near: Nearness) -> tuple[float, ...] | None:
     """The least-squares map from a displacement across a line to a translation in a space."""
     if not basis:
-        return None, 1.0
+        return None
     found = _across(basis, direction)
-    kept = found.stretches > max(near.slide, 1e-12)
+    kept = found.stretches > near.slide
     if not kept.any():
-        return None, 1.0
+        return None
     matrix = found.space @ found.right[kept].T @ np.diag(1.0 / found.stretches[kept]) @ found.left[:, kept].T
-    return tuple(matrix.ravel().tolist()), float(1.0 / found.stretches[kept].min())
+    return tuple(matrix.ravel().tolist())
 
 
 class _Across(NamedTuple):

@@ -29,9 +29,8 @@ from kinematics.equivalence.worst_case import judged
 from kinematics.se3 import IDENTITY, Motion, compose, inverse, move, rotate
 
 # The largest misfit with which an alignment is followed, in units of the tolerance: neighbours may be off as
-# well, and a lever adds a little; never more than the last, [rad] and a share of the robot.
-LIMIT = 3.0
-LIMIT_PER_AMPLIFICATION = 0.1
+# well, and short levers make more of it; never more than the last, [rad] and a share of the robot.
+LIMIT = 9.0
 WIDEST = 0.3
 # [rad], and a share of the robot: what alignments leave of the errors of the arithmetic where several axes in
 # a row are parallel but for 1e-4, and turns and slides are found from them. Verification decides.
@@ -189,11 +188,10 @@ class Search:
         if here is not IDENTITY:
             direction, point = rotate(here, direction), move(here, point)
         tolerance, size = self.policy.tolerance, self.references[0].size
-        factor = LIMIT + LIMIT_PER_AMPLIFICATION * step.amplification
         # the direction of a slider shows in positions alone
         limit = max(tolerance.angle, tolerance.length) if axis.prismatic else tolerance.angle
-        most_angle = min(factor * limit + FLOOR, WIDEST)
-        most_length = min(factor * tolerance.length + FLOOR, WIDEST) * size
+        most_angle = min(LIMIT * limit + FLOOR, WIDEST)
+        most_length = min(LIMIT * tolerance.length + FLOOR, WIDEST) * size
         forward = align(step, direction, point, 1)
         misfit = max(forward.angle / most_angle, forward.distance / most_length)
         if self.policy.direction is DirectionRule.FIGURE:

@@ -153,10 +153,10 @@ def test_within_a_tolerance_is_up_to_it() -> None:
 @pytest.mark.parametrize(
     ("name", "policy", "effort", "cost"),
     [
-        ("puma560", FREE, Effort.PLAIN, (510, 1320)),
-        ("puma560", FREE, Effort.REFINED, (510, 13320)),
-        ("puma560", FRAMES, Effort.REFINED, (510, 4140)),
-        ("puma560", AXIS, Effort.REFINED, (510, 7920)),
+        ("puma560", FREE, Effort.PLAIN, (510, 1380)),
+        ("puma560", FREE, Effort.REFINED, (510, 13380)),
+        ("puma560", FRAMES, Effort.REFINED, (510, 4200)),
+        ("puma560", AXIS, Effort.REFINED, (510, 7980)),
         ("stanford", FREE, Effort.PLAIN, (510, 1620)),
         ("stanford", FREE, Effort.REFINED, (510, 7620)),
         ("stanford", FRAMES, Effort.REFINED, (510, 4440)),
