@@ -74,6 +74,16 @@ def test_frames_at_the_ends_stay_where_they_are(name: str) -> None:
     assert all(start <= joint <= end for joint, ((start, end),) in enumerate(fewer, 1))
 
 
+@pytest.mark.parametrize("name", ["irb140", "kr100p", "kr2150k", "lrmate200id"])
+def test_a_frame_0_beside_the_first_axis_stays_where_it_is(name: str) -> None:
+    table = drawn_by_hand(dict(SIX)[name], Random(name))
+    assert table is not None
+    foot = DHRow(joint=JointType.FIXED, theta=0.3, d=0.2, a=0.4, alpha=0.7)
+    tilted = DHTable(convention=table.convention, rows=(foot, *table.rows))
+    more = [joint_places([work(tilted, with_more(tilted, row), FRAMES)]) for row in tilted.joint_rows]
+    assert more == [[(joint, joint + 1)] for joint in range(1, 7)]
+
+
 def test_a_length_wrong_on_the_far_side_leaves_no_place() -> None:
     key = dict(SIX)["ur5"]
     far = replace(key.rows[1], a=2.0 * key.rows[1].a)

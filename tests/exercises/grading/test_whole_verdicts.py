@@ -121,6 +121,20 @@ def test_the_row_of_a_sentence_is_the_row_that_is_marked(
         assert entry.params.get("row") == entry.row
 
 
+@pytest.mark.parametrize("place", range(7))
+def test_a_row_of_zeros_changes_nothing_but_the_numbers_of_the_rows_behind_it(place: int) -> None:
+    rows = with_cells(PUMA_CRAIG, (4, 0, -90))
+    without = grade(KEY, read("modified", rows), USUAL, VALUES)
+    found = grade(KEY, read("modified", [*rows[:place], (0, 0, 0, 0), *rows[place:]]), USUAL, VALUES)
+    assert found.score == without.score
+
+    def moved(told: Told) -> Told:
+        return [(code, row and row + (row > place)) for code, row in told]
+
+    assert feedback(found) == moved(feedback(without))
+    assert repairs(found) == [moved(repair) for repair in repairs(without)]
+
+
 def test_no_more_than_six_explanations() -> None:
     """A row too many and two rows exchanged have more; who reads them all is helped by none."""
     rows: Rows = [(0, 0, 0, "q1"), (0, 0.31, 0, "q2"), (0, 0.0203, 0, "q3"), (0, 0.4318, 0, "q4")]

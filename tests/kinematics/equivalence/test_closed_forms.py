@@ -132,6 +132,9 @@ def test_products_of_two_cosines_of_multiples_of_fifteen_degrees_are_known() -> 
         found = known_number(value)
         assert found is not None
         assert evaluate(found) == pytest.approx(value, abs=1e-12)
+    for one, other in (1, 2), (1, 6), (2, 3):
+        value = math.sqrt(one) / 4 - 3 * math.sqrt(other) / 8
+        assert evaluate(known_number(value) or number(0)) == pytest.approx(value, abs=1e-12)
     assert evaluate(known_number(-3.0) or number(0)) == -3.0
     assert known_number(3.25) is None
     assert known_number(0.5 + 1e-6) is None

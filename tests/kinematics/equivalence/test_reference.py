@@ -1,11 +1,16 @@
-"""Where two sides are compared: configurations that fill the joint space and lie on no grid."""
+"""A prepared key: configurations that fill the joint space and lie on no grid, and what is near in it."""
 
 from __future__ import annotations
+
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
-from kinematics.equivalence.reference import sample_joints
+from kinematics.equivalence import Tolerance
+from kinematics.equivalence.reference import prepared, sample_joints
+from kinematics.table import DHTable
+from tests.kinematics.equivalence.tables import PUMA
 
 
 def test_every_joint_steps_by_the_root_of_a_prime() -> None:
@@ -25,3 +30,20 @@ def test_samples_fill_the_joint_space() -> None:
         assert np.diff(np.sort(row)).max() < 0.2
         assert len(np.unique(np.round(row, 9))) == 64
         assert abs(row.mean()) < 0.1
+
+
+def test_what_is_near_grows_with_the_robot_and_with_the_tolerance() -> None:
+    """But for the strictest notion, which is the arithmetic's."""
+    rows = tuple(replace(row, a=1000.0 * row.a, d=1000.0 * row.d) for row in PUMA.rows)
+    large, small = prepared(DHTable(convention=PUMA.convention, rows=rows)), prepared(PUMA)
+    coarse, fine = Tolerance(length=2e-3, angle=2e-3), Tolerance(length=1e-3, angle=1e-3)
+    for one, other in zip(large.nearnesses(fine), small.nearnesses(fine), strict=True):
+        assert (one.angle, one.slide) == pytest.approx((other.angle, other.slide))
+        assert one.length == pytest.approx(1000.0 * other.length)
+    (strict, *loose), (same, *looser) = small.nearnesses(fine), small.nearnesses(coarse)
+    assert strict == same
+    for one, other in zip(loose, looser, strict=True):
+        assert (other.angle, other.length, other.slide) == pytest.approx(
+            (2.0 * one.angle, 2.0 * one.length, 2.0 * one.slide)
+        )
+        assert one.angle >= 2.0 * fine.angle

@@ -46,6 +46,12 @@ def test_no_step_leaves_less_than_the_bound(seed: int) -> None:
         assert found.after(other).max() >= least * (1 - 1e-9)
 
 
+def test_errors_are_off_their_linear_function_by_their_squares() -> None:
+    """In units of the tolerance: [rad], and shares of the robot, turned by as much."""
+    found = replace(model(np.zeros((2, 3)), np.zeros((6, 1))), found=Residual(0.03, 0.02))
+    assert found.curvature(Tolerance(length=0.5, angle=0.01)) == pytest.approx(0.09)
+
+
 @pytest.mark.parametrize("seed", range(6))
 def test_the_linear_function_is_what_a_small_step_does(seed: int) -> None:
     """Of all that may change: offsets, the base's motion and the tool's."""
