@@ -10,8 +10,8 @@ from enum import StrEnum
 from typing import TextIO
 
 _FORMULA = re.compile(r"^(?=[\t\r\n])|(?:^|(?<=[;\t\r\n]))(?=[ \xa0]{0,9}[=+\-@＝＋－＠])")
-"""Where a spreadsheet would begin a formula: at the beginning of a cell, also of one that it makes of our text
-where it takes a semicolon or a tab for the end of a cell."""
+"""Where a spreadsheet would begin a formula: at the beginning of a cell, also of one that it makes of a text
+because it takes a semicolon or a tab for the end of a cell."""
 
 
 class GradebookFormat(StrEnum):
