@@ -9,8 +9,12 @@ from __future__ import annotations
 import logging
 import random
 import threading
+import time
+from collections import defaultdict
 from concurrent.futures import ThreadPoolExecutor
 from datetime import datetime, timedelta
+from typing import TypeAlias
+from urllib.parse import urlsplit
 
 from sqlalchemy.exc import SQLAlchemyError
 
@@ -19,7 +23,7 @@ from courses.outbox import bumped, delivered, keep_line_item, lease_scores, post
 from courses.platforms import platform_by_id
 from courses.refusals import StorageUnavailableError
 from service.course_resources import CourseResources, now
-from service.lti.launch_errors import PlatformError
+from service.lti.launch_errors import PlatformError, unreachable
 from service.lti.scores import (
     Delivery,
     DeliveryReport,
@@ -41,7 +45,16 @@ MOST_TRIES = 40
 STALE_TRIES = 6
 """Tries after which a score that the platform calls outdated is given up."""
 
+PATIENCE = 3.0
+SILENCE = 15.0
+"""A gradebook that took no score, and longer than the patience to say so, is left alone for so long [s]: else
+thousands of scores that wait for it each take the time of a time-out from other platforms."""
+
 _log = logging.getLogger("framewise.scores")
+
+
+_Gradebook: TypeAlias = tuple[int, str]
+"""A platform, and one of its hosts."""
 
 
 class ScoreSender(BackgroundThread):
@@ -52,7 +65,8 @@ class ScoreSender(BackgroundThread):
         self._resources = resources
         self._pause = pause
         self._threads = ThreadPoolExecutor(SIMULTANEOUS, thread_name_prefix="scores")
-        self._finding = threading.Lock()
+        self._finding: defaultdict[int, threading.Lock] = defaultdict(threading.Lock)
+        self._silent: dict[_Gradebook, float] = {}
 
     def stop(self) -> None:
         """Finish what is under way, and end."""
@@ -77,7 +91,7 @@ class ScoreSender(BackgroundThread):
     def send(self, item: ScoreToSend) -> None:
         """Send one leased score, and write down what became of it."""
         try:
-            report = self._sent(item)
+            report = self._heard(item)
         except (StorageUnavailableError, SQLAlchemyError):
             raise
         except Exception:  # what one platform answers must not hold up the scores of the others
@@ -90,26 +104,42 @@ class ScoreSender(BackgroundThread):
         else:
             self._later(item, report)
 
+    def _heard(self, item: ScoreToSend) -> DeliveryReport:
+        """Send a score, unless its gradebook has kept silent a moment ago."""
+        if silence := self._silence(item):
+            return DeliveryReport(delivery=Delivery.LATER, retry_after=silence)
+        began = time.monotonic()
+        report = self._sent(item)
+        if report.delivery is Delivery.LATER and time.monotonic() - began >= PATIENCE:
+            self._silent[_gradebook(item)] = time.monotonic() + SILENCE
+        return report
+
+    def _silence(self, item: ScoreToSend) -> float:
+        """How long the gradebook of a score is still left alone [s]."""
+        return max(0.0, self._silent.get(_gradebook(item), 0.0) - time.monotonic())
+
     def _sent(self, item: ScoreToSend) -> DeliveryReport:
         platform = platform_by_id(self._resources.store, item.platform_id)
         try:
-            with self._finding:  # two who find none would both make one
-                line_item = item.line_item or self._found_line_item(platform, item)
+            line_item = item.line_item or self._found_line_item(platform, item)
         except PlatformError as error:
             return DeliveryReport(delivery=Delivery.LATER, status=error.status, retry_after=error.retry_after)
         report = post_score(self._resources.services, platform, line_item, _message(item))
         return self._stale(platform, line_item, item) if report.delivery is Delivery.STALE else report
 
     def _found_line_item(self, platform: Platform, item: ScoreToSend) -> str:
-        found = line_item_for(
-            self._resources.services,
-            platform,
-            item.line_items or "",
-            resource=item.resource,
-            label=item.title,
-            maximum=item.points,
-        )
-        keep_line_item(self._resources.store, item.link_id, found)
+        with self._finding[platform.id]:  # two who find none would both make one
+            if self._silence(item):
+                raise unreachable(item.line_items or "", "silent")
+            found = line_item_for(
+                self._resources.services,
+                platform,
+                item.line_items or "",
+                resource=item.resource,
+                label=item.title,
+                maximum=item.points,
+            )
+            keep_line_item(self._resources.store, item.link_id, found)
         return found
 
     def _stale(self, platform: Platform, line_item: str, item: ScoreToSend) -> DeliveryReport:
@@ -133,6 +163,11 @@ class ScoreSender(BackgroundThread):
             undeliverable(self._resources.store, item, _problem(report))
             return
         postponed(self._resources.store, item, _problem(report), _next_try(item, report, now()))
+
+
+def _gradebook(item: ScoreToSend) -> _Gradebook:
+    """Where a score goes: platforms of several servers may have one that is down."""
+    return item.platform_id, urlsplit(item.line_item or item.line_items or "").netloc
 
 
 def _next_try(item: ScoreToSend, report: DeliveryReport, at: datetime) -> datetime:

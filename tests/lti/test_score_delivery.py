@@ -12,11 +12,13 @@ import orjson
 import pytest
 
 from courses import records
+from courses.model import ScoreToSend
 from courses.outbox import resend
 from courses.storage import Store
 from service.course_resources import CourseResources, now
 from service.lti.fetching import FetchedAnswer
-from service.lti.scores import DeliveryReport, ScoreMessage, has_result
+from service.lti.launch_errors import PlatformError, unreachable
+from service.lti.scores import Delivery, DeliveryReport, ScoreMessage, has_result
 from service.lti.services import Services
 from service.settings import Settings
 from service.work import score_sender
@@ -158,6 +160,57 @@ def test_a_score_that_ends_in_an_error_holds_up_no_other(
     assert eventually(lambda: lms.result("late", link) == 0.5)
     sender.stop()
     resources.close()
+
+
+@pytest.mark.parametrize("known", [True, False])
+def test_a_silent_gradebook_holds_up_no_other(
+    resources: CourseResources, store: Store, lms: Lms, monkeypatch: pytest.MonkeyPatch, known: bool
+) -> None:
+    """Each of its scores took the time of a time-out, and all platforms waited for one line item."""
+    platform = enrolled(store, lms, "ann").person.platform_id
+    hosts = [f"https://{name}.example.edu/items" for name in ("silent", "other")]
+    asked: list[str] = []
+
+    def silent(_: Services, __: Any, address: str, *___: Any, **____: Any) -> str:
+        asked.append(address)
+        raise unreachable(address, "ReadTimeout")
+
+    def unheard(*told: Any) -> DeliveryReport:
+        with pytest.raises(PlatformError):
+            silent(*told)
+        return DeliveryReport(delivery=Delivery.LATER)
+
+    monkeypatch.setattr(score_sender, "PATIENCE", 0.0)
+    monkeypatch.setattr(score_sender, "line_item_for", silent)
+    monkeypatch.setattr(score_sender, "post_score", unheard)
+    sender = ScoreSender(resources)
+    for host in hosts:
+        for person in range(SIMULTANEOUS):
+            sender.send(to_send(person, platform, host, known=known))
+    assert [address for address in asked if address in hosts] == hosts
+    sender.stop()
+    resources.close()
+
+
+def to_send(person: int, platform: int, address: str, *, known: bool) -> ScoreToSend:
+    """A score that nobody has leased: what becomes of it is written down nowhere."""
+    return ScoreToSend(
+        link_id=0,
+        person_id=person,
+        platform_id=platform,
+        subject=str(person),
+        line_item=address if known else None,
+        line_items=address,
+        resource="r",
+        title="",
+        score=0.5,
+        points=1.0,
+        revision=1,
+        tries=1,
+        timestamp=now(),
+        submitted_at=None,
+        lease="none",
+    )
 
 
 class Platform:
