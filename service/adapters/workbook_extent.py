@@ -20,6 +20,9 @@ _CHUNK = 1024 * 1024
 _PLACE = re.compile(r"([A-Za-z]{1,6})([0-9]{1,9})")
 """Where a cell stands: XFD1048576 (ECMA-376-1 §18.18.7)."""
 _NUMBER = re.compile("[0-9]{1,9}")
+_COUNT = re.compile("[+]?[0-9]+")
+_DIGITS = 24
+"""More than a number of repetitions has that any reader takes."""
 
 
 class ExtentError(ValueError):
@@ -72,7 +75,7 @@ class _Worksheet:
         self._most = most_cells
         self._written = 0
         self._rows = self._columns = 1
-        self._row = self._column = 0
+        self._row = self._column = self._other_tables = 0
         self._in_cell = False
 
     def start(self, tag: str, attributes: Mapping[str, str]) -> None:
@@ -90,7 +93,20 @@ class _Worksheet:
             number = attributes.get("r", "")
             self._row = int(number) if _NUMBER.fullmatch(number) else self._row + 1
             self._column = 0
-        elif name == "worksheet":
+        elif name in ("table-cell", "covered-table-cell"):
+            self._written += 1
+            self._in_cell = True
+            self._column += _repeated(attributes, "number-columns-repeated")
+            if any(key.endswith(("}value-type", "}formula")) for key in attributes):
+                self._fill()
+        elif name == "table-row":
+            self._row += _repeated(attributes, "number-rows-repeated")
+            self._column = 0
+        elif name == "table":
+            self._other_tables += self._rows * self._columns
+            self._rows = self._columns = 1
+            self._row = self._column = 0
+        elif name in ("worksheet", "spreadsheet"):
             self.is_one = True
 
     def data(self, _: str) -> None:
@@ -98,7 +114,7 @@ class _Worksheet:
             self._fill()
 
     def end(self, tag: str) -> None:
-        if tag.rpartition("}")[2] == "c":
+        if tag.rpartition("}")[2] in ("c", "table-cell", "covered-table-cell"):
             self._in_cell = False
 
     def _fill(self) -> None:
@@ -107,8 +123,14 @@ class _Worksheet:
         self._check()
 
     def _check(self) -> None:
-        if self._rows * self._columns > self._most or self._written > self._most:
+        if self._other_tables + self._rows * self._columns > self._most or self._written > self._most:
             raise ExtentError(f"{self._rows} × {self._columns}")
+
+
+def _repeated(attributes: Mapping[str, str], name: str) -> int:
+    """Return how often a row or a cell of OpenDocument stands (OpenDocument 1.3 §19.675, §19.677)."""
+    found = next((text for key, text in attributes.items() if key.endswith(f"}}{name}")), "")
+    return int(found[:_DIGITS]) if _COUNT.fullmatch(found) else 1
 
 
 def _column_number(letters: str) -> int:

@@ -268,3 +268,48 @@ def test_a_cell_far_out_is_refused_before_its_sheet_is_made(rows: bytes, code: s
     with pytest.raises(RequestError) as refused:
         read_tables("ann.xlsx", workbook(rows), TableSettings())
     assert [fault.code for fault in refused.value.faults] == [code]
+
+
+OASIS = "urn:oasis:names:tc:opendocument:xmlns"
+FULL = '<table:table-cell office:value-type="float" office:value="1" table:number-columns-repeated="{}"/>'
+EMPTY = '<table:table-cell table:number-columns-repeated="16384"/>'
+
+
+def document(*sheets: str) -> bytes:
+    """An OpenDocument workbook, as small as a reader takes it."""
+    names = "".join(f' xmlns:{name}="{OASIS}:{name}:1.0"' for name in ("office", "table", "text"))
+    tables = "".join(f'<table:table table:name="t{i}">{rows}</table:table>' for i, rows in enumerate(sheets))
+    body = f"<office:body><office:spreadsheet>{tables}</office:spreadsheet></office:body>"
+    stream = io.BytesIO()
+    with zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr("mimetype", "application/vnd.oasis.opendocument.spreadsheet")
+        manifest = f'<m:manifest xmlns:m="{OASIS}:manifest:1.0"/>'
+        archive.writestr("META-INF/manifest.xml", manifest)
+        archive.writestr("content.xml", f"<office:document-content{names}>{body}</office:document-content>")
+    return stream.getvalue()
+
+
+def repeated(count: str, columns: str) -> str:
+    """A row of full cells."""
+    return f'<table:table-row table:number-rows-repeated="{count}">{FULL.format(columns)}</table:table-row>'
+
+
+EMPTY_ROWS = f'<table:table-row table:number-rows-repeated="1048576">{EMPTY}</table:table-row>'
+
+
+@pytest.mark.parametrize(
+    ("sheets", "code"),
+    [
+        ((repeated("100000", "1000"),), "file_unreadable"),
+        ((repeated("+100000", "+1000"),), "file_unreadable"),
+        ((repeated("99999999999", "1"),), "file_unreadable"),
+        ((repeated("1", "1") + EMPTY_ROWS + repeated("1", "9"),), "file_unreadable"),
+        ((repeated("10000", "100"),) * 100, "file_unreadable"),
+        ((repeated("1", "9") + EMPTY_ROWS,), "columns_unknown"),
+    ],
+)
+def test_cells_that_repeat_are_counted_before_their_sheet_is_made(sheets: tuple[str, ...], code: str) -> None:
+    """Seven hundred bytes ended the grading of a class."""
+    with pytest.raises(RequestError) as refused:
+        read_tables("ann.ods", document(*sheets), TableSettings())
+    assert [fault.code for fault in refused.value.faults] == [code]
