@@ -24,7 +24,7 @@ def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
         parser = subparsers.add_parser(name, help=text)
         parser.add_argument("file", type=Path)
         parser.set_defaults(run=run)
-    migrating = subparsers.add_parser("migrate", help="bring the database to the newest schema, and end")
+    migrating = subparsers.add_parser("migrate", help="migrate the database to the newest schema and exit")
     migrating.set_defaults(run=_migrate)
 
 

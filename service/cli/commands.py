@@ -89,7 +89,7 @@ def fault_line(fault: Fault, language: str) -> str:
 def _parser(modules: Iterable[str]) -> argparse.ArgumentParser:
     parser = argparse.ArgumentParser(prog="framewise", description="Kinematics over HTTP, and its exercises.")
     parser.add_argument(
-        "--lang", choices=languages(), default=DEFAULT_LANGUAGE, help="language of what is told (%(default)s)"
+        "--lang", choices=languages(), default=DEFAULT_LANGUAGE, help="language of the output (%(default)s)"
     )
     parser.add_argument("--version", action="version", version=f"%(prog)s {__version__}")
     subparsers = parser.add_subparsers(required=True, metavar="command")

@@ -37,23 +37,23 @@ def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
     _declare_add(actions.add_parser("add", help="register a platform, or change one"))
     for status in PlatformStatus:
         verb = {"pending": "suspend", "active": "activate", "disabled": "disable"}[status.value]
-        parser = actions.add_parser(verb, help=f"let a platform be {status.value}")
+        parser = actions.add_parser(verb, help=f"set a platform to {status.value}")
         parser.add_argument("platform", type=_number)
         parser.set_defaults(run=_set_status, status=status)
     remove = actions.add_parser("remove", help="forget a platform with all its courses")
     remove.add_argument("platform", type=_number)
     remove.add_argument("--yes", action="store_true", required=True, help="attempts and grades are lost")
     remove.set_defaults(run=_remove)
-    deployment = actions.add_parser("deployment", help="let a deployment of a platform launch")
+    deployment = actions.add_parser("deployment", help="allow a deployment of a platform to launch")
     deployment.add_argument("platform", type=_number)
     deployment.add_argument("deployment", type=_identifier)
     deployment.set_defaults(run=_add_deployment)
-    invitation = actions.add_parser("invite", help="print an address for dynamic registration, good once")
+    invitation = actions.add_parser("invite", help="print an address for dynamic registration, valid once")
     invitation.add_argument("root", type=_address, help="address of this service as the platform reaches it")
     invitation.add_argument("--note", default="", help="for whom it is")
     invitation.set_defaults(run=_invite)
     administer = actions.add_parser(
-        "administer", help="print an address that opens the platforms' page, good once"
+        "administer", help="print an address that opens the platforms' page, valid once"
     )
     administer.add_argument("root", type=_address, help="address of this service as your browser reaches it")
     administer.set_defaults(run=_administer)

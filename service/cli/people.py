@@ -25,7 +25,7 @@ def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
     erase.add_argument("key")
     erase.set_defaults(run=_erase)
     purging = actions.add_parser(
-        "purge", help="remove what is older than FRAMEWISE_PEOPLE_DAYS and ACCESS_DAYS"
+        "purge", help="remove what is older than FRAMEWISE_PEOPLE_DAYS and FRAMEWISE_ACCESS_DAYS"
     )
     purging.set_defaults(run=_purge)
 
