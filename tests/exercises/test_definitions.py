@@ -90,9 +90,9 @@ def test_statements_are_written_in_their_language(exercise_id: str) -> None:
     assert len(set(texts)) == len(LANGUAGES)
     assert re.search("[а-яіїє]", found.statements["uk"])
     assert re.search("[ăâîșț]", found.statements["ro"])
-    assert re.search(r"\b(eixo|junta|elo)s?\b", found.statements["pt"])
-    assert re.search(r"\b(axe|articulation|segment)s?\b", found.statements["fr"])
-    assert re.search(r"\b(eje|articulación|articulaciones|eslabón)s?\b", found.statements["es"])
+    assert re.search(r"\b(eixos?|juntas?|elos?|referenciais)\b", found.statements["pt"])
+    assert re.search(r"\b(axe|articulation|segment|repère)s?\b", found.statements["fr"])
+    assert re.search(r"\b(eje|articulación|articulaciones|eslabón|sistema)s?\b", found.statements["es"])
     assert not re.search("[ţşŢŞ]", found.statements["ro"])  # the cedilla is not Romanian
 
 
