@@ -255,17 +255,19 @@ class _BoundedBuilder(TreeBuilder):
 def _parse(text: str) -> Element:
     if len(text) > MAX_CHARACTERS:
         raise refused("urdf_too_long", limit=MAX_CHARACTERS)
+    body = text.lstrip()  # what was pasted often begins with a line break, which readers of URDF pass over
+    passed = text[: len(text) - len(body)].count("\n")
     parser: Any = DefusedXMLParser(
         target=_BoundedBuilder(), forbid_dtd=True, forbid_entities=True, forbid_external=True
     )
     try:
-        parser.feed(text)
+        parser.feed(body)
         root: Element = parser.close()
     except DefusedXmlException:
         raise refused("urdf_unsafe") from None
     except ParseError as error:
         line, column = error.position
-        raise refused("urdf_not_xml", line=line, column=column + 1) from None
+        raise refused("urdf_not_xml", line=passed + line, column=column + 1) from None
     except ValueError:  # a character that no encoding has
         raise refused("urdf_not_xml", line=1, column=1) from None
     return root

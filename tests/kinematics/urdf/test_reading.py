@@ -406,6 +406,14 @@ def test_ends_that_do_not_fit(base, tip, code):
     assert refusal.value.code == code
 
 
+def test_a_line_break_before_the_declaration_is_passed_over():
+    text = f'\n  <?xml version="1.0"?>\n{HALF}'
+    assert table_from_urdf(text, Convention.STANDARD).joints == ("j",)
+    with pytest.raises(DescriptionError) as refusal:
+        table_from_urdf("\n\n<robot>\n  <link name=a/>\n</robot>", Convention.STANDARD)
+    assert refusal.value.faults[0].params["line"] == 4
+
+
 def test_what_programs_add_to_a_limit_is_passed_over():
     limit = '<limit lower="-1" upper="2" effort="3" current="4" drake:acceleration="6"/>'
     text = robot(joint("j", "a", "b", "revolute", limit), links="ab")
