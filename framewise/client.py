@@ -331,11 +331,12 @@ def _headers(api_key: str | None, language: str | None) -> dict[str, str]:
 
 def _request(call: ApiCall, headers: Mapping[str, str] | None = None) -> dict[str, Any]:
     query = {name: value for name, value in call.query.items() if value is not None}
-    request = {"method": call.method, "url": call.path, "params": query}
-    if call.body is None:
-        return {**request, "headers": headers}
-    content = json.dumps(call.body, default=_plain, allow_nan=False).encode()
-    return {**request, "headers": {**(headers or {}), "Content-Type": "application/json"}, "content": content}
+    sent = dict(headers or {})
+    content = None
+    if call.body is not None:
+        sent["Content-Type"] = "application/json"
+        content = json.dumps(call.body, default=_plain, allow_nan=False).encode()
+    return {"method": call.method, "url": call.path, "params": query, "headers": sent, "content": content}
 
 
 def _plain(value: Any) -> Any:
