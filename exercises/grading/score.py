@@ -72,8 +72,9 @@ def score_of(decision: Decision, repairs: Sequence[Repaired], work: Work, weight
         off = min(off, max(_cost(slip, weights, nothing), _size_across_sliders(work, standard, slip)))
     elif slip is not None:
         off = min(off, max(CELL, _wrong(work, standard) - _shared_across_sliders(work, standard)))
-    elif repairs and not work.has_the_joints() and _is_something(work, repairs[0].changes, standard):
-        off = min(off, sum(_cost(change, weights, nothing) for change in repairs[0].changes))
+    elif not work.has_the_joints():
+        pairs = [repair.changes for repair in repairs if _is_something(work, repair.changes, standard)]
+        off = min([off, *(sum(_cost(change, weights, nothing) for change in pair) for pair in pairs)])
     if off > CELL and _has_one_other_twist(work):
         off = CELL
     return round(min(max(1.0 - off / nothing, 0.0), HIGHEST_PARTIAL), DECIMALS)

@@ -143,14 +143,21 @@ def score_chains(block: int, tables: int = TABLES_PER_BLOCK) -> Outcome:
 
 
 def _some_cells(table: NumericTable, rng: Random, *, types: bool) -> list[tuple[int, str]]:
-    """Cells of which a robot's facts depend, in random order; perhaps those that make a joint what it is."""
+    """Cells of which a robot's facts depend, in random order; perhaps one that makes a joint what it is.
+
+    Of two wrong types it may be that two rows are exchanged, one slip.
+    """
     cells = [
         (i, cell)
         for i, row in enumerate(table.rows)
-        for cell in ("alpha", "a", "d", *(("joint",) if types else ()))
-        if (row.joint is JointType.REVOLUTE if cell == "d" else cell != "joint" or row.joint in _OTHER_TYPE)
+        for cell in ("alpha", "a", "d")
+        if cell != "d" or row.joint is JointType.REVOLUTE
     ]
-    return rng.sample(cells, min(MOST_WRONG, len(cells)))
+    joints = [(i, "joint") for i, row in enumerate(table.rows) if row.joint in _OTHER_TYPE]
+    chosen = rng.sample(cells, min(MOST_WRONG, len(cells)))
+    if types:
+        chosen[rng.randrange(len(chosen))] = rng.choice(joints)
+    return chosen
 
 
 _OTHER_TYPE = {JointType.REVOLUTE: JointType.PRISMATIC, JointType.PRISMATIC: JointType.REVOLUTE}
