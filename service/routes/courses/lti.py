@@ -1,4 +1,4 @@
-"""LTI 1.3: login, launch, keys, and registration of platforms.
+"""LTI 1.3: login and launch.
 
 A launch ends in a redirect whose fragment holds a code; the page's script exchanges it once for a session
 token. Fragments are sent to no server and stand in no log.
@@ -7,65 +7,45 @@ token. Fragments are sent to no server and stand in no log.
 from __future__ import annotations
 
 import hmac
-import logging
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from datetime import timedelta
 from functools import partial
-from typing import Any, TypeVar
+from typing import Any
 from urllib.parse import urlencode
 
 from fastapi import APIRouter, Request, Response
-from fastapi.responses import JSONResponse, RedirectResponse
+from fastapi.responses import RedirectResponse
 
 from courses.enrolment import Arrival, arrive
 from courses.model import Platform, PlatformStatus, Role
 from courses.platforms import (
     LOGIN,
     Login,
-    add_deployment,
-    add_platform,
-    check_invitation,
     deployments_of,
     platform_by_id,
     platforms_of,
     redeem_login,
     remember_login,
-    use_invitation,
 )
-from courses.refusals import CourseError, NoExerciseError, StaffOnlyError
+from courses.refusals import NoExerciseError, StaffOnlyError
 from courses.secrets import hashed, issue_code, redeem_code, remember_nonce
 from courses.sessions import session_of
-from kinematics.errors import Fault, KinematicsError
+from kinematics.errors import Fault
 from service.course_resources import CourseResources, now
 from service.http.forms import form_of, own_root
-from service.http.middleware import REQUEST_ID
-from service.http.problems import ServiceError, problem_of
+from service.http.problems import ServiceError
 from service.lti.fetching import http_address, origin_of
 from service.lti.launch import Expected, Launch, read_launch
 from service.lti.launch_errors import LaunchError, LoginError
 from service.lti.login import LoginRequest, authorization_address, new_secret, read_login
-from service.lti.registration import ToolRegistration, register
-from service.lti.signing_keys import key_set
-from service.messages import languages, sentence
+from service.messages import languages
 from service.resources import resources_of
-from service.web.responses import page_language, page_response
-from service.web.shell import Page
+from service.web.launch_page import answered, launch_page, refused, step
 from service.wire.courses.lti_custom import arrival_of
 from service.wire.courses.session_views import seed_of
-from service.work.limiters import WorkKind
 
 router = APIRouter(include_in_schema=False)
 
-LAUNCH = Page(name="launch", title="session-launch-title", messages=("session",), depth=1)
-CHOOSE = Page(
-    name="choose", title="lecturer-choose-title", messages=("lecturer",), depth=1, styles=("lecturer",)
-)
-COURSE = Page(
-    name="course",
-    title="lecturer-title",
-    messages=("lecturer", "session", "kinds"),
-    styles=("scene", "exercise", "lecturer"),
-)
 COOKIE = "__Host-framewise-login-"
 CODE_LIFE = timedelta(seconds=60)
 """How long a code for a session in the address may be exchanged: the page does it at once."""
@@ -74,20 +54,12 @@ PENDING_LIFE = timedelta(seconds=120)
 CHOICE_LIFE = timedelta(hours=2)
 """How long a lecturer may take to choose an exercise."""
 
-_log = logging.getLogger("framewise.lti")
-_Result = TypeVar("_Result")
-
-
-async def _in_thread(request: Request, work: Callable[..., _Result], *arguments: Any) -> _Result:
-    limiter = resources_of(request).limiters[WorkKind.COURSES]
-    return await limiter.run(partial(work, *arguments))
-
 
 @router.api_route("/lti/login", methods=["GET", "POST"])
 async def login(request: Request) -> Response:
     """Begin a launch: remember it, and send the browser to the platform's authorization endpoint."""
     given = dict(request.query_params) if request.method == "GET" else await form_of(request)
-    return await _answered(request, partial(_login, request, given))
+    return await answered(request, partial(_login, request, given))
 
 
 @router.post("/lti/launch")
@@ -96,75 +68,15 @@ async def launch(request: Request) -> Response:
     try:
         given = await form_of(request)
     except ServiceError as error:
-        return _refused(request, error)
-    return await _answered(request, partial(_launch, request, given))
+        return refused(request, error)
+    return await answered(request, partial(_launch, request, given))
 
 
 @router.post("/lti/confirm")
 async def confirm(request: Request) -> Response:
     """Go on with a launch whose browser was recognised by what the platform stored for it."""
     given = await form_of(request)
-    return await _answered(request, partial(_confirm, request, given))
-
-
-@router.get("/lti/jwks")
-async def jwks(request: Request) -> Response:
-    """Return the public keys that this tool signs with."""
-    courses = resources_of(request).with_courses()
-    keys = await _in_thread(request, courses.keys)
-    return JSONResponse(key_set(keys), headers={"Cache-Control": "public, max-age=600"})
-
-
-@router.get("/lti/configuration")
-async def configuration(request: Request) -> Response:
-    """Return what platforms are told of this tool, for those that take it as JSON."""
-    resources_of(request).with_courses()
-    return JSONResponse(_tool(request).written(), headers={"Cache-Control": "no-cache"})
-
-
-@router.get("/lti/register/{secret}")
-async def register_platform(request: Request, secret: str) -> Response:
-    """Register a platform that was invited; it stays pending until an administrator activates it."""
-    return await _answered(request, partial(_register, request, secret))
-
-
-@router.get("/course")
-async def course_page(request: Request) -> Response:
-    """Return the lecturers' page."""
-    resources_of(request).with_courses()
-    return page_response(request, COURSE)
-
-
-@router.get("/lti/choose")
-async def choose(request: Request) -> Response:
-    """Return the page on which a teacher chooses the exercise of a link.
-
-    Its answer is posted to the platform.
-    """
-    resources_of(request).with_courses()
-    return page_response(request, CHOOSE, form_action="https: http:")
-
-
-async def _answered(request: Request, work: Callable[[], Response]) -> Response:
-    resources_of(request).with_courses()
-    try:
-        return await _in_thread(request, work)
-    except (ServiceError, CourseError) as error:
-        return _refused(request, error)
-
-
-def _refused(request: Request, error: ServiceError | KinematicsError) -> Response:
-    """A problem document, or a page for people; logged with its code and no secret."""
-    problem = problem_of(error, request.scope.get(REQUEST_ID, ""))
-    route = request.scope["route"].path  # an address may hold an invitation's secret
-    _log.warning("refused %s: %s (%s)", route, error.faults[0].code, problem.request_id)
-    if "text/html" not in request.headers.get("accept", ""):
-        raise error
-    fault = error.faults[0]
-    again = error.members.get("again") if isinstance(error, ServiceError) else None
-    text = sentence(page_language(request), f"error-{fault.code}", fault.params) or fault.code
-    values = _step("window" if again else "refused", text=text, again=again or {})
-    return _page(request, values, status=problem.status)
+    return await answered(request, partial(_confirm, request, given))
 
 
 def _login(request: Request, given: Mapping[str, str]) -> Response:
@@ -185,7 +97,7 @@ def _login(request: Request, given: Mapping[str, str]) -> Response:
         asked, platform, redirect_uri=f"{root}lti/launch", state=state, nonce=nonce
     )
     if asked.storage_target:
-        values = _step(
+        values = step(
             "store",
             address=address,
             key=_storage_key(state),
@@ -193,7 +105,7 @@ def _login(request: Request, given: Mapping[str, str]) -> Response:
             frame=asked.storage_target,
             origin=origin_of(platform.authorization_endpoint),
         )
-        response = _page(request, values)
+        response = launch_page(request, values)
     else:
         response = RedirectResponse(address, 302)
     response.headers["Cache-Control"] = "no-store"
@@ -250,14 +162,14 @@ def _launch(request: Request, given: Mapping[str, str]) -> Response:
         "launch": _content(request, found, platform),
     }
     code = issue_code(courses.store, "pending", pending, now(), PENDING_LIFE)
-    values = _step(
+    values = step(
         "compare",
         code=code,
         key=_storage_key(state),
         frame=str(frame),
         origin=origin_of(platform.authorization_endpoint),
     )
-    return _page(request, values)
+    return launch_page(request, values)
 
 
 def _confirm(request: Request, given: Mapping[str, str]) -> Response:
@@ -310,40 +222,6 @@ def _opened(request: Request, courses: CourseResources, content: Mapping[str, An
     return _redirect(f"{root}exercises/{chosen.exercise_id}", query, f"session={code}")
 
 
-def _register(request: Request, secret: str) -> Response:
-    courses = resources_of(request).with_courses()
-    check_invitation(courses.store, secret, now())
-    configuration = request.query_params.get("openid_configuration", "")
-    if not configuration:
-        params = {"name": "openid_configuration"}
-        raise LoginError(Fault.at("lti_parameter_missing", **params))
-    use_invitation(courses.store, secret, now())
-    found = register(
-        courses.fetcher, configuration, request.query_params.get("registration_token"), _tool(request)
-    )
-    platform = Platform(
-        issuer=found.issuer,
-        client_id=found.client_id,
-        name=found.name,
-        authorization_endpoint=found.authorization_endpoint,
-        token_endpoint=found.token_endpoint,
-        token_audience=found.token_audience,
-        jwks_uri=found.jwks_uri,
-        status=PlatformStatus.PENDING,
-    )
-    stored = add_platform(courses.store, platform, (), now())
-    if found.deployment:
-        add_deployment(courses.store, stored.id, found.deployment)
-    text = sentence(page_language(request), "session-registered", {"issuer": found.issuer}) or ""
-    return _page(request, _step("close", text=text))
-
-
-def _tool(request: Request) -> ToolRegistration:
-    root = own_root(request, resources_of(request).settings.public_url)
-    description = sentence("en", "session-tool-description") or ""
-    return ToolRegistration(name="Framewise", description=description, root=root)
-
-
 def _redirect(address: str, query: Mapping[str, str], fragment: str) -> Response:
     joined = f"{address}?{urlencode(query)}" if query else address
     return RedirectResponse(f"{joined}#{fragment}", 303, {"Cache-Control": "no-store"})
@@ -353,19 +231,6 @@ def _language(locale: str | None) -> str | None:
     """The page's language for a platform's locale; None leaves it to the browser."""
     code = (locale or "").replace("_", "-").partition("-")[0].lower()
     return code if code in languages() else None
-
-
-def _step(name: str, *, text: str = "", again: object = None, **values: str) -> dict[str, str]:
-    """What the launch page does next, as its template takes it."""
-    fields = {"address": "", "key": "", "value": "", "frame": "", "origin": "", "code": "", **values}
-    fields["again"] = urlencode(again) if isinstance(again, Mapping) else ""
-    return {"step": name, "text": text, **fields}
-
-
-def _page(request: Request, values: Mapping[str, str], *, status: int = 200) -> Response:
-    response = page_response(request, LAUNCH, values, status=status)
-    response.headers["Cache-Control"] = "no-store"
-    return response
 
 
 def _storage_key(state: str) -> str:

@@ -1,0 +1,79 @@
+"""What platforms are told of this tool, and their dynamic registration."""
+
+from __future__ import annotations
+
+from functools import partial
+
+from fastapi import APIRouter, Request, Response
+from fastapi.responses import JSONResponse
+
+from courses.model import Platform, PlatformStatus
+from courses.platforms import add_deployment, add_platform, check_invitation, use_invitation
+from kinematics.errors import Fault
+from service.course_resources import now
+from service.http.forms import own_root
+from service.lti.launch_errors import LoginError
+from service.lti.registration import ToolRegistration, register
+from service.lti.signing_keys import key_set
+from service.messages import sentence
+from service.resources import resources_of
+from service.web.launch_page import answered, launch_page, step
+from service.web.responses import page_language
+from service.work.limiters import WorkKind
+
+router = APIRouter(include_in_schema=False)
+
+
+@router.get("/lti/jwks")
+async def jwks(request: Request) -> Response:
+    """Return the public keys that this tool signs with."""
+    resources = resources_of(request)
+    keys = await resources.limiters[WorkKind.COURSES].run(resources.with_courses().keys)
+    return JSONResponse(key_set(keys), headers={"Cache-Control": "public, max-age=600"})
+
+
+@router.get("/lti/configuration")
+async def configuration(request: Request) -> Response:
+    """Return what platforms are told of this tool, for those that take it as JSON."""
+    resources_of(request).with_courses()
+    return JSONResponse(_tool(request).written(), headers={"Cache-Control": "no-cache"})
+
+
+@router.get("/lti/register/{secret}")
+async def register_platform(request: Request, secret: str) -> Response:
+    """Register a platform that was invited; it stays pending until an administrator activates it."""
+    return await answered(request, partial(_register, request, secret))
+
+
+def _register(request: Request, secret: str) -> Response:
+    courses = resources_of(request).with_courses()
+    check_invitation(courses.store, secret, now())
+    configuration = request.query_params.get("openid_configuration", "")
+    if not configuration:
+        params = {"name": "openid_configuration"}
+        raise LoginError(Fault.at("lti_parameter_missing", **params))
+    use_invitation(courses.store, secret, now())
+    found = register(
+        courses.fetcher, configuration, request.query_params.get("registration_token"), _tool(request)
+    )
+    platform = Platform(
+        issuer=found.issuer,
+        client_id=found.client_id,
+        name=found.name,
+        authorization_endpoint=found.authorization_endpoint,
+        token_endpoint=found.token_endpoint,
+        token_audience=found.token_audience,
+        jwks_uri=found.jwks_uri,
+        status=PlatformStatus.PENDING,
+    )
+    stored = add_platform(courses.store, platform, (), now())
+    if found.deployment:
+        add_deployment(courses.store, stored.id, found.deployment)
+    text = sentence(page_language(request), "session-registered", {"issuer": found.issuer}) or ""
+    return launch_page(request, step("close", text=text))
+
+
+def _tool(request: Request) -> ToolRegistration:
+    root = own_root(request, resources_of(request).settings.public_url)
+    description = sentence("en", "session-tool-description") or ""
+    return ToolRegistration(name="Framewise", description=description, root=root)

@@ -1,0 +1,65 @@
+"""The page between a learning platform and the exercise: what a launch, or a registration, does next."""
+
+from __future__ import annotations
+
+import logging
+from collections.abc import Callable, Mapping
+from urllib.parse import urlencode
+
+from fastapi import Request, Response
+
+from courses.refusals import CourseError
+from kinematics.errors import KinematicsError
+from service.http.middleware import REQUEST_ID
+from service.http.problems import ServiceError, problem_of
+from service.messages import sentence
+from service.resources import resources_of
+from service.web.responses import page_language, page_response
+from service.web.shell import Page
+from service.work.limiters import WorkKind
+
+LAUNCH = Page(name="launch", title="session-launch-title", messages=("session",), depth=1)
+
+_log = logging.getLogger("framewise.lti")
+
+
+async def answered(request: Request, work: Callable[[], Response]) -> Response:
+    """Return what work in a thread answers; its refusal as a page for people, as a problem for programs.
+
+    Raises:
+        ServiceError, CourseError: the work was refused, and the caller takes no HTML.
+    """
+    resources = resources_of(request)
+    resources.with_courses()
+    try:
+        return await resources.limiters[WorkKind.COURSES].run(work)
+    except (ServiceError, CourseError) as error:
+        return refused(request, error)
+
+
+def refused(request: Request, error: ServiceError | KinematicsError) -> Response:
+    """Return a refusal as a page for people, or raise it; logged with its code and no secret."""
+    problem = problem_of(error, request.scope.get(REQUEST_ID, ""))
+    route = request.scope["route"].path  # an address may hold an invitation's secret
+    _log.warning("refused %s: %s (%s)", route, error.faults[0].code, problem.request_id)
+    if "text/html" not in request.headers.get("accept", ""):
+        raise error
+    fault = error.faults[0]
+    again = error.members.get("again") if isinstance(error, ServiceError) else None
+    text = sentence(page_language(request), f"error-{fault.code}", fault.params) or fault.code
+    values = step("window" if again else "refused", text=text, again=again or {})
+    return launch_page(request, values, status=problem.status)
+
+
+def step(name: str, *, text: str = "", again: object = None, **values: str) -> dict[str, str]:
+    """Return what the page does next, as its template takes it."""
+    fields = {"address": "", "key": "", "value": "", "frame": "", "origin": "", "code": "", **values}
+    fields["again"] = urlencode(again) if isinstance(again, Mapping) else ""
+    return {"step": name, "text": text, **fields}
+
+
+def launch_page(request: Request, values: Mapping[str, str], *, status: int = 200) -> Response:
+    """Return the page, which no cache may store."""
+    response = page_response(request, LAUNCH, values, status=status)
+    response.headers["Cache-Control"] = "no-store"
+    return response
