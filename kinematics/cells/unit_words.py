@@ -24,6 +24,8 @@ _SYMBOLS = frozenset({"N", "g", "s", "J", "W", "Hz", "kN"})
 """Symbols of units that are names, too: a cell may hold them where they have a value."""
 _ALSO_NAMES = {"m", "in", "м"}
 """Units in lower case only: M and In are names."""
+_STOPPED = "deg."
+"""Without its full stop it is a degree sign."""
 _UNITS = frozenset(_WORDS.split())
 _NUMBER = r"(?:\d+[.,]?\d*|\.\d+)(?:[eE][+-]?\d+)?"
 _VARIABLE = r"(?:[qθd]|theta)_?(?:\d+|[₀-₉]+)"
@@ -35,7 +37,11 @@ _VALUE_AND_WORD = re.compile(
 
 def unit_refusal(text: str) -> CellRefusal | None:
     """Return the refusal of the first unit behind a value, with the cell as it is without any; or None."""
-    units = [found for found in _VALUE_AND_WORD.finditer(text) if _is_unit(found[2])]
+    units = [
+        found
+        for found in _VALUE_AND_WORD.finditer(text)
+        if _is_unit(found[2]) or found[1].lower() == _STOPPED
+    ]
     if not units:
         return None
     rest = text
