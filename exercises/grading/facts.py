@@ -2,15 +2,16 @@
 
 Every axis may point either way, and with it the signs of twists, lengths and offsets change together. The
 directions are chosen so that as little as possible is wrong; since a fact concerns one axis or two
-neighbours, the best choice is found exactly, joint by joint. A joint too many or too few is taken to be where
+neighbours, the best choice is found exactly, joint by joint. Joints too many or too few are taken to be where
 that leaves the most facts right.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
+from itertools import combinations, islice
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,6 +29,8 @@ Floats = NDArray[np.float64]
 
 # Axes less than this apart [rad] count as parallel: rounded entries turn them by less, mistakes by more.
 NEARLY = 0.01
+# In how many ways joints are placed beside the key's at the most: any three of ten that are missing.
+MOST_PLACINGS = 120
 # Whether one of two axes is turned round and the other is not: by whether the first is, and the second.
 _TURNED = np.array(((0, 1), (1, 0)))
 
@@ -121,8 +124,7 @@ class Facts:
             axes point, and with one of them turned round; (q, k) which do either way and mean the same.
         """
         shift = len(axes) - len(self.axes)
-        splits = range(min(len(axes), len(self.axes)) - 1) if shift else range(1)
-        placings = [_places(len(self.axes), len(axes), split) for split in splits]
+        placings = _placings(len(self.axes), len(axes))
         besides = [
             [self.axes[i] if place is None else axes[place] for i, place in enumerate(places)]
             for places in placings
@@ -189,13 +191,38 @@ class Facts:
         return _are_parallel(axes[i], axes[j]) is _are_parallel(self.axes[i], self.axes[j])
 
 
-def _places(ours: int, theirs: int, split: int) -> list[int | None]:
-    """For each axis of the key the answer's: the same up to the split, and after it shifted to the end."""
-    shift = theirs - ours
-    if not shift:
-        return list(range(ours))
-    shifted = [i if i <= split else i + shift if i + shift > split else None for i in range(ours)]
-    return [*shifted[:-1], theirs - 1]
+@lru_cache(maxsize=256)
+def _placings(ours: int, theirs: int) -> list[list[int | None]]:
+    """For each axis of the key the answer's, in all ways; both ends stay where they are.
+
+    Joints that are missing or superfluous may stand next to each other or apart.
+    """
+    fewer, more = sorted((ours, theirs))
+    placings: list[list[int | None]] = []
+    for apart in islice(_apart(fewer - 2, more - fewer), MOST_PLACINGS):
+        left_out = {joint + 1 for joint in apart}
+        kept = [i for i in range(more) if i not in left_out]
+        if ours == fewer:
+            placings.append([*kept])
+        else:
+            beside = dict(zip(kept, range(fewer), strict=True))
+            placings.append([beside.get(i) for i in range(more)])
+    return placings
+
+
+def _apart(kept: int, others: int) -> Iterator[list[int]]:
+    """Where other joints may stand among those that are kept, from 0: all together first, then apart."""
+    if not others:
+        yield []
+    for groups in range(1, others + 1):
+        for before in combinations(range(kept + 1), groups):
+            for cuts in combinations(range(1, others), groups - 1):
+                ends = [*cuts, others]
+                yield [
+                    place + k
+                    for place, start, end in zip(before, [0, *cuts], ends, strict=True)
+                    for k in range(start, end)
+                ]
 
 
 def fixed_ends(axes: int, policy: Policy) -> tuple[int, ...]:

@@ -386,3 +386,15 @@ def test_of_a_short_arm_a_row_and_all_else_left_out_leave_nothing(key: NumericTa
         assert grade(written(key), written(replace(zeros, rows=rest)), USUAL).score == 0.0
         fixed = tables.changed(zeros, row + 1, joint=F)
         assert grade(written(key), written(fixed), USUAL).score == 0.0
+
+
+@pytest.mark.parametrize("rows", [(0, 5), (1, 4)])
+def test_rows_that_are_missing_apart_cost_what_two_together_do(rows: tuple[int, int]) -> None:
+    """Rows 5 and 6, or one of them and row 1 or 2: the links of rows 3 and 4 are right."""
+
+    def score(*missing: int) -> float:
+        kept = [row for i, row in enumerate(PUMA_CRAIG) if i not in missing]
+        answer: Rows = [(*row[:3], f"q{i}") for i, row in enumerate(kept, start=1)]
+        return grade(KEY, read("modified", answer), USUAL, VALUES).score
+
+    assert score(*rows) == score(4, 5) == 0.28
