@@ -6,6 +6,7 @@ An explanation is optional: if it fails, the verdict remains, the failure is log
 from __future__ import annotations
 
 import logging
+import math
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache, lru_cache
@@ -24,6 +25,7 @@ from exercises.grading.findings import (
 from exercises.grading.judging.comparison import Comparison
 from exercises.grading.judging.digits import steps_of_wrong, tightened
 from exercises.grading.judging.judgement import IMPRECISE, REFUTED, diagnosed, policy_of, share_of
+from exercises.grading.judging.typed import SAME
 from exercises.grading.score import lost, score_of
 from exercises.grading.verdict import Edit, Feedback, HelpLevel, LinkFinding, ParamValue, Repair
 from kinematics.cells import ReadTable
@@ -37,6 +39,8 @@ from kinematics.table import CELLS, DHTable, JointType
 
 _LOG = logging.getLogger(__name__)
 _ROW_PARAMS = ("row", "other", "place")
+WORK_OF_READINGS = 90_000
+"""What telling readings apart by their repairs may cost: a third of what repairing one of them may."""
 WAYS_REMEMBERED = 32
 """More than the ways in which one answer may be meant."""
 
@@ -129,7 +133,8 @@ def clearest(
     """Return the best reading of a wrong answer: one of the right robot, else the one with least wrong.
 
     One that is only imprecise has nothing wrong. One wrong name among numbers so leaves the numbers what they
-    are: values of names.
+    are: values of names. Where the facts are as wrong in several, as with the wrong convention in all, it is
+    the one that the fewest edits mend.
 
     Args:
         decisions: what was decided.
@@ -142,14 +147,26 @@ def clearest(
     if right or len(ways) == 1:
         return min(right, default=0)
     try:
-        off = [
-            lost(decision, work_on(way, tables, policy), Weights())
-            for decision, way in zip(decisions, ways, strict=True)
-        ]
+        works = [work_on(way, tables, policy) for way in ways]
+        off = [lost(*one, Weights()) for one in zip(decisions, works, strict=True)]
+        least = [i for i, weight in enumerate(off) if weight <= min(off) + SAME]
+        return least[0] if len(least) == 1 else least[_soonest_mended([works[i] for i in least])]
     except Exception:
         _LOG.exception("no way is clearer than another")
         return 0
-    return off.index(min(off))
+
+
+def _soonest_mended(works: Sequence[Work]) -> int:
+    """Return which reading the fewest edits mend: the first of them, if several are as near."""
+    best, fewest = 0, math.inf
+    for i, work in enumerate(works):
+        repairs = find_repairs(replace(work, meter=Meter(WORK_OF_READINGS // len(works))))
+        edits = len(repairs[0].changes) if repairs else math.inf
+        if edits < fewest:
+            best, fewest = i, edits
+        if fewest == 1:
+            break
+    return best
 
 
 def as_typed(

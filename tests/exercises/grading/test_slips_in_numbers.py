@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import combinations
 
 import pytest
 
@@ -10,7 +11,7 @@ from exercises.grading import Policy, ToolRule, Verdict, grade
 from exercises.grading.judging.name_values import FREE_ATTEMPTS, Values, drawn_value
 from exercises.grading.judging.typed import meant_in_radians
 from kinematics.cells.binding import ParameterKind
-from tests.exercises.grading.test_grade import KEY, PUMA, USUAL, VALUES, Rows, numbers, with_cells
+from tests.exercises.grading.test_grade import KEY, PUMA, PUMA_CRAIG, USUAL, VALUES, Rows, numbers, with_cells
 from tests.exercises.grading.written import Cell, read
 
 RAD = math.pi / 180
@@ -93,3 +94,16 @@ def test_what_a_twist_among_parallel_axes_takes_with_it(
     """Of a UR, the one offset along three parallel axes is none where two of them are not parallel."""
     answer = read("standard", with_cells(UR, *changes))
     assert grade(read("standard", UR), answer, USUAL, UR_VALUES).score == score
+
+
+@pytest.mark.parametrize(
+    "names", [names for n in range(len(VALUES) + 1) for names in combinations(VALUES, n)], ids="-".join
+)
+def test_the_other_convention_with_values_for_some_names(names: tuple[str, ...]) -> None:
+    """No fact tells whether a number is the value of a name there: all of them are wrong."""
+    given = {name: VALUES[name] for name in names}
+    rows: Rows = [tuple(given.get(str(cell), cell) for cell in row) for row in PUMA_CRAIG]  # type: ignore[misc]
+    verdict = grade(KEY, read("standard", rows), USUAL, VALUES)
+    assert repairs(verdict)[0] == [("convention", None)]
+    assert verdict.score == 0.67
+    assert "length_wrong" not in [entry.code for entry in verdict.feedback]
