@@ -33,9 +33,14 @@ def solutions_of(arm: Arm, candidates: Array, target: Transform, tolerance: floa
         target: (4, 4).
         tolerance: distance [m] and angle [rad] within which the target is reached.
     """
+    return refined(arm, candidates, target, tolerance)[0]
+
+
+def refined(arm: Arm, candidates: Array, target: Transform, tolerance: float) -> tuple[Array, Array]:
+    """Return what `solutions_of` does, and the others, (k, n), with the least error that steps led them to."""
     q = candidates[np.isfinite(candidates).all(axis=1)]
     if not len(q):
-        return q
+        return q, q
     vectors = errors_of(arm, arm.frames(q)[-1], target)
     errors = np.linalg.norm(vectors, axis=1)
     q, vectors, errors = (
@@ -63,4 +68,4 @@ def solutions_of(arm: Arm, candidates: Array, target: Transform, tolerance: floa
         if not reached[beside].all():
             q[beside] = evened(arm, target, q[beside], tolerance)
             reached = are_solutions(errors_of(arm, arm.frames(q)[-1], target), arm, tolerance)
-    return np.asarray(q[reached])
+    return np.asarray(q[reached]), np.asarray(q[~reached])

@@ -13,7 +13,7 @@ from kinematics.inverse.limits import within_limits
 from kinematics.inverse.methods.closed_form import InverseClosedForm, candidates_beside, closed_form_of
 from kinematics.inverse.methods.locked import LockedArms, locked_arms_of
 from kinematics.inverse.methods.wrist_scalars import ClearWrist
-from kinematics.inverse.refinement import solutions_of
+from kinematics.inverse.refinement import refined, solutions_of
 from kinematics.inverse.residuals import errors_of, pose_errors
 from kinematics.inverse.results import (
     Family,
@@ -122,9 +122,10 @@ class Solver:
         answer = self._at_once(goal)
         if answer is not None:
             return answer
-        found = self._roots(goal)
-        if found is None or in_valleys(self.arm, goal.pose, found, goal.tolerance).any():
+        roots = self._roots(goal)
+        if roots is None or in_valleys(self.arm, goal.pose, np.concatenate(roots), goal.tolerance).any():
             return None
+        found, _ = roots
         alone, delicate = told_apart(self.arm, goal.pose, found, goal.tolerance)
         parts = [Component(found[i]) for i in alone]
         return None if delicate else self._answer_of(parts, goal, Method.CLOSED_FORM)
@@ -161,17 +162,18 @@ class Solver:
         within = [one._replace(joints=tuple(q)) for one, q, fit in moved if fit]
         return sorted(within, key=lambda one: sum(map(abs, one.joints)))
 
-    def _roots(self, goal: Goal) -> Array | None:
-        """Solutions by the closed form, if it has an answer for this target."""
+    def _roots(self, goal: Goal) -> tuple[Array, Array] | None:
+        """Solutions by the closed form, if it has an answer for this target; and what it has tried in vain."""
         candidates = None if self.closed_form is None else self.closed_form.candidates(goal.pose)
-        return None if candidates is None else solutions_of(self.arm, candidates, goal.pose, goal.tolerance)
+        return None if candidates is None else refined(self.arm, candidates, goal.pose, goal.tolerance)
 
     def _by_closed_form(self, goal: Goal) -> Array | None:
-        """The same, with those that rounding has left out at the other ends of valleys."""
-        found = self._roots(goal)
-        if found is None or not len(found) or self.arm.spare:
-            return found
-        ends = low_points(self.arm, goal.pose, found, goal.tolerance)
+        """Its solutions, with those that rounding has left out at the ends of valleys."""
+        roots = self._roots(goal)
+        if roots is None or self.arm.spare:
+            return None if roots is None else roots[0]
+        found, _ = roots
+        ends = low_points(self.arm, goal.pose, np.concatenate(roots), goal.tolerance)
         return np.concatenate((found, solutions_of(self.arm, ends, goal.pose, goal.tolerance)))
 
     def _answer(

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.inverse.arm import Arm, Array
-from kinematics.inverse.residuals import errors_and_jacobians
+from kinematics.inverse.residuals import are_solutions, errors_and_jacobians
 
 STEPS = 30
 """Newton steps along a valley: where the error grows with the square of the way, each leaves two thirds."""
@@ -144,38 +144,43 @@ def _gradient(arm: Arm, target: Array, x: Array) -> tuple[Array, float]:
 
 
 def in_valleys(arm: Arm, target: Array, joints: Array, tolerance: float) -> NDArray[np.bool_]:
-    """Return at which solutions `low_points` walks, (m,); arguments are its own."""
-    _, J = errors_and_jacobians(arm, joints / arm.units, target)
+    """Return at which configurations `low_points` walks, (m,); arguments are its own."""
+    e, J = errors_and_jacobians(arm, joints / arm.units, target)
     _, values, _ = np.linalg.svd(J, full_matrices=False)
-    return _is_narrow(values, tolerance)
+    return _is_narrow(values, arm, e, tolerance)
 
 
-def _is_narrow(values: Array, tolerance: float) -> NDArray[np.bool_]:
+def _is_narrow(values: Array, arm: Arm, errors: Array, tolerance: float) -> NDArray[np.bool_]:
     """Whether the least singular value is small; if smaller still, no error tells two solutions apart."""
-    return np.asarray((values[:, -1] <= NARROW) & (values[:, -1] > tolerance))
+    there = are_solutions(errors, arm, tolerance)
+    near = there | (np.linalg.norm(errors, axis=1) <= LEFT)
+    return np.asarray(near & (values[:, -1] <= NARROW) & ~(there & (values[:, -1] <= tolerance)))
 
 
 def low_points(arm: Arm, target: Array, joints: Array, tolerance: float) -> Array:
-    """Return where else along their valleys the error of solutions is small again, (k, n); close to it.
+    """Return where else along their valleys the error of configurations is least, (k, n); close to it.
 
     With a wrist's centre all but on the axis of a shoulder, or an elbow folded, arms nearly move while the
     tool stands still, and two solutions lie at the ends of such a way. They are nearly one root of the
-    equations that solve the arm, of which rounding may leave only one.
+    equations that solve the arm, of which rounding may leave only one; or none, but configurations on the
+    way between, where no small step comes nearer to the target.
 
     Args:
         arm: the arm.
         target: (4, 4).
-        joints: (m, n) solutions.
+        joints: (m, n) solutions, and others with small errors.
         tolerance: distance [m] and angle [rad] of solutions; where no more separates them they are joined.
     """
     x = joints / arm.units
-    _, J = errors_and_jacobians(arm, x, target)
+    e, J = errors_and_jacobians(arm, x, target)
     _, values, Vt = np.linalg.svd(J, full_matrices=False)
-    narrow = _is_narrow(values, tolerance)
+    narrow = _is_narrow(values, arm, e, tolerance)
     along = np.concatenate((Vt[narrow, -1], -Vt[narrow, -1]))
+    there = np.tile(are_solutions(e[narrow], arm, tolerance), 2)
+    last = np.where(there, 0.0, np.tile(np.linalg.norm(e[narrow], axis=1), 2))
     x = np.concatenate((x[narrow], x[narrow]))
     found = [x[:0]]
-    before, last, highest = np.zeros(len(x)), np.zeros(len(x)), np.zeros(len(x))
+    before, highest = np.zeros(len(x)), np.where(there, 0.0, np.inf)
     for _ in range(STRIDES):
         if not len(x):
             break

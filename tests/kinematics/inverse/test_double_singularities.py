@@ -194,6 +194,20 @@ def test_a_forearm_folded_onto_an_equal_upper_arm_goes_both_ways(name, away, elb
     assert answer.complete or any(s.family for s in answer.solutions)
 
 
+@pytest.mark.parametrize("shoulder", [2.7, 0.3, -1.1])
+@pytest.mark.parametrize("away", [3e-9, 3e-8, 1e-6])
+@pytest.mark.parametrize("decimals", [17, 10])
+def test_equal_links_all_but_folded_are_found_beside_the_shoulder_turned_round(shoulder, away, decimals):
+    """A SCORBOT pointing straight up, its closed form a quadruple root: on the way from elbow to elbow.
+
+    The shoulder turned round reaches the pose too, so nothing else is looked for.
+    """
+    q = [-1.9, shoulder, -math.pi + away, math.pi - shoulder - away, -0.3]
+    solver, goal, answer = asked("catalogue scorbot", q, decimals)
+    assert holds(solver, goal, answer, q)
+    assert answer.complete == all(s.family is None for s in answer.solutions)
+
+
 @pytest.mark.parametrize("seed", range(6))
 def test_solutions_with_one_value_of_a_joint_are_told_apart(seed):
     """A Jaco in a plane: its solutions are mirror images, and two of them have one eigenvalue."""

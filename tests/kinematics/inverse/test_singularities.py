@@ -51,6 +51,7 @@ def test_a_search_finds_no_solution_that_random_arms_of_six_joints_lack():
         pytest.param("stanford", 103, 180, id="a wrist 5e-9 rad from its line"),
         pytest.param("catalogue twolink", 3001, 366, id="rounded by more than the rotation shows"),
         pytest.param("catalogue scorbot", 3001, 5338, id="at the other end of a valley, beside a fold"),
+        pytest.param("catalogue scorbot", 9303, 76, id="half way along a valley"),
         pytest.param("two links", 3001, 8619, id="missed in distance alone where the squares are least"),
         pytest.param("no offsets", 4, 2, id="within the width of crossing families"),
         pytest.param("catalogue gen3", 2, 1, id="a family of a single point"),
