@@ -1,8 +1,7 @@
-"""Platforms that may launch, the keys that this service signs with, and what a login must remember."""
+"""Platforms that may launch, their invitations, and the keys that this service signs with."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from datetime import datetime, timedelta
 from typing import Any
@@ -17,8 +16,6 @@ from courses.statements import insert_once, upsert
 from courses.storage import Store
 from kinematics.errors import Fault
 
-LOGIN = timedelta(minutes=10)
-"""Time between login and launch: a person may have to sign in to the platform."""
 INVITATION = timedelta(days=7)
 """How long a registration link is good for: it is sent to an administrator, who has other things to do."""
 _PLATFORM = records.platform
@@ -32,23 +29,6 @@ class StoredKey:
     private: str
     created: datetime
     signs_from: datetime
-
-
-@dataclass(frozen=True, kw_only=True, slots=True)
-class Login:
-    """What was remembered of a login, to be met by its launch.
-
-    Attributes:
-        browser_hash: of the secret that only the browser of the login knows.
-        target: where the platform wants to go.
-        request: the parameters of the login, to begin it again in a window of its own.
-    """
-
-    platform_id: int
-    nonce: str
-    browser_hash: str
-    target: str
-    request: Mapping[str, Any]
 
 
 def add_platform(store: Store, platform: Platform, deployments: tuple[str, ...], now: datetime) -> Platform:
@@ -179,43 +159,6 @@ def remove_keys(store: Store, kids: tuple[str, ...]) -> None:
     """Forget keys that nothing signed with them can still be valid."""
     with store.writing() as connection:
         connection.execute(sa.delete(records.tool_key).where(records.tool_key.c.kid.in_(kids)))
-
-
-def remember_login(store: Store, state: str, login: Login, now: datetime) -> None:
-    """Store what a launch with this state has to meet; delete what was never met."""
-    table = records.login
-    with store.writing() as connection:
-        for stale in (table, records.nonce, records.one_time_code):
-            connection.execute(sa.delete(stale).where(stale.c.expires < now))
-        connection.execute(
-            sa.insert(table).values(
-                state_hash=hashed(state),
-                platform_id=login.platform_id,
-                nonce=login.nonce,
-                browser_hash=login.browser_hash,
-                target=login.target,
-                request=dict(login.request),
-                expires=now + LOGIN,
-            )
-        )
-
-
-def redeem_login(store: Store, state: str, now: datetime) -> Login | None:
-    """Return the login of a state, once; None if it is unknown, used or too old."""
-    table = records.login
-    own = table.c.state_hash == hashed(state)
-    with store.writing() as connection:
-        row = connection.execute(sa.select(table).where(own).with_for_update()).first()
-        taken = connection.execute(sa.delete(table).where(own)).rowcount
-    if row is None or taken != 1 or row.expires <= now:
-        return None
-    return Login(
-        platform_id=row.platform_id,
-        nonce=row.nonce,
-        browser_hash=row.browser_hash,
-        target=row.target,
-        request=row.request,
-    )
 
 
 def invite(store: Store, note: str, now: datetime) -> str:

@@ -79,18 +79,6 @@ registration = sa.Table(
     sa.Column("used_at", UtcTime),
 )
 
-login = sa.Table(
-    "login",
-    metadata,
-    sa.Column("state_hash", PlainText, primary_key=True),
-    _to("platform"),
-    sa.Column("nonce", PlainText, nullable=False),
-    sa.Column("browser_hash", PlainText, nullable=False),
-    sa.Column("target", PlainText, nullable=False),
-    sa.Column("request", sa.JSON, nullable=False),
-    sa.Column("expires", UtcTime, nullable=False, index=True),
-)
-
 nonce = sa.Table(
     "nonce",
     metadata,

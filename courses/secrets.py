@@ -1,10 +1,13 @@
-"""Secrets of an installation; tokens, codes and nonces: random, stored as hashes only."""
+"""Secrets of an installation, and what they seal; tokens, codes and nonces: random, stored as hashes only."""
 
 from __future__ import annotations
 
+import base64
 import hashlib
 import hmac
+import json
 import secrets
+import zlib
 from collections.abc import Mapping
 from datetime import datetime, timedelta
 from functools import lru_cache
@@ -47,10 +50,30 @@ def _secret(store: Store, name: str) -> bytes:
     return bytes.fromhex(str(found))
 
 
+def sealed(store: Store, purpose: str, content: Mapping[str, Any]) -> str:
+    """Return content for a stranger to carry: whoever holds it can read it, and not alter it."""
+    told = base64.urlsafe_b64encode(zlib.compress(json.dumps(dict(content)).encode())).rstrip(b"=")
+    return f"{told.decode()}.{_seal(store, purpose, told)}"
+
+
+def unsealed(store: Store, purpose: str, text: str) -> dict[str, Any] | None:
+    """Return what was sealed for a purpose; None if this installation has not sealed exactly this text."""
+    told, _, seal = text.encode().partition(b".")
+    if not hmac.compare_digest(seal, _seal(store, purpose, told).encode()):
+        return None
+    content: dict[str, Any] = json.loads(zlib.decompress(base64.urlsafe_b64decode(told + b"==")))
+    return content
+
+
+def _seal(store: Store, purpose: str, told: bytes) -> str:
+    return hmac.new(_secret(store, purpose), told, hashlib.sha256).hexdigest()
+
+
 def issue_code(store: Store, purpose: str, content: Mapping[str, Any], now: datetime, life: timedelta) -> str:
-    """Return a code that brings content back once."""
+    """Return a code that brings content back once; delete those that were never redeemed."""
     code = new_token()
     with store.writing() as connection:
+        _delete_stale(connection, records.one_time_code, now)
         connection.execute(
             sa.insert(records.one_time_code).values(
                 code_hash=hashed(code), purpose=purpose, content=dict(content), expires=now + life
@@ -90,8 +113,13 @@ def check_code(store: Store, purpose: str, code: str, now: datetime) -> None:
         raise SessionError(Fault.at("code_used"))
 
 
-def remember_nonce(store: Store, platform_id: int, value: str, expires: datetime) -> bool:
-    """Insert a nonce; return False if the platform has used it before."""
+def remember_nonce(store: Store, platform_id: int, value: str, now: datetime, life: timedelta) -> bool:
+    """Insert a nonce, and delete old ones; return False if the platform has used it before."""
     with store.writing() as connection:
-        values = {"platform_id": platform_id, "nonce": hashed(value), "expires": expires}
+        _delete_stale(connection, records.nonce, now)
+        values = {"platform_id": platform_id, "nonce": hashed(value), "expires": now + life}
         return insert_once(connection, records.nonce, values)
+
+
+def _delete_stale(connection: sa.Connection, table: sa.Table, now: datetime) -> None:
+    connection.execute(sa.delete(table).where(table.c.expires < now))

@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 from datetime import datetime
 from typing import Any
 
+from courses.secrets import new_token
 from service.lti import claims as names
-from service.lti.login import new_secret
 from service.lti.platform_keys import LtiPlatform
 from service.lti.signing_keys import SigningKey, signed
 
@@ -68,7 +68,7 @@ def response_token(
         "aud": platform.issuer,
         "iat": issued,
         "exp": issued + LIFE,
-        "nonce": new_secret(),
+        "nonce": new_token(),
         f"{names.LTI}deployment_id": deployment,
         f"{names.LTI}message_type": names.DEEP_LINKING_RESPONSE,
         f"{names.LTI}version": "1.3.0",

@@ -68,14 +68,14 @@ class Expected:
         platform: to whom the login went.
         nonce: the one of the login.
         target: where the login wanted to go.
-        use_nonce: remembers a nonce until a time; says False if it was used before.
+        use_nonce: remembers a nonce from a time on for some time; says False if it was used before.
         knows_deployment: whether a deployment may launch.
     """
 
     platform: LtiPlatform
     nonce: str
     target: str
-    use_nonce: Callable[[str, datetime], bool]
+    use_nonce: Callable[[str, datetime, timedelta], bool]
     knows_deployment: Callable[[str], bool]
 
 
@@ -181,7 +181,7 @@ def _check_nonce(claims: Mapping[str, Any], expected: Expected, now: datetime) -
     nonce = claims.get("nonce")
     if not isinstance(nonce, str) or nonce != expected.nonce:
         raise wrong_claim("nonce")
-    if not expected.use_nonce(nonce, now + NONCE_LIFE):
+    if not expected.use_nonce(nonce, now, NONCE_LIFE):
         raise LaunchError(Fault.at("lti_nonce_used"))
 
 

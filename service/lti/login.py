@@ -1,12 +1,18 @@
-"""Login initiation (Security Framework 1.1 §5.1.1): a platform's request, and the redirect back to it."""
+"""Login initiation (Security Framework 1.1 §5.1.1): a platform's request, and the redirect back to it.
+
+Anybody may begin a login, so nothing is stored of it: its state carries what the launch has to meet, sealed,
+by way of the browser and the platform. The nonce is stored once a platform's signature has been verified.
+"""
 
 from __future__ import annotations
 
-import secrets
 from collections.abc import Mapping
 from dataclasses import dataclass
+from datetime import datetime, timedelta
 from urllib.parse import urlencode
 
+from courses.secrets import hashed, sealed, unsealed
+from courses.storage import Store
 from kinematics.errors import Fault
 from service.lti.fetching import origin_of
 from service.lti.launch_errors import LoginError
@@ -16,6 +22,11 @@ REQUIRED = ("iss", "login_hint", "target_link_uri")
 KNOWN = (*REQUIRED, "lti_message_hint", "lti_deployment_id", "client_id", "lti_storage_target")
 LONGEST = 4096
 """Characters of a parameter; hints of platforms have a few hundred."""
+LOGIN = timedelta(minutes=10)
+"""Time between login and launch: a person may have to sign in to the platform."""
+LONGEST_REQUEST = 2048
+"""Characters of a request that its state repeats: servers take addresses of 8 KiB."""
+_PURPOSE = "logins"
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -30,6 +41,51 @@ class LoginRequest:
     client_id: str | None
     storage_target: str | None
     parameters: Mapping[str, str]
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Login:
+    """What the launch of a login has to meet.
+
+    Attributes:
+        browser_hash: of the secret that only the browser of the login knows.
+        target: where the platform wants to go.
+        storage_target: the frame in which the platform stores that secret, if it does.
+        again: the parameters of the login, to begin it again in a window of its own; none if they are long.
+    """
+
+    platform_id: int
+    browser_hash: str
+    target: str
+    storage_target: str | None
+    again: Mapping[str, str]
+
+
+def state_of(store: Store, platform_id: int, request: LoginRequest, browser: str, now: datetime) -> str:
+    """Return a state that carries a login: sealed, and good for `LOGIN`."""
+    is_short = sum(map(len, request.parameters.values())) <= LONGEST_REQUEST
+    content = {
+        "platform_id": platform_id,
+        "browser_hash": hashed(browser),
+        "target": request.target,
+        "storage_target": request.storage_target,
+        "again": dict(request.parameters) if is_short else {},
+        "expires": (now + LOGIN).timestamp(),
+    }
+    return sealed(store, _PURPOSE, content)
+
+
+def login_of(store: Store, state: str, now: datetime) -> Login | None:
+    """Return the login that a state carries; None if it is too old, or was never given out."""
+    content = unsealed(store, _PURPOSE, state)
+    if content is None or content.pop("expires") <= now.timestamp():
+        return None
+    return Login(**content)
+
+
+def nonce_of(state: str) -> str:
+    """Return the nonce of a login, which nobody can guess before its state is known."""
+    return hashed(state)
 
 
 def read_login(parameters: Mapping[str, str], own_origin: str) -> LoginRequest:
@@ -63,13 +119,8 @@ def read_login(parameters: Mapping[str, str], own_origin: str) -> LoginRequest:
     )
 
 
-def new_secret() -> str:
-    """Return 256 random bits: a state, a nonce, or what only one browser knows."""
-    return secrets.token_urlsafe(32)
-
-
 def authorization_address(
-    request: LoginRequest, platform: LtiPlatform, *, redirect_uri: str, state: str, nonce: str
+    request: LoginRequest, platform: LtiPlatform, *, redirect_uri: str, state: str
 ) -> str:
     """Return where the browser goes next.
 
@@ -84,7 +135,7 @@ def authorization_address(
         "redirect_uri": redirect_uri,
         "login_hint": request.login_hint,
         "state": state,
-        "nonce": nonce,
+        "nonce": nonce_of(state),
     }
     if request.message_hint is not None:
         parameters["lti_message_hint"] = request.message_hint

@@ -10,9 +10,9 @@ from urllib.parse import urlencode
 
 import orjson
 
+from courses.secrets import new_token
 from service.lti.fetching import FetchedAnswer, Fetcher
 from service.lti.launch_errors import unreachable
-from service.lti.login import new_secret
 from service.lti.platform_keys import LtiPlatform
 from service.lti.signing_keys import SigningKey, signed
 
@@ -83,7 +83,7 @@ class Services:
                 "aud": platform.token_audience or platform.token_endpoint,
                 "iat": issued,
                 "exp": issued + ASSERTION_LIFE,
-                "jti": new_secret(),
+                "jti": new_token(),
             },
             self._key(),
         )

@@ -12,6 +12,7 @@ from typing import Any
 import pytest
 import sqlalchemy as sa
 
+from courses import records
 from courses.attempts import LISTED, attempt_numbered, keep_draft, standing_of
 from courses.judged import AttemptFilter, Outcome, Progress, attempts_behind
 from courses.links import allow, change_settings, release_feedback
@@ -237,8 +238,18 @@ def test_codes_and_nonces_work_once(store: Store) -> None:
     with pytest.raises(SessionError):
         redeem_code(store, "session", code, NOW)
     known = platform(store).id
-    assert remember_nonce(store, known, "n", NOW + minutes(10))
-    assert not remember_nonce(store, known, "n", NOW + minutes(10))
+    assert remember_nonce(store, known, "n", NOW, minutes(10))
+    assert not remember_nonce(store, known, "n", NOW, minutes(10))
+
+
+def test_old_codes_and_nonces_are_deleted(store: Store) -> None:
+    known = platform(store).id
+    for at in (NOW, NOW + minutes(20)):
+        issue_code(store, "session", {"token": "t"}, at, minutes(1))
+        remember_nonce(store, known, at.isoformat(), at, minutes(10))
+    with store.reading() as connection:
+        for table in (records.one_time_code, records.nonce):
+            assert len(connection.execute(sa.select(table)).all()) == 1
 
 
 VERDICT = {

@@ -7,18 +7,23 @@ import json
 import logging
 import time
 from collections.abc import Callable, Iterator
+from datetime import timedelta
+from secrets import token_hex
 from typing import Any
 from urllib.parse import parse_qs
 
 import jwt
 import pytest
+import sqlalchemy as sa
 from cryptography.hazmat.primitives import serialization
 from cryptography.hazmat.primitives.asymmetric import rsa
 
 from courses.model import Platform, PlatformStatus
 from courses.platforms import add_platform, set_status
+from courses.records import metadata
 from courses.storage import Store
 from service.course_resources import now
+from service.lti.login import LOGIN, login_of, read_login, state_of
 from tests.lti.classes import LEARNER, Browser, Lms
 from tests.lti.key_server import KeyServer
 
@@ -235,9 +240,51 @@ def test_a_state_works_once_and_in_its_browser_only(forger: Forger, keys: KeySer
     form = {"id_token": signed(keys, forger.claims(keys, begun)), "state": begun["state"]}
     stranger = Forger(lms, forger.service)
     refused(stranger.post(form), {"lti_browser_unknown"})
-    refused(forger.post(form), {"lti_state_unknown"})
-    refused(forger.post({**form, "state": "made-up"}), {"lti_state_unknown"})
+    state = form["state"]
+    for forged in ("", "made-up", ".", f"{state}0", state[1:], f"A{state[1:]}", state.partition(".")[0]):
+        refused(forger.post({**form, "state": forged}), {"lti_state_unknown"})
+    assert forger.post(form).status_code == 303
+    refused(forger.post(form), {"lti_nonce_used"})
     stranger.client.close()
+
+
+def test_logins_of_strangers_leave_nothing_in_the_database(
+    forger: Forger, keys: KeyServer, store: Store
+) -> None:
+    def rows() -> dict[str, int]:
+        with store.reading() as connection:
+            tables = metadata.sorted_tables
+            counts = [sa.select(sa.func.count()).select_from(table) for table in tables]
+            return {
+                table.name: connection.scalar(count) or 0 for table, count in zip(tables, counts, strict=True)
+            }
+
+    forger.begin(keys)
+    before = rows()
+    for n in range(20):
+        assert "state" in forger.begin(keys, login_hint=f"{n:04}" * 1000, lti_message_hint="h" * 4000)
+    assert rows() == before
+
+
+def test_a_state_is_good_for_ten_minutes(keys: KeyServer, store: Store, platform: Platform) -> None:
+    target = "https://tool.example/lti/launch"
+    asked = {"iss": keys.root, "login_hint": "eve", "target_link_uri": target}
+    begun = now()
+    state = state_of(store, platform.id, read_login(asked, "https://tool.example"), "browser", begun)
+    found = login_of(store, state, begun + LOGIN - timedelta(seconds=1))
+    assert found is not None
+    assert (found.platform_id, found.target, found.again) == (platform.id, target, asked)
+    assert login_of(store, state, begun + LOGIN) is None
+
+
+def test_a_long_request_is_not_repeated_in_its_state(store: Store, platform: Platform) -> None:
+    """Servers take addresses of 8 KiB, and the platform's hints stand in the address already."""
+    asked = {"iss": "i", "login_hint": token_hex(2000), "target_link_uri": "https://tool.example/lti/launch"}
+    state = state_of(store, platform.id, read_login(asked, "https://tool.example"), "browser", now())
+    found = login_of(store, state, now())
+    assert found is not None
+    assert found.again == {}
+    assert len(state) < 500
 
 
 def test_a_nonce_works_once(forger: Forger, keys: KeyServer, store: Store, platform: Platform) -> None:
@@ -245,7 +292,7 @@ def test_a_nonce_works_once(forger: Forger, keys: KeyServer, store: Store, platf
     from service.lti.launch import NONCE_LIFE
 
     begun = forger.begin(keys)
-    assert remember_nonce(store, platform.id, begun["nonce"], now() + NONCE_LIFE)
+    assert remember_nonce(store, platform.id, begun["nonce"], now(), NONCE_LIFE)
     token = signed(keys, forger.claims(keys, begun))
     refused(forger.post({"id_token": token, "state": begun["state"]}), {"lti_nonce_used"})
 

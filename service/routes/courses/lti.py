@@ -19,16 +19,12 @@ from fastapi.responses import RedirectResponse
 from courses.enrolment import Arrival, arrive
 from courses.model import Platform, PlatformStatus, Role
 from courses.platforms import (
-    LOGIN,
-    Login,
     deployments_of,
     platform_by_id,
     platforms_of,
-    redeem_login,
-    remember_login,
 )
 from courses.refusals import NoExerciseError, StaffOnlyError
-from courses.secrets import hashed, issue_code, redeem_code, remember_nonce
+from courses.secrets import hashed, issue_code, new_token, redeem_code, remember_nonce
 from courses.sessions import session_of
 from kinematics.errors import Fault
 from service.course_resources import CourseResources, now
@@ -37,7 +33,16 @@ from service.http.problems import ServiceError
 from service.lti.fetching import http_address, origin_of
 from service.lti.launch import Expected, Launch, read_launch
 from service.lti.launch_errors import LaunchError, LoginError
-from service.lti.login import LoginRequest, authorization_address, new_secret, read_login
+from service.lti.login import (
+    LOGIN,
+    Login,
+    LoginRequest,
+    authorization_address,
+    login_of,
+    nonce_of,
+    read_login,
+    state_of,
+)
 from service.messages import languages
 from service.resources import resources_of
 from service.web.launch_page import answered, launch_page, refused, step
@@ -57,7 +62,7 @@ CHOICE_LIFE = timedelta(hours=2)
 
 @router.api_route("/lti/login", methods=["GET", "POST"])
 async def login(request: Request) -> Response:
-    """Begin a launch: remember it, and send the browser to the platform's authorization endpoint."""
+    """Begin a launch: send the browser to the platform's authorization endpoint."""
     given = dict(request.query_params) if request.method == "GET" else await form_of(request)
     return await answered(request, partial(_login, request, given))
 
@@ -84,18 +89,9 @@ def _login(request: Request, given: Mapping[str, str]) -> Response:
     root = own_root(request, resources_of(request).settings.public_url)
     asked = read_login(given, origin_of(root))
     platform = _platform_for(courses, asked)
-    state, nonce, browser = new_secret(), new_secret(), new_secret()
-    remembered = Login(
-        platform_id=platform.id,
-        nonce=nonce,
-        browser_hash=hashed(browser),
-        target=asked.target,
-        request=asked.parameters,
-    )
-    remember_login(courses.store, state, remembered, now())
-    address = authorization_address(
-        asked, platform, redirect_uri=f"{root}lti/launch", state=state, nonce=nonce
-    )
+    browser = new_token()
+    state = state_of(courses.store, platform.id, asked, browser, now())
+    address = authorization_address(asked, platform, redirect_uri=f"{root}lti/launch", state=state)
     if asked.storage_target:
         values = step(
             "store",
@@ -133,13 +129,13 @@ def _platform_for(courses: CourseResources, asked: LoginRequest) -> Platform:
 def _launch(request: Request, given: Mapping[str, str]) -> Response:
     courses = resources_of(request).with_courses()
     state = given.get("state", "")
-    met = redeem_login(courses.store, state, now()) if state else None
+    met = login_of(courses.store, state, now())
     if met is None:
         raise LaunchError(Fault.at("lti_state_unknown"))
     known = _is_browser(request.cookies.get(_cookie_name(state), ""), met)
-    frame = met.request.get("lti_storage_target") or given.get("lti_storage_target")
+    frame = met.storage_target or given.get("lti_storage_target")
     if not known and not frame:
-        raise LaunchError(Fault.at("lti_browser_unknown"), members={"again": dict(met.request)})
+        raise LaunchError(Fault.at("lti_browser_unknown"), members={"again": dict(met.again)})
     if "error" in given:
         reason = f"{given['error']} {given.get('error_description', '')}".strip()[:200]
         raise LaunchError(Fault.at("lti_launch_refused", reason=reason))
@@ -148,7 +144,7 @@ def _launch(request: Request, given: Mapping[str, str]) -> Response:
     platform = platform_by_id(courses.store, met.platform_id)
     expected = Expected(
         platform=platform,
-        nonce=met.nonce,
+        nonce=nonce_of(state),
         target=met.target,
         use_nonce=partial(remember_nonce, courses.store, platform.id),
         knows_deployment=lambda deployment: deployment in deployments_of(courses.store, platform.id),
@@ -158,7 +154,7 @@ def _launch(request: Request, given: Mapping[str, str]) -> Response:
         return _opened(request, courses, _content(request, found, platform))
     pending = {
         "browser_hash": met.browser_hash,
-        "request": dict(met.request),
+        "request": dict(met.again),
         "launch": _content(request, found, platform),
     }
     code = issue_code(courses.store, "pending", pending, now(), PENDING_LIFE)

@@ -1,0 +1,15 @@
+"""Logins are carried by the browser: what anybody could fill is no longer there."""
+
+from __future__ import annotations
+
+from alembic import op
+
+revision = "0005"
+down_revision = "0004"
+branch_labels = None
+depends_on = None
+
+
+def upgrade() -> None:
+    """Drop the logins under way; their launches are begun again."""
+    op.drop_table("login")
