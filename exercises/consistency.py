@@ -13,6 +13,7 @@ from exercises.needs import unmet_needs
 from exercises.parts.registry import part_type
 from exercises.statements import names_in
 from kinematics.cells import AngleUnit, ParameterKind
+from kinematics.cells.variables import variable_index
 from kinematics.errors import Fault
 
 FILE = "exercise.toml"
@@ -22,6 +23,7 @@ def inconsistencies(exercise: Exercise) -> Iterator[Fault]:
     """Yield what does not fit together, each at (file, key, …)."""
     yield from _figure_faults(exercise)
     yield from _name_faults(exercise)
+    yield from _alias_faults(exercise)
     yield from _part_faults(exercise)
     for i in unmet_needs(exercise):
         yield Fault.at("need_unmet", FILE, "needs", i, name=exercise.needs[i])
@@ -67,6 +69,14 @@ def _name_faults(exercise: Exercise) -> list[Fault]:
         for language, text in exercise.statements.items()
         for name in sorted(names_in(text) - known)
     ]
+
+
+def _alias_faults(exercise: Exercise) -> Iterator[Fault]:
+    """Yield other names of dimensions that are joint variables in a cell, and never mean the dimension."""
+    for dimension in dict.fromkeys(exercise.aliases.values()):
+        for i, alias in enumerate(name for name, own in exercise.aliases.items() if own == dimension):
+            if variable_index(alias) is not None:
+                yield Fault.at("alias_taken", FILE, "parameters", dimension, "aliases", i, name=alias)
 
 
 def _part_faults(exercise: Exercise) -> Iterator[Fault]:

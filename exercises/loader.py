@@ -19,7 +19,7 @@ from exercises.figures.figure_keys import read_figure
 from exercises.parts.protocol import RobotFacts
 from exercises.parts.registry import part_type, part_types
 from exercises.policy_reading import read_policy, read_weights
-from exercises.reading import Reader
+from exercises.reading import LONGEST_ECHO, Reader
 from exercises.sample_reading import read_raw_table, read_samples
 from exercises.selftest.mistakes import MISTAKES
 from exercises.text_reading import checked_statements, read_remarks, read_titles
@@ -103,7 +103,7 @@ def _needs(reader: Reader, names: Mapping[str, object]) -> tuple[str, ...]:
     needs = reader.texts("needs", default=())
     for i, name in enumerate(needs):
         if name not in names:
-            reader.fault("need_unknown", "needs", i, name=name, known=", ".join(names))
+            reader.fault("need_unknown", "needs", i, name=name[:LONGEST_ECHO], known=", ".join(names))
     return needs
 
 

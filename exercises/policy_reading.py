@@ -40,7 +40,8 @@ def read_weights(reader: Reader) -> Weights:
     usual = Weights()
     given = {entry.name: reader.number(entry.name, getattr(usual, entry.name)) for entry in fields(usual)}
     for name, value in given.items():
-        if not 0.0 <= value <= (1.0 if name == "sign" else MOST_WEIGHT):
-            reader.fault("weight_out_of_range", name, name=name)
+        most = 1.0 if name == "sign" else MOST_WEIGHT  # sign is a share of the others
+        if not 0.0 <= value <= most:
+            reader.fault("weight_out_of_range", name, name=name, most=most)
     reader.finish()
     return Weights(**given)

@@ -9,6 +9,9 @@ from kinematics.cells import AngleUnit, Cell, ParameterKind, canonical_name, rea
 from kinematics.expressions import ZERO, Expression, joint_variables_in
 from kinematics.keys import KeyFaults, KeyReader, ValueKind
 
+LONGEST_ECHO = 80
+"""Characters of a text that its fault repeats."""
+
 
 class Reader(KeyReader):
     """A table of keys of an exercise's definition; keys that nobody asks for are faults."""
@@ -52,7 +55,7 @@ class Reader(KeyReader):
         """Return a dimension's name in its one spelling."""
         name = canonical_name(text)
         if name is None:
-            self.fault("name_invalid", *where, name=text)
+            self.fault("name_invalid", *where, name=text[:LONGEST_ECHO])
         return name or text
 
     def _known(self, key: str, default: object) -> bool:

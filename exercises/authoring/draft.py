@@ -23,6 +23,8 @@ MOST_ENTRIES = 128
 """Of a table or a list: twice the rows of the longest table."""
 MOST_VALUES = 5000
 """Of a whole definition; the longest that is shipped has some three hundred."""
+LONGEST_KEY = 100
+"""Characters of a key; a fault repeats it three times."""
 ID_PATTERN = "[A-Za-z0-9]+(-[A-Za-z0-9]+)*"
 _ID = re.compile(ID_PATTERN)
 
@@ -90,7 +92,7 @@ def check_id(exercise_id: str) -> None:
 
 
 def _check_size(definition: Mapping[str, Any]) -> None:
-    """Refuse a definition that is deeper or larger than one about a robot can be."""
+    """Refuse a definition that is deeper or larger than one about a robot can be, or has longer keys."""
     level: list[Any] = [definition]
     values = 0
     for _ in range(DEEPEST):
@@ -98,6 +100,9 @@ def _check_size(definition: Mapping[str, Any]) -> None:
         values += len(inner)
         if values > MOST_VALUES or any(len(node) > MOST_ENTRIES for node in level):
             break
+        keys = (key for node in level if isinstance(node, Mapping) for key in node)
+        if any(len(key) > LONGEST_KEY for key in keys):
+            raise DefinitionError(Fault.at("text_too_long", FILE, limit=LONGEST_KEY))
         level = [entry for entry in inner if isinstance(entry, Mapping | list)]
         if not level:
             return

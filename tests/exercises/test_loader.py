@@ -92,6 +92,7 @@ def test_every_fault_is_reported_at_once(tmp_path: Path) -> None:
         ("version = 1", 'version = 1\nrobot = "rx90"', "reference", "robot_and_reference"),
         ("[title]", '[title]\nenglish = "Two"', "title.english", "exercise_key_unknown"),
         ("L2.value = 0.3", 'L2.value = 0.3\nL2.aliases = ["L1"]', "parameters.L2.aliases.0", "alias_taken"),
+        ("L2.value = 0.3", 'L2.value = 0.3\nL2.aliases = ["q_1"]', "parameters.L2.aliases.0", "alias_taken"),
         ("version = 1", 'version = 1\nneeds = ["L9"]', "needs.0", "need_unknown"),
         ('theta = "q1"', 'theta = "2*q1"', "reference.rows.0.theta", "variable_scaled"),
         ('theta = "q1", ', "", "reference.rows.0.theta", "exercise_key_missing"),
@@ -285,4 +286,14 @@ def test_weights_are_the_exercises(tmp_path: Path) -> None:
         "two.exercise.toml.weights.sign": "weight_out_of_range",
         "two.exercise.toml.weights.joint": "weight_out_of_range",
         "two.exercise.toml.weights.colour": "exercise_key_unknown",
+    }
+
+
+def test_a_weight_out_of_range_is_told_its_own_range(tmp_path: Path) -> None:
+    text = changed("[[parts]]", "[weights]\nsign = 2\njoint = -1\n[[parts]]")
+    with pytest.raises(DefinitionError) as refused:
+        load_exercise(folder(tmp_path, text))
+    assert {fault.params["name"]: fault.params["most"] for fault in refused.value.faults} == {
+        "sign": 1,
+        "joint": 100,
     }

@@ -230,4 +230,4 @@ error-ladder_falls = Each attempt may be told as much as the one before it or mo
 task-frames = Place frames 0 to { $n } on the robot as the figure shows it: for each frame its origin, in { $unit } and in the coordinates of the figure, and the directions of x and z.
 error-frames_count = There are frames 0 to N: { $expected } are needed, and { $given } were given.
 error-convention_not_asked = The exercise asks for the { $asked } convention.
-error-weight_out_of_range = The weight of { $name } is a number from 0 to 100; that of sign, a share from 0 to 1.
+error-weight_out_of_range = The weight of { $name } is a number from 0 to { $most }.

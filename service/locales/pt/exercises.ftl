@@ -230,4 +230,4 @@ error-ladder_falls = A cada tentativa pode dizer-se tanto como à anterior ou ma
 task-frames = Coloque os referenciais 0 a { $n } no robô tal como a figura o mostra: de cada um, a origem, em { $unit } e nas coordenadas da figura, e as direções de x e z.
 error-frames_count = Há referenciais de 0 a N: são precisos { $expected } e foram dados { $given }.
 error-convention_not_asked = O exercício pede a convenção { $asked }.
-error-weight_out_of_range = O peso de { $name } é um número de 0 a 100; o de sign, uma fração de 0 a 1.
+error-weight_out_of_range = O peso de { $name } é um número de 0 a { $most }.

@@ -258,4 +258,4 @@ error-ladder_falls = La fiecare încercare se poate spune cel puțin cât la cea
 task-frames = Așezați sistemele 0 până la { $n } pe robotul din figură: pentru fiecare originea, în { $unit } și în coordonatele figurii, și direcțiile axelor x și z.
 error-frames_count = Există sistemele 0 până la N: sunt necesare { $expected }, au fost date { $given }.
 error-convention_not_asked = Exercițiul cere convenția { $asked }.
-error-weight_out_of_range = Ponderea lui { $name } este un număr de la 0 la 100; cea a lui sign, o fracție de la 0 la 1.
+error-weight_out_of_range = Ponderea lui { $name } este un număr de la 0 la { $most }.

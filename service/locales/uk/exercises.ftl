@@ -247,4 +247,4 @@ error-ladder_falls = На кожній спробі можна сказати с
 task-frames = Розмістіть системи координат 0–{ $n } на роботі так, як його показано на рисунку: для кожної початок, у { $unit } і в координатах рисунка, та напрями x і z.
 error-frames_count = Є системи від 0 до N: потрібно { $expected }, дано { $given }.
 error-convention_not_asked = У вправі запитується угода { $asked }.
-error-weight_out_of_range = Вага { $name } — число від 0 до 100; вага sign — частка від 0 до 1.
+error-weight_out_of_range = Вага { $name } — число від 0 до { $most }.

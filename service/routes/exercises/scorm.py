@@ -42,7 +42,8 @@ async def scorm_package(
     version: Annotated[ScormVersion, Query(description="1.2, or 2004 (4th edition)")] = ScormVersion.V1_2,
     per_student: Annotated[bool, Query(description="every student gets values of their own")] = True,
     pass_mark: Annotated[
-        float, Query(alias="pass", gt=0, le=1, description="share of the points that passes")
+        float,
+        Query(alias="pass", gt=0, le=1, allow_inf_nan=False, description="share of the points that passes"),
     ] = 0.5,
     help_level: Annotated[
         Help | None, Query(alias="help", description="less help than the exercise allows")

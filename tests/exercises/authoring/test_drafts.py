@@ -124,6 +124,23 @@ def test_a_definition_is_no_larger_than_a_robot(tmp_path: Path, hostile: dict[st
     assert codes(lambda: exercise_of_draft(large)) == {"draft_too_large"}
 
 
+@pytest.mark.parametrize(
+    ("hostile", "code"),
+    [
+        ({"L" * 100_000: 1}, "text_too_long"),
+        ({"parameters": {"L1": {"value": 1, "aliases": ["?" * 100_000]}}}, "name_invalid"),
+        ({"needs": ["L" * 100_000]}, "need_unknown"),
+    ],
+)
+def test_a_refusal_does_not_repeat_a_long_text(tmp_path: Path, hostile: dict[str, object], code: str) -> None:
+    good = draft(tmp_path)
+    long = ExerciseDraft(id="two", definition={**good.definition, **hostile}, statements=good.statements)
+    with pytest.raises(DefinitionError) as refused:
+        exercise_of_draft(long)
+    assert code in {fault.code for fault in refused.value.faults}
+    assert len(str(refused.value.faults)) < 2000
+
+
 def leaves(value: Any, where: tuple[str | int, ...] = ()) -> Iterator[tuple[str | int, ...]]:
     """Places of the texts and numbers of a definition."""
     if isinstance(value, dict | list):

@@ -134,6 +134,8 @@ def test_a_published_version_never_changes(client: httpx.Client) -> None:
     graded = client.post(f"/api/v1/exercises/{first['id']}/grade", json=answer_of())
     assert graded.json()["total"]["score"] == 1
     assert client.get(f"/api/v1/exercises/{first['id']}/scorm.zip").status_code == 200
+    refused = client.get(f"/api/v1/exercises/{first['id']}/scorm.zip", params={"pass": "nan"})
+    assert (refused.status_code, refused.json()["code"]) == (422, "number_not_finite")
     assert client.get(f"/exercises/{first['id']}").status_code == 200
     assert first["id"] not in {entry["id"] for entry in client.get("/api/v1/exercises").json()["exercises"]}
 
