@@ -12,6 +12,7 @@ import numpy as np
 from exercises.grading.across_sliders import across_sliders
 from exercises.grading.edits.changes import Change, Extent, with_joints_mended
 from exercises.grading.edits.repairs import Repaired
+from exercises.grading.edits.table_edits import hides_an_entry
 from exercises.grading.edits.work import WORK_OF_ONE_EDIT, Work
 from exercises.grading.facts import Facts, Floats, Weights, fixed_ends
 from exercises.grading.judging.digits import measured_as_typed, tightened
@@ -59,7 +60,7 @@ def score_of(decision: Decision, repairs: Sequence[Repaired], work: Work, weight
     standard = _standard(work.reference, work.policy, weights)
     nothing = standard.nothing
     slip = repairs[0].changes[0] if repairs and len(repairs[0].changes) == 1 else None
-    throughout = slip is not None and _is_throughout(slip)
+    throughout = slip is not None and _is_throughout(slip) and not hides_an_entry(work, slip)
     if not nothing or not standard.facts.axes or (not throughout and _has_no_more_than_zeros(work, standard)):
         return 0.0
     singles = [repair.changes for repair in repairs if len(repair.changes) == 1]

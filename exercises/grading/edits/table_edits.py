@@ -134,6 +134,26 @@ def _along_x_of(work: Work, code: str, others: Sequence[NumericRow | None]) -> I
     return _throughout(code, touched, cells)
 
 
+def hides_an_entry(work: Work, change: Change) -> bool:
+    """Return whether columns are moved by a row, and with them one that no key has to where none counts.
+
+    Before the first joint and behind the last one a wrong twist or length is as good as none.
+    """
+    if change.code not in ("columns_late", "columns_early"):
+        return False
+    row, key = (0 if change.code == "columns_late" else -1), work.reference.table.rows
+    tolerance = {
+        "alpha": work.policy.tolerance.angle,
+        "a": work.policy.tolerance.length * work.reference.size,
+    }
+    return any(
+        all(abs(abs(value) - abs(known)) > slack for known in (0.0, *(getattr(each, cell) for each in key)))
+        for table in (work.table, change.of(work.table))
+        for cell, slack in tolerance.items()
+        for value in (getattr(table.rows[row], cell),)
+    )
+
+
 EXCHANGES = (("a", "alpha"), ("a", "d"), ("alpha", "d"))
 TURNED_ROUND = ({"alpha": "a", "a": "d", "d": "alpha"}, {"alpha": "d", "d": "a", "a": "alpha"})
 """The other two orders of three columns: which one what stands under each of them belongs under."""

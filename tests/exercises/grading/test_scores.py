@@ -398,3 +398,12 @@ def test_rows_that_are_missing_apart_cost_what_two_together_do(rows: tuple[int, 
         return grade(KEY, read("modified", answer), USUAL, VALUES).score
 
     assert score(*rows) == score(4, 5) == 0.28
+
+
+@pytest.mark.parametrize("wrong", [("0.6", 0.2), ("-0.3", -0.26), ("0.6", 1)])
+def test_another_wrong_cell_of_a_short_arm_hides_none(wrong: tuple[Cell, Cell]) -> None:
+    """A row further up they would stand before the first joint, and the length of the last row is right."""
+    key: Rows = [(0, 0, 0, "q1"), (0, 1, 0, "q2"), (0, 1, 0, 0)]
+    answer: Rows = with_cells(key, (2, 0, wrong[0]), (2, 1, wrong[1]))
+    policy = Policy(tool=ToolRule.FREE)
+    assert grade(read("modified", key), read("modified", answer), policy).score == 0.0
