@@ -12,7 +12,7 @@ from courses.attempts import Code, attempt_of, path_of_codes
 from courses.judged import judged, of_students
 from courses.model import Attempt, Link
 from courses.policies import AttemptOutcome, worth
-from courses.regrading import path_kept
+from courses.regrading import stored_path
 from courses.storage import Store
 
 
@@ -63,7 +63,7 @@ def exported_attempts(store: Store, link: Link) -> Iterator[ExportedAttempt]:
     with store.reading() as connection:
         for row in connection.execute(wanted):
             attempt = replace(attempt_of(row), score=row.judged_score, correct=bool(row.judged_correct))
-            path = path_of_codes(row.report) if row.judgement is None else path_kept(row.judgement)
+            path = path_of_codes(row.report) if row.judgement is None else stored_path(row.judgement)
             outcome = AttemptOutcome(number=attempt.number, at=attempt.at, score=attempt.score)
             yield ExportedAttempt(
                 attempt=attempt,

@@ -248,7 +248,7 @@ def _replace_findings(connection: sa.Connection, link_id: int, run: int) -> None
         sa.select(_DONE.c.attempt_id, _DONE.c.report).where(_DONE.c.regrading_id == run)
     )
     now = {
-        row.attempt_id: finding_rows(row.attempt_id, link_id, path_kept(row.report))
+        row.attempt_id: finding_rows(row.attempt_id, link_id, stored_path(row.report))
         for row in judged
         if row.report is not None
     }
@@ -266,7 +266,7 @@ def _replace_findings(connection: sa.Connection, link_id: int, run: int) -> None
             connection.execute(sa.insert(finding), found)
 
 
-def path_kept(judgement: Mapping[str, Any]) -> Iterable[Code]:
+def stored_path(judgement: Mapping[str, Any]) -> Iterable[Code]:
     """Return the codes of a judgement that a run keeps; runs of earlier versions kept the full report."""
     path = judgement.get("path")
     return path_of_codes(judgement["analysis"]) if path is None else map(tuple, path)

@@ -24,9 +24,9 @@ from kinematics.expressions import Parameter
 from kinematics.frames.wrong_frames import DrawnFrame
 from kinematics.table import JointType
 
-KEPT = 2048
-"""Instances whose scene and `KeyPose` are kept: a large class asks for numbers, words and drawings of its
-figures one after the other, and hands in later."""
+CACHED_SCENES = 2048
+"""Instances whose scene and `KeyPose` are in the cache: a large class asks for numbers, words and drawings of
+its figures one after the other, and hands in later."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -44,7 +44,7 @@ class KeyPose:
     directions: tuple[Vector, ...]
 
 
-@lru_cache(maxsize=KEPT)
+@lru_cache(maxsize=CACHED_SCENES)
 def true_scene(instance: Instance) -> Scene:
     """Return the scene with the student's own lengths."""
     return _scene(instance, drawn=False)
@@ -170,7 +170,7 @@ def figure_geometry(instance: Instance, frames: Sequence[DrawnFrame] = ()) -> di
     }
 
 
-@lru_cache(maxsize=KEPT)
+@lru_cache(maxsize=CACHED_SCENES)
 def key_pose(instance: Instance) -> KeyPose:
     """Return how the key lies in the figure; every accepted answer to the instance is shown it."""
     exercise = instance.exercise

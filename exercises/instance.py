@@ -19,8 +19,8 @@ from kinematics.errors import Fault
 
 SEED_CHARACTERS = 200
 """Characters of a seed: a name, a mail address or a digest."""
-KEPT = 2048
-"""Instances that are kept, some kilobytes each: a large class opens an exercise, and hands in later."""
+CACHED_INSTANCES = 2048
+"""Instances in the cache, some kilobytes each: a large class opens an exercise, and hands in later."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -46,7 +46,7 @@ class Instance:
         return {name: float(value) for name, value in self.exact.items()}
 
 
-def kept_instance(exercise: Exercise, seed: str | None) -> Instance:
+def cached_instance(exercise: Exercise, seed: str | None) -> Instance:
     """Return what `generate` returns, one object for all who ask for the same.
 
     What follows from it is shared.
@@ -54,7 +54,7 @@ def kept_instance(exercise: Exercise, seed: str | None) -> Instance:
     Raises:
         AnswerError: the seed is longer than 200 characters.
     """
-    return _kept(exercise, variant_of(exercise.id, seed_text(seed), exercise.access.variants))
+    return _cached_by_text(exercise, variant_of(exercise.id, seed_text(seed), exercise.access.variants))
 
 
 def generate(exercise: Exercise, seed: str | int | None = None) -> Instance:
@@ -112,8 +112,8 @@ def possible_instances(exercise: Exercise, fixed: Collection[str], most: int) ->
         yield replace(usual, exact=MappingProxyType(dict(zip(names, exact, strict=True))))
 
 
-@lru_cache(maxsize=KEPT)
-def _kept(exercise: Exercise, text: str | None) -> Instance:
+@lru_cache(maxsize=CACHED_INSTANCES)
+def _cached_by_text(exercise: Exercise, text: str | None) -> Instance:
     return generate(exercise, text)
 
 

@@ -17,7 +17,7 @@ trajectory       motions from rest to rest
 tree_structures  tables that branch
 joint_values     one configuration, or a batch
 errors           what goes wrong, and where
-remembering      how much is remembered of what was asked
+caching          caches that hold many short results and few long ones
 keys             keys of TOML files
 
 The numeric core is exported here. What needs more is imported from where it lives, so that nobody pays for

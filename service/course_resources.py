@@ -35,14 +35,14 @@ _ORIGINS_LIVE = 30.0
 """Seconds for which the origins of known platforms are not read again."""
 _ANSWER_LIVES = 2.0
 """Seconds for which what the database answered on its own health is believed."""
-PUBLISHED_KEPT = 512
-"""Published exercises that are kept as read: some tens of megabytes."""
+CACHED_EXERCISES = 512
+"""Published exercises in the cache, as read: some tens of megabytes."""
 _CROWDED_PAUSE = 0.05
 """Seconds in which judged answers are gathered for one transaction while many others wait to be judged."""
 _MEMBERS_LIVE = 300.0
 """Seconds for which a class list of the platform is not fetched again."""
 SESSIONS_KNOWN = 8192
-"""Sessions whose people are remembered, so that all their requests wait in a turn of their own."""
+"""Sessions whose people are in the cache, so that all their requests wait in a turn of their own."""
 _COURSES_KNOWN = 100
 """Courses whose class lists are held at a time."""
 
@@ -156,7 +156,7 @@ class CourseResources:
             draft = published(self.store, address)
             if draft is None:
                 return None
-            while len(self._published) >= PUBLISHED_KEPT:
+            while len(self._published) >= CACHED_EXERCISES:
                 self._published.pop(next(iter(self._published)))
             self._published[address] = read_exercise(address, draft.definition, draft.statements)
         return self._published[address]

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 LOCALES = Path(__file__).parent / "locales"
 DEFAULT_LANGUAGE = "en"
 SENTENCES = 4096
-"""Sentences that are kept: most students are told the same."""
+"""Sentences in the cache: most students are told the same."""
 _TEXT_LIMIT = 200
 """Characters of what a user typed that a sentence repeats."""
 _EXACT_INTEGER = 2**53

@@ -1,4 +1,4 @@
-"""Settings of the property tests, and what several rooms share.
+"""Settings of the property tests, and what several folders share.
 
 The default run draws the same examples every time, so that it passes or fails for everybody alike.
 Exploring with fresh seeds (`make explore`) is a long search for faults; what it finds becomes an example. A
@@ -27,7 +27,7 @@ if not EXPLORE:
     providers._get_local_constants = lambda: providers._local_constants
 
 LONG = ("web", "lti", "service")
-"""Rooms that start first, so that no worker is left with a long file at the end."""
+"""Folders that start first, so that no worker is left with a long file at the end."""
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:

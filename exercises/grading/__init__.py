@@ -8,7 +8,7 @@ explanation      what is told, and what is earned
 coarse           is it right, but rounded too much?
 findings         what is said, by level of help
 facts, score     which facts of the robot are right, and what they earn
-across_sliders   which facts go together
+across_prismatic   which facts go together
 """
 
 from exercises.grading.grade import accept, grade, is_accepted

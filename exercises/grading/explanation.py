@@ -41,7 +41,7 @@ _LOG = logging.getLogger(__name__)
 _ROW_PARAMS = ("row", "other", "place")
 WORK_OF_READINGS = 90_000
 """What telling readings apart by their repairs may cost: a third of what repairing one of them may."""
-WAYS_REMEMBERED = 32
+CACHED_WAYS = 32
 """More than the ways in which one answer may be meant."""
 
 
@@ -189,7 +189,7 @@ def as_typed(
         return decision
 
 
-@lru_cache(maxsize=WAYS_REMEMBERED)
+@lru_cache(maxsize=CACHED_WAYS)
 def work_on(comparison: Comparison, tables: tuple[ReadTable, ReadTable], policy: Policy) -> Work:
     """Return the key and an answer, with what edits of it are tried against.
 

@@ -16,13 +16,13 @@ from itertools import combinations, islice
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.caching import USUAL_ROWS, cached_by_size
 from kinematics.chain import Axis
 from kinematics.equivalence import BaseRule, Policy, ToolRule
 from kinematics.equivalence.batches import axis_batch
 from kinematics.equivalence.groups import outside
 from kinematics.equivalence.invariants import Invariants
 from kinematics.equivalence.measures import Measure, Shape
-from kinematics.remembering import USUAL_ROWS, remembered
 from kinematics.se3 import Vector, cross, dot, norm, unit
 
 Floats = NDArray[np.float64]
@@ -135,7 +135,7 @@ class Facts:
             found = self.invariants.measured(axis_batch(besides))
         fits = np.array(self.invariants.fits(found))
         has = np.logical_or(fits[0], fits[1])
-        if shift or not has[self.invariants.gauge.twists[:, 0]].all() or not self._alike(axes):
+        if shift or not has[self.invariants.arrays.twists[:, 0]].all() or not self._alike(axes):
             shapes = self.invariants.shapes
             for q, k in zip(*map(np.ndarray.tolist, np.nonzero(has)), strict=True):
                 has[q, k] = self._has(shapes[q], besides[k], placings[k])
@@ -167,8 +167,8 @@ class Facts:
     def _is_defined(self, shape: Shape, axes: Sequence[Axis], span: range) -> bool:
         """Whether a length means in the answer what it means in the key, whatever frames were chosen.
 
-        An offset runs along parallel axes between axes that are not; a turn is about parallel sliders; a
-        distance beside sliders disregards the directions of all axes in between.
+        An offset runs along parallel axes between axes that are not; a turn is about parallel prismatic
+        joints; a distance beside prismatic joints disregards the directions of all axes in between.
         """
         if shape.measure is Measure.TURN:
             return all(self._is_as_parallel(axes, i, i + 1) for i in range(shape.axes[1], shape.axes[2] - 1))
@@ -266,7 +266,7 @@ def least_cost(shapes: tuple[Shape, ...], axes: int, costs: Floats, fixed: tuple
     return np.asarray(least, dtype=np.float64)
 
 
-@remembered(lambda shapes, axes, fixed: axes, longest=USUAL_ROWS, most=256, few=32)
+@cached_by_size(lambda shapes, axes, fixed: axes, longest=USUAL_ROWS, most=256, few=32)
 def _links(
     shapes: tuple[Shape, ...], axes: int, fixed: tuple[int, ...]
 ) -> tuple[Floats, Floats, list[int], list[int]]:
@@ -295,7 +295,7 @@ def _are_parallel(one: Axis, other: Axis) -> bool:
 
 
 def _are_level(axes: Sequence[Axis], shape: Shape) -> bool:
-    """Whether all sliders between the runs of a sum of offsets lie in one plane."""
+    """Whether all prismatic joints between the runs of a sum of offsets lie in one plane."""
     one, other, before, *_, behind = shape.axes[:7]
     normal = unit(cross(axes[one].direction, axes[other].direction))
     return all(abs(dot(axes[i].direction, normal)) <= NEARLY for i in range(before + 1, behind))

@@ -24,15 +24,15 @@ from exercises.grading.judging.comparison import Comparison, compared_by_names, 
 from exercises.grading.judging.frames import explained
 from exercises.grading.judging.judgement import REFUTED, judged, with_a_telling_draw_first
 from exercises.grading.verdict import Basis, Feedback, HelpLevel, Verdict
+from kinematics.caching import USUAL_ROWS, cached_by_size
 from kinematics.cells import ReadTable
 from kinematics.equivalence import Decision, Policy, prove
-from kinematics.remembering import USUAL_ROWS, remembered
 from kinematics.table import JointType
 
-REMEMBERED = 512
-"""Verdicts that are kept: a class hands in the same few answers again and again."""
-DIAGNOSED = 64
-"""Diagnoses that are kept: an answer is told by one level of help and written down by another."""
+CACHED_VERDICTS = 512
+"""Verdicts in the cache: a class hands in the same few answers again and again."""
+CACHED_DIAGNOSES = 64
+"""Diagnoses in the cache: an answer is told by one level of help and written down by another."""
 USUAL = Weights()
 
 
@@ -104,10 +104,10 @@ def _most_rows(*tables: ReadTable) -> int:
     return max(len(read.table.rows) for read in tables)
 
 
-@remembered(
+@cached_by_size(
     lambda reference, submission, policy, parameters, help_level, weights: _most_rows(reference, submission),
     longest=USUAL_ROWS,
-    most=REMEMBERED,
+    most=CACHED_VERDICTS,
     few=64,
 )
 def _grade(
@@ -141,7 +141,7 @@ def _grade(
     )
 
 
-@lru_cache(maxsize=DIAGNOSED)
+@lru_cache(maxsize=CACHED_DIAGNOSES)
 def _diagnosed(
     reference: ReadTable,
     submission: ReadTable,
@@ -210,10 +210,10 @@ def _row_without_its_variable(
     return ()
 
 
-@remembered(
+@cached_by_size(
     lambda reference, submission, policy, parameters: _most_rows(reference, submission),
     longest=USUAL_ROWS,
-    most=REMEMBERED,
+    most=CACHED_VERDICTS,
     few=64,
 )
 def _decided(

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from exercises.grading.across_sliders import across_sliders
+from exercises.grading.across_prismatic import across_prismatic
 from exercises.grading.edits.changes import Change, Extent, with_joints_mended
 from exercises.grading.edits.repairs import Repaired
 from exercises.grading.edits.table_edits import hides_an_entry
@@ -17,6 +17,7 @@ from exercises.grading.edits.work import WORK_OF_ONE_EDIT, Work
 from exercises.grading.facts import Facts, Floats, Weights, fixed_ends
 from exercises.grading.judging.digits import measured_as_typed, tightened
 from exercises.grading.judging.typed import NOTHING_TYPED, SAME
+from kinematics.caching import USUAL_ROWS, cached_by_size
 from kinematics.chain import Axis, chain_of_table
 from kinematics.equivalence import Decision, DirectionRule, Kind, Policy, ZeroRule
 from kinematics.equivalence.batches import axis_batch
@@ -25,7 +26,6 @@ from kinematics.equivalence.invariants import axes_of
 from kinematics.equivalence.meter import Meter
 from kinematics.equivalence.reference import Reference, prepared
 from kinematics.equivalence.search import Effort
-from kinematics.remembering import USUAL_ROWS, remembered
 from kinematics.se3 import ORIGIN, Z_AXIS
 from kinematics.table import Convention, JointType, NumericTable
 
@@ -48,8 +48,8 @@ def score_of(decision: Decision, repairs: Sequence[Repaired], work: Work, weight
 
     The facts that the answer has wrong, over those that a table of zeros has wrong, taken from 1. Where one
     named slip explains everything, or one of a joint and another, the answer loses no more than they cost;
-    nor where its robot is the key's but for one twist: among sliders it takes lengths with it, and one edit
-    undoes it in some frames only.
+    nor where its robot is the key's but for one twist: among prismatic joints it takes lengths with it, and
+    one edit undoes it in some frames only.
 
     Args:
         decision: what was decided.
@@ -68,11 +68,11 @@ def score_of(decision: Decision, repairs: Sequence[Repaired], work: Work, weight
         return 0.0
     off = max(weights.sign, lost(decision, work, weights))
     if off > CELL:
-        off -= _shared_across_sliders(work, standard)
+        off -= _shared_across_prismatic(work, standard)
     if slip is not None and not _is_of_length_or_turn(slip):
-        off = min(off, max(_cost(slip, weights, nothing), _size_across_sliders(work, standard, slip)))
+        off = min(off, max(_cost(slip, weights, nothing), _size_across_prismatic(work, standard, slip)))
     elif slip is not None:
-        off = min(off, max(CELL, _wrong(work, standard) - _shared_across_sliders(work, standard)))
+        off = min(off, max(CELL, _wrong(work, standard) - _shared_across_prismatic(work, standard)))
     elif not work.has_the_joints():
         pairs = [repair.changes for repair in repairs if _is_something(work, repair.changes, standard)]
         off = min([off, *(sum(_cost(change, weights, nothing) for change in pair) for pair in pairs)])
@@ -110,11 +110,11 @@ def _is_of_length_or_turn(change: Change) -> bool:
 
 
 @lru_cache(maxsize=32)
-def _shared_across_sliders(work: Work, standard: _Standard) -> float:
-    """By how much less the facts weigh if what is wrong across one group of sliders counts as one.
+def _shared_across_prismatic(work: Work, standard: _Standard) -> float:
+    """By how much less the facts weigh if what is wrong across one group of prismatic joints counts as one.
 
-    How two axes with sliders between them lie to each other is up to three facts: a distance, an offset and a
-    turn. One edit mends all of them in some frames, in others two do; the mark is the same.
+    How two axes with prismatic joints between them lie to each other is up to three facts: a distance, an
+    offset and a turn. One edit mends all of them in some frames, in others two do; the mark is the same.
     """
     wrong, least = _wrong(work, standard), 0.0
     for without in _without_each_gap(standard):
@@ -122,10 +122,11 @@ def _shared_across_sliders(work: Work, standard: _Standard) -> float:
     return least
 
 
-def _size_across_sliders(work: Work, standard: _Standard, slip: Change) -> float:
-    """What another sign of a length costs where it changes how far apart axes with sliders between them are.
+def _size_across_prismatic(work: Work, standard: _Standard, slip: Change) -> float:
+    """What another sign of a length costs where it changes a distance across prismatic joints.
 
-    In what rows that distance stands depends on where the sliders were drawn, and whether a sign mends it.
+    In what rows that distance stands depends on where the prismatic joints were drawn, and whether a sign
+    mends it.
     """
     if slip.code not in ("a_sign", "d_sign"):
         return 0.0
@@ -135,11 +136,11 @@ def _size_across_sliders(work: Work, standard: _Standard, slip: Change) -> float
 
 
 def _without_each_gap(standard: _Standard) -> list[_Standard]:
-    """The standard without what lies across sliders, for each group of them."""
+    """The standard without what lies across prismatic joints, for each group of them."""
     facts = standard.facts
     return [
         standard._replace(facts=replace(facts, worth=np.where(of_gap, 0.0, facts.worth)))
-        for of_gap in across_sliders(facts)
+        for of_gap in across_prismatic(facts)
     ]
 
 
@@ -255,7 +256,7 @@ class _Standard(NamedTuple):
     nothing: float
 
 
-@remembered(
+@cached_by_size(
     lambda reference, policy, weights: len(reference.table.rows), longest=USUAL_ROWS, most=1024, few=32
 )
 def _standard(reference: Reference, policy: Policy, weights: Weights) -> _Standard:

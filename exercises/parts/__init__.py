@@ -1,4 +1,4 @@
-"""The parts of an exercise, in rooms: each kind is one module with `PART`, found by `registry`.
+"""The parts of an exercise, in packages: each kind is one module with `PART`, found by `registry`.
 
 protocol     what a kind is; task, what it asks, as a page shows it
 context      what the parts of an answer are judged by: the key, the student's own table

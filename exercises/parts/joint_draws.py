@@ -92,17 +92,17 @@ def in_radians(exercise: Exercise, joints: Sequence[Fraction]) -> list[float]:
     ]
 
 
-KEPT = 512
-"""Students whose keys are kept in numbers: each hands in several parts, and again."""
+CACHED_KEYS = 512
+"""Students whose keys, in numbers, are in the cache: each hands in several parts, and again."""
 
 
-@lru_cache(maxsize=KEPT)
+@lru_cache(maxsize=CACHED_KEYS)
 def key_size(instance: Instance) -> float:
     """Return a length that is typical of the key's robot [the exercise's unit]."""
     return size_of(chain_of_table(key_numbers(instance)))
 
 
-@lru_cache(maxsize=KEPT)
+@lru_cache(maxsize=CACHED_KEYS)
 def key_numbers(instance: Instance) -> NumericTable:
     """Return the key with the student's values; lengths in the exercise's unit."""
     exercise = instance.exercise

@@ -1,4 +1,4 @@
-"""The kinds of part that there are: every module of this package and its rooms that defines `PART`."""
+"""The kinds of part that there are: every module of this package and those in it that defines `PART`."""
 
 from __future__ import annotations
 

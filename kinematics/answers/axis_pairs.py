@@ -22,7 +22,8 @@ class AxisPair(NamedTuple):
 
     Attributes:
         first: a joint, from 1.
-        second: the next one; or the next that turns, where only sliders along one of the two stand between.
+        second: the next one; or the next that turns, where only prismatic joints along one of the two stand
+            between.
         alike: they lie relative to each other as the robot's do.
     """
 
@@ -48,7 +49,7 @@ def axis_pairs(key: NumericTable, theirs: Sequence[Axis], share: float) -> Itera
     """
     ours = prepared(key).chain.axes
     allowed = 3 * share * (size_of(prepared(key).chain) or 1.0)
-    for i, k in (*pairwise(range(len(ours))), *_across_sliders(ours)):
+    for i, k in (*pairwise(range(len(ours))), *_across_prismatic(ours)):
         a, b, c, d = ours[i], ours[k], theirs[i], theirs[k]
         same = (a.prismatic, b.prismatic) == (c.prismatic, d.prismatic)
         somewhere = ORIGIN not in (c.direction, d.direction)
@@ -57,12 +58,12 @@ def axis_pairs(key: NumericTable, theirs: Sequence[Axis], share: float) -> Itera
         yield AxisPair(i + 1, k + 1, alike and apart)
 
 
-def _across_sliders(axes: Sequence[Axis]) -> Iterator[tuple[int, int]]:
-    """Yield turning axes whose distance no slider between them changes: each goes along one of the two."""
+def _across_prismatic(axes: Sequence[Axis]) -> Iterator[tuple[int, int]]:
+    """Yield revolute axes whose distance no prismatic joint between changes: each is along one of them."""
     for i, k in pairwise(i for i, axis in enumerate(axes) if not axis.prismatic):
-        sliders = axes[i + 1 : k]
-        if sliders and all(
-            min(_angle(slider, axes[i]), _angle(slider, axes[k])) <= NEARLY_PARALLEL for slider in sliders
+        between = axes[i + 1 : k]
+        if between and all(
+            min(_angle(axis, axes[i]), _angle(axis, axes[k])) <= NEARLY_PARALLEL for axis in between
         ):
             yield i, k
 

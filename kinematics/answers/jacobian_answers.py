@@ -39,12 +39,12 @@ class JacobianMistake(StrEnum):
     """What a wrong Jacobian, or wrong joint forces, look like.
 
     NEXT_AXIS: a column is formed with the axis of the next joint, z_i for z_{i−1} or the reverse.
-    POINT_SWAPPED: with p_i − p_n for p_n − p_i. PRISMATIC: the column of a slider is that of a revolute
-    joint, or the reverse. OTHER_FRAME: in the axes of the other frame. ROWS_EXCHANGED: linear and angular
-    rows have changed places. SPATIAL: the velocity of the point at frame 0's origin. SIGN: every joint force
-    has the wrong sign. OTHER_POINT: the velocities of some other point of the last link. REVERSED: a column
-    of the opposite sign. GEOMETRIC: with the angular velocity where rates of angles are asked. PER_DEGREE:
-    the columns of revolute joints are per degree. OTHER_UNIT: lengths are in another unit.
+    POINT_SWAPPED: with p_i − p_n for p_n − p_i. PRISMATIC: the column of a prismatic joint is that of a
+    revolute joint, or the reverse. OTHER_FRAME: in the axes of the other frame. ROWS_EXCHANGED: linear and
+    angular rows have changed places. SPATIAL: the velocity of the point at frame 0's origin. SIGN: every
+    joint force has the wrong sign. OTHER_POINT: the velocities of some other point of the last link.
+    REVERSED: a column of the opposite sign. GEOMETRIC: with the angular velocity where rates of angles are
+    asked. PER_DEGREE: the columns of revolute joints are per degree. OTHER_UNIT: lengths are in another unit.
     """
 
     NEXT_AXIS = "next_axis"
@@ -242,7 +242,7 @@ def _whole(
 def _other_units(chain: Chain) -> Iterator[Floats]:
     """Yield how many times as large every entry is with lengths in mm or cm where m are asked, and back.
 
-    The travel of sliders may be in that unit, too, or not.
+    The travel of prismatic joints may be in that unit, too, or not.
     """
     turning = [not axis.prismatic for axis in chain.axes]
     for columns in (turning, [True] * len(turning)):

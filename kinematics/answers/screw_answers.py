@@ -4,8 +4,8 @@
 
 with S_i = Ad_M B_i. An answer is right when there are σ, δ, B, E with T(σ∘q + δ) = B · F(q) · E for all
 q, as for a table (`kinematics.equivalence`). So either sense of an axis is right, any point on it, any zero,
-and any length of a slider's direction; a revolute joint's ω is a unit vector, for q is its angle, and its v
-has no part along ω. Nothing is compared row by row.
+and any length of a prismatic joint's direction; a revolute joint's ω is a unit vector, for q is its angle,
+and its v has no part along ω. Nothing is compared row by row.
 
 Source: K. M. Lynch, F. C. Park, Modern Robotics (2017), 4.1; R. M. Murray, Z. Li, S. S. Sastry (1994), 3.2.
 """
@@ -43,7 +43,7 @@ UNIT = 0.01
 """How far |ω| may be from 1, and v·ω from 0 as a share of |v|: two decimals. A pitch is allowed, too, that
 moves the joint by no more than the tolerance in half a turn."""
 NO_ROTATION = 1e-9
-"""|ω| of a slider."""
+"""|ω| of a prismatic joint."""
 NO_PITCH = 1e-11
 """v·ω of a robot without a length: what the arithmetic leaves of zero."""
 OTHER_UNITS = (1e-3, 1e-2, 1e2, 1e3)
@@ -113,7 +113,7 @@ class ScrewVerdict:
     Attributes:
         certificate: how the answer agrees with the key; None if it is wrong.
         mistakes: what a wrong one looks like, each with the joint, from 1, that it is about, or None.
-        pairs: axes beside each other, and across sliders, of a wrong answer.
+        pairs: axes beside each other, and across prismatic joints, of a wrong answer.
     """
 
     certificate: Certificate | None
@@ -168,7 +168,7 @@ def adjoint(pose: Transform) -> Floats:
 
 
 def _axes(rows: Floats) -> list[Axis]:
-    """Return the axes of rows (v, ω), where they are written; of a row of zeros a slider along nothing."""
+    """Return the axes of rows (v, ω); a row of zeros is a prismatic joint without a direction."""
     axes = []
     for vx, vy, vz, wx, wy, wz in rows.tolist():
         linear, angular = (vx, vy, vz), (wx, wy, wz)

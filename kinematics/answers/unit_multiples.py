@@ -35,9 +35,9 @@ from kinematics.symbolic.quotients import cleared
 _ZERO = Fraction(0)
 FORMED = 20_000
 """Products of terms that a proof may form."""
-MOST_PRODUCTS = 64
+COMPARED_PRODUCTS = 64
 """Products of families that are compared with one function; mostly its degrees fit but one."""
-MOST_KEPT = 1_000
+CACHED_PRODUCTS = 1_000
 """Products of the families of one arm; with powers of up to three the five of an arm have as many."""
 
 
@@ -127,7 +127,7 @@ class FamilyProducts:
         if not degrees:
             return none if len(given) == 1 else None  # a sum of lengths may vanish
         wanted = reader.normalised(given)
-        for times in islice(self._fitting(degrees), MOST_PRODUCTS):
+        for times in islice(self._fitting(degrees), COMPARED_PRODUCTS):
             if self._product(times) == wanted:
                 return times
         return None
@@ -153,7 +153,7 @@ class FamilyProducts:
 
     def _product(self, times: tuple[int, ...]) -> Polynomial | None:
         """Return a product, normalised; None if it has too many terms."""
-        if times not in self._products and len(self._products) < MOST_KEPT:
+        if times not in self._products and len(self._products) < CACHED_PRODUCTS:
             reader = self._reader.copy()
             factors = [
                 factor for factor, count in zip(self._factors, times, strict=True) for _ in range(count)

@@ -7,12 +7,12 @@ from collections.abc import Iterator, Mapping
 from dataclasses import replace
 from fractions import Fraction
 
+from kinematics.caching import USUAL_TABLE, cached_by_size
 from kinematics.cells.scaling import scaled_cell
 from kinematics.cells.scanner import canonical_name
 from kinematics.cells.tables import ReadTable
 from kinematics.cells.units import AngleUnit, LengthUnit, ParameterKind
 from kinematics.errors import Fault, ParameterError
-from kinematics.remembering import USUAL_TABLE, remembered
 from kinematics.table import DHRow, DHTable, NumericTable, SymbolicRow, bind
 
 
@@ -94,7 +94,7 @@ def _scaled_row(row: SymbolicRow, kinds: Mapping[str, ParameterKind], ratio: Fra
     )
 
 
-@remembered(lambda read, values: read.length, longest=USUAL_TABLE, most=1024, few=16)
+@cached_by_size(lambda read, values: read.length, longest=USUAL_TABLE, most=1024, few=16)
 def _bound(read: ReadTable, values: tuple[tuple[str, float], ...]) -> NumericTable:
     return bind(read.table, dict(values))
 

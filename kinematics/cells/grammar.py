@@ -20,6 +20,7 @@ from typing import Any
 
 from lark import Lark, Token, Transformer, UnexpectedToken, v_args
 
+from kinematics.caching import cached_by_size
 from kinematics.cells.limits import Limits
 from kinematics.cells.refusals import CellRefusal
 from kinematics.cells.scanner import scan
@@ -39,7 +40,6 @@ from kinematics.cells.syntax import (
     names_in,
 )
 from kinematics.expressions import Function
-from kinematics.remembering import remembered
 
 _GRAMMAR = r"""
 ?start: sum
@@ -201,7 +201,7 @@ def _parser() -> Lark:
     return Lark(_GRAMMAR, parser="lalr", lexer="basic", transformer=_Builder())
 
 
-@remembered(lambda text, limits: len(text), longest=40, most=8192, few=256)
+@cached_by_size(lambda text, limits: len(text), longest=40, most=8192, few=256)
 def parse(text: str, limits: Limits) -> Node:
     """Return the syntax tree of a cell.
 

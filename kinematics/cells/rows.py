@@ -1,6 +1,6 @@
 """One row of a DH table: its cells read, its joint variable found.
 
-Rows that were read before are remembered: in a course most rows of most tables have been handed in by
+Rows that were read before are cached: in a course most rows of most tables have been handed in by
 somebody else.
 """
 
@@ -10,6 +10,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 
+from kinematics.caching import cached_by_size
 from kinematics.cells.entries import cell_syntax, entry_of
 from kinematics.cells.joints import RowJoint
 from kinematics.cells.limits import Limits
@@ -21,14 +22,13 @@ from kinematics.cells.units import AngleUnit, ParameterKind
 from kinematics.cells.variables import Use, refuse_misspelled, refuse_numberless, uses
 from kinematics.errors import Fault, ParamValue
 from kinematics.expressions import ZERO, Expression
-from kinematics.remembering import remembered
 from kinematics.table import CELLS, VARIABLE_CELLS, DHRow, JointType, SymbolicRow
 
 POSITIONS = {"alpha": Position.ANGLE, "a": Position.LENGTH, "d": Position.LENGTH, "theta": Position.ANGLE}
-REMEMBERED = 4096
-"""Rows that are kept as read: those of some 600 tables of six or seven joints."""
+CACHED_ROWS = 4096
+"""Rows in the cache, as read: those of some 600 tables of six or seven joints."""
 USUAL_ROW = 80
-"""Length of the cells of a row [character] up to which so many are kept."""
+"""Length of the cells of a row [character] up to which so many are cached."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -66,7 +66,7 @@ def _length(row: RawRow) -> int:
     return sum(len(cell) for cell in (row.alpha, row.a, row.d, row.theta) if isinstance(cell, str))
 
 
-@remembered(lambda row, limits: _length(row), longest=USUAL_ROW, most=REMEMBERED, few=64)
+@cached_by_size(lambda row, limits: _length(row), longest=USUAL_ROW, most=CACHED_ROWS, few=64)
 def row_syntax(row: RawRow, limits: Limits) -> RowSyntax:
     """Return the cells of a row, before anything is known of its joint."""
     trees: dict[str, Node] = {}
@@ -87,7 +87,9 @@ def row_syntax(row: RawRow, limits: Limits) -> RowSyntax:
     return RowSyntax(trees=trees, numbers=numbers, faults=faults)
 
 
-@remembered(lambda row, joint, angle_unit, limits: _length(row), longest=USUAL_ROW, most=REMEMBERED, few=64)
+@cached_by_size(
+    lambda row, joint, angle_unit, limits: _length(row), longest=USUAL_ROW, most=CACHED_ROWS, few=64
+)
 def row_meaning(row: RawRow, joint: RowJoint, angle_unit: AngleUnit, limits: Limits) -> RowMeaning:
     """Return the exact entries of a row whose joint is known."""
     syntax = row_syntax(row, limits)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from types import MappingProxyType
 
+from kinematics.caching import USUAL_TABLE, cached_by_size
 from kinematics.cells.entries import text_length
 from kinematics.cells.joints import row_joints, variable_names
 from kinematics.cells.last_places import last_places
@@ -14,7 +15,6 @@ from kinematics.cells.rows import RowMeaning, row_meaning, row_syntax
 from kinematics.cells.tables import RawTable, ReadTable
 from kinematics.cells.units import ParameterKind
 from kinematics.errors import CellError, Fault, TableError
-from kinematics.remembering import USUAL_TABLE, remembered
 from kinematics.table import CELLS, DHTable
 
 
@@ -33,7 +33,7 @@ def read_table(raw: RawTable, limits: Limits = DEFAULT, *, by_row: bool = True) 
     return _read(raw, limits, by_row)
 
 
-@remembered(lambda raw, limits, by_row: raw.length, longest=USUAL_TABLE, most=1024, few=16)
+@cached_by_size(lambda raw, limits, by_row: raw.length, longest=USUAL_TABLE, most=1024, few=16)
 def _read(raw: RawTable, limits: Limits, by_row: bool) -> ReadTable:
     _refuse_size(raw, limits)
     syntax = [row_syntax(row, limits) for row in raw.rows]

@@ -4,7 +4,7 @@ links      what a link weighs; everything is in SI units
 reading    links as they are handed in
 recursion  joint forces and motions in numbers
 composite  links that move as one, in the ring of closed forms
-waves      sums of cosines, differentiated term by term
+fourier    finite Fourier series, differentiated term by term
 equations  M, C and g in closed form
 """
 

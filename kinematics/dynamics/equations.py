@@ -18,8 +18,8 @@ from functools import cached_property
 from itertools import combinations_with_replacement
 
 from kinematics.dynamics.composite import composite_of
+from kinematics.dynamics.fourier import FourierSeries, SeriesTable, combined
 from kinematics.dynamics.links import SymbolicBody
-from kinematics.dynamics.waves import Waves, WaveTable, combined
 from kinematics.expressions import Expression, Parameter, parameters_in
 from kinematics.symbolic.canonical import LIMIT
 from kinematics.symbolic.elements import ZERO_FORM
@@ -104,10 +104,10 @@ class Derivation:
         self._joints = range(1, table.n_joints + 1)
         forms = [*masses.values(), potential]
         self.names = reading_order(table, links, gravity)
-        self._table = WaveTable(ring, forms, table.n_joints, self.names)
+        self._table = SeriesTable(ring, forms, table.n_joints, self.names)
         self._arena = self._table.arena
-        *waves, self._potential = self._table.waves
-        self._masses = dict(zip(masses, waves, strict=True))
+        *series, self._potential = self._table.series
+        self._masses = dict(zip(masses, series, strict=True))
 
     @cached_property
     def mass(self) -> Matrix:
@@ -153,7 +153,7 @@ class Derivation:
         table, joints = self._table, self._joints
         derivatives = {(*pair, k): table.derivative(m, k) for pair, m in self._masses.items() for k in joints}
 
-        def derivative(i: int, j: int, k: int) -> Waves:
+        def derivative(i: int, j: int, k: int) -> FourierSeries:
             return derivatives[min(i, j), max(i, j), k]
 
         found: dict[tuple[int, int, int], Nested] = {}

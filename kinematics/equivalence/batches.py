@@ -146,7 +146,7 @@ def _plain(tables: Sequence[NumericTable], lower: Sequence[bool], length: int) -
 
 @lru_cache(maxsize=4096)
 def _turn(angle: float) -> complex:
-    """Return exp(-i angle); remembered, for most angles are right ones."""
+    """Return exp(-i angle); cached, for most angles are right ones."""
     cosine, sine = cos_sin(angle)
     return complex(cosine, -sine)
 

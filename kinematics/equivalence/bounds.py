@@ -51,7 +51,7 @@ PARALLEL = 1e-12
 def upper_bound(reference: Reference, submission: Chain, candidate: CertificateCandidate) -> Residual:
     """Bound the difference between the two sides of equation (1) over all configurations, from above.
 
-    Revolute joints go all the way round, sliders as far as the robot's size either way.
+    Revolute joints go all the way round, prismatic joints as far as the robot's size either way.
     """
     base, size = candidate.base, reference.size
     placed: list[tuple[Vector, Vector]] = []

@@ -1,7 +1,8 @@
 """Cells of a table with which it would describe the reference, found together with the certificate.
 
-Where sliders let the axes between them be drawn anywhere, no single invariant shows which cell is wrong. So
-the unknown cells join δ, B and E in the least squares, and what comes out is tried like any other edit.
+Where prismatic joints let the axes between them be drawn anywhere, no single invariant shows which cell is
+wrong. So the unknown cells join δ, B and E in the least squares, and what comes out is tried like any other
+edit.
 """
 
 from __future__ import annotations

@@ -276,7 +276,7 @@ def _not_together(
 
 
 def mirrored(table: NumericTable) -> NumericTable:
-    """The mirror image of a robot, in the plane z_0 = 0: every d, every α and every slider changes sign."""
+    """The mirror image of a robot in the plane z_0 = 0: d, α and every prismatic variable change sign."""
     rows = tuple(
         replace(
             row, d=-row.d, alpha=-row.alpha, sign=-row.sign if row.joint.value == "prismatic" else row.sign

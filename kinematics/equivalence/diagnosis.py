@@ -233,7 +233,7 @@ class _Judge:
 
 
 def _angles(step: Step, previous: Axis | None, found: Alignment, joint: int, limit: float) -> list[Mismatch]:
-    """An angle that is left: between two axes (twist), or about the earlier one (θ of a slider)."""
+    """An angle that is left: between two axes (twist), or about the earlier one (θ of a prismatic joint)."""
     if previous is None:
         return [Mismatch(kind=Kind.BASE, joint=1, angle=found.angle)]
     if step.group.rotations is not Rotations.NONE:

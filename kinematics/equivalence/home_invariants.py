@@ -2,7 +2,7 @@
 
 A rule that fixes the zeros of the variables fixes the whole configuration that the figure shows: beside what
 no choice of frames changes, the angles and distances of all its axes, wherever the joints between them are,
-and the lengths along parallel axes past the sliders among them.
+and the lengths along parallel axes past the prismatic joints among them.
 """
 
 from __future__ import annotations
@@ -11,20 +11,20 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from kinematics.caching import USUAL_ROWS, cached_by_size
 from kinematics.chain import Axis
 from kinematics.equivalence.batches import axis_batch
 from kinematics.equivalence.invariants import FLOOR, SLACK, STEEPEST, Invariants, axes_of
 from kinematics.equivalence.measures import PARALLEL, Measure, Shape, measured
 from kinematics.equivalence.policy import BaseRule, Policy, ToolRule, ZeroRule
 from kinematics.equivalence.reference import Reference
-from kinematics.remembering import USUAL_ROWS, remembered
 from kinematics.se3 import cross, norm
 
 # Three parallel axes between two others: what lies before them shows behind them.
 FARTHEST = 4
 
 
-@remembered(lambda reference, policy: len(reference.table.rows), longest=USUAL_ROWS, most=1024, few=32)
+@cached_by_size(lambda reference, policy: len(reference.table.rows), longest=USUAL_ROWS, most=1024, few=32)
 def home_invariants_of(reference: Reference, policy: Policy) -> Invariants:
     """Return the angles, distances and offsets between axes that are no neighbours, all variables zero.
 
@@ -62,7 +62,7 @@ def _between(
 def _past_sliders(
     axes: Sequence[Axis], first: int, last: int, size: float, policy: Policy
 ) -> list[tuple[Shape, float]]:
-    """Along each run of parallel axes with a slider among them: the distance between its two ends.
+    """Along each run of parallel axes with a prismatic joint among them: the distance between its two ends.
 
     An end is the foot of the common normal with the next axis outside the run; at an end of the chain, a
     point that the policy fixes.

@@ -1,9 +1,9 @@
 """Facts of a chain that no choice of frames changes, measured of many tables at once.
 
-Between neighbouring axes the angle and the distance (sliders between them disregarded); along a run of
-parallel axes the distance between the common normals before and after, or, where sliders move the axis there
-in a plane, the points in which that plane meets the run, or the sum of what lies beyond the plane on both
-sides; about a slider the angle between its neighbours.
+Between neighbouring axes the angle and the distance (prismatic joints between them disregarded); along a run
+of parallel axes the distance between the common normals before and after, or, where prismatic joints move the
+axis there in a plane, the points in which that plane meets the run, or the sum of what lies beyond the plane
+on both sides; about a prismatic joint the angle between its neighbours.
 Their sizes are necessary for equivalence, not sufficient; with their signs, and each axis turned round as it
 suits best (`exercises.grading.facts`), hardly anything wrong is left.
 """
@@ -19,13 +19,20 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.caching import USUAL_ROWS, cached_by_size
 from kinematics.chain import Axis, Chain
 from kinematics.equivalence.batches import AxisBatch, axis_batch
 from kinematics.equivalence.groups import outside
-from kinematics.equivalence.measures import PARALLEL, Gauge, Measure, Shape, gauge_of, measured
+from kinematics.equivalence.measures import (
+    PARALLEL,
+    InvariantArrays,
+    Measure,
+    Shape,
+    invariant_arrays,
+    measured,
+)
 from kinematics.equivalence.policy import BaseRule, Policy, ToolRule
 from kinematics.equivalence.reference import Reference
-from kinematics.remembering import USUAL_ROWS, remembered
 from kinematics.se3 import ORIGIN, Z_AXIS, Vector, cross, dot, norm, position, unit, z_axis
 
 # In units of the tolerance of the end frame: the rounded entries of six joints may all add up in one
@@ -59,9 +66,9 @@ class Invariants:
     slacks: Floats
 
     @cached_property
-    def gauge(self) -> Gauge:
+    def arrays(self) -> InvariantArrays:
         """What they are measured between, as arrays."""
-        return gauge_of(self.shapes)
+        return invariant_arrays(self.shapes)
 
     @cached_property
     def own_sizes(self) -> Floats:
@@ -71,12 +78,12 @@ class Invariants:
     @property
     def spans(self) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
         """(q, 1) each: the first and the last axis that an invariant concerns."""
-        return self.gauge.first, self.gauge.last
+        return self.arrays.first, self.arrays.last
 
     @property
     def angular(self) -> NDArray[np.bool_]:
         """(q, 1) which are angles, and so do not depend on lengths."""
-        return self.gauge.angular
+        return self.arrays.angular
 
     def measured(self, axes: AxisBatch) -> Floats:
         """(q, k) what they are in submissions, as their axes point."""
@@ -84,12 +91,12 @@ class Invariants:
 
     def reversed(self, found: Floats) -> Floats:
         """(q, k) what the measured values would be if one of the axes were turned round."""
-        gauge = self.gauge
-        return np.where(gauge.reverses, np.where(gauge.twists, math.pi, 0.0) - found, found)
+        arrays = self.arrays
+        return np.where(arrays.reverses, np.where(arrays.twists, math.pi, 0.0) - found, found)
 
     def sizes(self, found: Floats) -> Floats:
         """(q, k) the measured values whichever way axes point: angles up to π/2, lengths without signs."""
-        return np.where(self.gauge.twists, np.minimum(found, math.pi - found), np.abs(found))
+        return np.where(self.arrays.twists, np.minimum(found, math.pi - found), np.abs(found))
 
     def strains(self, found: Floats) -> Floats:
         """(q, k) how far the sizes of the measured values are off, in units of what they may be."""
@@ -135,7 +142,7 @@ def axes_of(chain: Chain, policy: Policy) -> list[Axis]:
     return [base, *chain.axes, Axis(False, direction, position(chain.end))]
 
 
-@remembered(lambda reference, policy: len(reference.table.rows), longest=USUAL_ROWS, most=1024, few=32)
+@cached_by_size(lambda reference, policy: len(reference.table.rows), longest=USUAL_ROWS, most=1024, few=32)
 def invariants_of(reference: Reference, policy: Policy) -> Invariants:
     """Return the invariants of a reference, and of the frames that a policy fixes."""
     axes = axes_of(reference.chain, policy)
@@ -169,7 +176,7 @@ def first_axes_shared(reference: Reference, submission: Chain, policy: Policy) -
 def _between(
     axes: Sequence[Axis], i: int, last: int, size: float, policy: Policy
 ) -> list[tuple[Shape, float]]:
-    """Between an axis and the next, and the next that is no slider; each with its slack."""
+    """Between an axis and the next, and the next that is no prismatic joint; each with its slack."""
     found = [(Shape(Measure.ANGLE, (i, i + 1)), SLACK * policy.tolerance.angle + FLOOR)]
     k = i + 1
     while k < last and axes[k].prismatic:
@@ -198,7 +205,7 @@ def _spanning(axes: Sequence[Axis], candidates: Sequence[int]) -> tuple[tuple[in
 
 
 def _along(axes: Sequence[Axis], i: int, last: int, size: float, policy: Policy) -> list[tuple[Shape, float]]:
-    """Along the run of parallel axes that begins with axis i, or about the slider i.
+    """Along the run of parallel axes that begins with axis i, or about the prismatic joint i.
 
     A point that the policy fixes is its own foot at its end of the run.
     """
@@ -226,7 +233,7 @@ def _along(axes: Sequence[Axis], i: int, last: int, size: float, policy: Policy)
 def _across(
     axes: Sequence[Axis], b: int, last: int, size: float, policy: Policy
 ) -> list[tuple[Shape, float]]:
-    """Across the plane that the sliders behind axis b span: neither axis beside them lies in it.
+    """Across the plane that the prismatic joints behind axis b span: neither axis beside them lies in it.
 
     Along each of these the offset may be anything, but not the sum of both.
     """
@@ -263,7 +270,7 @@ class _End(NamedTuple):
     """What an offset is measured from, at one end of a run of parallel axes.
 
     Attributes:
-        axis: the next axis beyond the end that is no slider; the one at the end, if there is none.
+        axis: the next axis beyond the end that is no prismatic joint; the one at the end, if there is none.
         slider: the one between that moves the other axis in a plane; the axis at the end, if none does.
         steepness: of the run to that plane, or to the other axis.
     """
@@ -294,7 +301,7 @@ def _end_of_run(axes: Sequence[Axis], k: int, beyond: Sequence[int]) -> _End | N
 
 
 def _about(axes: Sequence[Axis], i: int, last: int, policy: Policy) -> list[tuple[Shape, float]]:
-    """About the run of parallel sliders that begins with axis i."""
+    """About the run of parallel prismatic joints that begins with axis i."""
     after = i + 1
     while after < last and axes[after].prismatic and _parallel(axes[after], axes[i]):
         after += 1

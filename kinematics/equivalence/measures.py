@@ -9,8 +9,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.caching import USUAL_INVARIANTS, cached_by_size
 from kinematics.equivalence.batches import AxisBatch
-from kinematics.remembering import USUAL_INVARIANTS, remembered
 
 Floats = NDArray[np.float64]
 Places = NDArray[np.intp]
@@ -19,7 +19,7 @@ Places = NDArray[np.intp]
 # thousands of robots away.
 PARALLEL = 1e-7
 PLAIN_OFFSET = 4
-"""Of how many axes an offset is without sliders."""
+"""Of how many axes an offset is without prismatic joints."""
 
 _NEXT, _LAST = np.array((1, 2, 0)), np.array((2, 0, 1))
 
@@ -43,12 +43,12 @@ class Shape(NamedTuple):
         measure: what.
         axes: the numbers of the axes among those of `axes_of`: of an angle both; of a distance both, and
             those whose directions are disregarded; of an offset the axis before, the first and the last of
-            the run, and the axis after; then, if sliders between move the axis before or after in a plane,
-            one of them at either end, or the axis of the run where there is none; of a turn the axis before,
-            the slider, and the axis after; of a sum of offsets two sliders side by side that span a plane,
-            then the last and the first of the run before them, the axis before that and the slider between
-            or the first again, then in the same way the first and the last of the run behind them, the axis
-            after and the slider between.
+            the run, and the axis after; then, if prismatic joints between move the axis before or after in a
+            plane, one of them at either end, or the axis of the run where there is none; of a turn the axis
+            before, the prismatic joint, and the axis after; of a sum of offsets two prismatic joints side by
+            side that span a plane, then the last and the first of the run before them, the axis before that
+            and the prismatic joint between or the first again, then in the same way the first and the last of
+            the run behind them, the axis after and the prismatic joint between.
     """
 
     measure: Measure
@@ -75,7 +75,7 @@ class Shape(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class Gauge:
+class InvariantArrays:
     """Invariants as arrays: their places in the list, and what they are measured between.
 
     Attributes:
@@ -104,9 +104,9 @@ class Gauge:
     others: dict[tuple[Measure, int], tuple[list[int], Places]]
 
 
-@remembered(lambda shapes: len(shapes), longest=USUAL_INVARIANTS, most=1024, few=32)
-def gauge_of(shapes: tuple[Shape, ...]) -> Gauge:
-    """Return the invariants as arrays; remembered, for they are those of a key."""
+@cached_by_size(lambda shapes: len(shapes), longest=USUAL_INVARIANTS, most=1024, few=32)
+def invariant_arrays(shapes: tuple[Shape, ...]) -> InvariantArrays:
+    """Return the invariants as arrays; cached, for they are those of a key."""
     numbers: dict[tuple[int, int], int] = {}
     angles: tuple[list[int], list[int]] = [], []
     normals: tuple[list[int], list[int]] = [], []
@@ -129,7 +129,7 @@ def gauge_of(shapes: tuple[Shape, ...]) -> Gauge:
             normals[1].append(pair(axes[0], axes[1]))
         else:
             others.setdefault((shape.measure, len(axes)), []).append(place)
-    return Gauge(
+    return InvariantArrays(
         reverses=np.array([shape.reverses for shape in shapes], dtype=bool)[:, None],
         twists=np.array([shape.measure is Measure.ANGLE for shape in shapes], dtype=bool)[:, None],
         angular=np.array([shape.is_angle for shape in shapes], dtype=bool)[:, None],
@@ -150,15 +150,15 @@ def measured(shapes: tuple[Shape, ...], axes: AxisBatch) -> Floats:
     """(q, k) invariants of many chains, as their axes point.
 
     Angles between axes are in [0, π]; lengths between two axes and offsets have signs, other lengths and the
-    angles about sliders have none.
+    angles about prismatic joints have none.
     """
-    gauge = gauge_of(shapes)
+    arrays = invariant_arrays(shapes)
     found = np.empty((len(shapes), axes.directions.shape[2]))
-    if gauge.pairs.size:
-        _along_normals(gauge, axes, found)
-    for (measure, _), (places, numbers) in gauge.others.items():
+    if arrays.pairs.size:
+        _along_normals(arrays, axes, found)
+    for (measure, _), (places, numbers) in arrays.others.items():
         if measure is Measure.OFFSET:
-            found[places] = _offsets_past_sliders(numbers, axes.directions[numbers], axes.points[numbers])
+            found[places] = _offsets_past_prismatic(numbers, axes.directions[numbers], axes.points[numbers])
         elif measure is Measure.SUM:
             found[places] = _sums_of_offsets(numbers, axes.directions[numbers], axes.points[numbers])
         else:
@@ -167,13 +167,13 @@ def measured(shapes: tuple[Shape, ...], axes: AxisBatch) -> Floats:
     return found
 
 
-def _along_normals(gauge: Gauge, axes: AxisBatch, found: Floats) -> None:
+def _along_normals(arrays: InvariantArrays, axes: AxisBatch, found: Floats) -> None:
     """Measure what common normals tell: angles, distances, and offsets between their feet.
 
     With s = |z_1 × z_2| and the gap g from the first axis to the second, the foot on the first stands
     (g·z_1 - (g·z_2)(z_1·z_2)) / s² from its point; where axes are parallel, any point will do.
     """
-    both, ends = axes.directions.take(gauge.pairs, axis=0), axes.points.take(gauge.pairs, axis=0)
+    both, ends = axes.directions.take(arrays.pairs, axis=0), axes.points.take(arrays.pairs, axis=0)
     one, other = both
     gap = ends[1] - ends[0]
     normal, cosine = _crosses(one, other), _dots(one, other)
@@ -182,16 +182,16 @@ def _along_normals(gauge: Gauge, axes: AxisBatch, found: Floats) -> None:
     steep = sine > PARALLEL
     divisor = np.where(steep, sine, 1.0)
     along, beside = np.einsum("spck,pck->spk", both, gap)
-    places, which = gauge.angles
+    places, which = arrays.angles
     found[places] = np.arctan2(sine, cosine)[which]
-    places, which = gauge.normals
+    places, which = arrays.normals
     if places.size:
         across = np.sqrt(np.maximum(_dots(gap, gap) - along * along, 0.0))
         found[places] = np.where(steep, _dots(normal, gap) / divisor, across)[which]
-    places, start, end = gauge.offsets
+    places, start, end = arrays.offsets
     if places.size:
         feet = np.where(steep, (along - beside * cosine) / (divisor * divisor), 0.0)
-        first, last = gauge.pairs[0][start], gauge.pairs[0][end]
+        first, last = arrays.pairs[0][start], arrays.pairs[0][end]
         run = axes.points[last] - axes.points[first] + feet[end][:, None] * axes.directions[last]
         found[places] = _dots(axes.directions[first], run) - feet[start]
 
@@ -227,11 +227,11 @@ def _distances(directions: Floats, points: Floats) -> Floats:
     return np.where(steep, beside, _norms(across))
 
 
-def _offsets_past_sliders(numbers: Places, directions: Floats, points: Floats) -> Floats:
-    """The distance along a run between the planes in which sliders move the axes before and after it.
+def _offsets_past_prismatic(numbers: Places, directions: Floats, points: Floats) -> Floats:
+    """The distance along a run between the planes in which its neighbours are moved by prismatic joints.
 
-    The plane of an axis z through p and a slider s has the normal n = z × s, and meets the run's axis u
-    through o at o + u n·(p - o) / n·u; without a slider, s is the common normal u × z.
+    The plane of an axis z through p and a prismatic joint s has the normal n = z × s, and meets the run's
+    axis u through o at o + u n·(p - o) / n·u; without a prismatic joint, s is the common normal u × z.
     """
     before, after = (_feet(ends, numbers, directions, points) for ends in ((0, 1, 4), (3, 2, 5)))
     run = points[2] - points[1] + after[:, None] * directions[2]
@@ -239,11 +239,11 @@ def _offsets_past_sliders(numbers: Places, directions: Floats, points: Floats) -
 
 
 def _feet(ends: tuple[int, int, int], numbers: Places, directions: Floats, points: Floats) -> Floats:
-    """How far along an axis, from its point, such a plane meets it; ends: the axis beyond, it, the slider."""
-    beyond, own, slider = ends
+    """How far along an axis such a plane meets it; ends: the axis beyond, this one, the prismatic joint."""
+    beyond, own, prismatic = ends
     z, run = directions[beyond], directions[own]
-    slides = (numbers[slider] != numbers[own])[:, None, None]
-    normal = _crosses(z, np.where(slides, directions[slider], _crosses(run, z)))
+    slides = (numbers[prismatic] != numbers[own])[:, None, None]
+    normal = _crosses(z, np.where(slides, directions[prismatic], _crosses(run, z)))
     across = _dots(normal, run)
     steep = np.abs(across) > PARALLEL * PARALLEL
     feet = _dots(normal, points[beyond] - points[own]) / np.where(steep, across, 1.0)
@@ -251,16 +251,17 @@ def _feet(ends: tuple[int, int, int], numbers: Places, directions: Floats, point
 
 
 def _sums_of_offsets(numbers: Places, directions: Floats, points: Floats) -> Floats:
-    """The distance across the plane of two sliders between the axes before and behind them.
+    """The distance across the plane of two prismatic joints between the axes before and behind them.
 
     Either axis is taken where its offset is measured from: level with the foot at the other end of its run.
     """
     normal = _crosses(directions[0], directions[1])
     sine = _norms(normal)
     ends = []
-    for near, far, beyond, slider in ((2, 3, 4, 5), (6, 7, 8, 9)):
+    for near, far, beyond, prismatic in ((2, 3, 4, 5), (6, 7, 8, 9)):
         foot = (
-            points[far] + _feet((beyond, far, slider), numbers, directions, points)[:, None] * directions[far]
+            points[far]
+            + _feet((beyond, far, prismatic), numbers, directions, points)[:, None] * directions[far]
         )
         along = _dots(directions[near], foot - points[near])
         ends.append(points[near] + along[:, None] * directions[near])
@@ -268,8 +269,8 @@ def _sums_of_offsets(numbers: Places, directions: Floats, points: Floats) -> Flo
 
 
 def _turns(directions: Floats, _: Floats) -> Floats:
-    """The angle about a slider between the axes before and behind it; the same arrays."""
-    before, slider, after = directions
-    one = before - _dots(before, slider)[:, None] * slider
-    other = after - _dots(after, slider)[:, None] * slider
+    """The angle about a prismatic joint between the axes before and behind it; the same arrays."""
+    before, prismatic, after = directions
+    one = before - _dots(before, prismatic)[:, None] * prismatic
+    other = after - _dots(after, prismatic)[:, None] * prismatic
     return np.arctan2(_norms(_crosses(one, other)), np.abs(_dots(one, other)))

@@ -202,7 +202,7 @@ class _Across(NamedTuple):
 
 @lru_cache(maxsize=1024)
 def _across(basis: tuple[Vector, ...], direction: Vector) -> _Across:
-    """What translations do across a line; remembered, for it is the same however near counts as parallel."""
+    """What translations do across a line; cached, for it is the same however near counts as parallel."""
     space = np.array(basis).T
     d = np.array(direction)
     return _Across(space, *np.linalg.svd(space - np.outer(d, d @ space), full_matrices=False))

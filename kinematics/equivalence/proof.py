@@ -22,7 +22,7 @@ from kinematics.table import JointType, SymbolicTable
 
 # A bound of the work: the exercises' own tables are proved with some fifty products; where angles that were
 # typed as decimals pile up, tens of thousands prove nothing.
-MOST_PRODUCTS = 5_000
+MOST_TERM_PRODUCTS = 5_000
 
 ExactMatrix: TypeAlias = tuple[tuple[Expression, ...], ...]
 
@@ -74,7 +74,7 @@ def prove(
         offsets=guess.joint_offsets,
         base=guess.base,
         tool=guess.tool,
-        limit=MOST_PRODUCTS,
+        limit=MOST_TERM_PRODUCTS,
     )
     return guess if proof.verdict is ProofStatus.PROVED else None
 

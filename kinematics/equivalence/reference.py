@@ -10,11 +10,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.caching import USUAL_ROWS, cached_by_size
 from kinematics.chain import NO_LENGTH, Chain, chain_of_table, size_of
 from kinematics.equivalence.groups import Nearness
 from kinematics.equivalence.plan import Plan, plans_for
 from kinematics.equivalence.policy import BaseRule, Tolerance, ToolRule, ZeroRule
-from kinematics.remembering import USUAL_ROWS, remembered
 from kinematics.table import NumericTable
 
 if TYPE_CHECKING:
@@ -154,9 +154,9 @@ class Reference:
         return [plan.shape for plan in self.plans(base, zero, near)]
 
 
-@remembered(lambda table: len(table.rows), longest=USUAL_ROWS, most=1024, few=32)
+@cached_by_size(lambda table: len(table.rows), longest=USUAL_ROWS, most=1024, few=32)
 def prepared(table: NumericTable) -> Reference:
-    """Return the reference of a table; remembered, for the same one is asked for again and again."""
+    """Return the reference of a table; cached, for the same one is asked for again and again."""
     chain = chain_of_table(table)
     size = size_of(chain)
     return Reference(table=table, chain=chain, size=size or 1.0, scaleless=size == 0.0)

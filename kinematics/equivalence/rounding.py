@@ -50,7 +50,7 @@ def _lever(chain: Chain, start: Vector, earlier: int, size: float) -> float:
     """The farthest that frame N can be from a point of the link before some joints.
 
     From the point to the nearest one of each later revolute axis in turn, and to frame N: steps that stay as
-    long as they are whatever the joints do, apart from the travel of the sliders.
+    long as they are whatever the joints do, apart from the travel of the prismatic joints.
     """
     later = chain.axes[earlier:]
     end, there = position(chain.end), [axis for axis in later if not axis.prismatic]

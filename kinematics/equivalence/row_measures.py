@@ -3,7 +3,7 @@
 There α is the angle between the axes, `a` the distance along their common normal, counted as z × z' points,
 and d what lies between the feet of two normals; no axis need be carried through space. Along parallel axes
 the d add up, each as its axis points. What is not seen so is measured between the axes: where rows without a
-joint, sliders or frames take part, and axes that are parallel only nearly.
+joint, prismatic joints or frames take part, and axes that are parallel only nearly.
 """
 
 from __future__ import annotations
@@ -15,10 +15,10 @@ from typing import NamedTuple, TypeAlias
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.caching import USUAL_INVARIANTS, cached_by_size
 from kinematics.equivalence.batches import Floats, Variation, axes_of_tables, cells_of_tables
 from kinematics.equivalence.measures import PARALLEL, PLAIN_OFFSET, Measure, Shape, measured
 from kinematics.equivalence.policy import Policy
-from kinematics.remembering import USUAL_INVARIANTS, remembered
 from kinematics.table import NumericTable
 
 Places: TypeAlias = NDArray[np.intp] | slice
@@ -90,7 +90,7 @@ class _Seen(NamedTuple):
     upto: Floats
 
 
-@remembered(lambda shapes, joints: len(shapes), longest=USUAL_INVARIANTS, most=1024, few=32)
+@cached_by_size(lambda shapes, joints: len(shapes), longest=USUAL_INVARIANTS, most=1024, few=32)
 def _seen(shapes: tuple[Shape, ...], joints: int) -> _Seen | None:
     """What is read where; None if not all is seen in the rows."""
     angles: list[tuple[int, int]] = []

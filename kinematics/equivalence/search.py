@@ -188,7 +188,7 @@ class Search:
         if here is not IDENTITY:
             direction, point = rotate(here, direction), move(here, point)
         tolerance, size = self.policy.tolerance, self.references[0].size
-        # the direction of a slider shows in positions alone
+        # the direction of a prismatic joint shows in positions alone
         limit = max(tolerance.angle, tolerance.length) if axis.prismatic else tolerance.angle
         most_angle = min(LIMIT * limit + FLOOR, WIDEST)
         most_length = min(LIMIT * tolerance.length + FLOOR, WIDEST) * size

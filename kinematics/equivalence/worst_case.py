@@ -1,10 +1,10 @@
 """Where equation (1) holds worst: a climb from the worst of the sampled configurations.
 
 In one joint variable at a time, the difference D(q) = F_s(σ∘q + δ) - B · F_r(q) · E of the two sides is
-D_0 + D_1 cos q_i + D_2 sin q_i (D_0 + D_1 q_i for a slider). So ‖D‖² is a trigonometric polynomial of degree
-two (a convex parabola), and its maximum over the whole circle (over the slider's range) is found directly.
-Going from joint to joint, forward and backward, until nothing is gained, ends where no single joint makes it
-worse.
+D_0 + D_1 cos q_i + D_2 sin q_i (D_0 + D_1 q_i for a prismatic joint). So ‖D‖² is a trigonometric polynomial
+of degree two (a convex parabola), and its maximum over the whole circle (over the prismatic joint's range) is
+found directly. Going from joint to joint, forward and backward, until nothing is gained, ends where no single
+joint makes it worse.
 """
 
 from __future__ import annotations
@@ -99,8 +99,8 @@ def judged(
 def worst_case(reference: Reference, submission: Chain, candidate: CertificateCandidate) -> WorstCase:
     """Return the largest differences between the two sides of equation (1), over all configurations.
 
-    Revolute joints go all the way round, sliders as far as the robot's size either way. Half of the climbs
-    go after the largest displacement, half after the largest rotation.
+    Revolute joints go all the way round, prismatic joints as far as the robot's size either way. Half of the
+    climbs go after the largest displacement, half after the largest rotation.
     """
     n = len(candidate.signs)
     difference = differences(reference, submission, candidate)
@@ -135,7 +135,7 @@ class _Climb:
     ) -> None:
         n, k = joints.shape
         self.joints = joints.copy()
-        self._sliders = [axis.prismatic for axis in reference.chain.axes]
+        self._prismatic = [axis.prismatic for axis in reference.chain.axes]
         self._range = reference.size
         self._terms = _terms(reference, submission, candidate)
         self._before = np.empty((n + 1, 2, k, 4, 4))
@@ -171,7 +171,7 @@ class _Climb:
         shifts = difference[:STARTS, :, :3, 3]
         turns = difference[STARTS:, :, :3, :3].reshape(-1, 3, 9)
         grams = np.concatenate([shifts @ shifts.transpose(0, 2, 1), turns @ turns.transpose(0, 2, 1)])
-        if self._sliders[i]:
+        if self._prismatic[i]:
             self.joints[i] = np.where(grams[:, 0, 1] >= 0.0, self._range, -self._range)
         else:
             self.joints[i] = _highest(grams.reshape(-1, 9))
@@ -182,7 +182,7 @@ class _Climb:
         q = self.joints[i]
         weights = np.zeros((len(q), 3))
         weights[:, 0] = 1.0
-        if self._sliders[i]:
+        if self._prismatic[i]:
             weights[:, 1] = q
         else:
             np.cos(q, out=weights[:, 1])

@@ -36,9 +36,9 @@ from kinematics.table import JointType, NumericTable
 WARM = 8
 """A recording costs as much as 17 evaluations without one (a PUMA, 1.6 ms beside 0.1 ms); who has asked eight
 times goes on asking."""
-KEPT_TABLES = 64
+CACHED_TABLES = 64
 """Tables whose recordings are held at once: a class works on one exercise, a page on a handful."""
-KEPT_VARIANTS = 4
+CACHED_VARIANTS = 4
 """Pairs of base and tool held for one table: callers change them rarely."""
 LARGEST_TAPE = 1000
 """Longer computations are replayed from the tape: compiling grows faster than what it saves."""
@@ -164,7 +164,7 @@ class _Plans:
         with self._lock:
             found = self._variants.pop(key, None) or EvaluationPlan(self._table, base, tool)
             self._variants[key] = found
-            if len(self._variants) > KEPT_VARIANTS:
+            if len(self._variants) > CACHED_VARIANTS:
                 del self._variants[next(iter(self._variants))]
         return found
 
@@ -192,7 +192,7 @@ def _nothing() -> None:
     return None
 
 
-_plans_of_equal = lru_cache(maxsize=KEPT_TABLES)(_Plans)
+_plans_of_equal = lru_cache(maxsize=CACHED_TABLES)(_Plans)
 
 
 def may_overflow(chain: LinkMotions) -> bool:

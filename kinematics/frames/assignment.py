@@ -52,7 +52,7 @@ class Rule(StrEnum):
 
     FIRST, LAST: chosen so that parameters vanish. GIVEN: the caller's own frame 0 or N.
     SKEW … COINCIDENT: by the common normal of the two axes. PRISMATIC: by a normal that depends on where the
-    line of a sliding joint was drawn.
+    line of a prismatic joint was drawn.
     """
 
     FIRST = "first"
@@ -73,7 +73,7 @@ class Freedom(StrEnum):
     where d_1 and θ_1 vanish). ORIGIN: the origin may slide along the axis; put where d vanishes.
     X_SIGN: x may point either way across two intersecting axes; turned so that θ vanishes, or the twist is
     positive. X_DIRECTION: x may point anywhere across the axis; put along the x before it. LINE: the line of
-    a sliding joint may be drawn anywhere; drawn through the neighbouring origin.
+    a prismatic joint may be drawn anywhere; drawn through the neighbouring origin.
     """
 
     FRAME = "frame"

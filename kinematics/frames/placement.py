@@ -1,7 +1,7 @@
 """Where the line of a prismatic joint is drawn.
 
-A sliding joint has a direction and no place: any parallel line is its axis. The line is drawn through the
-origin on the next axis, so that a_i and d_{i+1} vanish; after the last turning joint, through the origin
+A prismatic joint has a direction and no place: any parallel line is its axis. The line is drawn through the
+origin on the next axis, so that a_i and d_{i+1} vanish; after the last revolute joint, through the origin
 before it, so that a and d vanish up to the end.
 """
 

@@ -36,9 +36,9 @@ def settled(frame: PartialPose, place: FramePlace, tolerance: float) -> PartialP
 def slides_on_neighbours(
     frames: Sequence[PartialPose], lines: Sequence[AxisLine], holders: Sequence[int], near: float
 ) -> list[PartialPose]:
-    """Return the frames with the lines of sliding joints moved onto parallel neighbours that are near.
+    """Return the frames with the lines of prismatic joints moved onto parallel neighbours that are near.
 
-    The line of a sliding joint goes through the origin of its frame. Rounded, it misses a neighbouring axis
+    The line of a prismatic joint goes through the origin of its frame. Rounded, it misses a neighbouring axis
     that it was drawn on, and would ask for a common normal that nobody meant.
 
     Args:

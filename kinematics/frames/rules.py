@@ -86,7 +86,7 @@ class FramePlace:
         own_line: that axis.
         partner: number of the axis that x crosses; None where there is none.
         partner_direction: direction of that axis.
-        partner_line: that axis; None while the line of a sliding joint has not been drawn.
+        partner_line: that axis; None while the line of a prismatic joint has not been drawn.
         size: the robot's size.
     """
 

@@ -113,9 +113,9 @@ def check_frames(
 ) -> JudgedFrames:
     """Return the rules that chosen frames break, what to choose from, and the table that follows.
 
-    The line of a sliding joint is where the student draws it: through the origin of the frame whose z is that
-    axis. A z against the positive direction of its joint is allowed; the joint variable then enters the table
-    with a minus sign.
+    The line of a prismatic joint is where the student draws it: through the origin of the frame whose z is
+    that axis. A z against the positive direction of its joint is allowed; the joint variable then enters the
+    table with a minus sign.
 
     Args:
         axes: the joint axes at the zero position.
@@ -247,7 +247,7 @@ def _foreign_y(where: tuple[str | int, ...]) -> Fault:
 def _drawn_lines(
     lines: Sequence[AxisLine], frames: Sequence[PartialPose], convention: Convention
 ) -> list[AxisLine | None]:
-    """The axes that have a place: turning joints, and sliding joints whose frame has an origin."""
+    """The axes that have a place: revolute joints, and prismatic joints whose frame has an origin."""
     drawn: list[AxisLine | None] = list(lines)
     for k, line in enumerate(lines):
         if line.joint is JointType.PRISMATIC:
@@ -257,7 +257,7 @@ def _drawn_lines(
 
 
 def _shown_lines(lines: Sequence[AxisLine], drawn: Sequence[AxisLine | None], size: float) -> list[AxisLine]:
-    """The axes for choosing from: sliding axes where the student or else the assignment draws them."""
+    """The axes for choosing from: prismatic axes where the student or else the assignment draws them."""
     proposed = draw_prismatic_axes(lines, size)
     return [own or other for own, other in zip(drawn, proposed, strict=True)]
 

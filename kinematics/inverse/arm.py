@@ -147,8 +147,8 @@ class Arm:
         return float(((self.n_joints + (reach * reach).sum()) / 5.0) ** 2.5)
 
     @property
-    def spare(self) -> int:
-        """Number of joints to spare: the dimension of the solutions for almost every pose in reach."""
+    def redundancy(self) -> int:
+        """Degree of redundancy: the dimension of the solutions for almost every pose in reach."""
         return self.n_joints - self.generic_rank
 
     @cached_property

@@ -56,7 +56,7 @@ def judge(plan: EvaluationPlan, joints: Array, targets: Array, counts: NDArray[n
     """Judge candidates by the forward kinematics.
 
     Args:
-        plan: of an arm of six turning joints, base and tool included.
+        plan: of an arm of six revolute joints, base and tool included.
         joints: (k, 6) candidates; what is not finite is judged infinitely far off.
         targets: (m, 4, 4).
         counts: (m,) how many of the candidates belong to each target, in order of the targets.
@@ -85,7 +85,7 @@ def _sum(rows: Array, which: Sequence[int]) -> Array:
 
 @lru_cache(maxsize=64)
 def _tape(plan: EvaluationPlan) -> Tape:
-    """End pose, determinant and fingerprint of an arm of six turning joints."""
+    """End pose, determinant and fingerprint of an arm of six revolute joints."""
     recorder = Recorder(12)
     values = list(zip(recorder.inputs[:6], recorder.inputs[6:], strict=True))
     rows = end_pose(plan.chain, values)

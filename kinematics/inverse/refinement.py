@@ -21,7 +21,7 @@ much."""
 BESIDE = 32.0
 """At a fold a target may be out of reach by what a turn of one tolerance makes of the arm's size: candidates
 that are off by so many tolerances [rad, and parts of the size] are refined by distance and angle alike, and
-across what the Jacobian does not see."""
+across the null space of the Jacobian."""
 
 
 def solutions_of(arm: Arm, candidates: Array, target: Transform, tolerance: float) -> Array:

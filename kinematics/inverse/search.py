@@ -41,8 +41,8 @@ Mech. Mach. Theory 21 (1986) 509.
 
 FIRST_ROUND = 32
 """Starts of the first round: for most arms they find every solution several times."""
-SPARE_STARTS = 128
-"""Starts for arms with joints to spare: each of their families, sixteen at most of seven joints, draws
+REDUNDANT_STARTS = 128
+"""Starts for arms with redundant joints: each of their families, sixteen at most of seven joints, draws
 many."""
 
 ENOUGH_STARTS = 512
@@ -210,7 +210,7 @@ def search(
             )
         done, count = done + count, done + count
         enough = len(found) == before or len(found) > MOST_ISOLATED or done >= ENOUGH_STARTS
-        if len(found) and (done >= SPARE_STARTS if arm.spare else enough):
+        if len(found) and (done >= REDUNDANT_STARTS if arm.redundancy else enough):
             break
     if len(found):
         return SearchResult(found, found[0])

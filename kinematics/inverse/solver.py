@@ -52,7 +52,7 @@ class Solver:
         arm: its constants and joints.
         closed_form: the method that yields all solutions, if there is one.
         clear: the same in scalars, for targets that are well away from singularities, if there is one.
-        locked: closed forms with one joint locked, if there is one to spare.
+        locked: closed forms with one joint locked, if the arm has one redundant joint.
         box: joint limits.
     """
 
@@ -170,7 +170,7 @@ class Solver:
     def _by_closed_form(self, goal: Goal) -> Array | None:
         """Its solutions, with those that rounding has left out at the ends of valleys."""
         roots = self._roots(goal)
-        if roots is None or self.arm.spare:
+        if roots is None or self.arm.redundancy:
             return None if roots is None else roots[0]
         found, _ = roots
         ends = low_points(self.arm, goal.pose, np.concatenate(roots), goal.tolerance)
@@ -204,7 +204,7 @@ class Solver:
             return None
         most = max((part.dimension for part in continua), default=0)
         return InverseKinematics(
-            status=IKStatus.SINGULAR if most > arm.spare else IKStatus.SOLVED,
+            status=IKStatus.SINGULAR if most > arm.redundancy else IKStatus.SOLVED,
             complete=method is Method.CLOSED_FORM and not continua and len(alone) <= MOST_ISOLATED,
             method=method,
             solutions=self._told(found, goal.pose),
@@ -254,7 +254,7 @@ class Solver:
                 return answer
             outside = len(parts)
         freely = None
-        if not outside and not (self.arm.spare and self.box.limited):
+        if not outside and not (self.arm.redundancy and self.box.limited):
             freely = self._search(goal, Bounds.IGNORED)
             answer = self._answer(freely.solutions, goal, Method.SEARCH)
             if answer is not None:
@@ -282,7 +282,7 @@ class Solver:
         answer = self._answer(found.solutions, goal, Method.SEARCH, outside)
         if answer is not None:
             return answer
-        if not outside and self.arm.spare:
+        if not outside and self.arm.redundancy:
             freely = self._search(goal, Bounds.IGNORED)
             outside = len(components_of(self.arm, goal.pose, freely.solutions, goal.tolerance))
         return self._unreachable(goal, found.nearest, outside, method)

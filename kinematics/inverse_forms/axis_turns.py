@@ -123,12 +123,12 @@ def _three_turns(
     first, second, third = turns
     a, b, c = (turn.axis for turn in turns)
     seen = product_with(N, c)
-    same, hand = dot(a, c), dot(a, cross(b, c))
+    same, handedness = dot(a, c), dot(a, cross(b, c))
     # N c = (along a) + Rot(a, θ_4) of a multiple of x, which is across a; y = a × x.
     x = cross(b, c) if same else c
     y = cross(a, x)
     c5, s5 = circular(Function.COS, second.angle), circular(Function.SIN, second.angle)
-    across, level = (s5, signed(same, c5)) if same else (c5, signed(hand, s5))
+    across, level = (s5, signed(same, c5)) if same else (c5, signed(handedness, s5))
     m_x, m_y, m_z = (
         write.let(name, along(axis, seen), InverseQuantity.HAND_AXIS, meaning=meaning)
         for name, axis, meaning in (
@@ -146,7 +146,7 @@ def _three_turns(
     if same:
         second.writing(atan2(out, signed(same, m_z)))
     else:
-        second.writing(atan2(signed(hand, m_z), out))
+        second.writing(atan2(signed(handedness, m_z), out))
     # Nᵀ Rot(a, θ_4) b = Rot(c, -θ_6) b, also where θ_4 may be chosen
     rows = product_with(transposed, b), product_with(transposed, cross(a, b))
     n_x, n_y = (
@@ -168,8 +168,8 @@ def _aligned(name: str, turns: Sequence[Turn], N: Sequence[Vector], m: Vector, k
     """
     first, second, third = turns
     a, b, c = (turn.axis for turn in turns)
-    same, hand = dot(a, c), dot(a, cross(b, c))
-    at = pi_times(Fraction(1 - same * kappa, 2) if same else Fraction(hand * kappa, 2))
+    same, handedness = dot(a, c), dot(a, cross(b, c))
+    at = pi_times(Fraction(1 - same * kappa, 2) if same else Fraction(handedness * kappa, 2))
     at = add((at, negate(second.offset)))
     seen = product_with(N, b)
     together = atan2(along(cross(a, b), seen), along(b, seen))

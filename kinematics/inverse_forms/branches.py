@@ -25,7 +25,8 @@ def joint_values(
 
     Args:
         form: the equations.
-        target: (4, 4) pose of the hand; of an arm that only reaches positions the rotation does not matter.
+        target: (4, 4) pose of the end-effector; of an arm that only reaches positions the rotation does not
+            matter.
         parameters: value of each parameter by name [m or rad].
 
     Raises:

@@ -1,16 +1,16 @@
 """Inverse kinematics in symbols, as books print it: one joint after another, by atan2, case by case.
 
-Arms whose axes are at right angles are taken apart as a lecturer does. At the hand up to three turns about
-axes through one point w, which they cannot move. Before them joints that move in a plane with normal h: two,
-which place w, or three with parallel axes, which turn the hand about h as well. Before these, or among them,
-one joint more: a turn across h, to which w keeps the distance that it has along h, or a slide along h. The
-turn across h may also stand behind two planar joints: then it alone lifts w along h.
+Arms whose axes are at right angles are taken apart as a lecturer does. At the end-effector up to three turns
+about axes through one point w, which they cannot move. Before them joints that move in a plane with normal h:
+two, which place w, or three with parallel axes, which turn the end-effector about h as well. Before these, or
+among them, one joint more: a turn across h, to which w keeps the distance that it has along h, or a slide
+along h. The turn across h may also stand behind two planar joints: then it alone lifts w along h.
 
     planar arms, SCARA, cylindrical arms    planar joints, a slide along h
     PUMA, IRB 140, the Stanford arm         a turn, two planar joints, a wrist
     SCORBOT, Universal Robots               a turn, three planar joints, one or two turns
     two parallel axes, an elbow across      two planar joints, a turn, a wrist
-    one joint, a wrist, pan and tilt        no planar joints; a slide or none, and the turns at the hand
+    one joint, a wrist, pan and tilt        no planar joints; a slide or none, and the last turns
 
 Source: J. J. Craig, Introduction to robotics, 3rd ed. (2005) ch. 4; R. P. Paul, Robot manipulators (1981)
 ch. 3.
@@ -247,7 +247,7 @@ class _Writer:
         )
 
     def _tail(self, N: Sequence[Vector]) -> bool:
-        """Write down the turns at the hand, from what rotation the planar joints leave."""
+        """Write down the turns at the end-effector, from what rotation the planar joints leave."""
         parts, write = self.parts, self.write
         if not parts.tail:
             return True

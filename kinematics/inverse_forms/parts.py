@@ -23,7 +23,7 @@ class Parts:
         slide: the joint that slides along the plane's normal, or None.
         tilt: the joint that turns across the plane's normal behind two planar joints, or None.
         planar: two or three joints that move in the plane; or none, and the tail is all but a slide.
-        tail: the turns at the hand.
+        tail: the turns at the end-effector.
         plane: the plane.
         point: the point that the tail leaves alone.
     """
@@ -101,7 +101,7 @@ def _across(h: Axis) -> Axis:
 
 
 def _point_left_alone(tail: Sequence[SignedJoint], end: Vector) -> Vector | None:
-    """The point of all axes of the tail that is nearest to the hand; of no axis the hand itself."""
+    """The common point of the axes of the tail that is nearest to the end; without a tail the end itself."""
     if not all(joint.turns for joint in tail):
         return None
     if any(dot(one.axis, other.axis) for one, other in pairwise(tail)):

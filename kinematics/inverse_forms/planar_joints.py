@@ -3,7 +3,7 @@
 In coordinates u, v along f and g = h × f a turn by φ takes (1, 0) to (cos φ, sin φ). Two joints bring a point
 to its place; three, of which the last turns, a point and a direction: the axis of the last is such a point.
 
-Source: for two turning joints, J. J. Craig, Introduction to robotics, 3rd ed. (2005) §4.4 eq. 4.13 to 4.27;
+Source: for two revolute joints, J. J. Craig, Introduction to robotics, 3rd ed. (2005) §4.4 eq. 4.13 to 4.27;
 R. P. Paul, Robot manipulators (1981) §3.4 for a cos + b sin = d.
 """
 

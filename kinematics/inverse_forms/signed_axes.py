@@ -67,7 +67,7 @@ class SignedArm:
     Attributes:
         joints: base first.
         end: position of the tip at θ = 0.
-        columns: the x, y and z axis of the hand at θ = 0.
+        columns: the x, y and z axis of the end-effector at θ = 0.
     """
 
     joints: tuple[SignedJoint, ...]

@@ -22,7 +22,8 @@ def default_limits(chain: ScmChain, parameters: Mapping[str, float]) -> tuple[Li
 
     For prismatic ones 0 to the sum of the chain's lengths.
 
-    The document states no strokes: the sum of all lengths (1 if there are none) keeps a slider in proportion.
+    The document states no strokes: the sum of all lengths (1 if there are none) keeps a prismatic joint in
+    proportion.
     """
     total = 0.0
     for placement in (*(row.constant for row in chain.rows), chain.final, chain.tool):

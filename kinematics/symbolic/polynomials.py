@@ -103,7 +103,7 @@ class PolynomialReader:
         return result
 
     def degrees(self, polynomial: Polynomial) -> dict[Symbol, int]:
-        """Return the degree in cosine and sine of each angle, and in each slider; a product's are sums."""
+        """Return the degree in the sine and cosine of each angle and in each prismatic variable."""
         found: dict[Symbol, int] = {}
         for symbol, shift in self._angles.items():
             powers = [(key >> shift & _FIELD) + (key >> shift + _BITS & _FIELD) for key in polynomial]

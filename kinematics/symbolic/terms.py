@@ -33,7 +33,7 @@ class Rank(IntEnum):
 
     ROOT = 0
     LENGTH = 1
-    SLIDER = 2
+    PRISMATIC = 2
     CONSTANT_ANGLE = 3
     JOINT_ANGLE = 4
     PARENTHESES = 5
@@ -46,7 +46,7 @@ def place_of(expression: Expression) -> int:
         case Call(Function.SQRT, (Number(),)):
             rank = Rank.ROOT
         case JointVariable(joint):
-            rank = Rank.SLIDER
+            rank = Rank.PRISMATIC
         case Call(Function.SIN | Function.COS | Function.TAN):
             joint = min(joint_variables_in(expression), default=0)
             rank = Rank.JOINT_ANGLE if joint else Rank.CONSTANT_ANGLE

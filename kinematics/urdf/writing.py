@@ -29,7 +29,7 @@ from kinematics.urdf.document import MAX_NUMBER
 BASE_LINK = "base_link"
 TIP_LINK = "tool0"
 UNLIMITED = 1e16
-"""A limit that stands for none [rad, or m]: URDF knows no sliding joint without two of them."""
+"""A limit that stands for none [rad, or m]: URDF knows no prismatic joint without two of them."""
 STILL = 1e-12
 """What the arithmetic leaves of frames that are one: entries of a pose."""
 

@@ -1,8 +1,8 @@
 """The workspace: how near, how far and in which box the joints bring the end frame's origin.
 
-goals       what is to be made as great as possible: a distance, its negative, a coordinate
-climbing    the greatest value of a goal: joint by joint in closed form, then Newton's steps
-conditions  the greatest value of a goal in a plane, or with the tool held as it is
+objectives  what is to be maximised: a distance, its negative, a coordinate
+coordinate_ascent  the maximum of an objective: joint by joint in closed form, then Newton's steps
+conditions  the greatest value of an objective in a plane, or with the tool held as it is
 spans       the ranges of the joints
 reach       radii, box and points of a robot
 """

@@ -1,10 +1,10 @@
 """The workspace under conditions: in a plane, or with the tool held as it is.
 
-What is asked is the greatest value of a goal on the set of configurations where the conditions hold,
+What is asked is the greatest value of an objective on the set of configurations where the conditions hold,
 
     max f(q),   c(q) = 0,   low ≤ q ≤ high.
 
-Many configurations are brought onto that set by Gauss–Newton steps, climb along it by their projected
+Many configurations are brought onto that set by Gauss–Newton steps, move along it by their projected
 gradient and are brought back after every step; the best end with Newton's steps in the set's tangent plane.
 
 Source: D. G. Luenberger, Y. Ye, Linear and nonlinear programming, 3rd ed. (2008) §12.4 (gradient projection)
@@ -23,21 +23,21 @@ from kinematics.inverse.arm import Arm, ArmReach, arm_of
 from kinematics.inverse.residuals import errors_of
 from kinematics.se3 import Transform
 from kinematics.table import NumericTable
-from kinematics.workspace.climbing import Summit
-from kinematics.workspace.goals import Array, Goals, ReachGoal, stacked
+from kinematics.workspace.coordinate_ascent import Maximum
+from kinematics.workspace.objectives import Array, Objective, Objectives, stacked
 from kinematics.workspace.spans import spread
 
 LOOKS = 1024
 """Configurations that are brought onto the set."""
 
 STARTS = 16
-"""Configurations from which a goal is climbed to: half of them the best, the others from all over the set."""
+"""Configurations from which an ascent starts: half of them the best, the others from all over the set."""
 
 STEPS_ONTO = 40
 STEPS_BACK = 5
 MOST_STEPS = 150
 NEWTON_STEPS = 12
-"""Steps onto the set, back onto it after a move, of a climb along it, and of Newton at the end, at most."""
+"""Steps onto the set, back onto it after a move, of an ascent along it, and of Newton at the end, at most."""
 
 LONGEST_STEP = 0.5
 """Longest step onto the set [rad, or parts of the size]: farther than this tangents tell little."""
@@ -49,7 +49,7 @@ _DAMPING = 1e-14
 _DIFFERENCE = 1e-6
 _SETTLED = 1e-9
 """Damping of singular steps; step of the central differences, of the order of the cube root of the precision;
-and the length of a step that ends a climb."""
+and the length of a step that ends an ascent."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -107,18 +107,18 @@ class _Surface:
         return x, np.linalg.norm(self.seen(x)[2], axis=1)
 
 
-def summits_within(
+def maxima_within(
     table: NumericTable,
-    goals: Sequence[ReachGoal],
+    objectives: Sequence[Objective],
     spans: Array,
     conditions: Conditions,
     tool: Transform | None = None,
-) -> list[Summit]:
-    """Return for each goal the greatest value that the tool's origin can have under conditions.
+) -> list[Maximum]:
+    """Return for each objective the greatest value that the tool's origin can have under conditions.
 
     Args:
         table: the robot.
-        goals: what is to be great, in frame 0.
+        objectives: what is to be great, in frame 0.
         spans: (n, 2) ranges of the joints.
         conditions: what has to hold.
         tool: (4, 4) pose of the tool in frame N.
@@ -135,15 +135,15 @@ def summits_within(
     place = surface.seen(on)[0]
     fixed = np.linspace(0, len(on) - 1, STARTS // 2).astype(int)
     chosen = []
-    for goal in goals:
-        value = stacked([goal], len(on)).values(place)
+    for objective in objectives:
+        value = stacked([objective], len(on)).values(place)
         chosen += [np.resize(np.argsort(-value, kind="stable"), STARTS - len(fixed)), fixed]
-    x = _climbed(surface, stacked(goals, STARTS), on[np.concatenate(chosen)])
+    x = _ascended(surface, stacked(objectives, STARTS), on[np.concatenate(chosen)])
     found = []
-    for k, goal in enumerate(goals):
+    for k, objective in enumerate(objectives):
         own = x[k * STARTS : (k + 1) * STARTS]
-        value = stacked([goal], STARTS).values(surface.seen(own)[0])
-        found.append(_polished(surface, goal, own[int(value.argmax())]))
+        value = stacked([objective], STARTS).values(surface.seen(own)[0])
+        found.append(_polished(surface, objective, own[int(value.argmax())]))
     return found
 
 
@@ -171,18 +171,18 @@ def _least_step(C: Array, c: Array) -> Array:
     return np.asarray(np.where(np.isfinite(steps), steps, 0.0))
 
 
-def _gradients(goals: Goals, place: Array, along: Array) -> Array:
-    lever = 2.0 * np.einsum("mij,mj->mi", goals.W, place - goals.origin) + goals.c
+def _gradients(objectives: Objectives, place: Array, along: Array) -> Array:
+    lever = 2.0 * np.einsum("mij,mj->mi", objectives.W, place - objectives.origin) + objectives.c
     return np.asarray(np.einsum("mi,mij->mj", lever, along))
 
 
-def _climbed(surface: _Surface, goals: Goals, x: Array) -> Array:
+def _ascended(surface: _Surface, objectives: Objectives, x: Array) -> Array:
     """Configurations after steps along their projected gradients, each as long as it still helps."""
     step = np.full(len(x), 0.1)
-    value = goals.values(surface.seen(x)[0])
+    value = objectives.values(surface.seen(x)[0])
     for _ in range(MOST_STEPS):
         place, along, _, C = surface.seen(x)
-        g = _gradients(goals, place, along)
+        g = _gradients(objectives, place, along)
         way = g + _least_step(C, np.einsum("mkn,mn->mk", C, g))
         blocked = ((x <= surface.low) & (way < 0.0)) | ((x >= surface.high) & (way > 0.0))
         if blocked.any():
@@ -192,7 +192,7 @@ def _climbed(surface: _Surface, goals: Goals, x: Array) -> Array:
         length = np.maximum(np.linalg.norm(way, axis=1), 1e-300)
         moved = np.clip(x + (step / length)[:, None] * way, surface.low, surface.high)
         moved, off = surface.brought(moved, STEPS_BACK)
-        there = goals.values(surface.seen(moved)[0])
+        there = objectives.values(surface.seen(moved)[0])
         better = (off <= HOLDS) & (there > value)
         x, value = np.where(better[:, None], moved, x), np.where(better, there, value)
         step = np.where(better, 1.6 * step, 0.35 * step)
@@ -202,9 +202,9 @@ def _climbed(surface: _Surface, goals: Goals, x: Array) -> Array:
     return x
 
 
-def _polished(surface: _Surface, goal: ReachGoal, x: Array) -> Summit:
-    """The summit near a configuration, by Newton's steps along the set."""
-    one = stacked([goal], 1)
+def _polished(surface: _Surface, objective: Objective, x: Array) -> Maximum:
+    """The maximum near a configuration, by Newton's steps along the set."""
+    one = stacked([objective], 1)
     value = float(one.values(surface.seen(x[None])[0])[0])
     for _ in range(NEWTON_STEPS):
         place, along, _, C = (part[0] for part in surface.seen(x[None]))
@@ -232,17 +232,19 @@ def _polished(surface: _Surface, goal: ReachGoal, x: Array) -> Summit:
                 break
         if not gained:
             break
-    return Summit(value, x * surface.arm.units, surface.seen(x[None])[0][0])
+    return Maximum(value, x * surface.arm.units, surface.seen(x[None])[0][0])
 
 
-def _bending(surface: _Surface, goal: Goals, x: Array, pull: Array, free: Array) -> Array:
+def _bending(surface: _Surface, objective: Objectives, x: Array, pull: Array, free: Array) -> Array:
     """Hessian of f + pull·c in the free joints, by central differences of its gradient."""
     columns = np.flatnonzero(free)
     shifts = _DIFFERENCE * np.eye(len(x))[columns]
     gradients = []
     for sign in (1.0, -1.0):
         place, along, _, C = surface.seen(x + sign * shifts)
-        many = Goals(*(np.repeat(part, len(columns), axis=0) for part in (goal.origin, goal.W, goal.c)))
+        many = Objectives(
+            *(np.repeat(part, len(columns), axis=0) for part in (objective.origin, objective.W, objective.c))
+        )
         gradients.append((_gradients(many, place, along) + pull @ C)[:, columns])
     H = (gradients[0] - gradients[1]) / (2.0 * _DIFFERENCE)
     return np.asarray(0.5 * (H + H.T))

@@ -15,9 +15,9 @@ from kinematics.inverse.lengths import check_lengths, is_far, is_long, too_long
 from kinematics.inverse.limits import JointLimits
 from kinematics.se3 import Transform, check_transform, inverse_transform
 from kinematics.table import NumericTable
-from kinematics.workspace.climbing import Summit, first_axis, summits
-from kinematics.workspace.conditions import Conditions, places_within, summits_within
-from kinematics.workspace.goals import Array, direction_goal, distance_goals
+from kinematics.workspace.conditions import Conditions, maxima_within, places_within
+from kinematics.workspace.coordinate_ascent import Maximum, first_axis, maxima
+from kinematics.workspace.objectives import Array, direction_objective, distance_objectives
 from kinematics.workspace.spans import joint_spans, spread
 
 Vector3 = tuple[float, float, float]
@@ -94,7 +94,7 @@ def workspace(
     the frame as it is held.
 
     Every number is that of a configuration within the limits, so no number promises more than the robot can
-    do. That nothing lies beyond is found by climbing from many starts, and not proved.
+    do. That nothing lies beyond is found by ascent from many starts, and not proved.
 
     Args:
         table: the DH table.
@@ -110,7 +110,7 @@ def workspace(
 
     Raises:
         TableError: the table has no joint, or an entry is NaN, infinite or too large.
-        JointValueError: limits of the wrong number, reversed or too large, or a sliding joint without them.
+        JointValueError: limits of the wrong number, reversed or too large, or a prismatic joint without them.
         PoseError: base, tool or held is not a rigid transform, or too far away; a normal of no length, at
             ("plane", "normal"); or no configuration meets the conditions, at ("plane",), ("axis",)
             or ("quaternion",).
@@ -121,17 +121,17 @@ def workspace(
     T_n_t = None if tool is None else check_transform(tool, where=("tool",))
     point, direction = first_axis(table)
     sides = [T_w_0[k, :3] * sign for sign in (-1.0, 1.0) for k in range(3)]
-    goals = [
-        *distance_goals(point, direction),
-        *distance_goals(np.zeros(3), None),
-        *(direction_goal(side) for side in sides),
+    objectives = [
+        *distance_objectives(point, direction),
+        *distance_objectives(np.zeros(3), None),
+        *(direction_objective(side) for side in sides),
     ]
     conditions = _conditions(T_w_0, plane, held, counts)
     if conditions is None:
-        found = summits(table, goals, spans, T_n_t)
+        found = maxima(table, objectives, spans, T_n_t)
         places = end_poses(table, spread(spans, samples), tool=tool)[:, :3, 3] if samples else None
     else:
-        found = summits_within(table, goals, spans, conditions, T_n_t)
+        found = maxima_within(table, objectives, spans, conditions, T_n_t)
         places = places_within(table, samples, spans, conditions, T_n_t) if samples else None
     places = np.empty((0, 3)) if places is None else places
     near_axis, far_axis, near, far, *corners = found
@@ -207,11 +207,11 @@ def check_reach(table: NumericTable, base: ArrayLike | None, tool: ArrayLike | N
             raise PoseError(too_long((name,)))
 
 
-def _radius(summit: Summit, away: Array, reach: float) -> Radius:
+def _radius(maximum: Maximum, away: Array, reach: float) -> Radius:
     value = math.hypot(*away.tolist())
     return Radius(
         value=value if value > AS_GOOD_AS_ZERO * reach else 0.0,
-        joints=tuple(q if abs(q) > AS_GOOD_AS_ZERO else 0.0 for q in summit.joints.tolist()),
+        joints=tuple(q if abs(q) > AS_GOOD_AS_ZERO else 0.0 for q in maximum.joints.tolist()),
     )
 
 

@@ -9,15 +9,15 @@ from kinematics.inverse.arm import low_discrepancy
 from kinematics.inverse.limits import JointLimits, read_limits
 from kinematics.inverse.search import one_turn
 from kinematics.table import JointType, NumericTable
-from kinematics.workspace.goals import Array
+from kinematics.workspace.objectives import Array
 
 
 def joint_spans(table: NumericTable, limits: JointLimits | None) -> Array:
     """Return (n, 2) lowest and highest value of every joint; of a revolute joint one turn at most.
 
     Raises:
-        JointValueError: limits of the wrong number, reversed or too far from zero, or a sliding joint without
-            both of them, at ("limits", i).
+        JointValueError: limits of the wrong number, reversed or too far from zero, or a prismatic joint
+            without both of them, at ("limits", i).
     """
     revolute = [joint is JointType.REVOLUTE for joint in table.joint_types]
     box = read_limits(limits, revolute)

@@ -24,7 +24,7 @@ _CHUNK = 8
 that is last takes no longer than eight wrong ones."""
 _AHEAD = 64
 """Hand-ins in flight for each worker, so that none is idle and memory does not grow with the class."""
-_REMEMBERED = 1024
+_CACHED_ANSWERS = 1024
 """Tables that are known again when another student hands in the same; one takes a few kilobytes."""
 
 
@@ -75,7 +75,7 @@ def grade_class(found: Iterable[HandIn], settings: ClassSettings, jobs: int | No
             key = _meaning(hand_in, settings)
             if key not in known:
                 known[key] = chunk, chunk.add(hand_in)
-                if len(known) > _REMEMBERED:
+                if len(known) > _CACHED_ANSWERS:
                     known.popitem(last=False)
             known.move_to_end(key)
             waiting.append((hand_in, *known[key]))

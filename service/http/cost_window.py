@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 MINUTE = 60.0
 CALLERS = 16_384
-"""Callers whose cost is remembered; the one that called longest ago is forgotten first."""
+"""Callers whose cost is stored; the one that called longest ago is dropped first."""
 
 
 class Charged(NamedTuple):

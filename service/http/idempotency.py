@@ -29,7 +29,7 @@ LARGEST_ANSWER = 4 * 1024 * 1024
 """Bytes of an answer that is kept: the verdicts of a class of a few hundred."""
 MOST_BYTES = 64 * 1024 * 1024
 """Bytes that all kept answers take together; the oldest go first."""
-LONGEST_KEPT = 24 * 60 * 60
+LONGEST_LIFE = 24 * 60 * 60
 """Seconds for which an answer is kept: a job that failed at night is begun again in the morning."""
 _CALLER = (b"authorization", b"x-api-key", b"cookie", LINK_HEADER.lower().encode())
 _FORM = (b"accept", b"accept-language", b"content-type")
@@ -37,7 +37,7 @@ _OVERHEAD = 1024
 """Bytes that an answer is counted for beside its body: headers, digests, its place."""
 _DURABLE = "/api/v1/session/"
 """Attempts of a course: their keys are stored with them, by the routes."""
-_NOT_KEPT = (408, 409, 429)
+_NOT_STORED = (408, 409, 429)
 """Refusals that say "not now", as every 5xx does: the next try may succeed."""
 
 _Slot: TypeAlias = bytes
@@ -97,7 +97,7 @@ class IdempotencyMiddleware:
             await self._refuse(Request(scope), error)(scope, receive, send)
 
     def _known(self, slot: _Slot) -> _GivenAnswer | None:
-        oldest = time.monotonic() - LONGEST_KEPT
+        oldest = time.monotonic() - LONGEST_LIFE
         while self._answers and next(iter(self._answers.values())).begun < oldest:
             self._forget(next(iter(self._answers)))
         return self._answers.get(slot)
@@ -159,7 +159,7 @@ def _slot(scope: Scope, fields: dict[bytes, bytes], key: bytes) -> _Slot:
 
 
 def _is_final(status: int) -> bool:
-    return status < 500 and status not in _NOT_KEPT
+    return status < 500 and status not in _NOT_STORED
 
 
 def _conflict() -> ConflictError:

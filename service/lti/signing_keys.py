@@ -14,15 +14,15 @@ from joserfc.jwk import RSAKey
 ALGORITHM = "RS256"
 PUBLISHED_BEFORE = timedelta(days=2)
 """Platforms keep key sets for a day: a new key is published so long before it signs."""
-KEPT_AFTER = timedelta(days=1)
+PUBLISHED_AFTER = timedelta(days=1)
 """An old key stays published so long after its successor signs."""
 BITS = 2048
 """The least that RFC 7518 §3.3 allows for RS256, and what every platform takes."""
 
 PUBLIC = ("kty", "kid", "use", "alg", "n", "e")
 """Members of a JWK that are no secret (RFC 7518 §6.3.1, RFC 7517 §4)."""
-_KEPT = 4
-"""Private keys that are kept imported: one signs, and its predecessor did."""
+_CACHED_KEYS = 4
+"""Private keys in the cache: one signs, and its predecessor did."""
 
 
 class SigningKey(Protocol):
@@ -68,7 +68,7 @@ def outdated(keys: Sequence[SigningKey], now: datetime) -> tuple[str, ...]:
     return tuple(
         key.kid
         for key in keys
-        if key.signs_from < current.signs_from and current.signs_from + KEPT_AFTER < now
+        if key.signs_from < current.signs_from and current.signs_from + PUBLISHED_AFTER < now
     )
 
 
@@ -78,6 +78,6 @@ def signed(claims: Mapping[str, Any], key: SigningKey) -> str:
     return jwt.encode(header, dict(claims), _imported(key.private), [ALGORITHM])
 
 
-@lru_cache(maxsize=_KEPT)
+@lru_cache(maxsize=_CACHED_KEYS)
 def _imported(private: str) -> RSAKey:
     return RSAKey.import_key(json.loads(private))

@@ -1,8 +1,8 @@
-"""One noun a file, in the rooms `kinematics`, `checks`, `exercises` and `courses`; beside them the pages.
+"""One noun a file, in the packages `kinematics`, `checks`, `exercises` and `courses`; beside them the pages.
 
 Each module has a `router`, made by `service.http.routing.api_router("tag")`.
 
-The application mounts every module of this package and of its rooms, in alphabetical order of the names of
+The application mounts every module of this package and of those in it, in alphabetical order of the names of
 files, as it stands: the paths of an API router already begin with /api/v1, and a page's router says its own.
 Nothing is registered elsewhere.
 
@@ -21,7 +21,7 @@ from fastapi import APIRouter
 
 
 def routers() -> Iterator[APIRouter]:
-    """Yield the router of every module of this package and of its rooms."""
+    """Yield the router of every module of this package and of those in it."""
     found = [module for module in pkgutil.walk_packages(__path__, f"{__name__}.") if not module.ispkg]
     for module in sorted(found, key=lambda entry: entry.name.rpartition(".")[2]):
         yield importlib.import_module(module.name).router

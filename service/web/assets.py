@@ -65,7 +65,7 @@ class Assets:
         self._files: Mapping[str, tuple[int, int]] = {}
         self._version = ""
         self._scanned = float("-inf")
-        self._kept: dict[tuple[str, str], tuple[tuple[int, int], Asset]] = {}
+        self._cached: dict[tuple[str, str], tuple[tuple[int, int], Asset]] = {}
         self._imports: dict[str, tuple[str, ...]] = {}
         self._all_imports: dict[str, tuple[str, ...]] = {}
 
@@ -87,11 +87,11 @@ class Assets:
         if stamp is None:
             return None
         encoding = self._encoding(name, accepted)
-        kept = self._kept.get((name, encoding))
+        kept = self._cached.get((name, encoding))
         if kept is not None and kept[0] == stamp:
             return kept[1]
         asset = self._read(name, encoding)
-        self._kept[(name, encoding)] = (stamp, asset)
+        self._cached[(name, encoding)] = (stamp, asset)
         return asset
 
     def imports(self, name: str) -> tuple[str, ...]:

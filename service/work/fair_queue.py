@@ -43,7 +43,7 @@ HALF_LIFE = 10.0
 AHEAD = 0.02
 """Seconds of use by which a newcomer is ahead of those who are being served: the cost of some answers."""
 CLIENTS = 4096
-"""Clients whose use is remembered; the one that was idle longest is forgotten first."""
+"""Clients whose use is stored; the one that was idle longest is dropped first."""
 
 current_client: ContextVar[Client] = ContextVar("current_client", default=("", 0))
 """The client for whom work is being done; set for each request by the outer middleware."""
@@ -147,7 +147,7 @@ class FairQueue:
         """Give a slot back that the client used for so long, and hand it to the next."""
         used = math.log2(seconds) + time.monotonic() / HALF_LIFE if seconds > 0.0 else -math.inf
         for key in (client[0], client):
-            _remember(self._used, key, _sum_of_powers(self._use(key), used))
+            _store(self._used, key, _sum_of_powers(self._use(key), used))
         following = self._line.next()
         if following is not None:
             self._serve(following.client)
@@ -158,7 +158,7 @@ class FairQueue:
     def _serve(self, client: Client) -> None:
         """Note how much was used by who is served next: of all names, and of the connections of one."""
         for among, key in _levels(client):
-            _remember(self._served, among, max(self._served.get(among, -math.inf), self._use(key)))
+            _store(self._served, among, max(self._served.get(among, -math.inf), self._use(key)))
 
     def _catch_up(self, client: Client) -> None:
         """Count a newcomer's use as at most `AHEAD` less than that of those who are being served."""
@@ -167,7 +167,7 @@ class FairQueue:
             served = self._served.get(among, -math.inf)
             if served > ahead:
                 least = served + math.log2(-math.expm1((ahead - served) * math.log(2.0)))
-                _remember(self._used, key, max(self._use(key), least))
+                _store(self._used, key, max(self._use(key), least))
 
     def _use(self, key: Name | Client) -> float:
         """How much a client has used, log2 of seconds as they would count at time 0.
@@ -180,7 +180,7 @@ class FairQueue:
 _Key = TypeVar("_Key")
 
 
-def _remember(values: OrderedDict[_Key, float], key: _Key, value: float) -> None:
+def _store(values: OrderedDict[_Key, float], key: _Key, value: float) -> None:
     """Keep a value by its key, and forget what was not touched for longest."""
     values[key] = value
     values.move_to_end(key)

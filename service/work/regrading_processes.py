@@ -23,7 +23,7 @@ CHUNK = 8
 """Answers that travel to a process together, as when a class is graded from files."""
 FEW = 32
 """So few answers are judged here before a process would have started."""
-REMEMBERED = 4096
+CACHED_ANSWERS = 4096
 """Answers that are known again when another student hands in the same; one takes a few kilobytes."""
 NICENESS = 10
 """Students who hand in meanwhile come first."""
@@ -63,7 +63,7 @@ class RegradingProcesses:
         new.pop(None, None)
         found = {None: UNREAD, **self._known}
         found.update(zip(new, self._judged(list(new.values())), strict=True))
-        self._known = dict(list(found.items())[-REMEMBERED:])
+        self._known = dict(list(found.items())[-CACHED_ANSWERS:])
         return [replace(found[key], attempt_id=attempt.id) for key, attempt in zip(keys, batch, strict=True)]
 
     def _judged(self, attempts: Sequence[Attempt]) -> list[Rejudged]:

@@ -22,7 +22,7 @@ from exercises.definition import Exercise
 from exercises.errors import ExerciseError, UnknownExerciseError
 from exercises.grader import Report, allowed_help, grade
 from exercises.grading import HelpLevel
-from exercises.instance import kept_instance
+from exercises.instance import cached_instance
 from exercises.library import Library
 from exercises.parts.protocol import RawAnswer
 from kinematics.cells import Limits
@@ -98,7 +98,7 @@ class Grader:
             KinematicsError, ExerciseError: it cannot be graded.
         """
         asked = asked_exercise(self.library, settings)
-        instance = kept_instance(asked, seed)
+        instance = cached_instance(asked, seed)
         answer = parse(instance, wire.raw(), self.limits)
         level = wire.help if settings.help is None else HelpLevel(settings.help)
         report = kept = grade(instance, answer, self.help_now(level), attempt)
@@ -106,7 +106,7 @@ class Grader:
             kept = grade(instance, answer, level, attempt, drawn=False)
         stored = analysis = _as_stored(kept)
         if kept.help_level is not HelpLevel.REPAIR and not report.correct:
-            analysis = _as_stored(grade(kept_instance(_open(asked), seed), answer, drawn=False))
+            analysis = _as_stored(grade(cached_instance(_open(asked), seed), answer, drawn=False))
         return SessionJudgement(
             found=report,
             report=stored,
@@ -150,7 +150,7 @@ def _judged_again(limits: Limits, asked: Exercise, seed: str | None, answer: byt
 
     Parts that are no longer asked are left out.
     """
-    instance = kept_instance(_open(asked), seed)
+    instance = cached_instance(_open(asked), seed)
     try:
         wire: AnswerBase = ExerciseAnswer.model_validate(orjson.loads(answer))
         raw = RawAnswer(**{part.kind: wire.raw().get(part.kind) for part in asked.parts})

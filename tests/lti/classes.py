@@ -99,7 +99,7 @@ class Browser:
         started = self.client.get(
             f"{self.lms.root}/start", params={"user": user, "hint": link or hint(), **more}
         )
-        return self._kept(self.client.get(started.headers["location"]))
+        return self._checked(self.client.get(started.headers["location"]))
 
     def authorized(self, login: httpx.Response) -> dict[str, str]:
         """The form that the platform posts."""
@@ -133,7 +133,7 @@ class Browser:
             else self.client.request(method, f"{self.service}/api/v1/{path}", headers=sent)
         )
 
-    def _kept(self, response: httpx.Response) -> httpx.Response:
+    def _checked(self, response: httpx.Response) -> httpx.Response:
         for field in response.headers.get_list("set-cookie"):
             name, _, value = field.partition(";")[0].partition("=")
             self.cookies[name] = value

@@ -67,7 +67,7 @@ class Forger(Browser):
         """State and nonce of a login."""
         asked = {"iss": keys.root, "login_hint": "eve", "client_id": CLIENT, **changed}
         asked = {"target_link_uri": f"{self.service}/lti/launch", **asked}
-        answer = self._kept(self.client.post(f"{self.service}/lti/login", data=asked))
+        answer = self._checked(self.client.post(f"{self.service}/lti/login", data=asked))
         if answer.status_code != 302:
             return {"status": str(answer.status_code), "code": answer.json()["code"]}
         query = answer.headers["location"].partition("?")[2]

@@ -68,7 +68,7 @@ class Student:
         started = lms.client.get(f"{lms.root}/start", params={"user": user, "hint": link})
         self.elsewhere()
         address = started.headers["location"].replace(self._replicas[0], self.browser.service)
-        login = self.browser._kept(self.browser.client.get(address))
+        login = self.browser._checked(self.browser.client.get(address))
         form = self.browser.authorized(login)
         self.elsewhere()
         launched = self.browser.post(form)

@@ -18,7 +18,7 @@ from courses.publications import MOST, publish
 from courses.refusals import AttemptError, PublicationError
 from courses.storage import Store, open_store
 from exercises.grading import HelpLevel
-from exercises.instance import generate, kept_instance
+from exercises.instance import cached_instance, generate
 from exercises.library import Library
 from kinematics.cells import DEFAULT
 from service.course_resources import CourseResources, now
@@ -111,7 +111,7 @@ def varied(tmp_path: Path) -> Grader:
 
 def measured(grader: Grader, seed: str) -> dict[str, Any]:
     """An answer in a student's values, with the length of the second row in centimetres."""
-    given = kept_instance(grader.library.exercise("two"), seed).parameters
+    given = cached_instance(grader.library.exercise("two"), seed).parameters
     rows = [
         {**ROW, "theta": "q1", "a": str(given["L1"])},
         {**ROW, "theta": "q2", "a": str(100 * given["L2"])},

@@ -16,7 +16,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from exercises.instance import Instance, kept_instance
+from exercises.instance import Instance, cached_instance
 from service.app import create_app
 from service.http.problems import BusyError, busy, located
 from service.settings import Settings
@@ -272,9 +272,9 @@ def test_a_students_values_are_drawn_beside_the_event_loop(
 
     def noted(*asked: Any) -> Instance:
         threads.append(threading.get_ident())
-        return kept_instance(*asked)
+        return cached_instance(*asked)
 
-    monkeypatch.setattr(exercise_views, "kept_instance", noted)
+    monkeypatch.setattr(exercise_views, "cached_instance", noted)
     app = create_app(Settings())
 
     async def scene() -> int:

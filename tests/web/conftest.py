@@ -74,14 +74,14 @@ class Visits:
         self.context = browser.new_context(reduced_motion="reduce")
         self.context.set_default_timeout(PATIENCE)
         self._origin = origin
-        self._kept = self.context.new_page()
-        self._kept.goto(f"{origin}/version")
-        self._protocol = self.context.new_cdp_session(self._kept)
+        self._first_page = self.context.new_page()
+        self._first_page.goto(f"{origin}/version")
+        self._protocol = self.context.new_cdp_session(self._first_page)
 
     def forget(self) -> None:
         """Close all pages and leave nothing of them but what the browser caches."""
         for page in self.context.pages:
-            if page is not self._kept:
+            if page is not self._first_page:
                 page.close()
         self.context.clear_cookies()
         self.context.clear_permissions()

@@ -142,10 +142,10 @@ def offset_value(work: Work) -> Iterator[Change]:
 def _fitted_lengths(work: Work, cell: str) -> Iterator[Change]:
     """Lengths that fit; where no fact shows one, as in front of the first axis and behind the last, zero."""
     for i, row in work.rows_of_lengths:
-        of_slider = cell == "d" and row.joint is JointType.PRISMATIC
-        nothing = () if of_slider or not getattr(row, cell) else (0.0,)
+        of_prismatic = cell == "d" and row.joint is JointType.PRISMATIC
+        nothing = () if of_prismatic or not getattr(row, cell) else (0.0,)
         for value in work.fits.get((i, cell), nothing):
-            yield _set("d_offset" if of_slider else _story(work, i, cell, value), i, cell, value)
+            yield _set("d_offset" if of_prismatic else _story(work, i, cell, value), i, cell, value)
 
 
 def length_in_other_unit(work: Work) -> Iterator[Change]:

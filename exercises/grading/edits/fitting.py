@@ -41,7 +41,7 @@ MOST_SIGNS = 4
 DISTANT = 2.0
 # [rad] Three evaluations round the circle give A + B cos x + C sin x.
 THIRD = math.tau / 3.0
-# [rad] By how much a turn about a slider is tried to change.
+# [rad] By how much a turn about a prismatic joint is tried to change.
 SMALL_TURN = 1e-3
 
 
@@ -140,7 +140,7 @@ class _Functions:
         self._scale = scale
         self._measures = [shape.measure for shape in invariants.shapes]
         self._targets: list[float] = invariants.own_sizes[:, 0].tolist()
-        values = np.where(invariants.gauge.twists, np.cos(found), found * found)
+        values = np.where(invariants.arrays.twists, np.cos(found), found * found)
         self._values: list[list[float]] = values.tolist()
 
     def solved(
@@ -221,7 +221,7 @@ def _angles(around: Sequence[float], target: float) -> Iterator[float]:
 
 
 def _turns(square: float, beside: float, here: float, target: float) -> Iterator[float]:
-    """Angles about a slider, found from the present one: it enters the turn as plus or minus itself."""
+    """Angles about a prismatic joint, found from the present one: it enters as plus or minus itself."""
     now = math.sqrt(square)
     if abs(math.sqrt(beside) - now) < INFLUENCE:
         return

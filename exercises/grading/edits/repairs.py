@@ -99,11 +99,11 @@ def _found(work: Work) -> Iterator[Repaired]:
 
 
 def _says_little(work: Work, here: Trial | None) -> bool:
-    """Whether a wrong cell may show in no single invariant: beside sliders, and in a rule about the ends."""
+    """Whether a wrong cell may show in no single invariant: beside prismatic joints, and at fixed ends."""
     if here is not None and not here.meets:
         return False
-    sliders = any(axis.prismatic for axis in work.reference.chain.axes)
-    return sliders or (here is not None and here.failing == here.misplaced == 0)
+    prismatic = any(axis.prismatic for axis in work.reference.chain.axes)
+    return prismatic or (here is not None and here.failing == here.misplaced == 0)
 
 
 def _fitted(work: Work) -> Iterator[Change]:

@@ -3,7 +3,7 @@
 Where one row leads from a joint to the next, its α is the angle between the two axes and its `a` their
 distance; the offset along a run of parallel axes is the sum of their d, each counted as its axis points. So
 an edit after which such an entry is not the key's does not make the table right, whatever else it does. Where
-fixed rows or sliders stand between, or axes are parallel only nearly, nothing is said.
+fixed rows or prismatic joints stand between, or axes are parallel only nearly, nothing is said.
 """
 
 from __future__ import annotations
@@ -17,9 +17,9 @@ from typing import NamedTuple
 from exercises.grading.edits.changes import Change
 from exercises.grading.edits.work import Work
 from exercises.grading.judging.typed import SAME, Place
+from kinematics.caching import USUAL_ROWS, cached_by_size
 from kinematics.equivalence.invariants import Invariants
 from kinematics.equivalence.measures import PLAIN_OFFSET, Measure, Shape
-from kinematics.remembering import USUAL_ROWS, remembered
 from kinematics.table import Convention, JointType, NumericRow, NumericTable
 
 # A share of the slack: what is off by hardly more than it is left to be measured.
@@ -204,7 +204,9 @@ class Sieve:
         return replace(self._work, reach=(start, end), angular=angular, lacking=lacking)
 
 
-@remembered(lambda invariants, n_facts, convention, joints: len(joints), longest=USUAL_ROWS, most=256, few=32)
+@cached_by_size(
+    lambda invariants, n_facts, convention, joints: len(joints), longest=USUAL_ROWS, most=256, few=32
+)
 def legible_facts(
     invariants: Invariants, n_facts: int, convention: Convention, joints: tuple[JointType, ...]
 ) -> LegibleFacts:
@@ -233,7 +235,7 @@ def _bounds(invariants: Invariants) -> tuple[list[float], list[float]]:
     return invariants.own_sizes[:, 0].tolist(), (CLEARLY * invariants.slacks)[:, 0].tolist()
 
 
-@remembered(lambda shapes, convention, joints: len(joints), longest=USUAL_ROWS, most=1024, few=32)
+@cached_by_size(lambda shapes, convention, joints: len(joints), longest=USUAL_ROWS, most=1024, few=32)
 def _places(
     shapes: tuple[Shape, ...], convention: Convention, joints: tuple[JointType, ...]
 ) -> list[FactPlace]:

@@ -185,7 +185,7 @@ def _in_order(work: Work, code: str, belongs: dict[str, str], **params: str) -> 
     """
     if (work.angular and set(belongs) == set(LENGTHS)) or not work.lacking <= belongs.keys():
         return
-    if not work.leaves(tuple(belongs), sliders="d" not in belongs):
+    if not work.leaves(tuple(belongs), prismatic="d" not in belongs):
         return
     rows = [
         (i, row)

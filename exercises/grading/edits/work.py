@@ -183,11 +183,11 @@ class Work:
         known: dict[str, object] = {"reach": reach, "angular": angular, "lacking": frozenset(), "off": off}
         return replace(self, table=change.of(self.table), fits={}, kept=kept, **known)  # type: ignore[arg-type]
 
-    def leaves(self, columns: Sequence[str], *, sliders: bool = True) -> bool:
-        """Whether an edit of columns, perhaps but for sliders, leaves alone what one before has changed."""
+    def leaves(self, columns: Sequence[str], *, prismatic: bool = True) -> bool:
+        """Whether an edit of columns, perhaps but for prismatic joints, leaves earlier edits alone."""
         rows = self.table.rows
         return not any(
-            cell in columns and i < len(rows) and (sliders or rows[i].joint is not JointType.PRISMATIC)
+            cell in columns and i < len(rows) and (prismatic or rows[i].joint is not JointType.PRISMATIC)
             for i, cell in self.kept
         )
 

@@ -23,10 +23,10 @@ from exercises.grading.judging.name_values import (
 )
 from exercises.grading.judging.typed import ANGLES, Place, Typed, meant
 from exercises.grading.judging.ways import ways_of
+from kinematics.caching import USUAL_ROWS, cached_by_size
 from kinematics.cells import AngleUnit, ReadTable, in_length_unit
 from kinematics.errors import Fault, ParameterError
 from kinematics.expressions import ZERO, Expression, parameters_in
-from kinematics.remembering import USUAL_ROWS, remembered
 from kinematics.table import CELLS, DHTable, NumericTable, SymbolicTable, bind
 
 # Two unequal sums of names agree at a random draw with probability zero; three leave room for signs.
@@ -267,9 +267,9 @@ def _stands_for_nothing(typed: Typed, key: SymbolicTable) -> bool:
     return not _known(key)[1] and all(cell not in ANGLES for _, cell in typed.steps)
 
 
-@remembered(lambda key, draw: len(key.rows), longest=USUAL_ROWS, most=1024, few=64)
+@cached_by_size(lambda key, draw: len(key.rows), longest=USUAL_ROWS, most=1024, few=64)
 def _bound(key: SymbolicTable, draw: tuple[tuple[str, float], ...]) -> NumericTable:
-    """The key at a draw; remembered, for one key is compared with many answers."""
+    """The key at a draw; cached, for one key is compared with many answers."""
     return _within_bounds(bind(key, dict(draw)))
 
 

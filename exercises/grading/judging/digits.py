@@ -27,7 +27,7 @@ Floats = NDArray[np.float64]
 
 PER_CENT = 0.01
 """The share of itself by which a length or an angle may be off, whatever its digits."""
-REMEMBERED = 64
+CACHED_TABLES = 64
 """Tables at hand: each is asked for when it is judged, when edits are tried on it and when it is scored."""
 SECOND_ORDER = 1.25
 """What the digits do at first order, and room for what they do beyond it."""
@@ -192,7 +192,7 @@ def measured_as_typed(
     return _measured_as_typed(invariants.shapes, table, tuple(steps.items()), frames)
 
 
-@lru_cache(maxsize=REMEMBERED)
+@lru_cache(maxsize=CACHED_TABLES)
 def _measured_as_typed(
     shapes: tuple[Shape, ...], table: NumericTable, steps: tuple[tuple[Place, float], ...], policy: Policy
 ) -> Floats:

@@ -53,7 +53,7 @@ def ends_beyond_digits(
 
 
 def _on_the_joint(reference: Reference, joint: int, end: int) -> Invariants:
-    """What vanishes where the line is the joint's axis; a slider's is only parallel."""
+    """What vanishes where the line is the joint's axis; a prismatic joint's is only parallel."""
     between = (min(joint, end), max(joint, end))
     shapes = [Shape(Measure.ANGLE, between)]
     if not reference.chain.axes[joint - 1].prismatic:

@@ -86,7 +86,7 @@ def _is_refuted(comparison: Comparison, policy: Policy, draw: int = 0) -> bool:
 def _beyond_digits(comparison: Comparison, policy: Policy, draw: int = 0) -> Invariants | None:
     """What the digits do not explain, neither of the answer as it was meant nor as it was typed.
 
-    A constant in front of a slider may be near a multiple of 15° by chance.
+    A constant in front of a prismatic joint may be near a multiple of 15° by chance.
     """
     far = _beyond(comparison, comparison.meant[draw], comparison.steps, policy, draw)
     if far is None or comparison.typed_exactly:

@@ -11,11 +11,11 @@ from kinematics.cells import ParameterKind, ReadTable
 from kinematics.expressions import Number
 from kinematics.table import SymbolicTable
 
-REMEMBERED = 32
+CACHED_ANSWERS = 32
 """Answers at hand; asked for twice of every one."""
 
 
-@lru_cache(maxsize=REMEMBERED)
+@lru_cache(maxsize=CACHED_ANSWERS)
 def ways_of(
     reference: ReadTable, submission: ReadTable, parameters: tuple[tuple[str, float], ...]
 ) -> tuple[tuple[ReadTable, frozenset[str]], ...]:

@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.table import JointType, NumericTable
-from kinematics.workspace.climbing import summits
-from kinematics.workspace.goals import distance_goals
+from kinematics.workspace.coordinate_ascent import maxima
+from kinematics.workspace.objectives import distance_objectives
 
 Array = NDArray[np.float64]
 Interval = tuple[float, float]
@@ -56,7 +56,7 @@ def reach(
     ]
     tool = np.eye(4)
     tool[:3, 3] = point
-    near, far = summits(table, distance_goals(origin, square_to), np.array(spans), tool)
+    near, far = maxima(table, distance_objectives(origin, square_to), np.array(spans), tool)
     return Reach(inner=math.sqrt(max(-near.value, 0.0)), outer=math.sqrt(max(far.value, 0.0)))
 
 

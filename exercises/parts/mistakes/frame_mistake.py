@@ -211,7 +211,7 @@ def _lengths(answer: FoundFrameMistake) -> list[float]:
 
 
 LATELY = 64
-"""Students whose frames are kept: one page asks for them and for the figure, and an answer for both again."""
+"""Students whose frames are cached: a page asks for them and for the figure, an answer for both again."""
 
 
 @lru_cache(maxsize=LATELY)

@@ -7,9 +7,9 @@ wrist_scalars  the same for one target that is away from singularities
 clear_blocks   both: many targets that are away from singularities
 wrist_tapes    what these have recorded of an arm
 parallel       three parallel axes
-general        six turning joints of any kind, as an eigenproblem
+general        six revolute joints of any kind, as an eigenproblem
 partition      arms of few joints, or with slides before a wrist
 position       three joints that bring points to their places
 trigonometric  equations in the cosine and sine of one angle
-locked         arms with a joint to spare: one is held
+locked         arms with a redundant joint: one is held
 """

@@ -1,10 +1,10 @@
 """Methods that yield all solutions of an arm, and which arm has which.
 
 What a method returns are candidates: each is refined and judged by our own forward kinematics. Every
-method is tried on the chain seen from the hand as well, T⁻¹ being a chain of the reversed joints at -q;
+method is tried on the inverse chain as well, T⁻¹ being a chain of the reversed joints at -q;
 and an arm of five joints is an arm of six of which the last stands still.
 
-Arms of which the Jacobian has full rank nowhere have joints to spare, so no finite number of solutions.
+Arms of which the Jacobian has full rank nowhere have redundant joints, so no finite number of solutions.
 """
 
 from __future__ import annotations
@@ -82,7 +82,7 @@ class WithoutLast:
 
 def closed_form_of(arm: Arm) -> InverseClosedForm | None:
     """Return the closed form of an arm, or None if there is none."""
-    if arm.n_joints > 6 or arm.spare:
+    if arm.n_joints > 6 or arm.redundancy:
         return None
     if arm.reach is not ArmReach.POSE:
         return placement_of(arm) if arm.reach is ArmReach.POSITION else None
@@ -131,14 +131,14 @@ def _either_way(
 
 
 def reversed_arm(arm: Arm) -> Arm:
-    """Return the chain seen from the hand: T⁻¹ = K_n⁻¹ J_n(-q_n) ⋯ J_1(-q_1) K_0⁻¹."""
+    """Return the inverse chain: T⁻¹ = K_n⁻¹ J_n(-q_n) ⋯ J_1(-q_1) K_0⁻¹."""
     return replace(
         arm, constants=inverse_transform(arm.constants)[::-1].copy(), revolute=arm.revolute[::-1].copy()
     )
 
 
 def _with_one_more(arm: Arm) -> Arm:
-    """The arm with one more turning joint at the hand, on an axis that neither meets nor follows another."""
+    """The arm with one more revolute joint at its end; its axis meets and is parallel to no other."""
     away = np.eye(4)
     away[:3, :3] = np.linalg.qr(np.array(((0.3, -0.8, 0.5), (0.9, 0.2, -0.4), (0.1, 0.7, 0.6))))[0]
     away[:3, :3] *= np.linalg.det(away[:3, :3])

@@ -1,4 +1,4 @@
-"""All solutions of six turning joints without any special geometry, as an eigenproblem.
+"""All solutions of six revolute joints without any special geometry, as an eigenproblem.
 
 Seen from joint 3, axis 6 is a point p and a direction l, reached from either end of the chain:
 
@@ -98,7 +98,7 @@ class GeneralArm:
 
 
 def general_arm_of(arm: Arm) -> GeneralArm | None:
-    """Return the eigenproblem of an arm, or None if it is not one of six turning joints."""
+    """Return the eigenproblem of an arm, or None if it is not one of six revolute joints."""
     return GeneralArm(arm) if arm.n_joints == 6 and bool(arm.revolute.all()) else None
 
 

@@ -1,4 +1,4 @@
-"""Arms with one joint to spare: one joint is locked, and what is left has a closed form.
+"""Arms with one redundant joint: one joint is locked, and what is left has a closed form.
 
 A family of solutions of such an arm is a curve; wherever it crosses a value of the locked joint the closed
 form finds it, exactly. Where it only comes near the value, or is a single point, the closed form's candidates
@@ -43,7 +43,7 @@ class LockedArms:
     """Closed forms of an arm with one joint locked.
 
     Attributes:
-        arm: with one joint to spare.
+        arm: with one redundant joint.
     """
 
     arm: Arm
@@ -83,8 +83,8 @@ class LockedArms:
 
 
 def locked_arms_of(arm: Arm) -> LockedArms | None:
-    """The closed forms of an arm with one joint locked; None of one that has none to spare, or more."""
-    return LockedArms(arm) if arm.spare == 1 else None
+    """The closed forms of an arm with one joint locked; None unless exactly one is redundant."""
+    return LockedArms(arm) if arm.redundancy == 1 else None
 
 
 def _with_locked(arm: Arm, joint: int, value: float) -> Arm:

@@ -1,4 +1,4 @@
-"""Arms of six turning joints of which three neighbouring ones have parallel axes, in closed form.
+"""Arms of six revolute joints of which three neighbouring ones have parallel axes, in closed form.
 
 The product P of three turns about axes along h is a motion in the planes across h: it leaves h, and heights
 along h, as they are. With T' = T T(0)⁻¹ = E_1 ⋯ E_6, the joints before and after obey three equations
@@ -7,9 +7,9 @@ without the three parallel ones. With joints 2, 3, 4 parallel (Universal Robots)
     h·E_1⁻¹ T' x = h·E_5 E_6 x   for every x,
 
 of which the direction z_6 and a point of axis 6 give two equations in q_1 and q_5 alone, linear in their
-cosines and sines; q_6 follows from the direction that h has in the hand, and P is a planar arm of two links.
-With joints 1, 2, 3 parallel the direction u = E_6 v that h has before joint 6, v = R'ᵀ h, obeys three linear
-equations whose coefficients contain q_5 only; |u| = 1 leaves one equation in q_5.
+cosines and sines; q_6 follows from the direction that h has in the end-effector, and P is a planar arm of two
+links. With joints 1, 2, 3 parallel the direction u = E_6 v that h has before joint 6, v = R'ᵀ h, obeys three
+linear equations whose coefficients contain q_5 only; |u| = 1 leaves one equation in q_5.
 
 Source: for the Universal Robots' case, K. P. Hawkins, Analytic inverse kinematics for the Universal Robots
 UR-5/UR-10 arms (2013), with arms whose axes 5 and 6 do not meet; here for any axes.

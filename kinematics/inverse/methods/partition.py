@@ -1,9 +1,9 @@
 """All solutions of arms that can be taken apart: a head of at most three joints of any kind, and a tail.
 
-The tail is up to three turning joints at the hand whose axes pass through one point. That point, which the
-tail cannot move, has its place by the head alone (Pieper's condition); what rotation is left is the
-tail's. A tail of one joint leaves its whole axis alone, an empty tail the whole hand: so arms of up to
-four joints can always be taken apart, and of the longer ones those with a wrist, the Stanford arm among
+The tail is up to three revolute joints at the end-effector whose axes pass through one point. That point,
+which the tail cannot move, has its place by the head alone (Pieper's condition); what rotation is left is the
+tail's. A tail of one joint leaves its whole axis alone, an empty tail the whole end-effector: so arms of up
+to four joints can always be taken apart, and of the longer ones those with a wrist, the Stanford arm among
 them.
 """
 
@@ -32,7 +32,7 @@ _ALONG = 1e-12
 """Sine of the angle to an axis below which a direction lies along it: well below every tolerance."""
 
 _HAND = np.array(((0.4142, 0.7321, 0.2361), (-0.6458, 0.3166, 0.1231), (0.3589, -0.2426, 0.7958)))
-"""Three points of the hand, in units of the size; they fix its pose and lie on no axis that anybody drew."""
+"""Three points of the end-effector, in units of the size; they fix its pose and lie on no likely axis."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,9 +41,9 @@ class PartitionedArm:
 
     Attributes:
         head: at most three joints of any kind.
-        tail: at most three turning joints with axes through one point.
+        tail: at most three revolute joints with axes through one point.
         points: (k, 3) points at q = 0 that the tail leaves alone and the head places.
-        end: (4, 4) pose of the hand at q = 0.
+        end: (4, 4) pose of the end-effector at q = 0.
         size: the arm's size.
     """
 
@@ -65,7 +65,7 @@ class PartitionedArm:
             R = moved[:3, :3]
             for joint, value in zip(self.head, q, strict=True):
                 R = _rotation(joint, value).T @ R
-            found.extend([*q, *turns] for turns in _tail_turns(self.tail, R))
+            found.extend([*q, *revolute] for revolute in _tail_turns(self.tail, R))
         return np.array(found, dtype=np.float64).reshape(len(found), len(self.head) + len(self.tail))
 
 
@@ -73,8 +73,8 @@ def partition_of(arm: Arm) -> PartitionedArm | None:
     """Return the way to take an arm apart, or None if there is none."""
     directions, points, end = arm.screws
     joints = [
-        Joint(bool(turns), axis, point)
-        for turns, axis, point in zip(arm.revolute, directions, points, strict=True)
+        Joint(bool(revolute), axis, point)
+        for revolute, axis, point in zip(arm.revolute, directions, points, strict=True)
     ]
     if len(joints) <= LONGEST_HEAD:
         return PartitionedArm(joints, [], arm.size * _HAND, end, arm.size)
@@ -87,8 +87,8 @@ def placement_of(arm: Arm) -> PartitionedArm | None:
     if arm.n_joints > LONGEST_HEAD:
         return None
     joints = [
-        Joint(bool(turns), axis, point)
-        for turns, axis, point in zip(arm.revolute, directions, points, strict=True)
+        Joint(bool(revolute), axis, point)
+        for revolute, axis, point in zip(arm.revolute, directions, points, strict=True)
     ]
     return PartitionedArm(joints, [], end[None, :3, 3], end, arm.size)
 
@@ -105,7 +105,7 @@ def _partition(joints: Sequence[Joint], end: Array, size: float) -> PartitionedA
 
 def _points_left_alone(tail: Sequence[Joint], size: float) -> Array | None:
     """What the tail cannot move: two points of its only axis, or the common point of its axes."""
-    if not all(joint.turns for joint in tail):
+    if not all(joint.revolute for joint in tail):
         return None
     if len(tail) == 1:
         along = size * tail[0].axis
@@ -176,7 +176,7 @@ def _turn(axis: Array, u: Array, v: Array) -> float:
 
 
 def _rotation(joint: Joint, q: float) -> Array:
-    if not joint.turns:
+    if not joint.revolute:
         return np.eye(3)
     x, y, z = joint.axis
     K = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])

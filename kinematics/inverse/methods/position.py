@@ -56,13 +56,13 @@ class Joint:
         point: (3,) a point of the axis.
     """
 
-    turns: bool
+    revolute: bool
     axis: Array
     point: Array
 
     def moved(self, points: Array, q: float) -> Array:
         """Return the (k, 3) points moved by q."""
-        if not self.turns:
+        if not self.revolute:
             return points + q * self.axis
         v = points - self.point
         along = (v @ self.axis)[:, None] * self.axis
@@ -72,14 +72,14 @@ class Joint:
 
     def lever(self, points: Array) -> float:
         """Largest distance of (k, 3) points from the axis; infinite of a joint that slides."""
-        if not self.turns:
+        if not self.revolute:
             return np.inf
         v = points - self.point
         return float(np.linalg.norm(v - (v @ self.axis)[:, None] * self.axis, axis=1).max())
 
     def to(self, points: Array, places: Array) -> float:
         """Return the q that brings (k, 3) points to their places, as nearly as may be; 0 if every q does."""
-        if not self.turns:
+        if not self.revolute:
             return float(((places - points) @ self.axis).mean())
         u, v = points - self.point, places - self.point
         u = u - (u @ self.axis)[:, None] * self.axis
@@ -145,7 +145,7 @@ class _Second:
     def __init__(self, first: Joint, second: Joint, places: Array, size: float) -> None:
         self.first, self.second, self.size = first, second, size
         self.centre = first.point
-        if first.turns:
+        if first.revolute:
             self.functionals = first.axis[None]
             w = places - self.centre
             self.distances: Array | None = (w * w).sum(axis=1) / size**2
@@ -156,9 +156,9 @@ class _Second:
 
     def system(self, y: Array) -> _System:
         """Return the equations for given y = E_3(q_3) w, (k, 3)."""
-        return self._turning(y) if self.second.turns else self._sliding(y)
+        return self._revolute_second(y) if self.second.revolute else self._prismatic_second(y)
 
-    def _turning(self, y: Array) -> _System:
+    def _revolute_second(self, y: Array) -> _System:
         """g·E_2 y = k and |E_2 y - o|² = |y - c|² + |c - o|² + 2 (c - o)·(E_2 y - c) = ρ²."""
         h, c, g, size = self.second.axis, self.second.point, self.functionals, self.size
         v = y - c
@@ -173,7 +173,7 @@ class _Second:
             b.append(self.distances - ((v * v).sum(axis=1) + along @ o + o @ o / 4.0) / size**2)
         return _System(np.concatenate(A), np.concatenate(b), None)
 
-    def _sliding(self, y: Array) -> _System:
+    def _prismatic_second(self, y: Array) -> _System:
         """g·(y + q h) = k and |y + q h - o|² = ρ²; of the squares only one is kept as such."""
         h, g, size = self.second.axis, self.functionals, self.size
         A = [np.broadcast_to(g @ h, (len(y), len(g))).reshape(-1, 1)]
@@ -191,7 +191,7 @@ class _Second:
         """Yield the candidates for q_2."""
         A, b = system.A, system.b
         left, scales, right = np.linalg.svd(A, full_matrices=False)
-        if self.second.turns:
+        if self.second.revolute:
             if scales[0] <= _NOTHING:
                 _refuse_if_solved(b)
                 return
@@ -229,7 +229,7 @@ class _Second:
         if rank == 0:
             raise DegenerateError
         A, b = np.einsum("ri,srj->sij", left[:, :rank], A), b @ left[:, :rank]
-        if self.second.turns:
+        if self.second.revolute:
             if rank == 1:
                 raise DegenerateError
             determinant = A[:, 0, 0] * A[:, 1, 1] - A[:, 0, 1] * A[:, 1, 0]
@@ -263,7 +263,7 @@ def _roots(second: _Second, third: Joint, points: Array, reach: float) -> Iterat
     def values(qs: Array) -> Array:
         return second.eliminant([second.system(third.moved(points, float(q))) for q in qs])
 
-    yield from _turn_roots(values) if third.turns else _slide_roots(values, reach)
+    yield from _turn_roots(values) if third.revolute else _slide_roots(values, reach)
 
 
 def _turn_roots(values: Callable[[Array], Array]) -> Iterator[float]:

@@ -1,4 +1,4 @@
-"""Arms of six turning joints whose last three axes pass through one point, in closed form.
+"""Arms of six revolute joints whose last three axes pass through one point, in closed form.
 
 The wrist's centre is moved by the first three joints alone (D. L. Pieper, 1968). In frames whose z is an axis
 and whose x is the common normal it is at

@@ -15,7 +15,7 @@ from kinematics.inverse.self_motions.crossings import branches, is_beside, tange
 from kinematics.inverse.self_motions.families import (
     FamilyPath,
     Follower,
-    blind_directions,
+    null_space,
     pivots_of,
 )
 from kinematics.inverse.self_motions.gaps import nearest_places, way_through_gaps
@@ -27,8 +27,8 @@ GAP = 4.0 / LONG
 to one tolerance over LONG / 2 or more is a wave of 2 / LONG tolerances at most; twice as much is allowed."""
 
 MOST_MEMBERS = 64
-"""Solutions that are looked at of an arm with two or more joints to spare: each of some ten families, four in
-general, has several."""
+"""Solutions that are looked at of an arm with two or more redundant joints: each of some ten families, four
+in general, has several."""
 
 BESIDE_A_CROSSING = 0.3
 """Step from a crossing [rad, or parts of the size] after which one of the families is alone."""
@@ -40,8 +40,8 @@ LEVEL, ROUNDED = 1e-2, 1e-13
 """Where an error is least, the gradients of distance and angle leave no more of each other, or rounding."""
 
 MOST_FOLLOWED = 16
-MOST_FOLLOWED_WITH_SPARE = 8
-"""Families that are followed for one target, of arms with joints to spare fewer: each takes longer. What is
+MOST_FOLLOWED_IF_REDUNDANT = 8
+"""Families that are followed for one target, of arms with redundant joints fewer: each takes longer. What is
 left over is returned as members of continua."""
 
 
@@ -75,28 +75,28 @@ def belongs(arm: Arm, target: Array, component: Component, q: Array, tolerance: 
 
 
 class _Sorter:
-    """Sorts solutions near singularities, or with joints to spare, into components."""
+    """Sorts solutions near singularities, or with redundant joints, into components."""
 
     def __init__(self, arm: Arm, follower: Follower, tolerance: float) -> None:
         self.arm, self.follower = arm, follower
         self.long = fold_length(tolerance)
-        self.blind = lost_value(tolerance)
+        self.lost = lost_value(tolerance)
         self.members = Membership(arm, follower, tolerance)
-        self.most = MOST_FOLLOWED_WITH_SPARE if arm.spare else MOST_FOLLOWED
+        self.most = MOST_FOLLOWED_IF_REDUNDANT if arm.redundancy else MOST_FOLLOWED
         self.ways: list[FamilyPath] = []
 
     def sorted(self, joints: Array) -> list[Component]:
-        left = list(joints if self.arm.spare < 2 else joints[:MOST_MEMBERS])
+        left = list(joints if self.arm.redundancy < 2 else joints[:MOST_MEMBERS])
         found: list[Component] = []
         followed = 0
         while left:
             q, *left = left
             J = self.follower.jacobian(q / self.arm.units)
-            blind = blind_directions(J, self.blind)
+            null = null_space(J, self.lost)
             if followed < self.most and not self.follower.is_spent:
-                new = self._components(q, blind)
+                new = self._components(q, null)
             else:
-                new = [Component(q, dimension=self._dimension(q, blind))]
+                new = [Component(q, dimension=self._dimension(q, null))]
             followed += sum(bool(one.paths) for one in new)
             left = self.members.outside(left, new)
             found += new
@@ -115,7 +115,7 @@ class _Sorter:
         """Members of families that lie on the ways of others, behind gaps in which the target is lost."""
         found: list[Array] = []
         for one in components:
-            if one.dimension != 1 or self.arm.spare or self.follower.is_spent:
+            if one.dimension != 1 or self.arm.redundancy or self.follower.is_spent:
                 continue
             q = one.joints
             x = q / self.arm.units
@@ -126,46 +126,46 @@ class _Sorter:
                 found += nearest_places(self.follower, self.ways[-1])
         return found
 
-    def _dimension(self, q: Array, blind: Array) -> int:
+    def _dimension(self, q: Array, null: Array) -> int:
         """Of how many dimensions the component of a solution is that is not followed."""
         x = q / self.arm.units
-        moving = [] if self.arm.spare else [d for d in blind if self._moves(x, d)]
-        crossed = not self.arm.spare and not moving and len(blind) > 1
-        return self.arm.spare or len(moving) if not crossed else 1
+        moving = [] if self.arm.redundancy else [d for d in null if self._moves(x, d)]
+        crossed = not self.arm.redundancy and not moving and len(null) > 1
+        return self.arm.redundancy or len(moving) if not crossed else 1
 
-    def _components(self, q: Array, blind: Array) -> list[Component]:
+    def _components(self, q: Array, null: Array) -> list[Component]:
         """The components through a solution: several where families cross."""
         x = q / self.arm.units
-        moving = [d for d in blind if self._moves(x, d)]
-        if self.arm.spare > 1 or not (moving or len(blind) > 1):
-            return [self._one_family(q, blind, moving)]
+        moving = [d for d in null if self._moves(x, d)]
+        if self.arm.redundancy > 1 or not (moving or len(null) > 1):
+            return [self._one_family(q, null, moving)]
         if len(moving) > 1 and self._spanned(x, moving):
             return [self._surface(x, moving)]
         surfaces = [] if len(moving) < 2 else self._surfaces_beside(x, moving)
         curves = [
-            path for path in self._curves(x, blind) if not any(self._holds(one, path) for one in surfaces)
+            path for path in self._curves(x, null) if not any(self._holds(one, path) for one in surfaces)
         ]
         curves = self._with_branches(curves, surfaces)
         members = [q, *(path.points[len(path.points) // 4] for path in curves[1:])]
         found = [Component(member, (path,), 1) for member, path in zip(members, curves, strict=False)]
         return [*surfaces, *found] or [Component(q)]
 
-    def _one_family(self, q: Array, blind: Array, moving: Sequence[Array]) -> Component:
+    def _one_family(self, q: Array, null: Array, moving: Sequence[Array]) -> Component:
         """The family of a solution, as a whole; where it is short all round the solution stands alone."""
-        spare, x = self.arm.spare, q / self.arm.units
-        if moving or not spare:
+        redundancy, x = self.arm.redundancy, q / self.arm.units
+        if moving or not redundancy:
             return Component(q, dimension=self._freedoms(x, moving) if moving else 0)
-        long = self._long_paths(self.follower, q, blind)
+        long = self._long_paths(self.follower, q, null)
         weighed = None if long else self._weighed_otherwise(q)
         if weighed is not None:
             x = q / weighed.arm.units
-            long = self._long_paths(weighed, q, blind_directions(weighed.jacobian(x), self.blind))
+            long = self._long_paths(weighed, q, null_space(weighed.jacobian(x), self.lost))
             self.follower.spent += weighed.spent
-        return Component(q, tuple(long), spare if long else 0)
+        return Component(q, tuple(long), redundancy if long else 0)
 
-    def _long_paths(self, follower: Follower, q: Array, blind: Array) -> list[FamilyPath]:
+    def _long_paths(self, follower: Follower, q: Array, null: Array) -> list[FamilyPath]:
         x = q / follower.arm.units
-        paths = (follower.path(x, d, np.empty((0, len(x)))) for d in blind)
+        paths = (follower.path(x, d, np.empty((0, len(x)))) for d in null)
         return [path for path in paths if self._is_long(path)]
 
     def _weighed_otherwise(self, q: Array) -> Follower | None:
@@ -189,12 +189,12 @@ class _Sorter:
         """In how many dimensions a solution can be moved.
 
         Where the Jacobian has lost rank for this solution alone, as of links folded on a line, its family has
-        no more dimensions than those beside it: so many directions are blind there.
+        no more dimensions than those beside it: so many dimensions the null space has there.
         """
-        if len(moving) <= self.arm.spare:
-            return self.arm.spare
+        if len(moving) <= self.arm.redundancy:
+            return self.arm.redundancy
         beside = [there for d in moving if (there := self._moved(x, d)) is not None]
-        return max(len(blind_directions(self.follower.jacobian(there), self.blind)) for there in beside)
+        return max(len(null_space(self.follower.jacobian(there), self.lost)) for there in beside)
 
     def _surface(self, x: Array, moving: Sequence[Array]) -> Component:
         """The family of as many dimensions as a solution can be moved in."""
@@ -204,16 +204,16 @@ class _Sorter:
 
     def _surface_at(self, x: Array, fewer: int) -> Component | None:
         """The surface that a solution is on, of fewer dimensions than so many; None if it is on none."""
-        blind = blind_directions(self.follower.jacobian(x), self.blind)
-        if not 1 < len(blind) < fewer:
+        null = null_space(self.follower.jacobian(x), self.lost)
+        if not 1 < len(null) < fewer:
             return None
-        moving = [d for d in blind if self._moves(x, d)]
+        moving = [d for d in null if self._moves(x, d)]
         return self._surface(x, moving) if len(moving) > 1 and self._spanned(x, moving) else None
 
-    def _curves(self, x: Array, blind: Array) -> list[FamilyPath]:
+    def _curves(self, x: Array, null: Array) -> list[FamilyPath]:
         """Paths through a solution, each once."""
         found: list[FamilyPath] = []
-        for direction in tangents(self.follower, x, blind, self.blind):
+        for direction in tangents(self.follower, x, null, self.lost):
             moved = self._moved(x, direction)
             near = BESIDE_A_BRANCH * self.long
             if moved is None or any(is_beside(self.follower, one, moved, near) for one in found):
@@ -255,7 +255,7 @@ class _Sorter:
         for path in found:
             if self.follower.is_spent:
                 return found
-            for x, way in branches(self.follower, path, self.long, self.blind):
+            for x, way in branches(self.follower, path, self.long, self.lost):
                 if any(is_beside(self.follower, one, x, BESIDE_A_BRANCH * self.long) for one in found):
                     continue
                 if any(self.members.within(one, x * self.arm.units) for one in surfaces):

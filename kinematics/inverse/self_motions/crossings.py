@@ -57,9 +57,7 @@ ANGLES = tuple(math.radians(degrees) for degrees in (0.0, 30.0, -30.0, 60.0, -60
 family that is within 15° of one of them, and most that are farther."""
 
 
-def branches(
-    follower: Follower, path: FamilyPath, step: float, blind: float
-) -> Iterator[tuple[Array, Array]]:
+def branches(follower: Follower, path: FamilyPath, step: float, lost: float) -> Iterator[tuple[Array, Array]]:
     """Yield the configurations beside a path, on others that leave it where the Jacobian loses one rank more.
 
     Each comes with the direction from the path, in units; several may be on one path.
@@ -68,10 +66,10 @@ def branches(
         follower: of the path's target.
         path: a family.
         step: how far they are from the crossing [rad, or parts of the size].
-        blind: singular values up to this are zero.
+        lost: singular values up to this are zero.
     """
     for x, along in _crossings(follower, path):
-        ways = [sign * step * one for one in _across(follower, x, along, blind) for sign in (1.0, -1.0)]
+        ways = [sign * step * one for one in _across(follower, x, along, lost) for sign in (1.0, -1.0)]
         if follower.is_spent:
             return
         for moved in follower.moves_each(x, np.array(ways).reshape(-1, len(x))):
@@ -79,29 +77,29 @@ def branches(
                 yield moved, (moved - x) / np.linalg.norm(moved - x)
 
 
-def tangents(follower: Follower, x: Array, blind: Array, smallest: float) -> list[Array]:
+def tangents(follower: Follower, x: Array, null: Array, smallest: float) -> list[Array]:
     """Return the unit directions along which families may leave a solution.
 
-    Of several directions that the Jacobian does not see, families leave along those in which it stays blind:
-    l·(∂J/∂v) v = 0 for every l that it does not reach. In a plane these are looked for by angle; elsewhere
-    tried are the directions given, and those that leave as many joints at rest as may be.
+    Of several directions of the null space of the Jacobian, families leave along those in which it stays
+    singular: l·(∂J/∂v) v = 0 for every l that it does not reach. In a plane these are looked for by angle;
+    elsewhere tried are the directions given, and those that leave as many joints at rest as may be.
 
     Args:
         follower: of the solution's target.
         x: (n,) the solution, in units.
-        blind: (k, n) unit directions that the Jacobian does not see.
+        null: (k, n) unit directions of the null space of the Jacobian.
         smallest: singular values up to this are zero.
 
     Source: E. L. Allgower, K. Georg, Introduction to numerical continuation methods (2003) eq. 8.1.15, the
     algebraic bifurcation equation.
     """
-    if len(blind) < 2:
-        return list(blind)
-    tried = list(blind)
-    if len(blind) == 2:
-        tried += _level_directions(follower, x, blind, smallest)
+    if len(null) < 2:
+        return list(null)
+    tried = list(null)
+    if len(null) == 2:
+        tried += _level_directions(follower, x, null, smallest)
     else:
-        tried += _resting_directions(blind)
+        tried += _resting_directions(null)
     found: list[Array] = []
     for direction in tried:
         if all(abs(float(direction @ other)) < ONE_DIRECTION for other in found):
@@ -109,11 +107,11 @@ def tangents(follower: Follower, x: Array, blind: Array, smallest: float) -> lis
     return found
 
 
-def _level_directions(follower: Follower, x: Array, blind: Array, smallest: float) -> list[Array]:
+def _level_directions(follower: Follower, x: Array, null: Array, smallest: float) -> list[Array]:
     """Directions in a plane in which the way that a Jacobian does not reach bends least."""
     U, values, _ = np.linalg.svd(follower.jacobian(x))
     rank = int((values > smallest).sum())
-    across = np.linalg.qr(blind.T)[0].T
+    across = np.linalg.qr(null.T)[0].T
     half_circle = np.pi * np.arange(LOOKS) / LOOKS
     ways = np.cos(half_circle)[:, None] * across[0] + np.sin(half_circle)[:, None] * across[1]
     J = [follower.jacobians(x + step * ways) for step in (A_LITTLE, -A_LITTLE)]
@@ -122,14 +120,14 @@ def _level_directions(follower: Follower, x: Array, blind: Array, smallest: floa
     return list(ways[least])
 
 
-def _resting_directions(blind: Array) -> list[Array]:
+def _resting_directions(null: Array) -> list[Array]:
     """Combinations of k directions that leave k - 1 joints at rest."""
-    k, n = blind.shape
+    k, n = null.shape
     found = []
     for resting in combinations(range(n), k - 1):
-        weights = np.linalg.svd(blind[:, list(resting)].T)
+        weights = np.linalg.svd(null[:, list(resting)].T)
         if weights[1][-1] > AT_REST:
-            found.append(weights[2][-1] @ blind)
+            found.append(weights[2][-1] @ null)
     return [direction / np.linalg.norm(direction) for direction in found]
 
 
@@ -188,18 +186,18 @@ def _least(follower: Follower, x: Array, back: Array, ahead: Array) -> Array | N
     return best
 
 
-def _across(follower: Follower, x: Array, along: Array, blind: float) -> Iterator[Array]:
+def _across(follower: Follower, x: Array, along: Array, lost: float) -> Iterator[Array]:
     """Directions across a path that the Jacobian does not see."""
     frames = follower.arm.frames((x * follower.arm.units)[None])
     J = follower.arm.jacobians(frames)[0] * follower.arm.units
     _, values, rows = np.linalg.svd(J)
     values = np.concatenate((values, np.zeros(len(x) - len(values[: len(x)]))))
-    unseen = rows[values[: len(x)] <= max(blind, follower.lost)]
-    t = unseen.T @ (unseen @ along)
-    if len(unseen) < 2 or not float(np.linalg.norm(t)):
+    null = rows[values[: len(x)] <= max(lost, follower.lost)]
+    t = null.T @ (null @ along)
+    if len(null) < 2 or not float(np.linalg.norm(t)):
         return
     t /= np.linalg.norm(t)
-    others = np.linalg.svd(unseen - np.outer(unseen @ t, t))[2][: len(unseen) - 1]
+    others = np.linalg.svd(null - np.outer(null @ t, t))[2][: len(null) - 1]
     for n in others:
         for angle in ANGLES:
             yield math.cos(angle) * n + math.sin(angle) * t

@@ -46,7 +46,7 @@ LOST = 1e-6
 """Second singular values below this, or the root of the tolerance, are as good as zero: within a tolerance ε
 families join that are some √ε apart."""
 
-ROOM = 3.0
+CLEARANCE = 3.0
 """A path that comes back to its start is beside it by a few roots of the tolerance: so wide is what a
 tolerance leaves where the Jacobian loses rank."""
 
@@ -88,7 +88,7 @@ class FamilyPath:
     second: Array
 
 
-def blind_directions(J: Array, smallest: float) -> Array:
+def null_space(J: Array, smallest: float) -> Array:
     """Return the (k, n) directions that a Jacobian does not see, singular values up to `smallest`.
 
     They come in echelon form, which keeps apart what is independent: in a PUMA stretched upwards, the
@@ -227,7 +227,7 @@ class Follower:
 
     def _second_of(self, J: Array, held: Array) -> float:
         """The second least singular value; infinite where a direction is held or two are spare."""
-        if len(held) or self.arm.spare > 1:
+        if len(held) or self.arm.redundancy > 1:
             return math.inf
         values = np.linalg.svd(J, compute_uv=False)
         place = self.arm.n_joints - 2
@@ -269,7 +269,7 @@ class Follower:
             back = self.back_to(start, new)
             along = float(back @ turned)
             aside = float(np.linalg.norm(back - along * turned))
-            if gone > 4.0 * h and abs(along) <= h and aside < max(0.2 * h, ROOM * self.lost):
+            if gone > 4.0 * h and abs(along) <= h and aside < max(0.2 * h, CLEARANCE * self.lost):
                 return [*found, new], True
             if gone > 2.0 * math.pi and self._was_there(found, directions, new, turned, h):
                 return found, False
@@ -290,7 +290,7 @@ class Follower:
         back = self.back_to(np.array(found)[alike], x)
         along = back @ t
         aside = np.linalg.norm(back - along[:, None] * t, axis=1)
-        near = (np.abs(along) <= step) & (aside < max(ASIDE * step, ROOM * self.lost))
+        near = (np.abs(along) <= step) & (aside < max(ASIDE * step, CLEARANCE * self.lost))
         return bool(near[alike < len(found) - 4].any())
 
     def _ahead(self, x: Array, t: Array, held: Array) -> tuple[Array, Array, Array]:
@@ -308,8 +308,8 @@ class Follower:
         _, values, rows = np.linalg.svd(np.vstack((J, held)))
         n = J.shape[1]
         values = np.concatenate((values, np.zeros(n - len(values))))
-        blind = rows[values <= max(float(np.sort(values)[0]) * 3.0, 1e-5)]
-        t = blind.T @ (blind @ before)
+        null = rows[values <= max(float(np.sort(values)[0]) * 3.0, 1e-5)]
+        t = null.T @ (null @ before)
         length = float(np.linalg.norm(t))
         return np.asarray(t / length if length > 0.1 else before)
 

@@ -1,6 +1,6 @@
 """Which solutions stand alone: can neither be moved nor joined to another while the target stays reached.
 
-All solutions are tried in the same array operations: a step along what the Jacobian does not see, and the
+All solutions are tried in the same array operations: a step along the null space of the Jacobian, and the
 middle between two that are near each other, are corrected back to the target.
 """
 
@@ -63,13 +63,13 @@ def told_apart(arm: Arm, target: Array, joints: Array, tolerance: float) -> tupl
     errors = np.linalg.norm(errors_of(arm, frames[-1], target), axis=1)
     J = arm.jacobians(frames) * arm.units
     least = np.linalg.svd(J, compute_uv=False)[:, arm.generic_rank - 1]
-    delicate = (least <= merging_value(tolerance)) | (arm.spare > 0)
+    delicate = (least <= merging_value(tolerance)) | (arm.redundancy > 0)
     apart = np.abs(differences(joints[:, None], joints[None], arm)).max(axis=2)
     np.fill_diagonal(apart, np.inf)
-    if not arm.spare and float(least.min()) > lost_value(tolerance):
+    if not arm.redundancy and float(least.min()) > lost_value(tolerance):
         delicate &= apart.min(axis=1) <= fold_length(tolerance)
     order = np.argsort(errors, kind="stable").tolist()
-    if not arm.spare and delicate.any():
+    if not arm.redundancy and delicate.any():
         some = [i for i in order if delicate[i]]
         targets = np.broadcast_to(target, (len(some), 4, 4))
         if not can_move(arm, targets, joints[some], tolerance).any():
@@ -87,7 +87,7 @@ def can_move(arm: Arm, targets: Array, joints: Array, tolerance: float) -> NDArr
     """Return whether solutions can be moved as far as those of families, or in more than one direction.
 
     Args:
-        arm: without joints to spare.
+        arm: without redundant joints.
         targets: (k, 4, 4) of each.
         joints: (k, n).
         tolerance: distance [m] and angle [rad] within which a target is reached.
@@ -96,9 +96,9 @@ def can_move(arm: Arm, targets: Array, joints: Array, tolerance: float) -> NDArr
     x = joints / alike.units
     J = alike.jacobians(alike.frames(joints)) * alike.units
     _, values, directions = np.linalg.svd(J)
-    blind = (values <= lost_value(tolerance)).sum(axis=1)
-    found = blind > 1
-    one = np.flatnonzero(blind == 1)
+    nullity = (values <= lost_value(tolerance)).sum(axis=1)
+    found = nullity > 1
+    one = np.flatnonzero(nullity == 1)
     way = fold_length(tolerance) * directions[one, -1]
     ways, both = np.concatenate((way, -way)), np.concatenate((one, one))
     found[
@@ -149,7 +149,7 @@ def joined_rows(
     """Return those rows of which the solution may be joined to another of the same target.
 
     Args:
-        arm: without joints to spare.
+        arm: without redundant joints.
         targets: (m, 4, 4).
         joints: (k, n) solutions, in order of the targets.
         owner: (k,) whose each is.

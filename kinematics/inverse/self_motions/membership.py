@@ -60,7 +60,7 @@ class Membership:
         self._arm, self._follower = arm, follower
         self._long = fold_length(tolerance)
         self._tolerance = tolerance
-        self._blind = lost_value(tolerance)
+        self._lost = lost_value(tolerance)
         self._beside = max(BESIDE, 20.0 * tolerance)
 
     def within(self, component: Component, q: Array) -> bool:
@@ -105,7 +105,7 @@ class Membership:
             inside[i] = any(self._on(path, joints[i]) for path in component.paths)
         x = component.joints / self._arm.units
         near = np.flatnonzero(~inside & (farthest <= self._long))
-        if self._arm.spare and not component.dimension:
+        if self._arm.redundancy and not component.dimension:
             inside[near] = True
             return np.asarray(inside)
         inside[near] = self._follower.joined_each(np.broadcast_to(x, apart[near].shape), x + apart[near])
@@ -113,10 +113,10 @@ class Membership:
             short = ACROSS_A_FOLD * math.sqrt(self._tolerance)
             beside = np.flatnonzero(~inside & (farthest <= short))
             if len(beside):
-                inside[beside] = self._are_blind(np.vstack((component.joints, joints[beside])))[1:]
+                inside[beside] = self._are_singular(np.vstack((component.joints, joints[beside])))[1:]
         inside |= self._on_torus(component, apart)
         outside = np.flatnonzero(~inside)
-        if component.dimension > min(self._arm.spare, 1) and len(outside):
+        if component.dimension > min(self._arm.redundancy, 1) and len(outside):
             inside[outside] = self._led(joints[outside], self._places(component, joints[outside]))
         return np.asarray(inside)
 
@@ -142,15 +142,15 @@ class Membership:
         on = np.where(revolute, (on + np.pi) % (2.0 * np.pi) - np.pi, on)
         return np.asarray(np.abs(on).max(axis=1) <= self._beside)
 
-    def _are_blind(self, joints: Array) -> NDArray[np.bool_]:
+    def _are_singular(self, joints: Array) -> NDArray[np.bool_]:
         """Which of (m, n) solutions are singular to within the tolerance, if the first one is; else none.
 
         Of two roots beside a fold, whose curvature is 1/8 or more, that is so only nearer than 16 tolerances:
         what is farther apart is one piece of a family, met twice at the edge of the tolerance.
         """
         values = np.linalg.svd(self._follower.jacobians(joints / self._arm.units), compute_uv=False)[:, -1]
-        blind = values <= self._tolerance
-        return np.asarray(blind & blind[0])
+        singular = values <= self._tolerance
+        return np.asarray(singular & singular[0])
 
     def _places(self, component: Component, joints: Array) -> Array:
         """(k, m, n) members of a family, in units, to which ways from (m, n) solutions are looked for."""
@@ -164,11 +164,11 @@ class Membership:
         return np.array(places)
 
     def _led(self, joints: Array, places: Array) -> NDArray[np.bool_]:
-        """Which of (m, n) solutions ways along blind directions lead from, to one of (k, m, n) places."""
+        """Which of (m, n) solutions steps in the null space lead from, to one of (k, m, n) places."""
         if self._follower.is_spent:
             return np.zeros(len(joints), dtype=bool)
         x = np.tile(joints / self._arm.units, (len(places), 1))
-        arrived = leads(self._follower, x, places.reshape(x.shape), self._blind)
+        arrived = leads(self._follower, x, places.reshape(x.shape), self._lost)
         return np.asarray(arrived.reshape(places.shape[:2]).any(axis=0))
 
     def _on(self, path: FamilyPath, q: Array) -> bool:

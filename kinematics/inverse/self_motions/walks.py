@@ -27,8 +27,8 @@ HALVINGS = 14
 as the square root of a tolerance, 1e-5 and more, and WALK halved so often is that."""
 
 
-def leads(follower: Follower, starts: Array, ends: Array, blind: float) -> NDArray[np.bool_]:
-    """Return whether steps along blind directions, corrected across them, lead from solutions to others.
+def leads(follower: Follower, starts: Array, ends: Array, lost: float) -> NDArray[np.bool_]:
+    """Return whether steps in the null space, corrected across it, lead from solutions to others.
 
     Of all ways the one is tried that comes nearer with every step: over a surface, or within the width
     that a tolerance gives to families that cross.
@@ -37,7 +37,7 @@ def leads(follower: Follower, starts: Array, ends: Array, blind: float) -> NDArr
         follower: of the target.
         starts: (m, n) solutions, in units.
         ends: (m, n) the others.
-        blind: singular values up to this are zero.
+        lost: singular values up to this are zero.
     """
     arrived = np.zeros(len(starts), dtype=bool)
     x, longest, going = starts.copy(), np.full(len(starts), WALK), np.arange(len(starts))
@@ -48,32 +48,32 @@ def leads(follower: Follower, starts: Array, ends: Array, blind: float) -> NDArr
         close = left <= FIRST_STEP
         last, end = x[going[close]], x[going[close]] + way[close]
         arrived[going[close]] = follower.joined_each(last, end)
-        if not follower.arm.spare:
-            across = np.eye(x.shape[1]) - _unseen(follower, last, blind)
+        if not follower.arm.redundancy:
+            across = np.eye(x.shape[1]) - _null_projections(follower, last, lost)
             taken.append(_Steps(going[close], last, end, across))
         going, way, left = going[~close], way[~close], left[~close]
-        unseen = _unseen(follower, x[going], blind)
-        along = (unseen @ way[:, :, None])[:, :, 0]
+        null = _null_projections(follower, x[going], lost)
+        along = (null @ way[:, :, None])[:, :, 0]
         length = np.linalg.norm(along, axis=1)
         ahead = length >= ASTRAY * left
-        going, left, length, unseen = going[ahead], left[ahead], length[ahead], unseen[ahead]
+        going, left, length, null = going[ahead], left[ahead], length[ahead], null[ahead]
         if not len(going) or follower.is_spent:
             break
         step = np.minimum(longest[going], length)
         aim = x[going] + along[ahead] * (step / length)[:, None]
         follower.count(len(going))
-        across = np.eye(len(x[0])) - unseen
+        across = np.eye(len(x[0])) - null
         there, e, _ = corrected_across(follower.arm, follower.target, aim, across)
         near = np.linalg.norm(there - aim, axis=1) <= step
         nearer = np.linalg.norm(follower.back_to(ends[going], there), axis=1) <= left - NEARER * step
         moved = near & nearer & are_solutions(e, follower.arm, follower.tolerance)
         moved[moved] = _keeps(follower, x[going[moved]], aim[moved], across[moved])
-        if not follower.arm.spare:
+        if not follower.arm.redundancy:
             taken.append(_Steps(going[moved], x[going[moved]], there[moved], across[moved]))
         x[going[moved]] = there[moved]
         longest[going] = np.where(moved, np.minimum(2.0 * step, WALK), 0.5 * step)
         going = going[longest[going] >= SHORTEST_WALK]
-    if arrived.any() and not follower.arm.spare:
+    if arrived.any() and not follower.arm.redundancy:
         arrived[_jumped(follower, taken, arrived)] = False
     return arrived
 
@@ -95,9 +95,9 @@ class _Steps(NamedTuple):
 def _jumped(follower: Follower, taken: Sequence[_Steps], arrived: NDArray[np.bool_]) -> NDArray[np.intp]:
     """The walks among those that arrived of which a step jumped to another family.
 
-    Two families with the hand the one way and the other, half a turn of the wrist apart, may come as near to
-    each other as their ends are wide. Between points of one family the middle is on it, however near they
-    are; a step over a gap is halved, the half with the wider gap next, until its middle is in the gap.
+    Two families with the end-effector the one way and the other, half a turn of the wrist apart, may come as
+    near to each other as their ends are wide. Between points of one family the middle is on it, however near
+    they are; a step over a gap is halved, the half with the wider gap next, until its middle is in the gap.
     """
     asked = [steps.of(arrived) for steps in taken]
     walk = np.concatenate([steps.walk for steps in asked])
@@ -117,9 +117,9 @@ def _jumped(follower: Follower, taken: Sequence[_Steps], arrived: NDArray[np.boo
 def _keeps(follower: Follower, x: Array, aim: Array, across: Array) -> NDArray[np.bool_]:
     """Whether steps of a walk keep the target half way too, where another solution is no longer joined.
 
-    With two joints to spare there are ways around such a place, and each step is taken as it is.
+    With two redundant joints there are ways around such a place, and each step is taken as it is.
     """
-    if follower.arm.spare > 1 or not len(x):
+    if follower.arm.redundancy > 1 or not len(x):
         return np.ones(len(x), dtype=bool)
     follower.count(len(x))
     middle = 0.5 * (x + aim)
@@ -128,10 +128,10 @@ def _keeps(follower: Follower, x: Array, aim: Array, across: Array) -> NDArray[n
     return np.asarray(near & are_solutions(e, follower.arm, follower.tolerance))
 
 
-def _unseen(follower: Follower, x: Array, blind: float) -> Array:
-    """(m, n, n) projections onto what the Jacobians at x do not see, singular values up to `blind`."""
+def _null_projections(follower: Follower, x: Array, lost: float) -> Array:
+    """(m, n, n) projections onto the null spaces of the Jacobians at x, singular values up to `lost`."""
     _, values, rows = np.linalg.svd(follower.jacobians(x))
     seen = np.zeros(rows.shape[:2])
-    seen[:, : values.shape[1]] = values > blind
+    seen[:, : values.shape[1]] = values > lost
     rows = np.where(seen[:, :, None] > 0.0, 0.0, rows)
     return np.asarray(rows.transpose(0, 2, 1) @ rows)

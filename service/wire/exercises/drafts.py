@@ -31,8 +31,8 @@ from service.wire.exercises.exercise_views import exercise_view
 from service.wire.exercises.figure_files import figure_file
 from service.wire.exercises.verdicts import record_body
 
-KEPT = 64
-"""Drafts that are kept as read: an author looks at one again and again."""
+CACHED_DRAFTS = 64
+"""Drafts in the cache, as read: an author looks at one again and again."""
 
 
 @contextmanager
@@ -69,7 +69,7 @@ def exercise_of(draft: ExerciseDraft) -> Exercise:
     return _exercise_of(draft.id, orjson.dumps([draft.definition, draft.statements]))
 
 
-@lru_cache(maxsize=KEPT)
+@lru_cache(maxsize=CACHED_DRAFTS)
 def _exercise_of(exercise_id: str, content: bytes) -> Exercise:
     definition, statements = orjson.loads(content)
     return exercise_of_draft(ExerciseDraft(id=exercise_id, definition=definition, statements=statements))

@@ -11,7 +11,7 @@ from exercises.access import lowest
 from exercises.definition import Exercise, Part
 from exercises.drawings import figure_geometry, figure_sentences
 from exercises.grading import ConventionRule, HelpLevel
-from exercises.instance import Instance, kept_instance
+from exercises.instance import Instance, cached_instance
 from exercises.library import Library
 from exercises.needs import unneeded_dimensions
 from exercises.parts.mistakes.frame_mistake import frames_shown
@@ -25,9 +25,9 @@ from service.schemas.exercises.exercises import TASK_FIELDS
 
 FRAMED = (TABLE, "frames", "screws")
 """Kinds of part that are held to the rules on frames."""
-KEPT = 512
+CACHED_TEXTS = 512
 """Exercises whose dimensions have been looked through, and in each language their statements and rules."""
-DESCRIBED = 2048
+CACHED_DESCRIPTIONS = 2048
 """Instances whose figure has been put into words: the exercise tells them, and then its figure."""
 
 
@@ -37,7 +37,7 @@ def instance_of(library: Library, exercise_id: str, seed: str | None) -> Instanc
     Raises:
         ExerciseError: there is no such exercise, or the seed is too long.
     """
-    return kept_instance(library.exercise(exercise_id), seed)
+    return cached_instance(library.exercise(exercise_id), seed)
 
 
 def exercise_list(library: Library, language: str, context: LinkContext | None = None) -> dict[str, Any]:
@@ -123,13 +123,13 @@ def conventions(found: Exercise) -> list[str]:
     return ["standard", "modified"] if rule is ConventionRule.ANY else [rule.value]
 
 
-@lru_cache(maxsize=KEPT)
+@lru_cache(maxsize=CACHED_TEXTS)
 def statement_html(found: Exercise, language: str) -> str:
     """Return what is asked as HTML; the same for all students of an exercise."""
     return to_html(found.statement(language))
 
 
-@lru_cache(maxsize=KEPT)
+@lru_cache(maxsize=CACHED_TEXTS)
 def _rules_told(found: Exercise, language: str) -> tuple[str, ...]:
     return tuple(rules(found, language))
 
@@ -149,7 +149,7 @@ def rules(found: Exercise, language: str) -> Iterator[str]:
         yield sentence(language, "rule-dimension-free", {"names": free}) or ""
 
 
-@lru_cache(maxsize=KEPT)
+@lru_cache(maxsize=CACHED_TEXTS)
 def free_dimensions(found: Exercise) -> tuple[str, ...]:
     """Return the dimensions that an answer may leave out; found out once for an exercise."""
     return unneeded_dimensions(found)
@@ -164,7 +164,7 @@ def _language_note(found: Exercise, language: str) -> str | None:
     return sentence(language, "exercise-other-language", {"language": name or written})
 
 
-@lru_cache(maxsize=DESCRIBED)
+@lru_cache(maxsize=CACHED_DESCRIPTIONS)
 def figure_description(instance: Instance, language: str) -> str:
     """Return the figure in words."""
     sentences = (

@@ -24,10 +24,10 @@ from service.revision import revision
 from service.wire.exercises.exercise_views import figure_description
 from service.work.shared_answers import SharedAnswers, address_of
 
-KEPT = 256
-"""Exercises whose digest is kept."""
-ADDRESSES = 2048
-"""Addresses of figures that are kept: the page, the exercise and the figure itself each ask for it."""
+CACHED_DIGESTS = 256
+"""Exercises whose digest is in the cache."""
+CACHED_ADDRESSES = 2048
+"""Addresses of figures in the cache: the page, the exercise and the figure itself each ask for it."""
 LEVEL = 4
 """Level of gzip: the higher ones take twice as long and save three bytes in a hundred."""
 
@@ -37,7 +37,7 @@ def figure_address(figures: SharedAnswers, instance: Instance, language: str) ->
     return _address(figures.kind, instance, language)
 
 
-@lru_cache(maxsize=ADDRESSES)
+@lru_cache(maxsize=CACHED_ADDRESSES)
 def _address(kind: str, instance: Instance, language: str) -> str:
     title = instance.exercise.title(language)
     told = repr((dict(instance.exact), frames_shown(instance)))
@@ -50,7 +50,7 @@ def drawing_address(figures: SharedAnswers, instance: Instance, note: str) -> st
     return figures.address(_drawn_alike(instance.exercise), "drawing", note, told)
 
 
-@lru_cache(maxsize=KEPT)
+@lru_cache(maxsize=CACHED_DIGESTS)
 def _drawn_alike(exercise: Exercise) -> bytes:
     """A digest of what all figures of an exercise follow from, whatever a student's values are."""
     policy = exercise.policy

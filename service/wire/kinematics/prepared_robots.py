@@ -15,16 +15,16 @@ from typing import Any
 import orjson
 
 from kinematics import catalogue
+from kinematics.caching import USUAL_TABLE
 from kinematics.cells import Limits, ReadTable, bind_parameters, read_table
 from kinematics.errors import Fault, KinematicsError
-from kinematics.remembering import USUAL_TABLE
 from kinematics.table import JointType, NumericTable
 from service.http.problems import RequestError, located
 from service.schemas.kinematics.robot_question import RobotQuestion
 from service.settings import Settings
 
 _LARGEST_KEY = 16 * 1024
-"""Bytes of a question that is remembered by its text; a table of a hundred rows has about half of it."""
+"""Bytes of a question that is cached by its text; a table of a hundred rows has about half of it."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -54,14 +54,14 @@ class RobotCache:
         self._size = settings.table_cache
         self._length = 0
         self._keeping = Lock()  # large tables are read in a thread
-        self._kept: OrderedDict[bytes, PreparedRobot] = OrderedDict()
+        self._robots: OrderedDict[bytes, PreparedRobot] = OrderedDict()
 
     def recall(self, request: Mapping[str, Any]) -> PreparedRobot | None:
         """Return the robot of a request's JSON, if it was prepared before."""
         key = _key(request)
         try:
-            robot = self._kept[key]
-            self._kept.move_to_end(key)
+            robot = self._robots[key]
+            self._robots.move_to_end(key)
         except KeyError:  # never seen; or dropped just now by a large batch that is read in a thread
             return None
         return robot
@@ -81,11 +81,11 @@ class RobotCache:
     def _keep(self, key: bytes, robot: PreparedRobot) -> None:
         """Keep a robot, and of those used last as many as tables of usual length have room for."""
         with self._keeping:
-            if key not in self._kept:
+            if key not in self._robots:
                 self._length += robot.read.length
-            self._kept[key] = robot
-            while len(self._kept) > self._size or self._length > self._size * USUAL_TABLE:
-                self._length -= self._kept.popitem(last=False)[1].read.length
+            self._robots[key] = robot
+            while len(self._robots) > self._size or self._length > self._size * USUAL_TABLE:
+                self._length -= self._robots.popitem(last=False)[1].read.length
 
 
 def _key(request: Mapping[str, Any]) -> bytes:

@@ -50,7 +50,7 @@ def test_two_conventions_with_lengths_as_symbols() -> None:
 
 
 def test_a_proof_ends_after_a_count_of_products(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("kinematics.equivalence.proof.MOST_PRODUCTS", 1)
+    monkeypatch.setattr("kinematics.equivalence.proof.MOST_TERM_PRODUCTS", 1)
     assert proved(read("standard", PUMA), read("modified", PUMA_CRAIG)) is None
 
 

@@ -12,7 +12,7 @@ from kinematics.inverse.goals import read_goal
 from kinematics.inverse.residuals import are_solutions, errors_of
 from kinematics.inverse.results import Isolation, Method
 from kinematics.inverse.self_motions.crossings import tangents
-from kinematics.inverse.self_motions.families import FamilyPath, Follower, blind_directions, nearest_on
+from kinematics.inverse.self_motions.families import FamilyPath, Follower, nearest_on, null_space
 from kinematics.inverse.self_motions.gaps import nearest_places, way_through_gaps
 from kinematics.inverse.self_motions.walks import leads
 from kinematics.table import Convention
@@ -96,7 +96,7 @@ def test_pieces_of_a_family_are_on_one_way():
     q = np.array([0.3, -0.7, 1.2, 0.5, 2e-8, -1.4])
     solver = solver_of(table)
     follower = Follower(solver.arm, end_pose(table, q), 7e-10)
-    (direction,) = blind_directions(follower.jacobian(q), follower.lost)
+    (direction,) = null_space(follower.jacobian(q), follower.lost)
     path = follower.path(q, direction, np.empty((0, 6)))
     assert not path.closed
     way = way_through_gaps(follower, q, path, 100.0)
@@ -139,9 +139,9 @@ def test_families_leave_where_the_jacobian_stays_blind():
     q = np.array([-RIGHT, math.pi, -0.19, 0.0, 0.0, -RIGHT])
     follower = Follower(solver_of(table).arm, end_pose(table, q), 7e-10)
     x = q / follower.arm.units
-    blind = blind_directions(follower.jacobian(x), follower.lost)
-    assert len(blind) == 2
-    free = tangents(follower, x, blind, follower.lost)
+    null = null_space(follower.jacobian(x), follower.lost)
+    assert len(null) == 2
+    free = tangents(follower, x, null, follower.lost)
     wrist = np.array((0, 0, 0, 1, 0, -1)) / math.sqrt(2.0)
     assert max(abs(float(direction @ wrist)) for direction in free) > 0.999
 
@@ -283,8 +283,8 @@ def test_a_path_does_not_change_over_to_a_family_that_it_all_but_crosses():
     q = np.array([1.571197, -1.570568, -0.000296, -3.14242, 3.141711, 1.570806, -1.570767])
     solver, pose = solver_of(table), end_pose(table, q)
     follower = Follower(solver.arm, pose, 5e-9)
-    (blind,) = np.linalg.svd(follower.jacobian(q))[2][6:]
-    loop = follower.path(q, blind, np.empty((0, 7)))
+    (null,) = np.linalg.svd(follower.jacobian(q))[2][6:]
+    loop = follower.path(q, null, np.empty((0, 7)))
     assert loop.closed
     answer = solver.solve(pose)
     assert len(answer.solutions) == 4

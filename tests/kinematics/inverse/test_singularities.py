@@ -269,7 +269,7 @@ def test_general_arms_have_what_a_search_finds():
     for i in range(12):
         table = GENERAL if i == 0 else random_table(rng, 6, sliding=0.0, aligned=bool(i % 3 == 1))
         solver = solver_of(table)
-        if solver.arm.spare:
+        if solver.arm.redundancy:
             continue
         target = end_pose(table, random_joints(rng, table))
         answer = solver.solve(target)
@@ -337,7 +337,7 @@ def test_which_arm_has_which_closed_form():
 def test_every_arm_of_six_turning_joints_in_the_catalogue_is_closed():
     for robot in robots():
         solver = solver_of(MODELS[f"catalogue {robot.id}"])
-        assert (solver.closed_form is None) == (solver.arm.spare > 0)
+        assert (solver.closed_form is None) == (solver.arm.redundancy > 0)
 
 
 CROSSINGS = {

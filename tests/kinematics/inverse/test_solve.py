@@ -219,7 +219,7 @@ def test_short_arms_of_every_kind_are_complete():
         target = end_pose(table, q)
         solver = solver_of(table)
         answer = solver.solve(target)
-        if answer.status is IKStatus.SINGULAR or solver.arm.spare:
+        if answer.status is IKStatus.SINGULAR or solver.arm.redundancy:
             assert not answer.complete
             continue
         assert answer.complete

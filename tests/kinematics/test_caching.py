@@ -5,13 +5,13 @@ from __future__ import annotations
 import gc
 import tracemalloc
 
+from kinematics.caching import cached_by_size
 from kinematics.cells import AngleUnit, RawRow, RawTable, bind_parameters, read_table
 from kinematics.cells.rows import row_meaning, row_syntax
 from kinematics.equivalence import BaseRule, Policy, ZeroRule
 from kinematics.equivalence.home_invariants import home_invariants_of
 from kinematics.equivalence.invariants import invariants_of
 from kinematics.equivalence.reference import prepared
-from kinematics.remembering import remembered
 from kinematics.table import Convention, DHRow, DHTable, JointType
 
 MOST = 5 * 1024 * 1024
@@ -99,7 +99,7 @@ def read_and_bound(number: int, values: dict[str, float]) -> None:
 def test_many_short_answers_are_remembered_and_few_long_ones() -> None:
     asked: list[str] = []
 
-    @remembered(len, longest=3, most=100, few=2)
+    @cached_by_size(len, longest=3, most=100, few=2)
     def answer(text: str) -> str:
         asked.append(text)
         return text

@@ -1,4 +1,4 @@
-"""What is remembered of what was read and worked out: many short questions, few long ones.
+"""A least-recently-used cache with separate bounds for short and for long arguments.
 
 A cache that is bounded in number alone holds a thousand times more once somebody asks for nothing but the
 longest that is allowed.
@@ -21,8 +21,8 @@ USUAL_INVARIANTS = 4 * USUAL_ROWS
 """Invariants of such a table, and some."""
 
 
-class Remembered(Generic[_Question, _Answer]):
-    """A function that remembers its latest answers."""
+class SizedCache(Generic[_Question, _Answer]):
+    """A function whose latest results are cached."""
 
     def __init__(
         self,
@@ -37,26 +37,26 @@ class Remembered(Generic[_Question, _Answer]):
         update_wrapper(self, function)
 
     def __call__(self, *question: _Question.args, **named: _Question.kwargs) -> _Answer:
-        """Return the answer to a question, of what can be hashed."""
+        """Return the result for hashable arguments."""
         if self._length(*question, **named) <= self._longest:
             return self._usual(*question, **named)  # type: ignore[arg-type]
         return self._long(*question, **named)  # type: ignore[arg-type]
 
     def cache_clear(self) -> None:
-        """Forget all answers."""
+        """Empty the cache."""
         self._usual.cache_clear()
         self._long.cache_clear()
 
 
-def remembered(
+def cached_by_size(
     length: Callable[_Question, int], *, longest: int, most: int, few: int
-) -> Callable[[Callable[_Question, _Answer]], Remembered[_Question, _Answer]]:
-    """Return a decorator by which a function remembers its latest answers.
+) -> Callable[[Callable[_Question, _Answer]], SizedCache[_Question, _Answer]]:
+    """Return a decorator that caches the latest results of a function.
 
     Args:
-        length: of a question, such as its characters or rows; what an answer holds grows with it.
-        longest: length of a question that counts as a usual one.
-        most: how many usual ones are remembered.
-        few: how many longer ones are, so that a request need not work out the same twice.
+        length: of the arguments, such as their characters or rows; the size of a result grows with it.
+        longest: up to this length the arguments count as short.
+        most: how many results for short arguments are cached.
+        few: how many for longer ones, so that one request need not compute the same twice.
     """
-    return lambda function: Remembered(function, length, longest, most, few)
+    return lambda function: SizedCache(function, length, longest, most, few)

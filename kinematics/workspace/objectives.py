@@ -12,7 +12,7 @@ Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class ReachGoal:
+class Objective:
     """rᵀ W r + c · r with r = p − origin, for a place p.
 
     Attributes:
@@ -26,10 +26,10 @@ class ReachGoal:
     c: Array
 
 
-def distance_goals(
+def distance_objectives(
     origin: Sequence[float] | Array, axis: Sequence[float] | Array | None
-) -> tuple[ReachGoal, ReachGoal]:
-    """Return the goals of being near, and of being far.
+) -> tuple[Objective, Objective]:
+    """Return the objectives of being near, and of being far.
 
     Args:
         origin: (3,) from where the distance is measured.
@@ -40,19 +40,19 @@ def distance_goals(
         across -= np.outer(axis, axis)
     place, nothing = np.asarray(origin, dtype=np.float64), np.zeros(3)
     return (
-        ReachGoal(origin=place, W=-across, c=nothing),
-        ReachGoal(origin=place, W=across, c=nothing),
+        Objective(origin=place, W=-across, c=nothing),
+        Objective(origin=place, W=across, c=nothing),
     )
 
 
-def direction_goal(direction: Array) -> ReachGoal:
-    """Return the goal of being far along a direction."""
-    return ReachGoal(origin=np.zeros(3), W=np.zeros((3, 3)), c=direction)
+def direction_objective(direction: Array) -> Objective:
+    """Return the objective of being far along a direction."""
+    return Objective(origin=np.zeros(3), W=np.zeros((3, 3)), c=direction)
 
 
 @dataclass(frozen=True, slots=True)
-class Goals:
-    """Goals of several climbers: every field with a leading axis."""
+class Objectives:
+    """Objectives of several ascents: every field with a leading axis."""
 
     origin: Array
     W: Array
@@ -64,10 +64,10 @@ class Goals:
         return np.asarray(np.einsum("mi,mij,mj->m", r, self.W, r) + np.einsum("mi,mi->m", self.c, r))
 
 
-def stacked(goals: Sequence[ReachGoal], times: int) -> Goals:
-    """Return each goal so many times, one after another."""
-    return Goals(
-        np.repeat(np.array([goal.origin for goal in goals]), times, axis=0),
-        np.repeat(np.array([goal.W for goal in goals]), times, axis=0),
-        np.repeat(np.array([goal.c for goal in goals]), times, axis=0),
+def stacked(objectives: Sequence[Objective], times: int) -> Objectives:
+    """Return each objective so many times, one after another."""
+    return Objectives(
+        np.repeat(np.array([objective.origin for objective in objectives]), times, axis=0),
+        np.repeat(np.array([objective.W for objective in objectives]), times, axis=0),
+        np.repeat(np.array([objective.c for objective in objectives]), times, axis=0),
     )

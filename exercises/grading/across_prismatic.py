@@ -1,4 +1,4 @@
-"""Which facts say how the axes on both sides of some sliders lie to each other."""
+"""Which facts say how the axes on both sides of some prismatic joints lie to each other."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ from kinematics.equivalence.measures import Measure, Shape
 
 
 @lru_cache(maxsize=32)
-def across_sliders(facts: Facts) -> tuple[NDArray[np.bool_], ...]:
-    """(q,) for each group of sliders: which facts say how the axes on both sides of it lie to each other.
+def across_prismatic(facts: Facts) -> tuple[NDArray[np.bool_], ...]:
+    """(q,) for each group of prismatic joints: which facts relate the axes on both sides of it.
 
     Angles between neighbours are facts of their own.
     """

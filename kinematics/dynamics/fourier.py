@@ -1,8 +1,8 @@
-"""Real functions of joint variables as sums of cosines, which are differentiated term by term.
+"""Real functions of joint variables as finite Fourier series, which are differentiated term by term.
 
-A `Wave` is Π p^e · cos(Σ k_i q_i + ⋯ + turn); a function is a whole weight for each wave, over a denominator
-that all functions of a table share. It is what a real element of the ring is when each exponential is put
-together with its conjugate.
+A `FourierTerm` is Π p^e · cos(Σ k_i q_i + ⋯ + turn); a function is an integer weight for each term, over a
+denominator that all functions of a table share. A real element of the ring takes this form when each
+exponential is combined with its conjugate.
 """
 
 from __future__ import annotations
@@ -31,14 +31,14 @@ from kinematics.symbolic.roots import basis_steps
 from kinematics.symbolic.terms import Nested, Rational, Term, plain, quotient
 
 Exponents: TypeAlias = tuple[tuple[int, Rational], ...]
-WeightedWave: TypeAlias = tuple[Exponents, Rational, Exponents, int]
-"""Angle, turn and powers of a `Wave`, and its weight."""
+WeightedTerm: TypeAlias = tuple[Exponents, Rational, Exponents, int]
+"""Angle, turn and powers of a `FourierTerm`, and its weight."""
 
 _HALF_TURN, _QUARTER_TURN = 12, 6
 """Turns are counted in twenty-fourths, as in the ring."""
 
 
-class Wave(NamedTuple):
+class FourierTerm(NamedTuple):
     """A term without its weight; symbols are known by their numbers.
 
     Attributes:
@@ -52,14 +52,14 @@ class Wave(NamedTuple):
     powers: Exponents
 
 
-Waves: TypeAlias = Mapping[Wave, int]
+FourierSeries: TypeAlias = Mapping[FourierTerm, int]
 
 
-class WaveTable:
-    """Some elements of a ring as waves.
+class SeriesTable:
+    """Some elements of a ring as Fourier series.
 
     Attributes:
-        waves: the elements.
+        series: the elements.
         denominator: what their weights are divided by.
         arena: in which they are written.
 
@@ -93,11 +93,11 @@ class WaveTable:
         self._exponents: dict[int, Exponents] = {}
         found = [self._terms(ring, form) for form in forms]
         self.denominator = lcm(*(denominator for _, denominator in found))
-        self.waves: tuple[Waves, ...] = tuple(
+        self.series: tuple[FourierSeries, ...] = tuple(
             _sum(terms, self.denominator // denominator) for terms, denominator in found
         )
 
-    def _terms(self, ring: Ring, form: Form) -> tuple[Iterator[WeightedWave], int]:
+    def _terms(self, ring: Ring, form: Form) -> tuple[Iterator[WeightedTerm], int]:
         """The terms of a form with whole weights over a denominator."""
         split = ring.split_terms(form)
         if split is not None:
@@ -106,7 +106,7 @@ class WaveTable:
         denominator = lcm(*(weight.denominator for weight in terms.values()))
         return self._parted(terms, denominator), denominator
 
-    def _split(self, ring: Ring, terms: Iterable[tuple[int, int, int, int]]) -> Iterator[WeightedWave]:
+    def _split(self, ring: Ring, terms: Iterable[tuple[int, int, int, int]]) -> Iterator[WeightedTerm]:
         known = self._exponents
         for angle_key, power_key, step, weight in terms:
             angle = known.get(angle_key)
@@ -125,7 +125,7 @@ class WaveTable:
         self._exponents[key] = found
         return found
 
-    def _parted(self, terms: Terms, denominator: int) -> Iterator[WeightedWave]:
+    def _parted(self, terms: Terms, denominator: int) -> Iterator[WeightedTerm]:
         for monomial, weight in terms.items():
             exponents = sorted((self._numbers[symbol], plain(e)) for symbol, e in monomial.exponents)
             angle = tuple([item for item in exponents if item[0] in self._angular])
@@ -134,11 +134,11 @@ class WaveTable:
                 whole = weight.numerator * (denominator // weight.denominator)
                 yield angle, _steps(monomial.turn), powers, whole
 
-    def derivative(self, waves: Waves, joint: int) -> Waves:
+    def derivative(self, series: FourierSeries, joint: int) -> FourierSeries:
         """Return ∂/∂q of a joint variable, whether it is an angle or a distance."""
         angular, linear = 2 * (joint - 1), 2 * (joint - 1) + 1
-        found: dict[Wave, int] = {}
-        for (angle, turn, powers), weight in waves.items():
+        found: dict[FourierTerm, int] = {}
+        for (angle, turn, powers), weight in series.items():
             for number, factor in angle:
                 if number == angular:
                     _put(found, angle, turn + _QUARTER_TURN, powers, weight * int(factor))
@@ -149,13 +149,13 @@ class WaveTable:
                     _put(found, angle, turn, kept, weight * int(exponent))
         return found
 
-    def nested(self, waves: Waves, factor: Fraction = Fraction(1)) -> Nested:
+    def nested(self, series: FourierSeries, factor: Fraction = Fraction(1)) -> Nested:
         """Return a multiple as it is written.
 
         What stands before one cosine in parentheses, shared factors out.
         """
         groups: dict[tuple[Exponents, Rational], list[tuple[Exponents, int]]] = {}
-        for (angle, turn, powers), weight in waves.items():
+        for (angle, turn, powers), weight in series.items():
             key = angle, turn
             if key in groups:
                 groups[key].append((powers, weight))
@@ -220,35 +220,37 @@ def _steps(turn: Fraction) -> Rational:
     return plain(turn * ORDER)
 
 
-def combined(parts: Iterable[tuple[int, Waves]]) -> Waves:
+def combined(parts: Iterable[tuple[int, FourierSeries]]) -> FourierSeries:
     """Return the sum of some multiples of functions."""
-    found: dict[Wave, int] = {}
-    for factor, waves in parts:
-        for wave, weight in waves.items():
-            total = found.get(wave, 0) + factor * weight
+    found: dict[FourierTerm, int] = {}
+    for factor, series in parts:
+        for term, weight in series.items():
+            total = found.get(term, 0) + factor * weight
             if total:
-                found[wave] = total
+                found[term] = total
             else:
-                del found[wave]
+                del found[term]
     return found
 
 
-def _sum(terms: Iterable[WeightedWave], scale: int) -> Waves:
+def _sum(terms: Iterable[WeightedTerm], scale: int) -> FourierSeries:
     """The real function of which these are the terms whose angle is positive, or that have none."""
-    found: dict[Wave, int] = {}
+    found: dict[FourierTerm, int] = {}
     for angle, turn, powers, weight in terms:
         _put(found, angle, turn, powers, (2 * scale if angle else scale) * weight)
     return found
 
 
-def _put(found: dict[Wave, int], angle: Exponents, turn: Rational, powers: Exponents, weight: int) -> None:
+def _put(
+    found: dict[FourierTerm, int], angle: Exponents, turn: Rational, powers: Exponents, weight: int
+) -> None:
     turn %= ORDER
     if turn >= _HALF_TURN:
         turn, weight = turn - _HALF_TURN, -weight
     if angle or turn != _QUARTER_TURN:
-        wave = Wave(angle, turn, powers)
-        total = found.get(wave, 0) + weight
+        term = FourierTerm(angle, turn, powers)
+        total = found.get(term, 0) + weight
         if total:
-            found[wave] = total
+            found[term] = total
         else:
-            del found[wave]
+            del found[term]

@@ -1,9 +1,9 @@
-"""The greatest value that a goal can have within the joints' ranges.
+"""The maximum of an objective within the joint limits, by coordinate ascent.
 
-While the other joints stand still, a place goes round a circle or along a line, and the value of a goal is
+While the other joints stand still, a point moves on a circle or a line, and the objective is
 a + b cos q + c sin q + d cos 2q + e sin 2q, or a parabola. So the best value of one joint is found in closed
-form. Going through the joints from the tip to the base, again and again and from many starts, climbs to the
-top; Newton's steps in all joints at once make the last digits right.
+form. Sweeps through the joints from the tip to the base, from many starts, lead to the maximum; Newton's
+steps in all joints at once make the last digits right.
 """
 
 from __future__ import annotations
@@ -18,13 +18,13 @@ from kinematics.chain import chain_of_table
 from kinematics.forward import end_poses
 from kinematics.se3 import Transform, cross_arrays
 from kinematics.table import JointType, NumericTable
-from kinematics.workspace.goals import Array, Goals, ReachGoal, stacked
+from kinematics.workspace.objectives import Array, Objective, Objectives, stacked
 from kinematics.workspace.spans import spread
 
 LOOKS = 768
-"""Configurations that are looked at before the climb."""
+"""Samples among which the starts are chosen."""
 STARTS = 32
-"""Configurations from which a goal is climbed to."""
+"""Configurations from which an ascent starts."""
 BEST_CORNERS = 8
 """Of the starts so many are corners of the ranges, where there are as many."""
 MOST_CORNERS = 9
@@ -34,19 +34,18 @@ FULL_TURN = 1e-9
 MOST_SWEEPS = 120
 FEWEST_SWEEPS = 6
 NEWTON_STEPS = 40
-"""Rounds through the joints of a climb, and steps of Newton at its end: both stop as soon as nothing is
-gained."""
+"""Sweeps through the joints in an ascent, and Newton's steps at its end: both stop once nothing is gained."""
 
 _GRID = 65
 _SMALL_GAIN = 1e-9
 """Values of a joint tried in a round, and the gain, as a share of the size, that ends the rounds."""
-_TOPS = 4
-"""Two ends and two tops between them: of nearly equal ones the grid does not tell which is greatest."""
+_CANDIDATES = 4
+"""Two ends and two local maxima: of nearly equal ones the grid does not tell which is greatest."""
 
 
 @dataclass(frozen=True, slots=True)
-class Summit:
-    """Where a goal is greatest.
+class Maximum:
+    """The maximum of an objective.
 
     Attributes:
         value: its value.
@@ -59,46 +58,48 @@ class Summit:
     place: Array
 
 
-def summits(
-    table: NumericTable, goals: Sequence[ReachGoal], spans: Array, tool: Transform | None = None
-) -> list[Summit]:
-    """Return for each goal the greatest value that the origin of the tool can have.
+def maxima(
+    table: NumericTable, objectives: Sequence[Objective], spans: Array, tool: Transform | None = None
+) -> list[Maximum]:
+    """Return for each objective the greatest value that the origin of the tool can have.
 
     Args:
         table: the robot.
-        goals: what is to be great, in frame 0.
+        objectives: what is to be great, in frame 0.
         spans: (n, 2) ranges of the joints.
         tool: (4, 4) pose of the tool in frame N.
     """
-    climbers = stacked(goals, STARTS)
-    joints = _starts(table, goals, spans, tool)
-    before = np.full(len(goals), -np.inf)
+    ascents = stacked(objectives, STARTS)
+    joints = _starts(table, objectives, spans, tool)
+    before = np.full(len(objectives), -np.inf)
     for sweep in range(MOST_SWEEPS):
-        joints = _swept(table, climbers, joints, spans, tool)
-        values = climbers.values(_places(table, joints, tool)).reshape(len(goals), STARTS)
+        joints = _swept(table, ascents, joints, spans, tool)
+        values = ascents.values(_places(table, joints, tool)).reshape(len(objectives), STARTS)
         best = values.max(axis=1)
         small = best - before <= _SMALL_GAIN * (1.0 + np.abs(values).max())
         if sweep >= FEWEST_SWEEPS and bool(np.all(small)):
             break
         before = best
     found = []
-    for k, goal in enumerate(goals):
+    for k, objective in enumerate(objectives):
         start = joints[k * STARTS + int(values[k].argmax())]
-        found.append(_polished(table, goal, start, spans, tool))
+        found.append(_polished(table, objective, start, spans, tool))
     return found
 
 
-def _starts(table: NumericTable, goals: Sequence[ReachGoal], spans: Array, tool: Transform | None) -> Array:
-    """For each goal the best of what was looked at, the best corners, and others from all over the ranges."""
+def _starts(
+    table: NumericTable, objectives: Sequence[Objective], spans: Array, tool: Transform | None
+) -> Array:
+    """For each objective the best samples, the best corners, and others from all over the ranges."""
     looked = spread(spans, LOOKS)
     corners = _corners(table, spans)
     fixed = np.arange(0, LOOKS, 2 * LOOKS // STARTS)
     best_corners = min(len(corners), BEST_CORNERS)
     places, corner_places = (_places(table, q, tool) for q in (looked, corners))
     chosen = []
-    for goal in goals:
-        value = stacked([goal], LOOKS).values(places)
-        at_corners = stacked([goal], len(corners)).values(corner_places)
+    for objective in objectives:
+        value = stacked([objective], LOOKS).values(places)
+        at_corners = stacked([objective], len(corners)).values(corner_places)
         best = np.argsort(-value, kind="stable")[: STARTS - len(fixed) - best_corners]
         chosen += [
             looked[np.concatenate((best, fixed))],
@@ -136,7 +137,9 @@ def first_axis(table: NumericTable) -> tuple[Array, Array]:
     return points[0, 0] + 0.0, directions[0, 0] + 0.0
 
 
-def _swept(table: NumericTable, goals: Goals, joints: Array, spans: Array, tool: Transform | None) -> Array:
+def _swept(
+    table: NumericTable, objectives: Objectives, joints: Array, spans: Array, tool: Transform | None
+) -> Array:
     """Every joint once at its best, from the tip to the base: what lies before a joint stays where it is."""
     directions, points = _axes(table, joints)
     p = _places(table, joints, tool)
@@ -145,7 +148,7 @@ def _swept(table: NumericTable, goals: Goals, joints: Array, spans: Array, tool:
         u, low, high = directions[:, i], float(spans[i, 0]), float(spans[i, 1])
         if table.joint_types[i] is JointType.PRISMATIC:
             still = p - joints[:, i, None] * u
-            joints[:, i] = _best_slide(goals, still, u, low, high)
+            joints[:, i] = _best_slide(objectives, still, u, low, high)
             p = still + joints[:, i, None] * u
             continue
         arm = p - points[:, i]
@@ -154,24 +157,26 @@ def _swept(table: NumericTable, goals: Goals, joints: Array, spans: Array, tool:
         c, s = np.cos(joints[:, i, None]), np.sin(joints[:, i, None])
         a, b = c * a - s * b, s * a + c * b  # at q = 0, and a quarter turn on
         centre = points[:, i] + along
-        joints[:, i] = _best_turn(goals, centre, a, b, low, high)
+        joints[:, i] = _best_turn(objectives, centre, a, b, low, high)
         p = centre + np.cos(joints[:, i, None]) * a + np.sin(joints[:, i, None]) * b
     return joints
 
 
-def _best_slide(goals: Goals, still: Array, u: Array, low: float, high: float) -> Array:
-    Wu = np.einsum("mij,mj->mi", goals.W, u)
+def _best_slide(objectives: Objectives, still: Array, u: Array, low: float, high: float) -> Array:
+    Wu = np.einsum("mij,mj->mi", objectives.W, u)
     second = np.einsum("mi,mi->m", Wu, u)
-    first = 2.0 * np.einsum("mi,mi->m", Wu, still - goals.origin) + np.einsum("mi,mi->m", goals.c, u)
+    first = 2.0 * np.einsum("mi,mi->m", Wu, still - objectives.origin) + np.einsum(
+        "mi,mi->m", objectives.c, u
+    )
     vertex = np.clip(-first / np.where(second < 0.0, 2.0 * second, 1.0), low, high)
     ends = np.where(first * (high - low) + second * (high**2 - low**2) > 0.0, high, low)
     return np.asarray(np.where(second < 0.0, vertex, ends))
 
 
-def _best_turn(goals: Goals, centre: Array, a: Array, b: Array, low: float, high: float) -> Array:
+def _best_turn(objectives: Objectives, centre: Array, a: Array, b: Array, low: float, high: float) -> Array:
     """The best angle where the place is centre + a cos q + b sin q."""
-    Wa, Wb = np.einsum("mij,mj->mi", goals.W, a), np.einsum("mij,mj->mi", goals.W, b)
-    lever = 2.0 * np.einsum("mij,mj->mi", goals.W, centre - goals.origin) + goals.c
+    Wa, Wb = np.einsum("mij,mj->mi", objectives.W, a), np.einsum("mij,mj->mi", objectives.W, b)
+    lever = 2.0 * np.einsum("mij,mj->mi", objectives.W, centre - objectives.origin) + objectives.c
     c1, s1 = np.einsum("mi,mi->m", lever, a), np.einsum("mi,mi->m", lever, b)
     c2 = (np.einsum("mi,mi->m", a, Wa) - np.einsum("mi,mi->m", b, Wb)) / 2.0
     s2 = np.einsum("mi,mi->m", a, Wb)
@@ -180,7 +185,7 @@ def _best_turn(goals: Goals, centre: Array, a: Array, b: Array, low: float, high
     curve = np.column_stack((c1, s1, c2, s2)) @ waves
     below = np.zeros(curve.shape, dtype=bool)
     below[:, 1:-1] = (curve[:, 1:-1] < curve[:, :-2]) | (curve[:, 1:-1] < curve[:, 2:])
-    start = grid[np.argpartition(np.where(below, np.inf, -curve), _TOPS)[:, :_TOPS]]
+    start = grid[np.argpartition(np.where(below, np.inf, -curve), _CANDIDATES)[:, :_CANDIDATES]]
     c1, s1, c2, s2 = (each[:, None] for each in (c1, s1, c2, s2))
     q = start
     for _ in range(4):
@@ -195,14 +200,14 @@ def _best_turn(goals: Goals, centre: Array, a: Array, b: Array, low: float, high
 
 
 def _polished(
-    table: NumericTable, goal: ReachGoal, joints: Array, spans: Array, tool: Transform | None
-) -> Summit:
-    """The summit near a configuration, by Newton's steps within the ranges."""
-    one = stacked([goal], 1)
+    table: NumericTable, objective: Objective, joints: Array, spans: Array, tool: Transform | None
+) -> Maximum:
+    """The maximum near a configuration, by Newton's steps within the ranges."""
+    one = stacked([objective], 1)
     q, place = joints, _places(table, joints[None], tool)[0]
     value = float(one.values(place[None])[0])
     for _ in range(NEWTON_STEPS):
-        gradient, hessian = _derivatives(table, goal, q, place)
+        gradient, hessian = _derivatives(table, objective, q, place)
         at_low, at_high = q <= spans[:, 0], q >= spans[:, 1]
         free = ~((at_low & (gradient <= 0.0)) | (at_high & (gradient >= 0.0)))
         if not free.any():
@@ -223,19 +228,19 @@ def _polished(
                 break
         if not gained:
             break
-    return Summit(value, q, place)
+    return Maximum(value, q, place)
 
 
-def _derivatives(table: NumericTable, goal: ReachGoal, q: Array, place: Array) -> tuple[Array, Array]:
-    """Gradient (n,) and Hessian (n, n) of a goal with respect to the joints.
+def _derivatives(table: NumericTable, objective: Objective, q: Array, place: Array) -> tuple[Array, Array]:
+    """Gradient (n,) and Hessian (n, n) of an objective with respect to the joints.
 
-    ∂p/∂q_i = z_i × (p − p_i), and ∂²p/∂q_i∂q_j = z_i × ∂p/∂q_j for i ≤ j; of a sliding joint z_i, and 0.
+    ∂p/∂q_i = z_i × (p − p_i), and ∂²p/∂q_i∂q_j = z_i × ∂p/∂q_j for i ≤ j; of a prismatic joint z_i, and 0.
     """
     directions, points = (array[0] for array in _axes(table, q[None]))
     turning = np.array([kind is JointType.REVOLUTE for kind in table.joint_types])
     J = np.where(turning[:, None], cross_arrays(directions, place - points), directions)
-    lever = 2.0 * goal.W @ (place - goal.origin) + goal.c
+    lever = 2.0 * objective.W @ (place - objective.origin) + objective.c
     turned = cross_arrays(directions[:, None], J[None, :]) @ lever
     upper = np.triu(np.where(turning[:, None], turned, 0.0))
-    hessian = 2.0 * J @ goal.W @ J.T + upper + np.triu(upper, 1).T
+    hessian = 2.0 * J @ objective.W @ J.T + upper + np.triu(upper, 1).T
     return J @ lever, hessian
