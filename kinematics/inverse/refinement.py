@@ -37,7 +37,7 @@ def solutions_of(arm: Arm, candidates: Array, target: Transform, tolerance: floa
 
 
 def refined(arm: Arm, candidates: Array, target: Transform, tolerance: float) -> tuple[Array, Array]:
-    """Return what `solutions_of` does, and the others, (k, n), with the least error that steps led them to."""
+    """Return what `solutions_of` does, and the others, (k, n), each at the least error on its way."""
     q = candidates[np.isfinite(candidates).all(axis=1)]
     if not len(q):
         return q, q

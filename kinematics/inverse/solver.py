@@ -163,7 +163,7 @@ class Solver:
         return sorted(within, key=lambda one: sum(map(abs, one.joints)))
 
     def _roots(self, goal: Goal) -> tuple[Array, Array] | None:
-        """Solutions by the closed form, if it has an answer for this target; and what it has tried in vain."""
+        """Solutions by the closed form, if it answers for this target; and what it has tried in vain."""
         candidates = None if self.closed_form is None else self.closed_form.candidates(goal.pose)
         return None if candidates is None else refined(self.arm, candidates, goal.pose, goal.tolerance)
 
