@@ -213,7 +213,7 @@ def _tokens(data: bytes) -> None:
         platform=platform,
         nonce=NONCE,
         target="https://tool.example/",
-        use_nonce=lambda _, __: True,
+        use_nonce=lambda nonce, begun, life: True,
         knows_deployment=lambda _: True,
     )
     for text in texts:
