@@ -74,7 +74,8 @@ FUNCTIONS: dict[str, Callable[[Any], FluentType]] = {"TIME": _time}
 def _bundle(language: str) -> FluentBundle:
     from fluent.runtime import FluentBundle
 
-    return FluentBundle([language, DEFAULT_LANGUAGE], use_isolating=False, functions=FUNCTIONS)
+    locales = ["en-GB" if name == "en" else name for name in (language, DEFAULT_LANGUAGE)]
+    return FluentBundle(locales, use_isolating=False, functions=FUNCTIONS)
 
 
 @lru_cache(maxsize=SENTENCES)

@@ -7,6 +7,11 @@ let bundle = null;
 
 export const language = document.documentElement?.lang || "en";
 
+/** How dates and times are written: English ones as in Britain, like the texts. @param {Intl.DateTimeFormatOptions} options */
+export function dates(options) {
+  return new Intl.DateTimeFormat(language === "en" ? "en-GB" : language, options);
+}
+
 /**
  * Loads the messages of the page's language. Texts asked for before that come out as their ids.
  * @param {string} root address of the service's root

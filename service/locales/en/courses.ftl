@@ -24,7 +24,7 @@ error-record_unknown = { $kind ->
     [platform] There is no such platform.
    *[other] There is no such record in this course.
 }
-error-attempts_not_open = Attempts open at { TIME($opens) } UTC.
+error-attempts_not_open = Attempts open on { TIME($opens) } UTC.
 error-attempts_closed = The exercise closed on { TIME($closes) } UTC.
 error-attempts_used = { $allowed ->
     [one] The one attempt that this exercise allows has been made.

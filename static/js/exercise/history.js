@@ -1,7 +1,7 @@
 /** The attempts so far, newest first, each of which can be taken back into the form. */
 
 import { el, fill } from "../dom.js";
-import { language, t } from "../i18n.js";
+import { dates, t } from "../i18n.js";
 import { pointsText } from "./progress.js";
 
 /**
@@ -10,7 +10,7 @@ import { pointsText } from "./progress.js";
  * @param {(() => void) | null} clear forgets them; null: the course keeps them
  */
 export function showHistory(place, attempts, total, restore, clear) {
-  const when = new Intl.DateTimeFormat(language, { dateStyle: "medium", timeStyle: "short" });
+  const when = dates({ dateStyle: "medium", timeStyle: "short" });
   fill(
     place,
     el(

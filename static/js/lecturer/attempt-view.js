@@ -5,7 +5,7 @@ import { el, fill } from "../dom.js";
 import { bothRobots } from "../exercise/both-robots.js";
 import { partName } from "../exercise/progress.js";
 import { partView, verdictView } from "../exercise/verdict-view.js";
-import { language, t } from "../i18n.js";
+import { dates, language, t } from "../i18n.js";
 import { robotOf } from "../live-robot.js";
 import { convertedValues } from "../units.js";
 
@@ -14,7 +14,7 @@ const CELLS = ["theta", "d", "a", "alpha"];
 /** @param {import("../api.js").Api} api @param {HTMLElement} card @param {HTMLElement} place @param {any} attempt */
 export async function showAttempt(api, card, place, attempt) {
   const { answer, report, person } = attempt;
-  const when = new Intl.DateTimeFormat(language, { dateStyle: "medium", timeStyle: "medium" });
+  const when = dates({ dateStyle: "medium", timeStyle: "medium" });
   const { table, ...others } = report.parts;
   const rows = (answer.table?.rows ?? []).map((/** @type {any} */ row, /** @type {number} */ i) => [
     i + 1,

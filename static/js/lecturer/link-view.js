@@ -4,7 +4,7 @@ import { Problem } from "../api.js";
 import { dataTable } from "../data-table.js";
 import { announce, el, fill } from "../dom.js";
 import { partName } from "../exercise/progress.js";
-import { knows, language, named, t } from "../i18n.js";
+import { dates, knows, named, t } from "../i18n.js";
 import { pageAddress } from "../page.js";
 import { problemNotice, telling } from "../problem.js";
 import { barChart } from "./chart.js";
@@ -187,7 +187,7 @@ export class LinkView {
   /** @param {Record<string, any>} asked */
   async #list(asked) {
     const { attempts } = await this.api.get(this.#path(`attempts?${new URLSearchParams(asked)}`));
-    const when = new Intl.DateTimeFormat(language, { dateStyle: "short", timeStyle: "short" });
+    const when = dates({ dateStyle: "short", timeStyle: "short" });
     fill(
       this.behind,
       el("h3", { text: t("lecturer-attempts-made") }),
@@ -353,5 +353,5 @@ function mistakeName({ code, example }) {
 
 /** @param {string} day as the service counts them, in UTC */
 function dayName(day) {
-  return new Intl.DateTimeFormat(language, { dateStyle: "medium", timeZone: "UTC" }).format(new Date(day));
+  return dates({ dateStyle: "medium", timeZone: "UTC" }).format(new Date(day));
 }

@@ -2,7 +2,7 @@
 
 import { dataTable } from "../data-table.js";
 import { announce, el, fill } from "../dom.js";
-import { language, named, t } from "../i18n.js";
+import { dates, named, t } from "../i18n.js";
 import { api, startPage } from "../page.js";
 import { problemNotice } from "../problem.js";
 
@@ -122,7 +122,7 @@ function inviteForm() {
 /** @param {any[]} invitations */
 function invitationTable(invitations) {
   if (!invitations.length) return null;
-  const when = new Intl.DateTimeFormat(language, { dateStyle: "medium" });
+  const when = dates({ dateStyle: "medium" });
   const headings = ["note", "created", "expires", "status"].map((name) => t(`platforms-${name}`));
   return dataTable(
     t("platforms-invitations"),

@@ -4,7 +4,7 @@ import { dataTable } from "../data-table.js";
 import { el, fill } from "../dom.js";
 import { pointsText } from "../exercise/progress.js";
 import { save } from "../exercise/receipt-dialog.js";
-import { language, t } from "../i18n.js";
+import { dates, t } from "../i18n.js";
 import { api, startPage } from "../page.js";
 import { problemNotice } from "../problem.js";
 
@@ -95,7 +95,7 @@ function summary(checked, receipts) {
 
 /** @param {any} entry */
 function row({ valid, message, repeated, name, exercise, points, max_points: most, issued, settings }) {
-  const when = new Intl.DateTimeFormat(language, { dateStyle: "medium", timeStyle: "short" });
+  const when = dates({ dateStyle: "medium", timeStyle: "short" });
   const said = valid ? t(repeated ? "receipts-repeated" : "receipts-genuine") : message;
   const tone = valid ? (repeated ? "warn" : "good") : "bad";
   return [

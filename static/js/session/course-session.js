@@ -5,7 +5,7 @@
 
 import { Problem } from "../api.js";
 import { debounced, el, fill } from "../dom.js";
-import { language, t } from "../i18n.js";
+import { dates, t } from "../i18n.js";
 import { pointsTold } from "../numbers.js";
 import { keep, recall } from "../storage.js";
 
@@ -172,7 +172,7 @@ export class CourseSession {
     } = this.told;
     const day = /** @type {const} */ ({ year: "numeric", month: "short", day: "numeric" });
     const zoned = /** @type {const} */ ({ ...day, hour: "numeric", minute: "2-digit", timeZoneName: "short" });
-    const format = new Intl.DateTimeFormat(language, zoned);
+    const format = dates(zoned);
     const when = (/** @type {string} */ time) => format.format(new Date(time));
     const isBefore = (/** @type {string | null} */ time) => time !== null && new Date() < new Date(time);
     const facts = [

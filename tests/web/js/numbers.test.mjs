@@ -27,3 +27,14 @@ test("points are a number as long as their digits are not grouped", () => {
   assert.equal(pointsTold(17.46), 17.5);
   assert.equal(pointsTold(1250), "1250");
 });
+
+test("dates are written in the order of the texts' English, day before month, and in 24 hours", async () => {
+  const options = { dateStyle: "medium", timeStyle: "short", timeZone: "UTC" };
+  const written = async (lang, query) => {
+    globalThis.document = { documentElement: { lang } };
+    const { dates } = await import(`../../../static/js/i18n.js?${query}`);
+    return dates(options).format(new Date("2026-11-22T16:00:00Z"));
+  };
+  assert.equal(await written("en", "dates-en"), "22 Nov 2026, 16:00");
+  assert.equal(await written("fr", "dates-fr"), "22 nov. 2026, 16:00");
+});
