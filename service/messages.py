@@ -21,6 +21,8 @@ if TYPE_CHECKING:
 
 LOCALES = Path(__file__).parent / "locales"
 DEFAULT_LANGUAGE = "en"
+ENGLISH = "en_GB"
+"""The texts' English, for dates and numbers in them."""
 SENTENCES = 4096
 """Sentences in the cache: most students are told the same."""
 _TEXT_LIMIT = 200
@@ -74,7 +76,7 @@ FUNCTIONS: dict[str, Callable[[Any], FluentType]] = {"TIME": _time}
 def _bundle(language: str) -> FluentBundle:
     from fluent.runtime import FluentBundle
 
-    locales = ["en-GB" if name == "en" else name for name in (language, DEFAULT_LANGUAGE)]
+    locales = [ENGLISH if name == "en" else name for name in (language, DEFAULT_LANGUAGE)]
     return FluentBundle(locales, use_isolating=False, functions=FUNCTIONS)
 
 

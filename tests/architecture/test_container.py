@@ -24,8 +24,9 @@ from dataclasses import dataclass, field
 from pathlib import Path
 
 import pytest
+from babel.core import get_global
 
-from service.messages import languages
+from service.messages import ENGLISH, languages
 from tests.architecture.serving import fetched, serving
 from tests.architecture.sources import ROOT
 
@@ -244,9 +245,16 @@ def test_an_image_can_be_built_that_sends_traces() -> None:
     assert '-r "${LOCK:-requirements.lock}"' in install
 
 
+def locales(name: str) -> Iterator[str]:
+    """A locale and those whose data it inherits."""
+    while name != "root":
+        yield name
+        name = get_global("parent_exceptions").get(name) or name.rpartition("_")[0] or "root"
+
+
 def test_the_image_counts_and_dates_in_every_language() -> None:
     (install,) = (rest for key, rest in stages()["packages"].steps if key == "RUN" and "pip install" in rest)
-    assert set(re.findall(r"! -name (\w+)\.dat", install)) == {"root", *languages()}
+    assert set(re.findall(r"! -name (\w+)\.dat", install)) == {"root", *languages(), *locales(ENGLISH)}
 
 
 def test_the_image_holds_what_it_serves_and_nothing_more(image: Path) -> None:

@@ -9,7 +9,15 @@ from fluent.syntax import FluentParser, ast
 from kinematics.keys import ValueKind
 from service import messages
 from service.http.languages import language_for
-from service.messages import FUNCTIONS, LOCALES, in_sentence, languages, sentence, template
+from service.messages import (
+    ENGLISH,
+    FUNCTIONS,
+    LOCALES,
+    in_sentence,
+    languages,
+    sentence,
+    template,
+)
 from service.plain_sentences import plainly_written
 
 
@@ -72,7 +80,9 @@ def test_numbers_that_are_not_counts_keep_their_digits() -> None:
 
 @pytest.mark.parametrize("language", ["en", "uk"])
 def test_messages_are_found_as_fluent_finds_them(language: str) -> None:
-    whole = FluentBundle(["en-GB" if language == "en" else language], use_isolating=False, functions=FUNCTIONS)
+    whole = FluentBundle(
+        [ENGLISH if language == "en" else language], use_isolating=False, functions=FUNCTIONS
+    )
     texts = [path.read_text(encoding="utf-8") for path in sorted((LOCALES / language).glob("*.ftl"))]
     read = FluentParser().parse("\n".join(texts)).body
     whole.add_resource(ast.Resource(read))
