@@ -143,7 +143,7 @@ def _in_place(
         choice = list(_signs(told.alike))
     else:
         choice = _each_once([entry for change in told.alike for entry in _of(change, table, level)])
-    if len(choice) > 1:
+    if len(told.alike) > 1 and len(choice) > 1:
         yield from _each_once(sure)
         yield Feedback(code="one_of_these")
         yield from choice

@@ -7,7 +7,7 @@ from types import MappingProxyType
 
 from pydantic import Field
 
-from exercises.grading import Feedback
+from exercises.grading import Edit, Feedback
 from service.messages import sentence
 from service.schemas.base import Wire
 
@@ -28,9 +28,9 @@ def spoken(feedback: Iterable[Feedback], language: str) -> list[SpokenFeedback]:
         SpokenFeedback(
             code=entry.code,
             params={
-                name: value for name, value in _values(entry).items() if isinstance(value, str | int | float)
+                name: value for name, value in _params(entry).items() if isinstance(value, str | int | float)
             },
-            message=feedback_sentence(entry.code, language, _values(entry)),
+            message=feedback_sentence(entry.code, language, values_told(entry)),
         )
         for entry in feedback
     ]
@@ -46,5 +46,10 @@ def option_name(code: str, language: str) -> str:
     return sentence(language, f"option-{code}") or code
 
 
-def _values(entry: Feedback) -> Mapping[str, object]:
+def values_told(entry: Feedback | Edit) -> Mapping[str, object]:
+    """Return what a sentence may name: the parameters, the row i, and the frame i − 1 that it starts from."""
+    return entry.params if entry.row is None else {"before": entry.row - 1, **_params(entry)}
+
+
+def _params(entry: Feedback | Edit) -> Mapping[str, object]:
     return entry.params if entry.row is None else {"row": entry.row, **entry.params}

@@ -202,7 +202,8 @@ def sentences(report: Report, language: str) -> list[str]:
         (f"repair-{edit.code}", edit.row, edit.params) for repair in verdict.repairs for edit in repair.edits
     ]
     return [
-        sentence(language, name, params if row is None else {"row": row, **params}) or f"[{name}]"
+        sentence(language, name, params if row is None else {"before": row - 1, "row": row, **params})
+        or f"[{name}]"
         for name, row, params in told
     ]
 

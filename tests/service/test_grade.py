@@ -63,6 +63,14 @@ def test_a_wrong_answer_is_explained(client: httpx.Client) -> None:
     )
 
 
+def test_a_wrong_row_is_told_with_the_axes_between_which_it_is_measured(client: httpx.Client) -> None:
+    body = grade(client, reference=RX90, submission=row(RX90, 3, alpha=0)).json()
+    told = [entry["message"] for entry in body["feedback"]]
+    assert "Row 4: the twist α, the angle from z3 to z4, is not right." in told
+    mending = [edit["message"] for repair in body["repairs"] for edit in repair["edits"]]
+    assert any(text.endswith("Look again at how z3 and z4 lie relative to each other.") for text in mending)
+
+
 def test_help_levels(client: httpx.Client) -> None:
     def asked(level: str) -> Any:
         return grade(client, reference=RX90, submission=row(RX90, 3, alpha=0), help=level).json()

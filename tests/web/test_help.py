@@ -8,7 +8,7 @@ import pytest
 from playwright.sync_api import Page, expect
 
 from tests.web.conftest import OpenPage
-from tests.web.driving import PUMA, SCARA, open_part, points, put_table, submit, wrong
+from tests.web.driving import PUMA, SCARA, open_part, points, put_table, rows, submit, wrong
 
 FIRST_OFF = """async (scene) => {
   const base = document.documentElement.dataset.assets;
@@ -52,6 +52,26 @@ LIST = """async (first) => {
 """The history of a course, with two attempts from a number on."""
 
 
+def test_of_several_facts_of_which_one_is_wrong_none_is_called_wrong(open_page: OpenPage) -> None:
+    """One sign mirrors the arm, and several cells could hold it: all of them were called wrong."""
+    page = open_page("/exercises/puma560")
+    put_table(page, wrong(dict(PUMA), 3, alpha="90"))
+    verdict = submit(page)
+    expect(verdict.locator("[data-code=one_of_these]")).to_be_visible()
+    found = verdict.locator(".links-table")
+    expect(found.get_by_text("perhaps wrong").nth(1)).to_be_visible()
+    expect(found.get_by_text("wrong", exact=True)).to_have_count(0)
+
+
+def test_a_table_that_earns_nothing_says_what_earns_points(open_page: OpenPage) -> None:
+    page = open_page("/exercises/puma560")
+    zeros = rows("standard", "\n".join(f"q{joint} 0 0 0" for joint in range(1, 7)))
+    put_table(page, {"convention": "standard", "rows": zeros})
+    verdict = submit(page)
+    assert points(page) == "0 of 100 points"
+    expect(verdict).to_contain_text("beyond what a table of zeros would")
+
+
 @pytest.mark.parametrize("level", ["verdict", "row"])
 def test_no_ghost_where_the_help_does_not_allow_it(open_page: OpenPage, level: str) -> None:
     page = open_page("/exercises/puma560")
@@ -64,7 +84,7 @@ def test_ring_text_history_and_list_say_the_same_points(open_page: OpenPage) -> 
     page = open_page("/exercises/scara")
     put_table(page, wrong(dict(SCARA), 2, a="a2"))
     verdict = submit(page)
-    expect(verdict).to_contain_text("A wrong table earns points for what it gets right")
+    expect(verdict).to_contain_text("A wrong table earns points for the twists, lengths and offsets")
     said = points(page)
     assert said == "17.5 of 100 points"
     expect(verdict.locator(".total")).to_have_text(said)

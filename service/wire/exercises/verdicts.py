@@ -16,6 +16,7 @@ from exercises.grader import Report
 from exercises.grading import Edit, Feedback
 from service.messages import in_sentence, sentence
 from service.schemas.derived import SPOKEN, carries_sentences
+from service.schemas.spoken import values_told
 
 
 def encoded(body: dict[str, Any] | Report) -> bytes:
@@ -89,8 +90,8 @@ def _names(record: type) -> tuple[str, ...]:
 
 
 def _sentence(told: Feedback | Edit, language: str) -> str:
-    values = told.params if told.row is None else {"row": told.row, **told.params}
-    return sentence(language, f"{SPOKEN[type(told)]}-{told.code}", in_sentence(values, language)) or told.code
+    values = in_sentence(values_told(told), language)
+    return sentence(language, f"{SPOKEN[type(told)]}-{told.code}", values) or told.code
 
 
 def _plain(value: object) -> object:

@@ -10,6 +10,21 @@ import { partName, pointsText } from "./progress.js";
 const FACTS = ["twist", "length", "offset", "joint"];
 /** @type {Record<string, "check" | "cross">} */
 const MARKS = { ok: "check", wrong: "cross", missing: "cross" };
+/** @type {Record<string, string>} */
+const TONES = { ok: "good", wrong: "bad", missing: "bad", doubtful: "warn" };
+/** The facts that findings speak of. @type {Record<string, string>} */
+const FACT_OF = {
+  length_wrong: "length",
+  twist_wrong: "twist",
+  offset_wrong: "offset",
+  angle_wrong: "offset",
+  joint_type_wrong: "joint",
+  variable_zero_wrong: "joint",
+  variable_direction_wrong: "joint",
+  a: "length",
+  α: "twist",
+  d: "offset",
+};
 
 /**
  * What is said of the table, and of the answer as a whole.
@@ -37,7 +52,7 @@ export function verdictView(graded, answer) {
     ),
     totalLines(graded),
     feedbackList(graded.feedback, linked),
-    !graded.correct && graded.links.some(hasNews) ? linkTable(graded.links, linked) : null,
+    !graded.correct && graded.links.some(hasNews) ? linkTable(graded.links, doubts(graded.feedback), linked) : null,
     repairList(graded.repairs, answer.convention, linked),
     (graded.remarks ?? []).map((/** @type {string} */ text) => el("p", { class: "notice lecturer-remark", text })),
   );
@@ -59,7 +74,7 @@ export function verdictWord(graded) {
 
 /** The points: of the whole exercise, what those of a wrong table are for, and those of each part. @param {any} graded */
 function totalLines({ parts, basis, correct, total: { points, max_points: most, missing } }) {
-  const partly = basis !== null && !correct && parts.table?.points > 0;
+  const isWrongTable = basis !== null && !correct && parts.table;
   const entries = Object.entries(parts).map(([kind, part]) => [
     partName(kind),
     pointsText(part.points, part.max_points),
@@ -67,7 +82,7 @@ function totalLines({ parts, basis, correct, total: { points, max_points: most, 
   for (const kind of missing) entries.push([partName(kind), t("form-part-missing")]);
   return [
     el("p", { class: "total" }, el("strong", { text: pointsText(points, most) })),
-    partly ? el("p", { class: "hint", text: t("form-points-for") }) : null,
+    isWrongTable ? el("p", { class: "hint", text: t("form-points-for") }) : null,
     entries.length > 1
       ? el(
           "ul",
@@ -135,8 +150,27 @@ function feedbackList(feedback, linked) {
   );
 }
 
-/** Row by row; a missing row stands where it belongs. @param {any[]} links @param {RowLink} linked */
-function linkTable(links, linked) {
+/**
+ * Whether a fact is one of those of which only one is wrong, and nobody can say which.
+ * @param {any[]} feedback
+ * @returns {(row: number, fact: string) => boolean}
+ */
+function doubts(feedback) {
+  const from = feedback.findIndex(({ code }) => code === "one_of_these");
+  const facts = (/** @type {any} */ { code, row, params }) =>
+    (code === "sign_wrong" ? params.cells.split(", ") : [code]).map(
+      (/** @type {string} */ name) => `${row} ${FACT_OF[name]}`,
+    );
+  const sure = new Set(feedback.slice(0, Math.max(from, 0)).flatMap(facts));
+  const choice = new Set(from < 0 ? [] : feedback.slice(from + 1).flatMap(facts));
+  return (row, fact) => choice.has(`${row} ${fact}`) && !sure.has(`${row} ${fact}`);
+}
+
+/**
+ * Row by row; a missing row stands where it belongs.
+ * @param {any[]} links @param {(row: number, fact: string) => boolean} isDoubtful @param {RowLink} linked
+ */
+function linkTable(links, isDoubtful, linked) {
   const isMissing = (/** @type {any} */ { joint }) => joint === "missing";
   const placed = links.toSorted(
     (one, other) => one.row - other.row || Number(isMissing(other)) - Number(isMissing(one)),
@@ -148,14 +182,17 @@ function linkTable(links, linked) {
   return dataTable(
     t("form-links-caption"),
     [t("form-row-heading"), ...FACTS.map((fact) => t(`form-fact-${fact}`))],
-    placed.map((link) => [heading(link), ...FACTS.map((fact) => finding(link[fact]))]),
+    placed.map((link) => [
+      heading(link),
+      ...FACTS.map((fact) => finding(link[fact] === "wrong" && isDoubtful(link.row, fact) ? "doubtful" : link[fact])),
+    ]),
     { kind: "links-table" },
   );
 }
 
 /** @param {string} found */
 function finding(found) {
-  const tone = found === "ok" ? "good" : found === "wrong" || found === "missing" ? "bad" : "";
+  const tone = TONES[found] ?? "";
   return el(
     "span",
     { class: `badge ${tone}` },

@@ -301,6 +301,12 @@ def test_a_mistake_is_named_and_placed(rows: Rows, code: str, row: int | None) -
         assert not {str(v) for v in edit.params.values()} & {"0.4318", "0.0203", "0.15005", "0.35"}
 
 
+def test_of_two_exchanged_cells_both_are_wrong() -> None:
+    """One slip, two cells: that only one of them was wrong was told, too."""
+    verdict = grade(KEY, read("standard", MISTAKES["a_d_swapped"][0]), USUAL, VALUES)
+    assert codes(verdict) == ["not_equivalent", "length_wrong", "offset_wrong"]
+
+
 @pytest.mark.parametrize("degrees", [-90, 180])
 def test_degrees_in_a_table_in_radians_are_told_before_another_angle(degrees: int) -> None:
     key = read("standard", with_cells(PUMA, (3, 0, "-pi/2" if degrees < 0 else "pi")))
