@@ -145,6 +145,13 @@ def test_long_links_to_fields_wrap_on_phones(open_page: OpenPage) -> None:
     assert page.locator(".progress ul").evaluate("list => list.scrollWidth <= list.clientWidth")
 
 
+def test_on_a_phone_the_bar_of_progress_takes_two_lines(open_page: OpenPage) -> None:
+    """Parts stood beside the points in half of the width, each as tall as the longest name in three lines."""
+    page = open_page("/exercises/puma560", lang="fr", width=360)
+    assert page.locator(".progress li").first.evaluate("({ offsetHeight }) => offsetHeight") < 40
+    assert page.locator(".progress").evaluate("({ offsetHeight }) => offsetHeight") < 90
+
+
 def test_motion_starts_by_itself_only_where_it_is_welcome(open_page: OpenPage) -> None:
     page = open_page("/exercises/scara", reduced_motion="no-preference")
     put_table(page, SCARA)
