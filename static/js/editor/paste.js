@@ -167,10 +167,10 @@ function cleaned(cell) {
 }
 
 const HEADINGS = /** @type {[CellName | "joint" | "index", RegExp][]} */ ([
-  ["alpha", /^(α|alpha|alfa|twist|al)(?![a-z])/i],
-  ["theta", /^(θ|ϑ|theta|th)(?![a-z])/i],
-  ["a", /^a(?![a-z])|^(length|longueur|lungime|comprimento|longitud)/i],
-  ["d", /^(d|r)(?![a-z])|^offset/i],
+  ["alpha", /^(α|alpha|alfa|альфа|twist|al)[ijkn]?(?![a-zа-я])/i],
+  ["theta", /^(θ|ϑ|theta|thêta|teta|тета|th)[ijkn]?(?![a-zа-я])/i],
+  ["a", /^a[ijkn]?(?![a-zа-я])|^(length|longueur|lungime|comprimento|longitud)/i],
+  ["d", /^(d|r)[ijkn]?(?![a-zа-я])|^offset/i],
   ["joint", /^(joint|type|tip|tipo|σ|sigma|articulation|articula|тип|cuplă|cupla|junta|з'єднання)/i],
   ["index", /^(i|j|n|#|№|no\.?|nr\.?|link|row|elo|lien|ланка|eslab[oó]n|element)$/i],
 ]);

@@ -36,6 +36,26 @@ test("headings decide the columns and the convention", () => {
   assert.deepEqual(rowsOf(modified), [["0", "0", "0", "θ_1"]]);
 });
 
+test("headings whose index is typed beside the letter, as text processors and mail leave it", () => {
+  const word = readPasted("i\tθi\tdi\tai\tαi\n1\tθ1*\t0\t0\t90°\n2\tθ2*\t0\ta2\t0°\n", COLUMNS.modified);
+  assert.equal(word.convention, "standard");
+  assert.deepEqual(rowsOf(word), [
+    ["90°", "0", "0", "θ1"],
+    ["0°", "a2", "0", "θ2"],
+  ]);
+  const craig = readPasted("i\tαi-1\tai−1\tdi\tθi\n1\t0\t0\t0\tθ1\n2\t-90\t0\td2\tθ2\n", COLUMNS.standard);
+  assert.equal(craig.convention, "modified");
+  assert.deepEqual(rowsOf(craig), [
+    ["0", "0", "0", "θ1"],
+    ["-90", "0", "d2", "θ2"],
+  ]);
+  const names = readPasted("Elo;teta;d;a;alfa\n1;q1;0;0;90\n2;q2;0;L2;0\n", COLUMNS.modified);
+  assert.deepEqual(rowsOf(names), [
+    ["90", "0", "0", "q1"],
+    ["0", "L2", "0", "q2"],
+  ]);
+});
+
 test("LaTeX tabular, with rules, environments and fractions", () => {
   const text = String.raw`
     \begin{table}[h] \centering
