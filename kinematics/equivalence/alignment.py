@@ -98,18 +98,18 @@ def _rotation(step: Step, direction: Vector, point: Vector) -> Motion:
     if group.rotations is Rotations.NONE:
         return IDENTITY
     if group.rotations is Rotations.ABOUT_LINE:
-        return _turn(step, group.axis, direction, point, step.by_direction)
+        return _turn(step, group.axis, direction, point)
     h = turn_onto(group.point, direction, target.direction)
     if step.by_moment:
-        second = _turn(step, target.direction, rotate(h, direction), move(h, point), 0.0)
+        second = _turn(step, target.direction, rotate(h, direction), move(h, point))
         return compose(second, h)
     return h
 
 
-def _turn(step: Step, axis: Vector, direction: Vector, point: Vector, by_direction: float) -> Motion:
+def _turn(step: Step, axis: Vector, direction: Vector, point: Vector) -> Motion:
     """The rotation about a line that best brings direction and moment onto the target's, in closed form."""
     cosine = sine = 0.0
-    if by_direction:
+    if step.by_direction:
         goal = step.axis.direction
         cosine = dot(direction, goal) - dot(direction, axis) * dot(goal, axis)
         sine = dot(axis, cross(direction, goal))

@@ -124,11 +124,12 @@ def candidate_from(
     first, last = g[0], compose(g[-1], submission.end)
     if values and zero is ZeroRule.FREE:
         if _keeps_all_of(plan.steps[0]):
-            value = -_share(plan.steps[0], first)
+            value = -_share(plan.steps[0], first, position(first))
             first = compose(plan.steps[0].axis.motion(value), first)
             values[0] -= value
         if tool_turns:
-            value = -_share(plan.steps[-1], compose(last, inverse(reference.end)), last, reference.end)
+            gap = subtract(position(last), position(reference.end))
+            value = -_share(plan.steps[-1], compose(last, inverse(reference.end)), gap)
             last = compose(plan.steps[-1].axis.motion(value), last)
             values[-1] += value
     return CertificateCandidate(
@@ -146,10 +147,8 @@ def _keeps_all_of(step: Step) -> bool:
     return step.stabiliser.rotations is Rotations.ABOUT_LINE
 
 
-def _share(step: Step, motion: Motion, end: Motion | None = None, goal: Motion | None = None) -> float:
-    """How much of the joint's own motion there is in a motion [rad or length]."""
-    if not step.axis.prismatic:
-        return angle_about(motion, step.axis.direction)
-    if end is None or goal is None:
-        return dot(step.axis.direction, position(motion))
-    return dot(step.axis.direction, subtract(position(end), position(goal)))
+def _share(step: Step, motion: Motion, displacement: Vector) -> float:
+    """How much of the joint's own motion there is in a motion that displaces a frame [rad or length]."""
+    if step.axis.prismatic:
+        return dot(step.axis.direction, displacement)
+    return angle_about(motion, step.axis.direction)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import tracemalloc
+from fractions import Fraction
 from itertools import product
 
 import pytest
@@ -124,6 +125,14 @@ def test_known_numbers(n: int) -> None:
     assert known_number(math.sqrt(n)) == root
     assert known_number(-math.sqrt(n) / 4) == multiply((number(-1), Number(number(1).value / 4), root))
     assert known_number(math.sqrt(n) / 7) is None
+
+
+@pytest.mark.parametrize(("one", "other"), [(1, 2), (1, 3), (1, 6), (2, 3), (2, 6)])
+def test_a_length_in_two_directions_adds_up_to_a_known_multiple_of_it(one: int, other: int) -> None:
+    """As L + L cos 45° does."""
+    roots = [multiply((Number(Fraction(1, 2)), call(Function.SQRT, number(n)))) for n in (one, other)]
+    both = add(roots)
+    assert known_number(evaluate(both)) == both
 
 
 def test_products_of_two_cosines_of_multiples_of_fifteen_degrees_are_known() -> None:

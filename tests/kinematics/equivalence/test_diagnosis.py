@@ -15,7 +15,7 @@ from kinematics.equivalence.invariants import first_axes_shared, invariants_of
 from kinematics.equivalence.measures import Measure
 from kinematics.equivalence.reference import prepared
 from kinematics.equivalence.results import Mismatch
-from kinematics.table import Convention, NumericTable
+from kinematics.table import Convention, DHTable, NumericTable
 from tests.kinematics.equivalence.campaign import catalogue
 from tests.kinematics.equivalence.generators import random_valid_table
 from tests.kinematics.equivalence.tables import HALF, PUMA, P, R, changed, standard
@@ -91,6 +91,13 @@ def test_a_slider_that_is_tilted_and_turned_is_told_both() -> None:
     assert (twist.angle, offset.angle) == pytest.approx((0.2, 0.4))
 
 
+def test_an_axis_that_is_tilted_and_turned_is_told_both() -> None:
+    tilted = changed(SLIDERS, 4, alpha=SLIDERS.rows[3].alpha + 0.2)
+    twist, offset = told(SLIDERS, tilted, 4, "theta", 0.4)
+    assert (twist.kind, twist.row, offset.kind, offset.row) == (Kind.TWIST, 3, Kind.OFFSET, 3)
+    assert (twist.angle, offset.angle) == pytest.approx((0.2, 0.4))
+
+
 def test_a_missed_tool_is_told_of_the_last_joint() -> None:
     wrong = changed(SLIDERS, 5, d=0.5)
     found = diagnose(prepared(SLIDERS), wrong, chain_of_table(wrong), Policy(tool=ToolRule.POINT))
@@ -99,6 +106,38 @@ def test_a_missed_tool_is_told_of_the_last_joint() -> None:
         (Kind.OFFSET, 5, 4),
     ]
     assert [mismatch.length for mismatch in found] == pytest.approx([0.3, 0.3])
+
+
+def test_a_missed_tool_of_a_slider_says_all() -> None:
+    """Beside a prismatic axis, which lies nowhere, the last link has no length."""
+    wrong = changed(SLIDERS, 2, a=0.5)
+    key = DHTable(convention=SLIDERS.convention, rows=SLIDERS.rows[:3])
+    wrong = changed(DHTable(convention=key.convention, rows=wrong.rows[:3]), 3, a=0.4)
+    found = diagnose(prepared(key), wrong, chain_of_table(wrong), Policy(tool=ToolRule.POINT))
+    assert [(one.kind, one.joint) for one in found] == [(Kind.TOOL, 3)]
+
+
+@pytest.mark.parametrize("size", [1e-3, 1e3])
+@pytest.mark.parametrize("tool", [ToolRule.FREE, ToolRule.FRAME])
+@pytest.mark.parametrize(("row", "cell"), [(2, "a"), (3, "d"), (4, "alpha"), (6, "d")])
+def test_what_is_wrong_does_not_depend_on_the_unit_of_length(
+    size: float, tool: ToolRule, row: int, cell: str
+) -> None:
+    """Nor on errors within the tolerance beside it."""
+    almost = changed(PUMA, 6, a=2e-4, alpha=1e-4)
+    wrong = changed(almost, row, **{cell: getattr(PUMA.rows[row - 1], cell) + 0.1})
+    policy = Policy(tool=tool)
+    expected = diagnose(prepared(PUMA), wrong, chain_of_table(wrong), policy)
+    key, table = scaled(PUMA, size), scaled(wrong, size)
+    found = diagnose(prepared(key), table, chain_of_table(table), policy)
+    assert [(one.kind, one.row) for one in found] == [(one.kind, one.row) for one in expected]
+    assert [one.length for one in found] == pytest.approx([size * one.length for one in expected])
+    assert [one.angle for one in found] == pytest.approx([one.angle for one in expected])
+
+
+def scaled(table: NumericTable, size: float) -> NumericTable:
+    rows = tuple(replace(row, a=size * row.a, d=size * row.d) for row in table.rows)
+    return DHTable(convention=table.convention, rows=rows)
 
 
 @pytest.mark.parametrize("rule", [ToolRule.POINT, ToolRule.AXIS, ToolRule.FRAME])

@@ -14,7 +14,7 @@ from kinematics.equivalence import BaseRule, Kind, Policy, ToolRule, ZeroRule
 from kinematics.equivalence.batches import axis_batch
 from kinematics.equivalence.diagnosis import mismatches_of
 from kinematics.equivalence.home_invariants import home_invariants_of
-from kinematics.equivalence.invariants import axes_of, invariants_of
+from kinematics.equivalence.invariants import FLOOR, SLACK, axes_of, invariants_of
 from kinematics.equivalence.measures import Measure, Shape, measured
 from kinematics.equivalence.reference import prepared
 from kinematics.se3 import Vector
@@ -167,3 +167,36 @@ def test_sliders_that_take_an_axis_anywhere_leave_no_offset() -> None:
     slides = (P, 1.1, 0.2, 0.15, 0.8), (P, 0.8, 0.1, 0.1, 0.7)
     key = standard(ELBOW, (R, 1.0, 0.05, 0.1, 0.3), *slides, WRIST)
     assert not any(shape.measure is Measure.OFFSET for shape in invariants_of(prepared(key), FREE).shapes)
+
+
+def skew(twist: float) -> NumericTable:
+    return standard((R, twist, 0.1, 0.4, 0.2), (R, HALF, 0.3, 0.2, 0.1), (R, HALF, 0.2, 0.1, 0.3))
+
+
+def with_sliders(twist: float, *, skew: bool) -> NumericTable:
+    first = (R, HALF, 0.1, 0.4, 0.2), (R, HALF, 0.1, 0.2, 0.3), (P, twist, 0.0, 0.1, 0.1)
+    second = ((P, HALF, 0.1, 0.1, 0.2),) if skew else ()
+    return standard(*first, *second, (R, HALF, 0.2, 0.1, 0.1), (R, 0.0, 0.1, 0.1, 0.0))
+
+
+def lift(twist: float) -> NumericTable:
+    ends = (R, HALF, 0.1, 0.1, 0.2), (R, 1.0, 0.1, 0.2, 0.1)
+    return standard((R, twist, 0.1, 0.4, 0.2), (R, 0, 0.1, 0.2, 0.3), (P, 0, 0.1, 0.1, 0.1), *ends)
+
+
+@pytest.mark.parametrize("twist", [0.3, 0.9, HALF])
+def test_what_lies_between_flat_axes_may_be_off_by_as_much_more_as_they_lever_it_up(twist: float) -> None:
+    """A pose within the tolerance fixes their common normal to within that over the sine between them."""
+    for key, made, shape in (
+        (skew(twist), invariants_of, Shape(Measure.DISTANCE, (1, 2, 1, 2))),
+        (skew(twist), invariants_of, Shape(Measure.OFFSET, (1, 2, 2, 3))),
+        (with_sliders(twist, skew=True), invariants_of, Shape(Measure.SUM, (3, 4, 2, 2, 1, 2, 5, 5, 6, 5))),
+        (with_sliders(twist, skew=False), invariants_of, Shape(Measure.TURN, (2, 3, 4))),
+        (lift(twist), home_invariants_of, Shape(Measure.DISTANCE, (0, 2, 0, 2))),
+        (lift(twist), home_invariants_of, Shape(Measure.OFFSET, (1, 2, 4, 5))),
+    ):
+        reference = prepared(key)
+        found = made(reference, FIXED)
+        slack = float(found.slacks[found.shapes.index(shape), 0])
+        least = (SLACK * FIXED.tolerance.length + FLOOR) * (1.0 if shape.is_angle else reference.size)
+        assert slack == pytest.approx(least / math.sin(twist), rel=1e-4)

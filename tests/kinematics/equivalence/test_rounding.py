@@ -15,7 +15,7 @@ from kinematics.table import DHTable, JointType, NumericTable
 from tests.kinematics.equivalence.campaign import size_beside
 from tests.kinematics.equivalence.evaluation import poses_of
 from tests.kinematics.equivalence.generators import random_robot, random_valid_table, rounded
-from tests.kinematics.equivalence.tables import HALF, PUMA, R, standard
+from tests.kinematics.equivalence.tables import HALF, PUMA, P, R, standard
 
 
 def with_exact_variables(table: NumericTable, exact: NumericTable) -> NumericTable:
@@ -53,6 +53,18 @@ def test_one_link_by_hand() -> None:
     assert prepared(link).size == 2.0
     assert tolerance.angle == pytest.approx(0.05)
     assert tolerance.length == pytest.approx((0.005 + 0.005) / 2.0)
+
+
+def test_the_lever_of_a_slider_reaches_as_far_as_what_is_behind_it_can_stretch() -> None:
+    """Links of 3 and 4 at right angles at the zeros: θ and α before them move the end at 7 at most.
+
+    Each twist turns about a line through the axis behind it: 4 of the first, nothing of the last.
+    """
+    arm = standard((P, 0.0, 3.0, 0.0, 0.0), (R, 0.0, 4.0, 0.0, HALF))
+    tolerance = rounding_tolerance(arm, arm, length_step=0.0, angle_step=0.1)
+    size = prepared(arm).size
+    assert tolerance.angle == pytest.approx(0.05 * 3)
+    assert tolerance.length == pytest.approx(0.05 * (7.0 + 4.0 + 0.0) / size)
 
 
 def test_a_puma_to_three_decimals() -> None:
