@@ -56,17 +56,9 @@ class CertificatePath(NamedTuple):
 
 def split(step: Step, motion: Motion, zero: ZeroRule) -> tuple[float, Motion]:
     """Write a motion of H_i as exp(S_i ε) · k with k in Stab_i, ε zero wherever it may be."""
-    stabiliser, direction = step.stabiliser, step.axis.direction
-    if zero is ZeroRule.FIGURE:
+    if zero is ZeroRule.FIGURE or _keeps_all_of(step):
         return 0.0, motion
-    if step.axis.prismatic:
-        if len(stabiliser.translations) == 3 or _holds(stabiliser.translations, direction):
-            return 0.0, motion
-        value = _along(step, motion)
-        return value, compose(step.axis.motion(-value), motion)
-    if stabiliser.rotations is Rotations.ABOUT_LINE:
-        return 0.0, motion
-    value = angle_about(motion, direction)
+    value = _along(step, motion) if step.axis.prismatic else angle_about(motion, step.axis.direction)
     return value, compose(step.axis.motion(-value), motion)
 
 

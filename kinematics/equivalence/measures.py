@@ -222,9 +222,7 @@ def _distances(directions: Floats, points: Floats) -> Floats:
         return _norms(across)
     normal = _crosses(first, directions[3])
     sine = _norms(normal)
-    steep = sine > PARALLEL
-    beside = np.abs(_dots(normal, gap)) / np.where(steep, sine, 1.0)
-    return np.where(steep, beside, _norms(across))
+    return np.divide(np.abs(_dots(normal, gap)), sine, out=_norms(across), where=sine > PARALLEL)
 
 
 def _offsets_past_prismatic(numbers: Places, directions: Floats, points: Floats) -> Floats:
@@ -246,8 +244,8 @@ def _feet(ends: tuple[int, int, int], numbers: Places, directions: Floats, point
     normal = _crosses(z, np.where(slides, directions[prismatic], _crosses(run, z)))
     across = _dots(normal, run)
     steep = np.abs(across) > PARALLEL * PARALLEL
-    feet = _dots(normal, points[beyond] - points[own]) / np.where(steep, across, 1.0)
-    return np.where(steep, feet, 0.0)
+    along = _dots(normal, points[beyond] - points[own])
+    return np.divide(along, across, out=np.zeros_like(along), where=steep)
 
 
 def _sums_of_offsets(numbers: Places, directions: Floats, points: Floats) -> Floats:
@@ -265,7 +263,8 @@ def _sums_of_offsets(numbers: Places, directions: Floats, points: Floats) -> Flo
         )
         along = _dots(directions[near], foot - points[near])
         ends.append(points[near] + along[:, None] * directions[near])
-    return _dots(normal, ends[1] - ends[0]) / np.where(sine > PARALLEL, sine, 1.0)
+    apart = _dots(normal, ends[1] - ends[0])
+    return np.divide(apart, sine, out=np.zeros_like(apart), where=sine > PARALLEL)
 
 
 def _turns(directions: Floats, _: Floats) -> Floats:

@@ -15,7 +15,7 @@ from kinematics.equivalence.invariants import first_axes_shared, invariants_of
 from kinematics.equivalence.measures import Measure
 from kinematics.equivalence.reference import prepared
 from kinematics.equivalence.results import Mismatch
-from kinematics.table import Convention, DHTable, NumericTable
+from kinematics.table import Convention, DHRow, DHTable, JointType, NumericTable
 from tests.kinematics.equivalence.campaign import catalogue
 from tests.kinematics.equivalence.generators import random_valid_table
 from tests.kinematics.equivalence.tables import HALF, PUMA, P, R, changed, standard
@@ -71,10 +71,15 @@ SKEW = standard(
     ],
 )
 def test_one_wrong_length_of_skew_axes_is_no_wrong_twist(row: int, cell: str, kind: Kind) -> None:
-    """Nor is it another offset behind it."""
+    """Nor is it another offset behind it, whichever way the arm is placed."""
     (mismatch,) = told(SKEW, SKEW, row, cell, 0.2)
     assert (mismatch.kind, mismatch.row) == (kind, row - 1)
     assert mismatch.length == pytest.approx(0.2, rel=1e-3)
+    foot = DHRow(joint=JointType.FIXED, theta=0.7, d=0.2, a=0.1, alpha=0.9)
+    placed = DHTable(convention=SKEW.convention, rows=(foot, *SKEW.rows))
+    (again,) = told(placed, placed, row + 1, cell, 0.2)
+    assert (again.kind, again.row) == (kind, row)
+    assert again.length == pytest.approx(0.2, rel=1e-3)
 
 
 def test_a_slider_that_is_turned_turns_what_comes_behind_it() -> None:

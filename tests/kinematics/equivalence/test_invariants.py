@@ -124,6 +124,16 @@ def test_what_is_off_along_the_first_z_is_the_base_or_the_first_joint(row: int, 
     assert (row == 1) <= (Kind.BASE in {mismatch.kind for mismatch in off})
 
 
+def test_what_is_off_along_z_0_alone_is_the_base() -> None:
+    key = standard((F, 0.4, 0.1, 0.3, 0.2), (R, HALF, 0.1, 0.2, 0.3), (R, 0.5, 0.3, 0.2, 0.1))
+    fixed = Policy(base=BaseRule.FRAME, tool=ToolRule.FRAME)
+    wrong = changed(key, 1, d=0.45)
+    reference, chain = prepared(key), chain_of_table(wrong)
+    told = mismatches_of(invariants_of(reference, fixed), reference, wrong, chain, fixed)
+    (off,) = (mismatch for mismatch in told if max(mismatch.angle, mismatch.length) > 1e-6)
+    assert (off.kind, off.joint, off.length) == (Kind.BASE, 1, pytest.approx(0.15))
+
+
 ELBOW, WRIST = (R, 1.2, 0.1, 0.4, 0.2), (R, 0.9, 0.1, 0.3, 0.2)
 SLIDES: dict[str, tuple[NumericTable, tuple[int, ...]]] = {
     "behind": (
