@@ -38,6 +38,7 @@ from kinematics.se3 import (
     subtract,
     translation,
     turn_onto,
+    z_axis,
 )
 from kinematics.table import Convention, NumericTable
 
@@ -315,7 +316,7 @@ def _last_link(reference: Reference, placed: Motion, target: Motion, policy: Pol
     if along > limit and policy.tool is not ToolRule.AXIS:
         yield Mismatch(kind=Kind.OFFSET, joint=joints, length=along)
     if policy.tool is not ToolRule.POINT:
-        one, two = (angle_between((pose[2], pose[5], pose[8]), axis.direction) for pose in (placed, target))
+        one, two = (angle_between(z_axis(pose), axis.direction) for pose in (placed, target))
         twist = abs(one - two) if policy.tool is ToolRule.FRAME else abs(math.sin(one) - math.sin(two))
         if twist > NOTICEABLE * policy.tolerance.angle:
             yield Mismatch(kind=Kind.TWIST, joint=joints + 1, angle=twist)
@@ -328,7 +329,7 @@ def _tool_error(rule: ToolRule, here: Motion, target: Motion, step: Step | None)
     if rule is ToolRule.FRAME or step is None:
         return rotation_angle(compose(inverse(here), target)), norm(gap)
     axis = step.axis
-    z: Vector = (here[2], here[5], here[8])
+    z = z_axis(here)
     angle = math.atan2(norm(cross(z, axis.direction)), abs(dot(z, axis.direction)))
     if axis.prismatic:
         return angle, 0.0

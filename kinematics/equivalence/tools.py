@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 from kinematics.chain import Axis, Chain
@@ -183,7 +184,7 @@ def _settle(group: Group, here: Motion, target: Motion) -> Motion:
     if group.rotations is not Rotations.NONE:
         x, goal = x_axis(here), x_axis(target)
         cosine, sine = dot(rejection(x, group.axis), goal), dot(group.axis, cross(x, goal))
-        size = (cosine * cosine + sine * sine) ** 0.5
+        size = math.hypot(cosine, sine)
         if size > NEGLIGIBLE:
             turn = rotation_about(group.point, group.axis, cosine / size, sine / size)
     gap = subtract(position(target), move(turn, position(here)))

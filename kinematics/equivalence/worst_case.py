@@ -37,7 +37,7 @@ GAIN = 1.005
 LONGEST_STEP = 0.2
 
 _CIRCLE = np.linspace(-np.pi, np.pi, 16, endpoint=False)
-_ONE, _COS, _SIN = np.ones_like(_CIRCLE), np.cos(_CIRCLE), np.sin(_CIRCLE)
+_NONE, _ONE, _COS, _SIN = np.zeros_like(_CIRCLE), np.ones_like(_CIRCLE), np.cos(_CIRCLE), np.sin(_CIRCLE)
 
 
 def _products(one: tuple[Matrix, Matrix, Matrix], other: tuple[Matrix, Matrix, Matrix]) -> Matrix:
@@ -45,8 +45,8 @@ def _products(one: tuple[Matrix, Matrix, Matrix], other: tuple[Matrix, Matrix, M
     return np.array([a * b for a in one for b in other])
 
 
-_POINT, _VELOCITY = (_ONE, _COS, _SIN), (0.0 * _ONE, -_SIN, _COS)
-_ACCELERATION = (0.0 * _ONE, -_COS, -_SIN)
+_POINT, _VELOCITY = (_ONE, _COS, _SIN), (_NONE, -_SIN, _COS)
+_ACCELERATION = (_NONE, -_COS, -_SIN)
 _VALUES = _products(_POINT, _POINT)
 _GRADIENTS = 2.0 * _products(_POINT, _VELOCITY)
 _CURVATURES = 2.0 * (_products(_VELOCITY, _VELOCITY) + _products(_POINT, _ACCELERATION))
@@ -70,7 +70,7 @@ def judged(
     candidate: CertificateCandidate,
     tolerance: Tolerance,
     *,
-    measured: bool = True,
+    measured: bool,
 ) -> Residual:
     """Return how far a certificate is from standing: at the samples, or, if it stands at these, at the worst.
 

@@ -319,3 +319,26 @@ def test_a_wrong_name_costs_the_same_where_a_drawn_value_is_nearly_that_of_anoth
     ]
     assert len({(verdict.score, tuple(codes(verdict))) for verdict in verdicts}) == 1
     assert [entry.row for entry in verdicts[0].feedback if entry.code == "offset_wrong"] == [3, 4]
+
+
+@pytest.mark.parametrize(("alpha", "a"), [(0.003, 0), (0.0003, 0), (0, 0.002), (0, 0.0)])
+def test_the_line_of_z_0_is_held_to_the_digits_under_the_rule_axis(alpha: float, a: float) -> None:
+    """However little it moves poses; without the rule it may lie anywhere."""
+    rows: Rows = [("pi/2", 0.4, 0.1, "q2"), (0.7, 0.3, 0.2, "q3")]
+    key = read("modified", [(0, 0, 0.3, "q1"), *rows])
+    answer = read("modified", [(alpha, a, 0.3, "q1"), *rows])
+    assert grade(key, answer, Policy(base=BaseRule.FREE, tool=ToolRule.FREE)).correct
+    verdict = grade(key, answer, Policy(base=BaseRule.AXIS, tool=ToolRule.FREE))
+    assert verdict.correct is (alpha == a == 0)
+    assert ("base_axis_missed" in codes(verdict)) is not verdict.correct
+
+
+def test_beside_names_a_rounded_length_stands_for_the_number_of_the_key() -> None:
+    key = read("standard", [(0, "L1", "1/3", "q1"), (0, "L2", 0, "q2")])
+    values = {"L1": 0.5, "L2": 0.4}
+    for typed in ("1/3", 0.333, 0.33333):
+        answer = read("standard", [(0, "L1", typed, "q1"), (0, "L2", 0, "q2")])
+        assert grade(key, answer, Policy(tool=ToolRule.POINT, base=BaseRule.ORIGIN), values).correct
+    for wrong in ("1.001*L2", "L2 + 0.001"):
+        answer = read("standard", [(0, "L1", 0.333, "q1"), (0, wrong, 0, "q2")])
+        assert not grade(key, answer, Policy(), values).correct

@@ -7,14 +7,16 @@ from fractions import Fraction
 
 import pytest
 
-from exercises.grading import BaseRule, Policy, ToolRule, grade
+from exercises.grading import BaseRule, Policy, Tolerance, ToolRule, grade
 from exercises.grading.judging.comparison import comparisons
+from exercises.grading.judging.digits import steps_of_wrong
 from exercises.grading.judging.name_values import Values, drawn_value, typical_length
 from exercises.grading.judging.named_numbers import with_names
 from exercises.grading.judging.typed import half_steps, meant, meant_in_radians
 from kinematics.cells import AngleUnit, ParameterKind
-from kinematics.equivalence.reference import SAMPLES
+from kinematics.equivalence.reference import SAMPLES, prepared
 from kinematics.expressions import Number, number, pi_times
+from kinematics.table import bind
 from tests.exercises.grading.test_grade import KEY, PUMA, USUAL, VALUES, Rows, with_cells
 from tests.exercises.grading.written import Cell, read
 
@@ -32,6 +34,7 @@ ONE: Rows = [(0.25, 0.5, 0, "q1"), (0, 0.3, 0.125, "q2")]
         ("pi/7", "rad", 0.0),
         (31.5, "deg", math.radians(0.05)),
         (30, "deg", 0.0),  # a multiple of 15°
+        (-15, "deg", 0.0),
         (31, "deg", math.radians(0.5)),
     ],
 )
@@ -108,8 +111,8 @@ def test_radians_where_degrees_are_declared_need_two_decimals_for_a_right_angle(
         (0.4318, {"a2"}),
         (0.43, {"a2"}),
         (-0.4318, {"-a2"}),
-        (0.41, set()),  # five per cent off, whatever the digits
-        (0.4, set()),
+        (0.424, set()),  # not to its last digit
+        (0.4, set()),  # to its last digit, but seven per cent off
         (0.5, set()),
     ],
 )
@@ -118,6 +121,31 @@ def test_a_number_stands_for_the_name_whose_value_it_is(typed: float, names: set
     values = Values(kinds=kinds, given={name: Fraction(repr(VALUES[name])) for name in VALUES}, scale=1.0)
     found = with_names(read("standard", with_cells(PUMA, (2, 1, typed))), values)
     assert {str(one.table.rows[1].a) for one in found} == {str(_named(name)) for name in names}
+
+
+@pytest.mark.parametrize(
+    ("typed", "value", "is_meant"),
+    [
+        (0.4, 0.4076, True),
+        (0.4, 0.4088, False),  # more than two per cent, whatever the digits
+        ("1/3", 0.333, False),  # no decimal: exact
+        ("1/3", 1 / 3, True),
+        (0.1, 0.1 * (1 + 0.9e-9), True),  # the same but for the arithmetic's errors
+    ],
+)
+def test_a_number_is_a_name_within_its_digits_and_two_per_cent(
+    typed: Cell, value: float, is_meant: bool
+) -> None:
+    values = Values(kinds={"L": ParameterKind.LENGTH}, given={"L": value}, scale=1.0)
+    found = with_names(read("standard", [(0, typed, 0, "q1")]), values)
+    assert [one.table.rows[0].a for one in found] == [_named("L")] * is_meant
+
+
+def test_an_exact_number_is_a_name_to_a_billionth() -> None:
+    for off, is_meant in ((0.9e-9, True), (1.1e-9, False)):
+        given = {"L": (1 + off) / 3}
+        values = Values(kinds={"L": ParameterKind.LENGTH}, given=given, scale=1.0)
+        assert bool(list(with_names(read("standard", [(0, "1/3", 0, "q1")]), values))) == is_meant
 
 
 def _named(name: str) -> object:
@@ -211,3 +239,13 @@ def test_a_tool_on_the_last_axis_stays_on_it(typed: float, right: bool) -> None:
 def test_multiples_of_names_are_exact() -> None:
     assert number(2) != number(3)
     assert half_steps(read("standard", with_cells(PUMA, (2, 1, "a2/3 + d4"))).table, AngleUnit.RAD) == {}
+
+
+def test_zeros_of_a_wrong_answer_are_known_to_within_the_tolerance() -> None:
+    """[rad] of angles, and of lengths a share of the robot's 3 m; what is no zero is as exact as typed."""
+    key = read("standard", [(0, 1, 0, "q1"), (0.5, 2, 0, "q2")]).table
+    reference = prepared(bind(key, {}))
+    assert reference.size == 3.0
+    typed = dict.fromkeys(((0, "alpha"), (0, "a"), (0, "d"), (1, "alpha")), 0.5)
+    found = steps_of_wrong(typed, reference.table, reference, Tolerance(length=0.01, angle=0.005))
+    assert found == pytest.approx({(0, "alpha"): 0.005, (0, "a"): 0.5, (0, "d"): 0.03, (1, "alpha"): 0.5})

@@ -21,6 +21,16 @@ from tests.kinematics.equivalence.generators import random_robot, random_valid_t
 from tests.kinematics.equivalence.tables import PUMA, changed
 
 
+@pytest.mark.parametrize("unit", [1e-3, 1.0, 1e3])
+def test_parallel_axes_are_surely_apart_by_ten_tolerances_of_the_robot(unit: float) -> None:
+    rows = tuple(replace(row, a=unit * row.a, d=unit * row.d) for row in PUMA.rows)
+    key = replace(PUMA, rows=rows)
+    reference, tolerance = prepared(key), Tolerance(length=1e-3, angle=1e-3)
+    for times, apart in ((9.9, False), (10.1, True)):
+        wrong = changed(key, 2, a=rows[1].a + times * 1e-3 * reference.size)
+        assert surely_apart(reference, chain_of_table(wrong), tolerance) is apart
+
+
 @pytest.mark.parametrize("decimals", [1, 2, 4])
 @pytest.mark.parametrize("seed", range(15))
 def test_no_difference_is_larger_than_the_bound_and_what_is_accepted_is_not_apart(

@@ -127,6 +127,13 @@ def test_known_numbers(n: int) -> None:
     assert known_number(math.sqrt(n) / 7) is None
 
 
+@pytest.mark.parametrize(("size", "decimals"), [(0.0, 9), (1.0, 9), (0.5, 9), (2.0, 8), (1000.0, 6)])
+def test_a_number_has_nine_digits_of_the_longest_length(size: float, decimals: int) -> None:
+    """Beside angles alone, of 1."""
+    forms = LengthForms([], [{}], size)
+    assert forms.form([0.123456789123]) == Number(Fraction(repr(round(0.123456789123, decimals))))
+
+
 @pytest.mark.parametrize(("one", "other"), [(1, 2), (1, 3), (1, 6), (2, 3), (2, 6)])
 def test_a_length_in_two_directions_adds_up_to_a_known_multiple_of_it(one: int, other: int) -> None:
     """As L + L cos 45° does."""

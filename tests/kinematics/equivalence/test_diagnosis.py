@@ -41,6 +41,13 @@ def test_one_wrong_twist_is_one_wrong_fact(robot: str, row: int) -> None:
     assert (mismatch.kind, mismatch.row) == (Kind.TWIST, row - 1)
 
 
+@pytest.mark.parametrize("row", [1, 2, 3])
+def test_one_wrong_twist_of_skew_axes_is_told_with_its_amount(row: int) -> None:
+    (mismatch,) = told(SKEW, SKEW, row, "alpha", 0.2)
+    assert (mismatch.kind, mismatch.joint, mismatch.row) == (Kind.TWIST, row + 1, row - 1)
+    assert mismatch.angle == pytest.approx(0.2, rel=2e-3)
+
+
 @pytest.mark.parametrize(
     ("row", "cell", "by", "kind"),
     [

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from kinematics.equivalence import Tolerance
+from kinematics.equivalence.groups import Nearness
 from kinematics.equivalence.reference import prepared, sample_joints
 from kinematics.table import DHTable
 from tests.kinematics.equivalence.tables import PUMA
@@ -30,6 +31,24 @@ def test_samples_fill_the_joint_space() -> None:
         assert np.diff(np.sort(row)).max() < 0.2
         assert len(np.unique(np.round(row, 9))) == 64
         assert abs(row.mean()) < 0.1
+
+
+def test_what_is_near_by_hand() -> None:
+    """To the arithmetic; then within twice the tolerance, with three notions of what may slide."""
+    near = prepared(PUMA).nearnesses(Tolerance(length=0.1, angle=0.01))
+    size = prepared(PUMA).size
+    assert near[0] == Nearness(1e-9, 1e-9 * size, 1e-9)
+    for one, slide in zip(near[1:], (0.02, 0.04, 0.2), strict=True):
+        assert (one.angle, one.length, one.slide) == pytest.approx((0.02, 0.2 * size, slide))
+
+
+def test_a_key_without_lengths_takes_on_the_size_of_what_lies_beside_it() -> None:
+    rows = tuple(replace(row, a=0.0, d=0.0) for row in PUMA.rows)
+    reference = prepared(DHTable(convention=PUMA.convention, rows=rows))
+    assert (reference.scaleless, reference.size) == (True, 1.0)
+    chain = prepared(PUMA).chain
+    assert reference.beside(chain).size == chain.extent
+    assert prepared(PUMA).beside(reference.chain) is prepared(PUMA)
 
 
 def test_what_is_near_grows_with_the_robot_and_with_the_tolerance() -> None:

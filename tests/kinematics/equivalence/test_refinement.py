@@ -13,10 +13,18 @@ from kinematics.chain import chain_of_table
 from kinematics.equivalence import Policy, Tolerance, ToolRule, decide
 from kinematics.equivalence.decision import mirrored
 from kinematics.equivalence.reference import prepared
-from kinematics.equivalence.refinement import CLOSE, FREE_TWISTS, HOPELESS, Model, RefinementProblem
+from kinematics.equivalence.refinement import (
+    CLOSE,
+    FREE_TWISTS,
+    HOPELESS,
+    LINE_TWISTS,
+    Model,
+    RefinementProblem,
+)
 from kinematics.equivalence.verification import Residual
 from kinematics.table import DHTable, NumericTable
 from tests.kinematics.equivalence.generators import random_robot, random_valid_table, rounded
+from tests.kinematics.equivalence.tables import HALF, P, R, standard
 
 
 def model(errors: np.ndarray, jacobian: np.ndarray) -> Model:
@@ -50,6 +58,16 @@ def test_errors_are_off_their_linear_function_by_their_squares() -> None:
     """In units of the tolerance: [rad], and shares of the robot, turned by as much."""
     found = replace(model(np.zeros((2, 3)), np.zeros((6, 1))), found=Residual(0.03, 0.02))
     assert found.curvature(Tolerance(length=0.5, angle=0.01)) == pytest.approx(0.09)
+
+
+@pytest.mark.parametrize(("base", "first"), [(FREE_TWISTS, 0.0), (LINE_TWISTS, 1.0)])
+def test_a_step_of_one_is_a_radian_or_the_robot_and_nothing_that_the_base_can_do(
+    base: np.ndarray, first: float
+) -> None:
+    key = standard((R, HALF, 0.0, 0.3, 0.0), (R, -HALF, 0.2, 0.1, 0.0), (P, 0.0, 0.0, 0.0, 0.4))
+    reference = prepared(key)
+    problem = RefinementProblem(reference, reference.chain, Tolerance(), base, FREE_TWISTS, offsets_free=True)
+    assert problem.joint_scales.tolist() == [first, 1.0, reference.size]
 
 
 @pytest.mark.parametrize("seed", range(6))

@@ -1,0 +1,75 @@
+"""Which facts of a key an answer has: a measure that means something else there is none of them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from exercises.grading.facts import Facts, fixed_ends
+from kinematics.chain import Axis, chain_of_table
+from kinematics.equivalence import Policy, ToolRule
+from kinematics.equivalence.invariants import axes_of, invariants_of
+from kinematics.equivalence.measures import Measure
+from kinematics.equivalence.reference import prepared
+from kinematics.se3 import ORIGIN, Vector, rotate, rotation_about, unit
+from kinematics.table import NumericTable
+from tests.kinematics.equivalence.tables import HALF, P, R, standard
+
+FREE = Policy(tool=ToolRule.FREE)
+LIFTS = standard(
+    (R, HALF, 0.1, 0.4, 0.2),
+    (P, 0, 0.2, 0.1, 0),
+    (P, HALF, 0.1, 0.2, 0.3),
+    (R, 0.7, 0.1, 0.2, 0.1),
+    (R, 0, 0.2, 0, 0),
+)
+PLANE = standard(
+    (R, HALF, 0.1, 0.4, 0.2),
+    (R, HALF, 0.1, 0.2, 0.3),
+    (P, 0.5, 0, 0.1, 0.1),
+    (P, 0.6, 0, 0.1, 0),
+    (P, HALF, 0, 0.1, 0.4),
+    (R, HALF, 0.2, 0.1, 0.3),
+    (R, 0, 0.1, 0.1, 0),
+)
+
+
+def facts_of(key: NumericTable) -> Facts:
+    invariants = invariants_of(prepared(key), FREE)
+    axes = axes_of(chain_of_table(key), FREE)
+    worth = np.ones(len(invariants.shapes))
+    return Facts(axes, invariants, fixed_ends(len(axes), FREE), worth, sign=0.5)
+
+
+def turned(axes: Sequence[Axis], i: int, about: Vector, angle: float) -> list[Axis]:
+    """The axes, one of them turned."""
+    turn = rotation_about(ORIGIN, unit(about), math.cos(angle), math.sin(angle))
+    return [
+        axis._replace(direction=rotate(turn, axis.direction)) if k == i else axis
+        for k, axis in enumerate(axes)
+    ]
+
+
+def place_of(facts: Facts, measure: Measure) -> int:
+    (place,) = (q for q, shape in enumerate(facts.invariants.shapes) if shape.measure is measure)
+    return place
+
+
+def test_a_turn_about_sliders_is_none_where_they_are_not_parallel() -> None:
+    """Even if it has the same value: it is measured about the first of them."""
+    facts = facts_of(LIFTS)
+    turn = place_of(facts, Measure.TURN)
+    assert facts.invariants.shapes[turn].axes == (1, 2, 4)
+    assert facts.shared(facts.axes).all()
+    assert not facts.shared(turned(facts.axes, 3, (1.0, 0.0, 0.0), 0.1))[turn]
+
+
+def test_a_sum_of_offsets_is_none_where_the_sliders_are_not_in_one_plane() -> None:
+    """Even if it has the same value: it is measured across the plane of the first two."""
+    facts = facts_of(PLANE)
+    total = place_of(facts, Measure.SUM)
+    assert facts.invariants.shapes[total].axes == (3, 4, 2, 2, 1, 2, 6, 6, 7, 6)
+    assert facts.shared(facts.axes).all()
+    assert not facts.shared(turned(facts.axes, 5, facts.axes[4].direction, 0.5))[total]
