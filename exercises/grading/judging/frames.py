@@ -23,8 +23,6 @@ NOTICED = 1e-3
 NOTICED_IF_ROUNDED = 0.02
 # Of a residual: above it an answer was right only because of rounding.
 ROUNDED = 1e-8
-# Of offsets, as shown.
-DIGITS = 6
 _NUMBER = re.compile(r"-?[\d.]+")
 
 

@@ -10,13 +10,15 @@ import pytest
 
 from exercises.grading import BaseRule, DirectionRule, Policy, ToolRule, ZeroRule
 from exercises.grading.edits import cell_edits, row_edits, table_edits
-from exercises.grading.edits.changes import Change, TableSlip
+from exercises.grading.edits.changes import Change, Extent, TableSlip
 from exercises.grading.edits.misconceptions import CATALOGUE
 from exercises.grading.edits.wanted_changes import changes_beforehand, changes_of
 from exercises.grading.edits.work import Work
 from exercises.grading.explanation import work_on
 from exercises.grading.judging.comparison import comparisons
 from kinematics.cells import ReadTable
+from kinematics.equivalence.meter import PER_ROW, Meter
+from kinematics.equivalence.search import Effort
 from kinematics.table import NumericTable
 from tests.exercises.grading.test_grade import KEY as PUMA
 from tests.exercises.grading.test_grade import PUMA as PUMA_ROWS
@@ -46,6 +48,13 @@ def work(answer: ReadTable, policy: Policy = FIXED, key: ReadTable = KEY) -> Wor
 
 
 ON_WRONG = work(read("standard", WRONG))
+
+
+def test_what_is_not_decided_with_the_work_that_is_left_is_not_right() -> None:
+    mended = ON_WRONG.reference.table
+    change = Change(code="any", extent=Extent.TABLE, table=mended)
+    for units, right in ((10**6, True), (PER_ROW * len(mended.rows) + 1, False)):
+        assert replace(ON_WRONG, meter=Meter(units)).accepts(change, Effort.PLAIN) is right
 
 
 def shown(cell: str, value: float) -> str:

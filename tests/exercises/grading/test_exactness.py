@@ -333,6 +333,25 @@ def test_the_line_of_z_0_is_held_to_the_digits_under_the_rule_axis(alpha: float,
     assert ("base_axis_missed" in codes(verdict)) is not verdict.correct
 
 
+def test_rounded_twists_that_add_up_are_no_wrong_name() -> None:
+    """Two of 0.2244 for π/7: they need not cancel to the last digit, as lengths beside names must."""
+    key = read("standard", [("pi/7", "L1", 0, "q1"), (0, "L2", 0, "q2")])
+    rows: Rows = [(0.2244, "L1", 0, "q1"), (0.2244, 0, 0, 0), (0, "L2", 0, "q2")]
+    assert grade(key, read("standard", rows), Policy(), {"L1": 0.5, "L2": 0.4}).correct
+
+
+def test_exact_offsets_are_told_in_the_units_of_their_joints() -> None:
+    """Degrees of a revolute joint, lengths of a prismatic one."""
+    key = read("standard", [(0, "L1", 0, "q1"), (0, 0, "q2", 0)], "deg")
+    answer = read("standard", [(0, "L1", 0, "q1 + 90"), (0, 0, "q2 + L1", 0)], "deg")
+    certificate = grade(
+        key, answer, Policy(tool=ToolRule.FRAME, base=BaseRule.FRAME), {"L1": 0.5}
+    ).certificate
+    assert certificate is not None
+    assert certificate.exact is not None
+    assert certificate.exact.joint_offsets == ("-90", "-L1")
+
+
 def test_beside_names_a_rounded_length_stands_for_the_number_of_the_key() -> None:
     key = read("standard", [(0, "L1", "1/3", "q1"), (0, "L2", 0, "q2")])
     values = {"L1": 0.5, "L2": 0.4}

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from exercises.grading.across_prismatic import across_prismatic
 from exercises.grading.facts import Facts, fixed_ends
 from kinematics.chain import Axis, chain_of_table
 from kinematics.equivalence import Policy, ToolRule
@@ -64,6 +65,14 @@ def test_a_turn_about_sliders_is_none_where_they_are_not_parallel() -> None:
     assert facts.invariants.shapes[turn].axes == (1, 2, 4)
     assert facts.shared(facts.axes).all()
     assert not facts.shared(turned(facts.axes, 3, (1.0, 0.0, 0.0), 0.1))[turn]
+
+
+def test_facts_across_sliders_are_those_that_no_neighbours_have() -> None:
+    """The angle about them, the offset past them, and no angle or length beside them."""
+    facts = facts_of(LIFTS)
+    (across,) = across_prismatic(facts)
+    shapes = [shape for shape, is_across in zip(facts.invariants.shapes, across, strict=True) if is_across]
+    assert shapes == [(Measure.TURN, (1, 2, 4)), (Measure.OFFSET, (1, 4, 4, 5, 3, 4))]
 
 
 def test_a_sum_of_offsets_is_none_where_the_sliders_are_not_in_one_plane() -> None:

@@ -148,6 +148,12 @@ def test_an_exact_number_is_a_name_to_a_billionth() -> None:
         assert bool(list(with_names(read("standard", [(0, "1/3", 0, "q1")]), values))) == is_meant
 
 
+def test_a_length_stands_for_no_name_of_an_angle() -> None:
+    kinds = {"L": ParameterKind.LENGTH, "beta": ParameterKind.ANGLE}
+    values = Values(kinds=kinds, given={"L": 0.3, "beta": 0.4}, scale=1.0)
+    assert list(with_names(read("standard", [("beta", 0.4, 0, "q1")]), values)) == []
+
+
 def _named(name: str) -> object:
     return read("standard", [(0, name, 0, "q1")]).table.rows[0].a
 

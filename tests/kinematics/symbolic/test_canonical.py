@@ -142,6 +142,12 @@ def test_exact_numbers(a: Expression, b: Expression) -> None:
     assert canonical(a).terms == canonical(b).terms
 
 
+@pytest.mark.parametrize("twelfths", range(-11, 13))
+def test_the_arc_of_a_multiple_of_fifteen_degrees_is_that(twelfths: int) -> None:
+    angle = pi_times(Fraction(twelfths, 12))
+    assert same_function(call(Function.ATAN2, sin(angle), cos(angle)), angle)
+
+
 @pytest.mark.parametrize("function", [Function.ATAN2, Function.ASIN, Function.ACOS, Function.ATAN])
 def test_the_sine_and_cosine_of_an_arc_are_known(function: Function) -> None:
     arc = call(function, L1, L2) if function is Function.ATAN2 else call(function, L1)

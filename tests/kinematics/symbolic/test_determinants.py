@@ -41,6 +41,19 @@ def draws(table: SymbolicTable, count: int = 6) -> list[np.ndarray]:
     return [rng.uniform(0.2, 1.4, table.n_joints) for _ in range(count)]
 
 
+def test_a_slider_has_no_rows_of_rotation() -> None:
+    """Lifted and turned: both moves are always there, and nothing moves without a joint."""
+    lift, turn = row(JointType.PRISMATIC, a=Parameter("L1")), row(a=Parameter("L2"))
+    table = DHTable(convention=Convention.STANDARD, rows=(lift, turn))
+    for order in (table, DHTable(convention=Convention.STANDARD, rows=(turn, lift))):
+        minor, _ = largest_minor(order, TWIST)
+        assert minor.exact
+        assert abs(evaluate(minor.expression(), {"L1": 0.3, "L2": 0.4}, [0.5, 0.5])) == pytest.approx(1.0)
+    still = DHTable(convention=Convention.STANDARD, rows=(row(JointType.FIXED, a=Parameter("L1")),))
+    minor, only = largest_minor(still, TWIST)
+    assert (minor.terms, minor.exact, only) == (frozenset(), True, True)
+
+
 @pytest.mark.parametrize(("name", "rows"), [case for case in CASES if case[0] != "onelink"])
 def test_the_only_minor_is_the_determinant(name: str, rows: MotionRows) -> None:
     table, values = arm(name)

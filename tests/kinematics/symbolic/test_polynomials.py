@@ -86,6 +86,7 @@ def test_equality_is_that_of_the_ring(a, b):
         ),
         (add((power(sin(alpha), 2), power(cos(alpha), 2))), number(1)),
         (multiply((L, add((d3, L)))), add((power(L, 2), multiply((L, d3))))),
+        (multiply((number(4), add((number("0.25"), d3)))), add((number(1), multiply((number(4), d3))))),
     ],
 )
 def test_identities(a, b):

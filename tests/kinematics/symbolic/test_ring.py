@@ -39,6 +39,18 @@ def test_coordinates_turn_by_cosine_and_sine(angle: Fraction | str, which: tuple
     assert ring.is_zero(ring.add(square, ONE_FORM, -1))
 
 
+def test_squares_of_squares_are_refused_before_an_exponent_runs_into_the_next() -> None:
+    ring = Ring()
+    square, other = ring.symbol(RingSymbol("power", "L1")), ring.symbol(RingSymbol("power", "L2"))
+
+    def squared(times: int) -> Form:
+        return square if not times else ring.power(squared(times - 1), 2)
+
+    assert not ring.is_zero(ring.add(squared(20), other, -1))
+    with pytest.raises(FormSizeError):
+        squared(80)
+
+
 @pytest.mark.parametrize("factor", [Fraction(1, 2), Fraction(3, 4), Fraction(-5, 6), Fraction(7, 3)], ids=str)
 @pytest.mark.parametrize("times", [2, 3, 4])
 def test_a_form_is_in_lowest_terms_whichever_way_it_was_made(factor: Fraction, times: int) -> None:
