@@ -148,7 +148,7 @@ class _Sorter:
         curves = self._with_branches(curves, surfaces)
         members = [q, *(path.points[len(path.points) // 4] for path in curves[1:])]
         found = [Component(member, (path,), 1) for member, path in zip(members, curves, strict=False)]
-        return [*surfaces, *found] or [Component(q)]
+        return [*surfaces, *found] or [self._one_family(q, null, moving=())]
 
     def _one_family(self, q: Array, null: Array, moving: Sequence[Array]) -> Component:
         """The family of a solution, as a whole; where it is short all round the solution stands alone."""

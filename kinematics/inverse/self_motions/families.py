@@ -64,6 +64,9 @@ below this part of their mean, may vanish between."""
 AGAIN, ASIDE = 0.9, 0.02
 """Cosine above which a path that comes as near as this part of a step to an earlier point goes its way."""
 
+AT_REST = 1e-3
+"""Parts of a direction up to this [rad, or parts of the size] leave a joint at rest."""
+
 MOST_CORRECTIONS = 2500
 """Corrections after which a target's families are followed no further; the longest paths take 800 more. A
 PUMA with its arm stretched and its wrist in line takes 95, eight families of seven joints up to this many."""
@@ -157,13 +160,21 @@ class Follower:
         return self.moves_each(x, step * direction[None])[0]
 
     def moves_each(self, x: Array, ways: Array) -> list[Array | None]:
-        """Where x is after each of several steps, (m, n), corrected across it; None if the target is lost."""
+        """Where x is after each of several steps, (m, n), corrected across it; None if the target is lost.
+
+        Of two directions that the Jacobian hardly sees, a correction may lead far off along the other for
+        what is a part of the tolerance: then a step is taken as it is.
+        """
         if not len(ways):
             return []
         lengths = np.linalg.norm(ways, axis=1)
         moved, e, _ = self.corrected_all(x + ways, (ways / lengths[:, None])[:, None])
         near = np.linalg.norm(moved - x - ways, axis=1) <= lengths
         there = near & are_solutions(e, self.arm, self.tolerance)
+        if not there.all():
+            straight, _ = errors_and_jacobians(self.arm, x + ways, self.target)
+            as_it_is = ~there & are_solutions(straight, self.arm, self.tolerance)
+            moved, there = np.where(as_it_is[:, None], x + ways, moved), there | as_it_is
         return [one if ok else None for one, ok in zip(moved, there.tolist(), strict=True)]
 
     def joined(self, x: Array, other: Array) -> bool:
@@ -340,9 +351,12 @@ def nearest_on(arm: Arm, path: FamilyPath, q: Array) -> tuple[Array, Array]:
 
 
 def pivots_of(directions: Array) -> Sequence[int]:
-    """For each direction the joint that moves most along it, each joint once."""
+    """For each direction the joint that moves most along it, those at rest along the others first."""
+    moved = np.abs(directions)
     chosen: list[int] = []
-    for row in np.abs(directions):
-        order = [int(i) for i in np.argsort(-row, kind="stable") if int(i) not in chosen]
+    for k, row in enumerate(moved):
+        others = np.delete(moved, k, axis=0).max(axis=0, initial=0.0)
+        alone = np.where((others <= AT_REST) & (row > AT_REST), 1.0, 0.0)
+        order = [int(i) for i in np.argsort(-(row + alone), kind="stable") if int(i) not in chosen]
         chosen.append(order[0])
     return chosen

@@ -45,10 +45,11 @@ def families_within(
     if component.dimension > 1 or len(component.paths) > 1:
         if not fits[0]:
             return []
+        pivots = component.pivots or (None,) * len(component.paths)
         parameters = [
             told[1].parameters[0]
-            for path in component.paths
-            for told in [_part_with(arm, follower, path, box, wrapped[0])]
+            for path, pivot in zip(component.paths, pivots, strict=True)
+            for told in [_part_with(arm, follower, path, box, wrapped[0], pivot)]
             if told is not None
         ]
         return [(wrapped[0], Family(dimension=component.dimension, parameters=tuple(parameters)))]
@@ -60,17 +61,19 @@ def families_within(
 
 
 def _part_with(
-    arm: Arm, follower: Follower, path: FamilyPath, box: Box, q: Array
+    arm: Arm, follower: Follower, path: FamilyPath, box: Box, q: Array, pivot: int | None
 ) -> tuple[Array, Family] | None:
     """The part of a path within the limits that holds a configuration."""
     if not box.limited:
-        return q, _told_freely(arm, path, box, q)
+        return q, _told_freely(arm, path, box, q, pivot)
     within = _parts_within(arm, follower, path, box)
-    parts = [_with_member(arm, box, points, closed, q) for points, closed in within]
+    parts = [_with_member(arm, box, points, closed, q, pivot) for points, closed in within]
     return min(parts, key=lambda part: float(np.abs(part[0] - q).sum()), default=None)
 
 
-def _with_member(arm: Arm, box: Box, points: Array, closed: bool, q: Array) -> tuple[Array, Family]:
+def _with_member(
+    arm: Arm, box: Box, points: Array, closed: bool, q: Array, pivot: int | None = None
+) -> tuple[Array, Family]:
     """A part told, with the given member if it is on it, else its middle one."""
     apart = np.abs(differences(points, q, arm)).max(axis=1)
     nearest = points[int(apart.argmin())]
@@ -78,19 +81,24 @@ def _with_member(arm: Arm, box: Box, points: Array, closed: bool, q: Array) -> t
     if float(apart.min()) <= FINE:
         member = np.clip(_turned_to(nearest, q, arm), box.low, box.high)
     if not closed:
-        return member, _told(arm, points, closed, member)
+        return member, _told(arm, points, closed, member, pivot)
     (member,), _ = within_limits(member[None], arm.revolute, box, arm.size)
-    return member, _told_freely(arm, FamilyPath(points, closed, np.empty(0)), box, member)
+    return member, _told_freely(arm, FamilyPath(points, closed, np.empty(0)), box, member, pivot)
 
 
-def _told(arm: Arm, points: Array, closed: bool, q: Array) -> Family:
-    """A path as a family: its parameter is the first joint that moves farthest without turning back."""
+def _told(arm: Arm, points: Array, closed: bool, q: Array, pivot: int | None = None) -> Family:
+    """A path as a family: its parameter is the first joint that moves farthest without turning back.
+
+    Of a surface it is the joint that rests along the other paths, if it does not turn back.
+    """
     moved = np.diff(points, axis=0) / arm.units
     last = differences(points[0], points[-1], arm) if closed else np.zeros(points.shape[1])
     moved = np.vstack((moved, last))
     way = np.abs(moved).sum(axis=0)
     one_way = np.abs(moved.sum(axis=0)) >= way - 1e-6
     joint = int(np.where(one_way, way + 1e3 * (way > 0.1 * way.max()), way).round(6).argmax())
+    if pivot is not None and one_way[pivot] and way[pivot] > 0.1 * way.max():
+        joint = pivot
     winds = closed and abs(float(moved[:, joint].sum())) > math.pi
     least, greatest = float(points[:, joint].min()), float(points[:, joint].max())
     turns = 2.0 * math.pi * round((q[joint] - _nearest(points[:, joint], q[joint])) / (2.0 * math.pi))
@@ -108,9 +116,9 @@ def _told(arm: Arm, points: Array, closed: bool, q: Array) -> Family:
     )
 
 
-def _told_freely(arm: Arm, path: FamilyPath, box: Box, q: Array) -> Family:
+def _told_freely(arm: Arm, path: FamilyPath, box: Box, q: Array, pivot: int | None = None) -> Family:
     """A path that no limit cuts as a family, each member by turns within the limits, the nearest to zero."""
-    family = _told(arm, path.points, path.closed, q)
+    family = _told(arm, path.points, path.closed, q, pivot)
     members, _ = within_limits(np.array(family.members), arm.revolute, box, arm.size)
     return replace(family, members=tuple(map(tuple, members.tolist())))
 

@@ -4,8 +4,10 @@ import numpy as np
 import pytest
 
 from kinematics.forward import end_pose
-from kinematics.inverse import ArmReach, solver_of
+from kinematics.inverse import ArmReach, IKStatus, inverse_kinematics, solver_of
+from kinematics.table import Convention
 from tests.kinematics.inverse.models import MODELS
+from tests.kinematics.robots import numeric
 
 ANY_WRIST = [
     [0.3, -0.7, 1.2, 0.5, 0.9, -1.4],
@@ -50,3 +52,27 @@ def test_positions_of_a_tool_have_as_many_families_as_a_sample_of_configurations
     for solution in answer.solutions:
         reached = end_pose(table, solution.joints)
         assert np.linalg.norm(reached[:3, 3] - target[:3, 3]) < 1e-8
+
+
+@pytest.mark.parametrize(
+    ("off", "elbows"),
+    [
+        pytest.param(0.0, 1, id="folded: the shoulder turns right round"),
+        pytest.param(-6.7e-6, 2, id="all but folded: it turns by an interval, and by another half a turn on"),
+    ],
+)
+@pytest.mark.parametrize("third", [-8.2e-5, 0.9, 2.0])
+def test_equal_links_folded_below_two_joints_on_one_axis_are_a_surface(off, elbows, third):
+    """Four joints in a plane, the last two on one axis, which the fold brings onto the first as well."""
+    rows = [("revolute", 0.0, a, d, 0.0) for a, d in ((0.3, 0.0), (0.3, 0.2), (0.0, 0.0), (0.3, 0.0))]
+    table = numeric(Convention.STANDARD, *rows)
+    target = end_pose(table, [np.pi + 1.8e-5, np.pi + off, np.pi + third, 1.6]).round(6)
+    answer = inverse_kinematics(table, target, tolerance=1e-6)
+    assert answer.status is IKStatus.SINGULAR
+    assert len(answer.solutions) == elbows
+    for solution in answer.solutions:
+        assert solution.family.dimension == 2
+        one, other = solution.family.parameters
+        assert one.joint != other.joint
+        assert one.full_turn or off
+        assert other.full_turn
