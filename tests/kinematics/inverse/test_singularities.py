@@ -20,6 +20,7 @@ from kinematics.inverse.self_motions import isolation as sorting
 from kinematics.inverse.self_motions.components import belongs, components_of
 from kinematics.inverse.self_motions.isolation import can_move
 from kinematics.table import Convention
+from tests.kinematics.inverse.__main__ import main
 from tests.kinematics.inverse.arms import GENERAL, STANFORD, UR5, apart, random_joints, random_table
 from tests.kinematics.inverse.campaign import is_among, questions, run, run_arms, singular_configuration
 from tests.kinematics.inverse.models import MODELS
@@ -34,6 +35,15 @@ def test_a_small_campaign(name):
     tally = run(name, MODELS[name], poses=12, tried=1)
     assert tally.faults == []
     assert tally.poses == 12
+
+
+def test_a_campaign_refuses_a_model_that_there_is_not(capsys):
+    with pytest.raises(SystemExit) as caught:
+        main(["--poses", "1", "--tried", "0", "--only", "puma", "pumma"])
+    assert caught.value.code == 2
+    told = capsys.readouterr()
+    assert not told.out
+    assert "no model is called pumma; there are catalogue " in told.err
 
 
 def test_a_search_finds_no_solution_that_random_arms_of_six_joints_lack():
