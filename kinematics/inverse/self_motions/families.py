@@ -61,6 +61,10 @@ NEAR_ONE_END, SAGGING = 0.2, 0.75
 """Of second singular values at both ends of a step: one below this part of the other, or one in the middle
 below this part of their mean, may vanish between."""
 
+PARTS, NARROWINGS = 10, 6
+"""Parts of a step of which the ends are looked at for a crossing, and how often the two beside the least
+second singular value are divided again."""
+
 AGAIN, ASIDE = 0.9, 0.02
 """Cosine above which a path that comes as near as this part of a step to an earlier point goes its way."""
 
@@ -258,6 +262,26 @@ class Follower:
         (middle,) = self.second(0.5 * (x + new)[None])
         return bool(middle < SAGGING * 0.5 * (second + there))
 
+    def _crosses_between(self, x: Array, new: Array) -> bool:
+        """Whether a place on the way of a step reaches the target where the second singular value vanishes.
+
+        Two families cross there. Corrected across both, which all but touch beside it, a place stays between.
+        """
+        way = new - x
+        plane = np.linalg.svd(self.jacobian(x + 0.5 * way))[2][len(x) - 2 :]
+        across = np.eye(len(x)) - plane.T @ plane
+        low, high = 0.0, 1.0
+        for _ in range(NARROWINGS):
+            parts = np.linspace(low, high, PARTS + 1)
+            self.count(len(parts))
+            places, e, _ = corrected_across(self.arm, self.target, x + parts[:, None] * way, across)
+            values = self.second(places)
+            k = int(values.argmin())
+            if values[k] <= self.lost:
+                return self.reached(e[k])
+            low, high = float(parts[max(k - 1, 0)]), float(parts[min(k + 1, PARTS)])
+        return False
+
     def _one_way(self, start: Array, direction: Array, held: Array) -> tuple[list[Array], bool]:
         x, t, h = start, direction, FIRST_STEP
         found: list[Array] = []
@@ -271,6 +295,8 @@ class Follower:
             off = float(np.linalg.norm(new - x - h * t))
             there = self._second_of(J, held)
             crossed = self._passes_a_crossing(x, new, second, there)
+            if crossed and bend <= 3.0 * STRAIGHT and self.reached(e) and off <= h:
+                crossed = not self._crosses_between(x, new)
             if not self.reached(e) or off > h or crossed or (bend > 3.0 * STRAIGHT and h > FIRST_STEP):
                 h *= 0.5
                 if h < SHORTEST_STEP:

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from kinematics.forward import end_pose
-from kinematics.inverse import IKStatus, inverse_kinematics, solver_of
+from kinematics.inverse import ArmReach, IKStatus, inverse_kinematics, solver_of
 from kinematics.inverse.goals import read_goal
 from kinematics.inverse.residuals import are_solutions, errors_of
 from kinematics.inverse.results import Isolation, Method
@@ -296,6 +296,26 @@ def test_a_path_does_not_change_over_to_a_family_that_it_all_but_crosses():
         assert again.closed
         turn = math.tau * round((again.points[-1, 2] - again.points[0, 2]) / math.tau)
         assert abs(turn) == math.tau
+
+
+@pytest.mark.parametrize("elbow", [0.4, -1.2, 2.0])
+@pytest.mark.parametrize(("off", "families"), [(0.0, 2), (1e-12, 2), (9e-9, 2), (4e-7, 1)])
+def test_a_path_leads_straight_across_a_family_that_it_crosses(elbow, off, families):
+    """Links 2 and 3 folded: they turn together, and apart where they lie along the first one.
+
+    Folded but for 4e-7 rad the two families are one, which leads from the one to the other way of moving.
+    """
+    rows = [("revolute", 0.0, a, 0.0, 0.0) for a in (0.5, 0.3, 0.3)]
+    table = numeric(Convention.STANDARD, *rows)
+    target = end_pose(table, [0.7, elbow, off - math.pi]).round(8)
+    answer = inverse_kinematics(table, target, reach=ArmReach.POSITION)
+    assert len(answer.solutions) == families
+    for solution in answer.solutions if families == 2 else ():
+        (parameter,) = solution.family.parameters
+        assert parameter.full_turn
+        assert parameter.greatest - parameter.least == pytest.approx(math.tau)
+    if families == 2:
+        assert {s.family.parameters[0].joint for s in answer.solutions} == {2, 3}
 
 
 def test_a_forearm_on_the_upper_arm_of_an_arm_without_offsets_leaves_two_joints_free():
