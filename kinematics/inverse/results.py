@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 from typing import NamedTuple
 
 from kinematics.se3 import Transform
-from kinematics.table import JointType
 
 
 class IKStatus(StrEnum):
@@ -151,24 +149,3 @@ class InverseKinematics(NamedTuple):
     reason: UnreachableReason | None = None
     outside_limits: int = 0
     tolerance: float = 0.0
-
-    def nearest_first(
-        self, joint_types: Sequence[JointType], start: Sequence[float] | None
-    ) -> InverseKinematics:
-        """Return the same answer, its solutions sorted by their distance from a start, if there is one.
-
-        Args:
-            joint_types: of the arm; turns are measured on the circle.
-            start: joint values [rad, or the length unit of the arm].
-        """
-        if start is None:
-            return self
-        near = start
-
-        def distance(solution: IKSolution) -> float:
-            return sum(
-                abs(math.remainder(q - q0, math.tau)) if kind is JointType.REVOLUTE else abs(q - q0)
-                for kind, q, q0 in zip(joint_types, solution.joints, near, strict=True)
-            )
-
-        return self._replace(solutions=tuple(sorted(self.solutions, key=distance)))

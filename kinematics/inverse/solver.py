@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from kinematics.inverse.arm import Arm, ArmReach, Array
+from kinematics.inverse.distinct import differences
 from kinematics.inverse.goals import Goal, read_goal
 from kinematics.inverse.limits import within_limits
 from kinematics.inverse.methods.closed_form import InverseClosedForm, candidates_beside, closed_form_of
@@ -81,6 +83,23 @@ class Solver:
         if goal.unit == 1.0:
             return self.solve_goal(goal)
         return answer_from_unit(self._in_unit(goal.unit).solve_goal(goal_in_unit(goal)), self.arm, goal)
+
+    def nearest_first(self, answer: InverseKinematics, start: Sequence[float] | None) -> InverseKinematics:
+        """Return the same answer, its solutions sorted by their distance from a start, if there is one.
+
+        Turns are measured on the circle, and slides in parts of the arm's size: the order is the same in every
+        unit of length.
+
+        Args:
+            answer: of this arm.
+            start: joint values [rad, or the length unit of the arm].
+        """
+        if start is None or not answer.solutions:
+            return answer
+        joints = np.array([solution.joints for solution in answer.solutions])
+        apart = np.linalg.norm(differences(joints, np.array(start), self.arm), axis=1)
+        order = np.argsort(apart, kind="stable").tolist()
+        return answer._replace(solutions=tuple(answer.solutions[i] for i in order))
 
     def goal(self, target: ArrayLike, tolerance: float | None, where: tuple[str | int, ...]) -> Goal:
         """Return a target made ready; arguments and refusals are those of `read_goal`."""
@@ -221,7 +240,7 @@ class Solver:
         found = [found[i] for i in np.argsort(mere, kind="stable")[:MOST_SOLUTIONS].tolist()]
         joints = np.array([q for q, _ in found])
         position, angle = self._errors(self.arm.frames(joints)[-1], pose)
-        order = np.argsort(np.abs(joints).sum(axis=1), kind="stable")
+        order = np.argsort(np.abs(joints / self.arm.units).sum(axis=1), kind="stable")
         values, distances, angles = joints.tolist(), position.tolist(), angle.tolist()
         return tuple(
             IKSolution(

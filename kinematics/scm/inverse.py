@@ -40,8 +40,8 @@ def inverse_kinematics_scm(
 
     Source: seed 001 §3.1.2.
     """
-    found = solver_of_chain(chain, parameters, limits=limits).solve(target)
-    return found.nearest_first([row.joint for row in chain.rows], start)
+    solver = solver_of_chain(chain, parameters, limits=limits)
+    return solver.nearest_first(solver.solve(target), start)
 
 
 def solver_of_chain(

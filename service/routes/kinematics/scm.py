@@ -157,9 +157,9 @@ async def inverse_kinematics(
             table=bind(table_of_chain(prepared.chain), prepared.values),
             target=pose_matrix(body.target, prepared.angle, "target"),
             limits=domain_limits(body.limits, prepared.joint_units),
+            start=start,
         )
         found = await answer_to(question, request.resources.workers)
-    found = found.nearest_first([row.joint for row in prepared.chain.rows], start)
     return InverseKinematicsAnswer(**prepared.units, **target_answer(found, prepared))
 
 

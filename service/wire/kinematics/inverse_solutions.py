@@ -67,7 +67,7 @@ async def solved(
     with traced(request):
         question = _question(request, robot)
         answer = await answer_to(question, workers)
-    return _answer(answer.nearest_first(robot.table.joint_types, question.start), robot)
+    return _answer(answer, robot)
 
 
 async def solved_each(
@@ -91,7 +91,6 @@ async def solved_each(
             solver.goal(target, question.tolerance, where=("targets", i))
     seconds = api.settings.symbolic_seconds
     answers = await api.resources.workers.run(Lane.SLOW, _solve_each, question, targets, ALLOTTED * seconds)
-    answers = [answer.nearest_first(robot.table.joint_types, question.start) for answer in answers]
     return InverseKinematicsAnswers(
         angle_unit=robot.read.angle_unit.value,
         length_unit=robot.read.length_unit.value,
@@ -164,6 +163,8 @@ def _question(request: NumericInverseKinematicsRequest, robot: PreparedRobot) ->
 async def answer_to(question: TargetQuestion, workers: Workers) -> InverseKinematics:
     """Return the solutions: a closed form gives them at once; a worker process searches, or follows families.
 
+    Those of a question with a start are sorted by their distance from it.
+
     Raises:
         KinematicsError: malformed limits or poses, or a table that inverse kinematics does not take.
         ServiceError: no place in the lane, or it took too long.
@@ -174,12 +175,15 @@ async def answer_to(question: TargetQuestion, workers: Workers) -> InverseKinema
 
 def _directly(question: TargetQuestion) -> InverseKinematics | None:
     """Solve by the closed form alone; None if a search is needed. Refusals are made here, not in a worker."""
-    return question.solver().solve_directly(question.target, question.tolerance)
+    solver = question.solver()
+    answer = solver.solve_directly(question.target, question.tolerance)
+    return None if answer is None else solver.nearest_first(answer, question.start)
 
 
 def _solve(question: TargetQuestion) -> InverseKinematics:
     """Solve for one target; runs in a worker process."""
-    return question.solver().solve(question.target, question.tolerance)
+    solver = question.solver()
+    return solver.nearest_first(solver.solve(question.target, question.tolerance), question.start)
 
 
 def _solve_each(
@@ -187,7 +191,11 @@ def _solve_each(
 ) -> list[InverseKinematics]:
     """Solve for as many targets as the processor time allows, in order; runs in a worker process."""
     solver = question.solver()
-    return each_in_time(lambda target: solver.solve(target, question.tolerance), targets, seconds)
+    return each_in_time(
+        lambda target: solver.nearest_first(solver.solve(target, question.tolerance), question.start),
+        targets,
+        seconds,
+    )
 
 
 def _answer(answer: InverseKinematics, robot: PreparedRobot) -> InverseKinematicsAnswer:

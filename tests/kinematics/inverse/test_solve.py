@@ -450,6 +450,28 @@ def test_millimetres_or_metres():
     assert all(solution.residual < 1e-9 for solution in in_mm.solutions)
 
 
+@pytest.mark.parametrize("seed", range(4))
+def test_solutions_are_sorted_by_their_distance_from_a_start_in_every_unit(seed):
+    rng = np.random.default_rng(seed)
+    q, start = rng.uniform(-2.0, 2.0, (2, STANFORD.n_joints)) * np.where(turning(STANFORD), 1.0, 0.2)
+    orders, first = [], []
+    for factor in (1.0, 1000.0, 1.0 / 0.0254):
+        rows = tuple(replace(row, a=factor * row.a, d=factor * row.d) for row in STANFORD.rows)
+        table, units = replace(STANFORD, rows=rows), np.where(turning(STANFORD), 1.0, factor)
+        solver = solver_of(table)
+        answer = solver.solve(end_pose(table, q * units))
+        found = solver.nearest_first(answer, (start * units).tolist())
+        apart = (np.array([s.joints for s in found.solutions]) - start * units) / solver.arm.units
+        apart = np.where(turning(STANFORD), (apart + np.pi) % (2.0 * np.pi) - np.pi, apart)
+        assert (np.diff(np.linalg.norm(apart, axis=1)) >= -1e-9).all()
+        orders.append(np.array([s.joints for s in found.solutions]) / units)
+        first.append(np.array(answer.solutions[0].joints) / units)
+    assert len(orders[0]) > 3
+    for i in (1, 2):
+        np.testing.assert_allclose(orders[i], orders[0], atol=1e-7)
+        np.testing.assert_allclose(first[i], first[0], atol=1e-7)
+
+
 @pytest.mark.parametrize("name", ["scorbot", "scara", "stanford", "panda"])
 def test_poses_in_millimetres_with_one_decimal_are_those_in_metres_with_four(name):
     in_m = CATALOGUE[name]
