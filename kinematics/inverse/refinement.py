@@ -18,6 +18,13 @@ AS_IT_IS = 1e-13
 """A candidate this exact [rad, and parts of the size] is left as it is: rounding of six links leaves as
 much."""
 
+FOLDED, ROUNDED = 1e-6, 5e-16
+"""Up to this singular value a solution may be beside a fold by no more than rounding, which leaves this error
+[rad, and parts of the size] on it: where a 2R arm is stretched, an elbow of 3e-8 rad is off by no more."""
+
+A_LITTLE, LEAST_BEND = 1e-4, 1e-2
+"""Step [rad, or parts of the size] over which a fold bends by more than this, or is none."""
+
 BESIDE = 32.0
 """At a fold a target may be out of reach by what a turn of one tolerance makes of the arm's size: candidates
 that are off by so many tolerances [rad, and parts of the size] are refined by distance and angle alike, and
@@ -69,3 +76,42 @@ def refined(arm: Arm, candidates: Array, target: Transform, tolerance: float) ->
             q[beside] = evened(arm, target, q[beside], tolerance)
             reached = are_solutions(errors_of(arm, arm.frames(q)[-1], target), arm, tolerance)
     return np.asarray(q[reached]), np.asarray(q[~reached])
+
+
+def settled_on_folds(arm: Arm, target: Transform, solutions: Array) -> Array:
+    """Return solutions, those on a fold that rounding has moved off it: an elbow stretched, not all but.
+
+    At a fold the least singular value of the Jacobian vanishes, and two solutions are one. Along the way v
+    that the Jacobian does not see, u·J v is all but linear, and the error grows with the square.
+
+    Args:
+        arm: the arm.
+        target: (4, 4).
+        solutions: (m, n).
+    """
+    if arm.redundancy:
+        return solutions
+    frames = arm.frames(solutions)
+    U, values, Vt = np.linalg.svd(arm.jacobians(frames) * arm.units)
+    last = arm.generic_rank - 1
+    beside = np.flatnonzero((values[:, last] > 0.0) & (values[:, last] <= FOLDED))
+    if not len(beside):
+        return solutions
+    u, v = U[beside, :, last], Vt[beside, last]
+
+    def lost(q: Array) -> Array:
+        J = arm.jacobians(arm.frames(q)) * arm.units
+        return np.asarray(np.einsum("mi,mij,mj->m", u, J, v))
+
+    q = solutions[beside]
+    for _ in range(2):
+        value = lost(q)
+        slope = (lost(q + A_LITTLE * v * arm.units) - value) / A_LITTLE
+        way = np.where(np.abs(slope) > LEAST_BEND, -value / np.where(slope == 0.0, 1.0, slope), 0.0)
+        q = q + way[:, None] * v * arm.units
+    errors = np.linalg.norm(errors_of(arm, arm.frames(q)[-1], target), axis=1)
+    before = np.linalg.norm(errors_of(arm, frames[-1][beside], target), axis=1)
+    settled = errors <= np.maximum(before, ROUNDED)
+    found = solutions.copy()
+    found[beside[settled]] = q[settled]
+    return found

@@ -15,7 +15,7 @@ from kinematics.inverse.limits import within_limits
 from kinematics.inverse.methods.closed_form import InverseClosedForm, candidates_beside, closed_form_of
 from kinematics.inverse.methods.locked import LockedArms, locked_arms_of
 from kinematics.inverse.methods.wrist_scalars import ClearWrist
-from kinematics.inverse.refinement import refined, solutions_of
+from kinematics.inverse.refinement import refined, settled_on_folds, solutions_of
 from kinematics.inverse.residuals import errors_of, pose_errors
 from kinematics.inverse.results import (
     Family,
@@ -87,8 +87,8 @@ class Solver:
     def nearest_first(self, answer: InverseKinematics, start: Sequence[float] | None) -> InverseKinematics:
         """Return the same answer, its solutions sorted by their distance from a start, if there is one.
 
-        Turns are measured on the circle, and slides in parts of the arm's size: the order is the same in every
-        unit of length.
+        Turns are measured on the circle, and slides in parts of the arm's size: the order is the same in
+        every unit of length.
 
         Args:
             answer: of this arm.
@@ -210,7 +210,8 @@ class Solver:
         alone = [part.joints for part in parts if not part.dimension]
         found: list[tuple[Array, Family | None]] = []
         if alone:
-            inside, fits = within_limits(np.array(alone), arm.revolute, self.box, arm.size)
+            settled = settled_on_folds(arm, goal.pose, np.array(alone))
+            inside, fits = within_limits(settled, arm.revolute, self.box, arm.size)
             found += [(q, None) for q in inside[fits]]
         follower = Follower(arm, goal.pose, goal.tolerance)
         continua = [part for part in parts if part.dimension]

@@ -450,6 +450,26 @@ def test_millimetres_or_metres():
     assert all(solution.residual < 1e-9 for solution in in_mm.solutions)
 
 
+@pytest.mark.parametrize("lengths", [(0.4, 0.3), (0.5, 0.3), (2.0, 1.0), (0.7, 0.45)])
+@pytest.mark.parametrize("elbow", [0.0, math.pi])
+@pytest.mark.parametrize("shoulder", [0.0, 0.3, math.radians(123.0), -2.9])
+def test_a_stretched_or_folded_elbow_is_so_to_rounding(lengths, elbow, shoulder):
+    table = numeric(Convention.STANDARD, *(("revolute", 0.0, a, 0.0, 0.0) for a in lengths))
+    answer = inverse_kinematics(table, end_pose(table, [shoulder, elbow]), reach=ArmReach.POSITION)
+    (solution,) = answer.solutions
+    assert abs(math.remainder(solution.joints[0] - shoulder, math.tau)) < 1e-13
+    assert abs(math.remainder(solution.joints[1] - elbow, math.tau)) < 1e-13
+    assert solution.residual < 1e-15 * sum(lengths)
+
+
+@pytest.mark.parametrize("off", [1e-6, 3e-7])
+def test_an_elbow_that_is_stretched_but_for_more_than_rounding_is_left_as_it_is(off):
+    stretched = -math.atan2(0.4318, 0.0203)
+    answer = inverse_kinematics(PUMA560, end_pose(PUMA560, [0.3, -0.4, stretched + off, 0.2, 0.9, 0.1]))
+    apart = [abs(solution.joints[2] - stretched) for solution in answer.solutions]
+    assert min(apart) == pytest.approx(off, rel=0.05)
+
+
 @pytest.mark.parametrize("seed", range(4))
 def test_solutions_are_sorted_by_their_distance_from_a_start_in_every_unit(seed):
     rng = np.random.default_rng(seed)
