@@ -21,7 +21,7 @@ from exercises.grading import Feedback, Finding, HelpLevel
 from exercises.instance import Instance
 from exercises.parts.context import Context
 from exercises.parts.protocol import Length, PartType, Reading
-from exercises.parts.report import Credit, Fact, PartReport, judged, told_from
+from exercises.parts.report import Credit, Fact, PartReport, judged, share_earned, told_from
 from exercises.parts.task import PartTask
 from kinematics.chain import Axis, chain_of_table, size_of
 from kinematics.errors import Fault
@@ -116,6 +116,18 @@ def relation(first: Axis, second: Axis, size: float) -> AxisRelation:
     return AxisRelation.SKEW_PERPENDICULAR if square else AxisRelation.SKEW_OBLIQUE
 
 
+def _facts(key: Schematic, answer: Schematic, feedback: list[Feedback]) -> list[Fact]:
+    return [*_joint_facts(key, answer, feedback), *_relation_facts(key, answer, feedback)]
+
+
+def _about_one_axis(key: Schematic) -> Schematic:
+    """Return what a table of zeros with revolute joints would show: as many as the robot's on one axis."""
+    return Schematic(
+        joints=(JointType.REVOLUTE,) * len(key.joints),
+        relations=(AxisRelation.COINCIDENT,) * len(key.relations),
+    )
+
+
 def _joint_facts(key: Schematic, answer: Schematic, feedback: list[Feedback]) -> list[Fact]:
     if len(answer.joints) != len(key.joints):
         feedback.append(Feedback(code="schematic_joint_count", params={"given": len(answer.joints)}))
@@ -193,15 +205,17 @@ class SchematicPart(PartType[Part, Schematic, Schematic]):
         return None if faults else raw
 
     def grade(self, part: Part, answer: Schematic, context: Context) -> PartReport:
-        """Judge a structure: each joint's type and each relation counts the same."""
+        """Judge each joint's type and each relation, less what turns about one axis have right."""
         key = schematic_of(context.reference_numbers)
         feedback: list[Feedback] = []
-        facts = [*_joint_facts(key, answer, feedback), *_relation_facts(key, answer, feedback)]
-        right = sum(fact.finding is Finding.OK for fact in facts)
-        if not feedback and right < len(facts):
+        facts = _facts(key, answer, feedback)
+        right = [fact.finding is Finding.OK for fact in facts]
+        if not feedback and not all(right):
             raise AssertionError("a wrong fact has its feedback")
         told = feedback or [Feedback(code="schematic_right")]
-        return judged(part, right / len(facts), Credit.KEY, facts=facts, feedback=told)
+        asked = {fact.where: fact.finding is Finding.OK for fact in _facts(key, _about_one_axis(key), [])}
+        score = share_earned(right, [asked.get(fact.where, True) for fact in facts])
+        return judged(part, score, Credit.KEY, facts=facts, feedback=told)
 
     def right(self, part: Part, context: Context) -> Schematic:
         """Return the robot's structure: it does not follow from a table."""

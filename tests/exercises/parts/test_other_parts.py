@@ -76,9 +76,10 @@ def test_a_right_structure() -> None:
 
 
 def test_each_wrong_fact_costs_its_share() -> None:
+    """The six revolute joints are worth no more than the five relations that nobody has for nothing."""
     wrong = Schematic(joints=(P, *PUMA.joints[1:]), relations=(A.PARALLEL, *PUMA.relations[1:]))
     report = part(judged("puma560", schematic=wrong), "schematic")
-    assert report.score == pytest.approx(9 / 11)
+    assert report.score == pytest.approx(1 - (1 + 5 / 6) / 5)
     assert codes(report) == ["schematic_joint_type", "schematic_relation"]
     assert [fact.where for fact in report.facts if fact.finding is Finding.WRONG] == [
         ("joints", 0),
@@ -116,7 +117,39 @@ def test_a_wrong_number_of_joints() -> None:
     short = Schematic(joints=PUMA.joints[:5], relations=PUMA.relations[:4])
     report = part(judged("puma560", schematic=short), "schematic")
     assert codes(report) == ["schematic_joint_count"]
-    assert report.score == pytest.approx(9 / 11)
+    assert report.score == pytest.approx(1 - (1 + 5 / 6) / 5)
+
+
+@pytest.mark.parametrize(
+    ("exercise_id", "n", "relation", "score"),
+    [
+        ("puma560", 6, A.COINCIDENT, 0.0),
+        ("puma560", 6, A.PARALLEL, 1 / 5),
+        ("rx90", 6, A.INTERSECTING_PERPENDICULAR, 4 / 5),
+        ("scara", 4, A.COINCIDENT, 0.0),
+        ("scara", 4, A.PARALLEL, 1 / 2),
+    ],
+)
+def test_revolute_joints_alone_earn_nothing(
+    exercise_id: str, n: int, relation: AxisRelation, score: float
+) -> None:
+    same = Schematic(joints=(R,) * n, relations=(relation,) * (n - 1))
+    assert part(judged(exercise_id, schematic=same), "schematic").score == pytest.approx(score)
+
+
+def test_joints_that_the_robot_does_not_have_only_lose() -> None:
+    scores = [
+        part(judged("puma560", schematic=longer), "schematic").score
+        for k in (0, 1, 2, 6, 57)
+        for longer in [
+            Schematic(
+                joints=PUMA.joints + (R,) * k, relations=PUMA.relations + (A.INTERSECTING_PERPENDICULAR,) * k
+            )
+        ]
+    ]
+    assert scores == sorted(scores, reverse=True)
+    assert scores[0] == 1.0
+    assert scores[1] < 0.8
 
 
 # the pose
