@@ -10,6 +10,7 @@ import math
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cache, lru_cache
+from typing import NamedTuple
 
 from exercises.grading.coarse import is_rounded_too_much
 from exercises.grading.edits.accused import accused, own_table_first
@@ -72,27 +73,37 @@ class Diagnosis:
     work: Work
 
 
+class Refused(NamedTuple):
+    """What was decided of a wrong answer.
+
+    Attributes:
+        decision: the decision.
+        comparison: in which way the answer was taken.
+        repairs: all that mends it, where they were found in telling that way from others.
+    """
+
+    decision: Decision
+    comparison: Comparison
+    repairs: tuple[Repaired, ...] | None
+
+
 def diagnosis(
-    decision: Decision,
-    comparison: Comparison,
-    tables: tuple[ReadTable, ReadTable],
-    policy: Policy,
-    weights: Weights,
+    refused: Refused, tables: tuple[ReadTable, ReadTable], policy: Policy, weights: Weights
 ) -> Diagnosis:
     """Find what is wrong with an answer, by a counted amount of work.
 
     Args:
-        decision: what was decided.
-        comparison: in which way the answer was taken.
+        refused: what was decided.
         tables: the key and the answer as read.
         policy: what the answer is held to.
         weights: what facts and slips are worth.
     """
+    decision, comparison, known = refused
     work = work_on(comparison, tables, policy)
-    repairs: tuple[Repaired, ...] = ()
+    repairs: tuple[Repaired, ...] = known or ()
     score = 0.0
     try:
-        if decision is not IMPRECISE:
+        if decision is not IMPRECISE and known is None:
             repairs = find_repairs(replace(work, meter=Meter(MOST_WORK)))
     except Exception:
         _LOG.exception("no repairs")
@@ -129,7 +140,7 @@ def clearest(
     ways: Sequence[Comparison],
     tables: tuple[ReadTable, ReadTable],
     policy: Policy,
-) -> int:
+) -> Refused:
     """Return the best reading of a wrong answer: one of the right robot, else the one with least wrong.
 
     One that is only imprecise has nothing wrong. One wrong name among numbers so leaves the numbers what they
@@ -144,29 +155,37 @@ def clearest(
     """
     right = [i for i, decision in enumerate(decisions) if decision.same_robot]
     right = right or [i for i, decision in enumerate(decisions) if decision is IMPRECISE]
-    if right or len(ways) == 1:
-        return min(right, default=0)
-    try:
-        works = [work_on(way, tables, policy) for way in ways]
-        off = [lost(*one, Weights()) for one in zip(decisions, works, strict=True)]
-        least = [i for i, weight in enumerate(off) if weight <= min(off) + SAME]
-        return least[0] if len(least) == 1 else least[_soonest_mended([works[i] for i in least])]
-    except Exception:
-        _LOG.exception("no way is clearer than another")
-        return 0
+    best, which, repairs = min(right, default=0), 0, None
+    if not right and len(ways) > 1:
+        try:
+            works = [work_on(way, tables, policy) for way in ways]
+            off = [lost(*one, Weights()) for one in zip(decisions, works, strict=True)]
+            least = [i for i, weight in enumerate(off) if weight <= min(off) + SAME]
+            if len(least) > 1:
+                which, repairs = _soonest_mended([works[i] for i in least])
+            best = least[which]
+        except Exception:
+            _LOG.exception("no way is clearer than another")
+    return Refused(decisions[best], ways[best], repairs)
 
 
-def _soonest_mended(works: Sequence[Work]) -> int:
-    """Return which reading the fewest edits mend: the first of them, if several are as near."""
+def _soonest_mended(works: Sequence[Work]) -> tuple[int, tuple[Repaired, ...] | None]:
+    """Return which reading the fewest edits mend: the first of them, if several are as near; and these.
+
+    They are all that mends it; None where the work ran out, or two edits were not looked for.
+    """
     best, fewest = 0, math.inf
+    known: tuple[Repaired, ...] | None = None
     for i, work in enumerate(works):
-        repairs = find_repairs(replace(work, meter=Meter(WORK_OF_READINGS // len(works))))
+        meter, pairs = Meter(WORK_OF_READINGS // len(works)), math.isinf(fewest)
+        repairs = find_repairs(replace(work, meter=meter), pairs=pairs)
         edits = len(repairs[0].changes) if repairs else math.inf
-        if edits < fewest:
+        if edits < fewest or not i:
             best, fewest = i, edits
+            known = repairs if pairs and not meter.ran_out else None
         if fewest == 1:
             break
-    return best
+    return best, known
 
 
 def as_typed(

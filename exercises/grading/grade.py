@@ -10,6 +10,7 @@ from exercises.grading.edits.in_common import in_common
 from exercises.grading.edits.repairs import Repaired
 from exercises.grading.explanation import (
     Diagnosis,
+    Refused,
     as_typed,
     clearest,
     diagnosis,
@@ -159,17 +160,17 @@ def _diagnosed(
         shortened, kept = without_idle_rows(submission, but=forgotten)
     if shortened is not submission:
         again = _decided(reference, shortened, policy, parameters)
-        decided = decided if isinstance(again, Verdict) else again
-    found = diagnosis(*decided, (reference, shortened), policy, weights)
+        decided = decided._replace(repairs=None) if isinstance(again, Verdict) else again
+    found = diagnosis(decided, (reference, shortened), policy, weights)
     forgotten = _row_left_zero(found.repairs, kept, len(submission.table.rows))
     if forgotten:
         filled, with_it = without_idle_rows(submission, but=forgotten)
         again = _decided(reference, filled, policy, parameters)
         if not isinstance(again, Verdict):
-            other = diagnosis(*again, (reference, filled), policy, weights)
+            other = diagnosis(again, (reference, filled), policy, weights)
             if other.repairs and len(other.repairs[0].changes) == 1:
-                return replace(other, score=found.score), again[1], with_it
-    return found, decided[1], kept
+                return replace(other, score=found.score), again.comparison, with_it
+    return found, decided.comparison, kept
 
 
 def _row_left_zero(repairs: Sequence[Repaired], kept: Sequence[int], rows: int) -> tuple[int, ...]:
@@ -221,8 +222,8 @@ def _decided(
     submission: ReadTable,
     policy: Policy,
     parameters: tuple[tuple[str, float], ...],
-) -> Verdict | tuple[Decision, Comparison]:
-    """The verdict on a right answer; of a wrong one the decision that says most, and what was compared."""
+) -> Verdict | Refused:
+    """The verdict on a right answer; of a wrong one the decision that says most."""
     ways: list[Comparison] = []
     decisions: list[Decision] = []
     for way in comparisons(reference, submission, dict(parameters)):
@@ -233,8 +234,7 @@ def _decided(
         told = decision if telling is way else judged(telling, policy)
         decisions.append(as_typed(told, telling, (reference, submission), policy))
         ways.append(telling)
-    best = clearest(decisions, ways, (reference, submission), policy)
-    return decisions[best], ways[best]
+    return clearest(decisions, ways, (reference, submission), policy)
 
 
 def _accepted(decision: Decision, comparison: Comparison, submission: ReadTable) -> Verdict:

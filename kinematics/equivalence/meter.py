@@ -46,9 +46,11 @@ class Meter:
 
     Attributes:
         left: units that may still be spent.
+        ran_out: a step was ended, or the search: with more to spend, other things might be found.
     """
 
     left: int
+    ran_out: bool = False
 
     def charge(self, units: int) -> None:
         """Spend some units.
@@ -57,6 +59,7 @@ class Meter:
             WorkExhaustedError: none are left, or far too few for so large a step.
         """
         if self.left <= 0 or units > self.left + OVERDRAFT:
+            self.ran_out = True
             raise WorkExhaustedError
         self.left -= units
 

@@ -61,21 +61,25 @@ class Repaired:
         return table
 
 
-def find_repairs(work: Work) -> tuple[Repaired, ...]:
+def find_repairs(work: Work, *, pairs: bool = True) -> tuple[Repaired, ...]:
     """Return the repairs of a wrong table, likeliest first; of two edits only if no one edit helps.
 
     The search is bounded by the work that the meter of `work` grants.
+
+    Args:
+        work: the table.
+        pairs: whether two edits are looked for.
     """
     if abs(work.excess) > MOST_JOINTS_APART:
         return ()
     found: list[Repaired] = []
     with suppress(WorkExhaustedError):
-        for repaired in islice(_found(work), MOST_REPAIRS):
+        for repaired in islice(_found(work, pairs=pairs), MOST_REPAIRS):
             found.append(repaired)  # noqa: PERF402 - what was found before the work ran out counts
     return tuple(found)
 
 
-def _found(work: Work) -> Iterator[Repaired]:
+def _found(work: Work, *, pairs: bool) -> Iterator[Repaired]:
     """Single edits, by growing effort; if there are none, pairs."""
     here = tried_unchanged(work)
     near = work if here is None else replace(work, reach=here.reach, angular=here.angular, off=here.off)
@@ -92,10 +96,11 @@ def _found(work: Work) -> Iterator[Repaired]:
                 found.append(change)
                 yield Repaired((change,))
         if found:
-            if all(change.code == "row_missing" for change in found):
+            if pairs and all(change.code == "row_missing" for change in found):
                 yield from _pairs(work, _nearer(work, here, joint_left_out))
             return
-    yield from _pairs(work, [*_nearer(work, here), *_beforehand(work)])
+    if pairs:
+        yield from _pairs(work, [*_nearer(work, here), *_beforehand(work)])
 
 
 def _says_little(work: Work, here: Trial | None) -> bool:

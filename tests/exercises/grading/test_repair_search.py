@@ -9,8 +9,18 @@ from dataclasses import replace
 
 import pytest
 
-from exercises.grading import BaseRule, DirectionRule, Finding, Policy, ToolRule, ZeroRule, grade
-from exercises.grading.edits.repairs import MOST_WORK, find_repairs
+from exercises.grading import (
+    BaseRule,
+    DirectionRule,
+    Finding,
+    Policy,
+    ToolRule,
+    ZeroRule,
+    explanation,
+    grade,
+)
+from exercises.grading.edits.repairs import MOST_WORK, Repaired, find_repairs
+from exercises.grading.edits.work import Work
 from exercises.grading.explanation import work_on
 from exercises.grading.facts import Weights
 from exercises.grading.judging.comparison import comparisons
@@ -412,3 +422,22 @@ def test_facts_that_are_wrong_are_counted(
     tables = of(key), of(with_cells(key, *cells))
     work = work_on(comparisons(*tables, {})[0], tables, FREE)
     assert lost(REFUTED, work, Weights()) == facts
+
+
+@pytest.mark.parametrize("cells", [[(4, 2, "d3")], [(4, 2, "d3"), (3, 0, 0)]], ids=["one", "two"])
+def test_what_mends_the_nearest_reading_is_searched_for_once(
+    cells: list[tuple[int, int, Cell]], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    searched: list[bool] = []
+
+    def counted(work: Work, *, pairs: bool = True) -> tuple[Repaired, ...]:
+        searched.append(pairs)
+        return find_repairs(work, pairs=pairs)
+
+    monkeypatch.setattr(explanation, "find_repairs", counted)
+    answer = of(with_cells(PUMA, (1, 2, 0.12345), *cells))
+    assert len(comparisons(of(PUMA), answer, VALUES)) == 2
+    verdict = grade(of(PUMA), answer, USUAL, VALUES)
+    assert len(verdict.repairs[0].edits) == len(cells)
+    # of the other reading only that no single edit mends it is asked
+    assert searched == [True, False][: len(cells)]
