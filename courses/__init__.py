@@ -9,7 +9,7 @@ enrolment        people and courses, as a launch tells of them
 sessions         who is signed in
 links, link_settings  what staff changes of a link
 attempts, submissions  what was handed in is stored before it is answered
-judged, regrading  the judgement that counts, and judging again
+judged, regrading, settling  the judgement that counts, judging again, and what follows from it
 gradebook, outbox  the counted score, and on its way to the platform
 statistics, attempt_export  what lecturers see and take away
 publications     published exercises, by content

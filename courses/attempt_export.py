@@ -12,7 +12,7 @@ from courses.attempts import Code, attempt_of, path_of_codes
 from courses.judged import judged, of_students
 from courses.model import Attempt, Link
 from courses.policies import AttemptOutcome, worth
-from courses.regrading import stored_path
+from courses.settling import stored_path
 from courses.storage import Store
 
 

@@ -16,6 +16,8 @@ from courses.policies import Allowance, AttemptOutcome, Counted, counted, score_
 from courses.statements import upsert_all
 
 _OUTBOX = records.score_to_send
+NAMED = 200
+"""So many people are named in a query; of more, all of the link are read."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -82,8 +84,9 @@ def regrade(
         now: the time.
     """
     longest = longest_extra(connection, link.id)
-    outcomes = effective_outcomes(connection, link.id, list(allowances))
-    before, queued = _grades(connection, link.id), _queued(connection, link.id)
+    people = list(allowances)
+    outcomes = effective_outcomes(connection, link.id, people)
+    before, queued = _grades(connection, link.id, people), _queued(connection, link.id, people)
     changes = []
     for person_id, allowance in allowances.items():
         made = outcomes.get(person_id, [])
@@ -111,16 +114,21 @@ def longest_extra(connection: sa.Connection, link_id: int) -> timedelta:
     return timedelta(seconds=connection.scalar(found) or 0)
 
 
-def _grades(connection: sa.Connection, link_id: int) -> dict[int, Counted]:
+def _grades(connection: sa.Connection, link_id: int, people: Collection[int]) -> dict[int, Counted]:
     table = records.grade
     wanted = sa.select(table.c.person_id, table.c.number, table.c.score).where(table.c.link_id == link_id)
-    return {
-        person: Counted(number=number, worth=worth) for person, number, worth in connection.execute(wanted)
-    }
+    rows = connection.execute(wanted.where(_among(table, people)))
+    return {person: Counted(number=number, worth=worth) for person, number, worth in rows}
 
 
-def _queued(connection: sa.Connection, link_id: int) -> frozenset[int]:
-    return frozenset(connection.scalars(sa.select(_OUTBOX.c.person_id).where(_OUTBOX.c.link_id == link_id)))
+def _queued(connection: sa.Connection, link_id: int, people: Collection[int]) -> frozenset[int]:
+    wanted = sa.select(_OUTBOX.c.person_id).where(_OUTBOX.c.link_id == link_id)
+    return frozenset(connection.scalars(wanted.where(_among(_OUTBOX, people))))
+
+
+def _among(table: sa.FromClause, people: Collection[int]) -> sa.ColumnElement[bool]:
+    """Return the condition that a row belongs to some people; where they are many, to anybody."""
+    return table.c.person_id.in_(people) if len(people) <= NAMED else sa.true()
 
 
 def effective_outcomes(
@@ -130,7 +138,7 @@ def effective_outcomes(
     attempt, regraded, run = records.attempt, records.regraded, records.regrading
     wanted = (
         sa.select(attempt.c.id, attempt.c.person_id, attempt.c.number, attempt.c.at, attempt.c.score)
-        .where(attempt.c.link_id == link_id)
+        .where(attempt.c.link_id == link_id, _among(attempt, people))
         .order_by(attempt.c.number)
     )
     again = (
@@ -139,8 +147,9 @@ def effective_outcomes(
         .where(run.c.link_id == link_id, run.c.applied.is_not(None))
         .order_by(regraded.c.regrading_id)
     )
-    if len(people) == 1:
-        wanted = wanted.where(attempt.c.person_id.in_(people))
+    if len(people) <= NAMED:
+        again = again.join(attempt, attempt.c.id == regraded.c.attempt_id)
+        again = again.where(attempt.c.link_id == link_id, _among(attempt, people))
     newest = {row.attempt_id: row.score for row in connection.execute(again)}
     chosen = set(people)
     found: dict[int, list[AttemptOutcome]] = defaultdict(list)

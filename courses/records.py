@@ -233,6 +233,7 @@ regrading = sa.Table(
     sa.Column("version", PlainText, nullable=False),
     sa.Column("started", UtcTime, nullable=False),
     sa.Column("applied", UtcTime),
+    sa.Column("unsettled_from", sa.Integer),
 )
 
 regraded = sa.Table(

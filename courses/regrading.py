@@ -8,7 +8,7 @@ the exercise as it is now cannot read keeps what counts.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
 from datetime import datetime
 from enum import StrEnum
@@ -17,11 +17,11 @@ from typing import Any
 import sqlalchemy as sa
 
 from courses import records
-from courses.attempts import Code, attempt_of, finding_rows, path_of_codes
+from courses.attempts import Code, attempt_of
 from courses.judged import judged
-from courses.links import regrade_people
 from courses.model import Attempt
 from courses.refusals import OutdatedError, unknown_record
+from courses.settling import settle
 from courses.statements import insert_all_once, record_of
 from courses.storage import Store
 from kinematics.errors import Fault
@@ -204,7 +204,9 @@ def _listed(run: int, own: sa.CTE) -> sa.Select[Any]:
 
 
 def apply(store: Store, link_id: int, run: int, basis: str, now: datetime) -> None:
-    """Let the run's scores count, in one transaction; what changed goes to the gradebook again.
+    """Let the run's scores count; what changed goes to the gradebook again.
+
+    A run whose application was interrupted is settled to its end.
 
     Args:
         store: the database.
@@ -218,55 +220,14 @@ def apply(store: Store, link_id: int, run: int, basis: str, now: datetime) -> No
         OutdatedError: its judgements would be others now, or others have been applied since.
     """
     with store.writing() as connection:
-        own = sa.and_(_RUN.c.id == run, _RUN.c.link_id == link_id, _RUN.c.applied.is_(None))
-        stands = sa.and_(_RUN.c.version == basis, _RUN.c.id > _last_applied(link_id)).label("stands")
-        waiting = connection.execute(sa.select(stands).where(own).with_for_update()).first()
-        if waiting is None:
+        own = sa.and_(_RUN.c.id == run, _RUN.c.link_id == link_id)
+        basis_stands = sa.and_(_RUN.c.version == basis, _RUN.c.id > _last_applied(link_id)).label("stands")
+        wanted = sa.select(_RUN.c.applied, _RUN.c.unsettled_from, basis_stands)
+        found = connection.execute(wanted.where(own).with_for_update()).first()
+        if found is None or (found.applied is not None and found.unsettled_from is None):
             raise unknown_record("regrading")
-        if not waiting.stands:
-            raise OutdatedError(Fault.at("regrading_outdated"))
-        connection.execute(sa.update(_RUN).where(own).values(applied=now))
-        mine = _DONE.c.regrading_id == run
-        _replace_findings(connection, link_id, run)
-        earlier = _DONE.alias()
-        before = sa.exists().where(
-            earlier.c.attempt_id == _DONE.c.attempt_id, earlier.c.regrading_id != _DONE.c.regrading_id
-        )
-        people = (
-            sa.select(_ATTEMPT.c.person_id)
-            .join(_DONE, _DONE.c.attempt_id == _ATTEMPT.c.id)
-            .where(mine, sa.or_(_DONE.c.score != _ATTEMPT.c.score, before))
-            .distinct()
-        )
-        regrade_people(connection, link_id, list(connection.scalars(people)), now)
-
-
-def _replace_findings(connection: sa.Connection, link_id: int, run: int) -> None:
-    """Put the codes of a run in the place of those that stand beside its attempts, where they differ."""
-    finding = records.finding
-    judged = connection.execute(
-        sa.select(_DONE.c.attempt_id, _DONE.c.report).where(_DONE.c.regrading_id == run)
-    )
-    now = {
-        row.attempt_id: finding_rows(row.attempt_id, link_id, stored_path(row.report))
-        for row in judged
-        if row.report is not None
-    }
-    stand: dict[int, list[dict[str, Any]]] = {attempt_id: [] for attempt_id in now}
-    wanted = sa.select(finding).where(finding.c.link_id == link_id)
-    for row in connection.execute(wanted.order_by(finding.c.attempt_id, finding.c.position)):
-        if row.attempt_id in stand:
-            stand[row.attempt_id].append(dict(row._mapping))
-    changed = [attempt_id for attempt_id, rows in now.items() if rows != stand[attempt_id]]
-    for start in range(0, len(changed), BATCH):
-        some = changed[start : start + BATCH]
-        connection.execute(sa.delete(finding).where(finding.c.attempt_id.in_(some)))
-        found = [row for attempt_id in some for row in now[attempt_id]]
-        if found:
-            connection.execute(sa.insert(finding), found)
-
-
-def stored_path(judgement: Mapping[str, Any]) -> Iterable[Code]:
-    """Return the codes of a judgement that a run keeps; runs of earlier versions kept the full report."""
-    path = judgement.get("path")
-    return path_of_codes(judgement["analysis"]) if path is None else map(tuple, path)
+        if found.applied is None:
+            if not found.stands:
+                raise OutdatedError(Fault.at("regrading_outdated"))
+            connection.execute(sa.update(_RUN).where(own).values(applied=now, unsettled_from=0))
+    settle(store, run, now)

@@ -52,6 +52,7 @@ from service.work.heaps import share_heaps
 from service.work.reading_ahead import ReadingAhead
 from service.work.retention import Retention
 from service.work.score_sender import ScoreSender
+from service.work.settling import Settling
 from service.work.thread_switching import switch_threads_often
 
 _log = logging.getLogger("uvicorn.error")
@@ -204,6 +205,7 @@ def _background_threads(resources: Resources) -> Iterator[BackgroundThread]:
         return
     yield DrawingAhead(courses.store, resources.exercises, resources.figures, resources.is_busy)
     yield ScoreSender(courses)
+    yield Settling(courses.store)
     if (retention := _retention(resources)) is not None:
         yield retention
     yield from (resources.closed_forms, resources.figures)

@@ -12,6 +12,7 @@ regrading_processes  judging stored attempts again
 reading_ahead, drawing_ahead  what will be asked for, read and drawn beforehand
 background       a thread that does something again and again:
   score_sender   scores to gradebooks
+  settling       what follows from a regrading whose request was interrupted
   retention      what has been kept long enough is removed
 callbacks        feedback sent later
 heaps, thread_switching, collection  how the threads of a process share memory and take turns

@@ -6,11 +6,12 @@ import csv
 import json
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import replace
+from datetime import datetime
 
 import pytest
 import sqlalchemy as sa
 
-from courses import records
+from courses import records, regrading, settling
 from courses.attempt_export import ExportedAttempt, exported_attempts
 from courses.attempts import path_of_codes
 from courses.judged import AttemptFilter, attempts_behind
@@ -19,8 +20,9 @@ from courses.model import Attempt, LinkSettings, Role
 from courses.outbox import delivered, lease_scores
 from courses.policies import AttemptPolicy
 from courses.privacy import erase_person
-from courses.refusals import OutdatedError, UnknownRecordError
+from courses.refusals import OutdatedError, StorageUnavailableError, UnknownRecordError
 from courses.regrading import Rejudged, Scope, apply, begin, changes, rejudge, unread
+from courses.settling import settle, unsettled
 from courses.statistics import class_overview, link_statistics, misconceptions, unexplained
 from courses.storage import Store
 from service.wire.courses.course_views import attempt_record, csv_of, json_of
@@ -171,6 +173,69 @@ def test_a_regrading_is_looked_at_then_applied_and_resumed(store: Store) -> None
     assert misconceptions(store, ann.link.id)[0]["students"] == 1
     with pytest.raises(UnknownRecordError):
         apply(store, ann.link.id, run, "2", NOW)
+
+
+@pytest.mark.parametrize("goes_on", ["asked again", "looked after"])
+def test_an_application_that_was_interrupted_goes_on(
+    store: Store, monkeypatch: pytest.MonkeyPatch, goes_on: str
+) -> None:
+    """A few students at a time: who hands in meanwhile does not wait for all of the class."""
+    monkeypatch.setattr(settling, "BATCH", 2)
+    names = ("ann", "bob", "eve")
+    for name in names:
+        submitted(store, joined(store, name), 0.5, key="1", report=WRONG)
+    submitted(store, joined(store, "bob"), 0.25, key="2", report=WRONG)
+    link = joined(store, "ann").link
+    run = begin(store, link.id, Scope.ALL, "2", NOW)
+    rejudge(store, run, lambda batch: [Rejudged(attempt_id=a.id, score=1.0, correct=True) for a in batch])
+    settled: list[list[int]] = []
+    derived = settling.regrade_people
+
+    def derived_for_one(connection: sa.Connection, link_id: int, people: list[int], now: datetime) -> None:
+        if len(settled) == 1:
+            raise StorageUnavailableError(is_gone=True)
+        settled.append(people)
+        derived(connection, link_id, people, now)
+
+    monkeypatch.setattr(settling, "regrade_people", derived_for_one)
+    with pytest.raises(StorageUnavailableError):
+        apply(store, link.id, run, "2", NOW)
+    monkeypatch.setattr(settling, "regrade_people", derived)
+    ids = {name: joined(store, name).person.id for name in names}
+    assert settled == [[ids["ann"]]]
+    submitted(store, joined(store, "ann"), 0.5, key="2", report=WRONG)
+    assert unsettled(store, NOW) == []  # it may still be under way
+    if goes_on == "asked again":
+        apply(store, link.id, run, "3", NOW)
+    else:
+        (left,) = unsettled(store, NOW + minutes(1))
+        settle(store, left, NOW)
+    assert unsettled(store, NOW + minutes(1)) == []
+    sent = {item.person_id: item.score for item in lease_scores(store, NOW)}
+    assert sent == {ids[name]: 1.0 for name in names}
+    assert misconceptions(store, link.id)[0]["students"] == 1  # what Ann has handed in since
+    with pytest.raises(UnknownRecordError):
+        apply(store, link.id, run, "2", NOW)
+
+
+def test_a_later_regrading_counts_before_an_interrupted_one_is_settled(
+    store: Store, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    ann = joined(store, "ann")
+    submitted(store, ann, 0.5, key="1", report=WRONG)
+    submitted(store, joined(store, "bob"), 0.5, key="1", report=WRONG)
+    settle_at_once = regrading.settle
+    runs = []
+    for scope, path in ((Scope.ALL, MENDED), (Scope.COUNTED, ())):
+        run = begin(store, ann.link.id, scope, "2", NOW)
+        found = Rejudged(attempt_id=0, score=0.75, path=path)
+        rejudge(store, run, lambda batch, found=found: [replace(found, attempt_id=a.id) for a in batch])
+        monkeypatch.setattr(regrading, "settle", (lambda *_: None) if not runs else settle_at_once)
+        apply(store, ann.link.id, run, "2", NOW)
+        runs.append(run)
+    assert misconceptions(store, ann.link.id) == []
+    settle(store, runs[0], NOW)
+    assert misconceptions(store, ann.link.id) == []
 
 
 def test_a_mend_that_is_taken_back_brings_the_codes_back(store: Store) -> None:

@@ -1,0 +1,39 @@
+"""Settles regradings whose request ended before its time: its process was killed, or the database gone."""
+
+from __future__ import annotations
+
+import logging
+import random
+from datetime import timedelta
+
+from courses.refusals import StorageUnavailableError
+from courses.settling import settle, unsettled
+from courses.storage import Store
+from service.course_resources import now
+from service.work.background import BackgroundThread
+
+AGAIN = 60.0
+"""Time from one look to the next [s]."""
+PATIENCE = timedelta(minutes=5)
+"""So long a request has to itself; the largest classes take a minute or two."""
+
+_log = logging.getLogger("framewise.settling")
+
+
+class Settling(BackgroundThread):
+    """Brings to its end what nobody waits for any more."""
+
+    def __init__(self, store: Store, *, again: float = AGAIN, patience: timedelta = PATIENCE) -> None:
+        super().__init__("settling")
+        self._store, self._again, self._patience = store, again, patience
+
+    def _run(self) -> None:
+        while not self.stopping.wait(self._again * random.uniform(0.5, 1.5)):  # noqa: S311
+            try:
+                for run in unsettled(self._store, now() - self._patience):
+                    settle(self._store, run, now())
+                    _log.info("settled what a regrading has left")
+            except StorageUnavailableError:
+                continue
+            except Exception:
+                _log.exception("what a regrading has left could not be settled")
