@@ -47,7 +47,7 @@ class Store:
     Attributes:
         engine: SQLAlchemy's.
         file: the SQLite file; None for PostgreSQL.
-        takes_writes: whether the last transaction that changed something could be stored.
+        takes_writes: whether nothing was refused since a trial last found room.
     """
 
     def __init__(self, engine: sa.Engine, file: Path | None) -> None:
@@ -100,10 +100,11 @@ class Store:
         except StorageUnavailableError as error:
             self.takes_writes = self.takes_writes and not error.is_gone
             raise
-        self.takes_writes = True
 
     def check(self) -> None:
-        """Make sure that the database answers, and that it takes something again if it last did not.
+        """Make sure that the database answers, and that it takes something again if it once did not.
+
+        What changes little or nothing is stored on a full disk, too, and says nothing of the next attempt.
 
         Raises:
             StorageUnavailableError: it does not.
@@ -122,6 +123,7 @@ class Store:
             connection.execute(sa.insert(one_time_code).values(code_hash=code, expires=past, **tried))
         with self.writing() as connection:
             connection.execute(sa.delete(one_time_code).where(one_time_code.c.code_hash == code))
+        self.takes_writes = True
 
     def _check_file(self) -> None:
         """Make sure that the file is the one that was opened: what another name holds ends with the process.

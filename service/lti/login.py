@@ -24,8 +24,11 @@ LONGEST = 4096
 """Characters of a parameter; hints of platforms have a few hundred."""
 LOGIN = timedelta(minutes=10)
 """Time between login and launch: a person may have to sign in to the platform."""
-LONGEST_REQUEST = 2048
-"""Characters of a request that its state repeats: servers take addresses of 8 KiB."""
+LONGEST_ADDRESS = 2048
+"""Characters of an address up to which its state repeats the request: what stands in it twice is long.
+
+IIS takes queries of 2 KiB and Apache requests of 8 KiB; some platforms put a signed token into their hints.
+"""
 _PURPOSE = "logins"
 
 
@@ -51,7 +54,8 @@ class Login:
         browser_hash: of the secret that only the browser of the login knows.
         target: where the platform wants to go.
         storage_target: the frame in which the platform stores that secret, if it does.
-        again: the parameters of the login, to begin it again in a window of its own; none if they are long.
+        again: the parameters of the login, to begin it again in a window of its own; none if the address
+            would be long.
     """
 
     platform_id: int
@@ -61,15 +65,34 @@ class Login:
     again: Mapping[str, str]
 
 
-def state_of(store: Store, platform_id: int, request: LoginRequest, browser: str, now: datetime) -> str:
+def redirection(
+    store: Store, platform: LtiPlatform, request: LoginRequest, browser: str, redirect_uri: str, now: datetime
+) -> tuple[str, str]:
+    """Return the state of a login, and the address where the browser goes with it."""
+    state = address = ""
+    for again in (request.parameters, {}):
+        state = state_of(store, platform.id, request, browser, now, again)
+        address = authorization_address(request, platform, redirect_uri=redirect_uri, state=state)
+        if len(address) <= LONGEST_ADDRESS:
+            break
+    return state, address
+
+
+def state_of(
+    store: Store,
+    platform_id: int,
+    request: LoginRequest,
+    browser: str,
+    now: datetime,
+    again: Mapping[str, str],
+) -> str:
     """Return a state that carries a login: sealed, and good for `LOGIN`."""
-    is_short = sum(map(len, request.parameters.values())) <= LONGEST_REQUEST
     content = {
         "platform_id": platform_id,
         "browser_hash": hashed(browser),
         "target": request.target,
         "storage_target": request.storage_target,
-        "again": dict(request.parameters) if is_short else {},
+        "again": dict(again),
         "expires": (now + LOGIN).timestamp(),
     }
     return sealed(store, _PURPOSE, content)

@@ -23,7 +23,7 @@ from courses.platforms import add_platform, set_status
 from courses.records import metadata
 from courses.storage import Store
 from service.course_resources import now
-from service.lti.login import LOGIN, login_of, read_login, state_of
+from service.lti.login import LOGIN, login_of, read_login, redirection
 from tests.lti.classes import LEARNER, Browser, Lms
 from tests.lti.key_server import KeyServer
 
@@ -270,21 +270,27 @@ def test_a_state_is_good_for_ten_minutes(keys: KeyServer, store: Store, platform
     target = "https://tool.example/lti/launch"
     asked = {"iss": keys.root, "login_hint": "eve", "target_link_uri": target}
     begun = now()
-    state = state_of(store, platform.id, read_login(asked, "https://tool.example"), "browser", begun)
+    request = read_login(asked, "https://tool.example")
+    state, _ = redirection(store, platform, request, "browser", target, begun)
     found = login_of(store, state, begun + LOGIN - timedelta(seconds=1))
     assert found is not None
     assert (found.platform_id, found.target, found.again) == (platform.id, target, asked)
     assert login_of(store, state, begun + LOGIN) is None
 
 
-def test_a_long_request_is_not_repeated_in_its_state(store: Store, platform: Platform) -> None:
-    """Servers take addresses of 8 KiB, and the platform's hints stand in the address already."""
-    asked = {"iss": "i", "login_hint": token_hex(2000), "target_link_uri": "https://tool.example/lti/launch"}
-    state = state_of(store, platform.id, read_login(asked, "https://tool.example"), "browser", now())
+@pytest.mark.parametrize(("hint", "is_repeated"), [(100, True), (400, False), (2000, False)])
+def test_a_request_is_not_repeated_where_the_address_would_be_long(
+    store: Store, platform: Platform, hint: int, *, is_repeated: bool
+) -> None:
+    """IIS takes queries of 2 KiB, and the platform's hints stand in the address already."""
+    target = "https://tool.example/lti/launch"
+    hints = {"login_hint": token_hex(hint), "lti_message_hint": token_hex(hint)}
+    request = read_login({"iss": "i", "target_link_uri": target, **hints}, "https://tool.example")
+    state, address = redirection(store, platform, request, "browser", target, now())
     found = login_of(store, state, now())
     assert found is not None
-    assert found.again == {}
-    assert len(state) < 500
+    assert bool(found.again) == is_repeated
+    assert len(address) < (2048 if is_repeated else 1000 + 4 * hint)
 
 
 def test_a_nonce_works_once(forger: Forger, keys: KeyServer, store: Store, platform: Platform) -> None:

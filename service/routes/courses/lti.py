@@ -33,16 +33,7 @@ from service.http.problems import ServiceError
 from service.lti.fetching import http_address, origin_of
 from service.lti.launch import Expected, Launch, read_launch
 from service.lti.launch_errors import LaunchError, LoginError
-from service.lti.login import (
-    LOGIN,
-    Login,
-    LoginRequest,
-    authorization_address,
-    login_of,
-    nonce_of,
-    read_login,
-    state_of,
-)
+from service.lti.login import LOGIN, Login, LoginRequest, login_of, nonce_of, read_login, redirection
 from service.messages import languages
 from service.resources import resources_of
 from service.web.launch_page import answered, launch_page, refused, step
@@ -90,8 +81,7 @@ def _login(request: Request, given: Mapping[str, str]) -> Response:
     asked = read_login(given, origin_of(root))
     platform = _platform_for(courses, asked)
     browser = new_token()
-    state = state_of(courses.store, platform.id, asked, browser, now())
-    address = authorization_address(asked, platform, redirect_uri=f"{root}lti/launch", state=state)
+    state, address = redirection(courses.store, platform, asked, browser, f"{root}lti/launch", now())
     if asked.storage_target:
         values = step(
             "store",
