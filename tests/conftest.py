@@ -52,6 +52,15 @@ def pytest_collection() -> Generator[None, object, object]:
         gc.enable()
 
 
+@pytest.fixture(scope="session", autouse=True)
+def no_lane_stands_back() -> Iterator[None]:
+    """On a busy machine a process that stands back behind all others starts in half a minute."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("service.work.workers.SLOW_NICENESS", 0)
+        patch.setattr("service.work.regrading_processes.NICENESS", 0)
+        yield
+
+
 @pytest.fixture(scope="session")
 def postgresql() -> Iterator[str]:
     """URL of a PostgreSQL server."""

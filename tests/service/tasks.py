@@ -24,6 +24,12 @@ def asleep(seconds: float) -> float:
     return seconds
 
 
+def until_there(path: str) -> None:
+    """Wait for a file."""
+    while not os.path.exists(path):
+        time.sleep(0.005)
+
+
 def noted(path: str, text: str) -> str:
     with open(path, "a") as file:
         file.write(text)
