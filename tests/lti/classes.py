@@ -38,7 +38,7 @@ def lms_process() -> Iterator[Lms]:
     finally:
         lms.client.close()
         process.stdin.close()
-        process.wait(timeout=10)
+        process.wait(timeout=60)
         process.stdout.close()
 
 

@@ -70,14 +70,13 @@ def test_an_endless_head_behind_a_request_in_progress_costs_no_more(base_url: st
 
 
 def taken(base_url: str, beginning: bytes) -> int:
-    """How many bytes of something without an end the server takes, in five seconds at most."""
-    sent, until = 0, time.monotonic() + 5
+    """How many bytes of something without an end the server takes, of a hundred megabytes."""
+    sent = 0
     with connected(base_url) as connection, contextlib.suppress(ConnectionError):
         connection.sendall(beginning)
         while sent < 100 * 1024 * 1024:
             connection.sendall(b"a" * 65536)
             sent += 65536
-            assert time.monotonic() < until
     return sent
 
 
@@ -113,9 +112,12 @@ def test_a_slow_head_is_given_up(base_url: str, monkeypatch: pytest.MonkeyPatch)
 def test_a_connection_rests_between_requests_longer_than_a_head_may_take(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    monkeypatch.setattr("service.http.connections.HEAD_SECONDS", 0.2)
     request = b"GET /livez HTTP/1.1\r\nHost: here\r\n\r\n"
     with running(Settings()) as url, connected(url) as connection:
+        connection.sendall(request)
+        assert connection.recv(65536).startswith(b"HTTP/1.1 200 ")
+        # not before: a busy server may be late to read the first head, which comes after the connection
+        monkeypatch.setattr("service.http.connections.HEAD_SECONDS", 0.2)
         connection.sendall(request)
         assert connection.recv(65536).startswith(b"HTTP/1.1 200 ")
         time.sleep(0.6)
