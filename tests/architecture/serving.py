@@ -6,6 +6,7 @@ import contextlib
 import os
 import re
 import signal
+import socket
 import subprocess
 import threading
 import time
@@ -16,6 +17,18 @@ from pathlib import Path
 from types import MappingProxyType
 
 LISTENING = re.compile(r"running on (http://[^\s]+)")
+PATIENCE = 300.0
+"""Seconds until what should happen counts as not happening; much, because machines may be busy."""
+
+
+@contextlib.contextmanager
+def reserved_port() -> Iterator[int]:
+    """A port of the loopback that a server may listen on, and that nobody else is given meanwhile."""
+    with socket.socket() as held:
+        held.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
+        held.bind(("127.0.0.1", 0))
+        port: int = held.getsockname()[1]
+        yield port
 
 
 @contextlib.contextmanager
@@ -26,7 +39,7 @@ def serving(
     environment: Mapping[str, str] = MappingProxyType({}),
     bare: bool = False,
     user: int | None = None,
-    patience: float = 60.0,
+    patience: float = PATIENCE,
 ) -> Iterator[str]:
     """Run a command that serves on a free port (0); yields the address that it prints.
 
@@ -53,11 +66,11 @@ def serving(
         with contextlib.suppress(ProcessLookupError):
             os.killpg(process.pid, signal.SIGTERM)
         try:
-            process.wait(timeout=10)
+            process.wait(timeout=60)
         except subprocess.TimeoutExpired:
             os.killpg(process.pid, signal.SIGKILL)
-            process.wait(timeout=10)
-        reader.join(timeout=10)
+            process.wait()
+        reader.join()
         assert process.stdout is not None
         process.stdout.close()
 
@@ -65,7 +78,7 @@ def serving(
 def fetched(address: str, path: str) -> tuple[int, bytes]:
     """Status and body of a GET."""
     try:
-        with urllib.request.urlopen(address + path, timeout=10) as response:
+        with urllib.request.urlopen(address + path, timeout=PATIENCE) as response:
             return response.status, response.read()
     except urllib.error.HTTPError as error:
         with error:

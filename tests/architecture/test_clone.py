@@ -6,13 +6,12 @@ Takes as long as everything else together, so it runs only when asked for: `make
 from __future__ import annotations
 
 import os
-import socket
 import subprocess
 from pathlib import Path
 
 import pytest
 
-from tests.architecture.serving import fetched, serving
+from tests.architecture.serving import fetched, reserved_port, serving
 from tests.architecture.sources import ROOT
 
 pytestmark = [
@@ -36,11 +35,12 @@ def outer() -> dict[str, str]:
 
 @pytest.mark.parametrize("time", ["first", "second"])
 def test_make_serve_serves(clone: Path, time: str) -> None:
-    with socket.create_server(("127.0.0.1", 0)) as free:
-        port = free.getsockname()[1]
-    with serving(
-        ["make", "serve", f"PORT={port}"], cwd=clone, environment=outer(), bare=True, patience=600
-    ) as address:
+    with (
+        reserved_port() as port,
+        serving(
+            ["make", "serve", f"PORT={port}"], cwd=clone, environment=outer(), bare=True, patience=600
+        ) as address,
+    ):
         assert address.endswith(f":{port}")
         assert fetched(address, "/healthz")[0] == 200
         assert fetched(address, "/")[0] == 200

@@ -15,7 +15,7 @@ from pathlib import Path
 import httpx
 import pytest
 
-from tests.architecture.serving import serving
+from tests.architecture.serving import reserved_port, serving
 from tests.architecture.sources import ROOT
 
 NGINX = shutil.which("nginx") or shutil.which("nginx", path="/usr/sbin")
@@ -32,18 +32,12 @@ def documented_block() -> str:
     return found[1]
 
 
-def free_port() -> int:
-    with socket.create_server(("127.0.0.1", 0)) as listener:
-        port: int = listener.getsockname()[1]
-        return port
-
-
 @pytest.fixture(scope="module")
 def visited(tmp_path_factory: pytest.TempPathFactory) -> Iterator[httpx.Client]:
     assert NGINX is not None, "make proxy installs nginx"
     folder = tmp_path_factory.mktemp("nginx")
-    with serving([sys.executable, "-m", "service", "--port", "0"], cwd=ROOT) as address:
-        port = free_port()
+    command = [sys.executable, "-m", "service", "--port", "0"]
+    with serving(command, cwd=ROOT) as address, reserved_port() as port:
         block = documented_block().replace("http://127.0.0.1:8000", address)
         configuration = folder / "nginx.conf"
         configuration.write_text(_configuration(folder, port, block))
@@ -56,7 +50,7 @@ def visited(tmp_path_factory: pytest.TempPathFactory) -> Iterator[httpx.Client]:
                 yield client
         finally:
             process.terminate()
-            process.wait(timeout=20)
+            process.wait(timeout=60)
 
 
 def _configuration(folder: Path, port: int, block: str) -> str:
@@ -70,9 +64,9 @@ http {{ access_log off; {temporary} server {{ listen 127.0.0.1:{port}; {block} }
 
 
 def _wait_for(port: int) -> None:
-    for _ in range(1000):
+    for _ in range(10_000):
         try:
-            socket.create_connection(("127.0.0.1", port), timeout=1).close()
+            socket.create_connection(("127.0.0.1", port), timeout=60).close()
         except ConnectionRefusedError:
             time.sleep(0.01)
         else:

@@ -69,7 +69,7 @@ def executed(command: str, address: str) -> str:
         capture_output=True,
         text=True,
         check=True,
-        timeout=60,
+        timeout=300,
     )
     return result.stdout.strip()
 

@@ -8,7 +8,6 @@ from __future__ import annotations
 import contextlib
 import json
 import os
-import socket
 import threading
 import time
 from collections import Counter
@@ -18,6 +17,7 @@ from pathlib import Path
 import pytest
 
 from courses.storage import open_store
+from tests.architecture.serving import reserved_port
 from tests.databases import new_database
 from tests.lti.classes import Browser, Lms, eventually, hint
 from tests.lti.test_killed import killed
@@ -37,8 +37,7 @@ def replicas(postgresql: str, lms: Lms, tmp_path_factory: pytest.TempPathFactory
         store = open_store(url, Path())
         lms.register(store)
         store.close()
-        with socket.create_server(("127.0.0.1", 0)) as free:
-            port = free.getsockname()[1]
+        port = stack.enter_context(reserved_port())
         public = f"http://127.0.0.1:{port}"
         told = {"FRAMEWISE_LTI_TRUSTED_ORIGINS": lms.root, "FRAMEWISE_PUBLIC_URL": public}
         origins = [

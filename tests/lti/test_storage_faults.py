@@ -40,6 +40,7 @@ class Cable:
         self._listener = socket.create_server(("127.0.0.1", 0))
         self._open: list[socket.socket] = []
         self._whole = True
+        self._turn = threading.Lock()
         port = self._listener.getsockname()[1]
         self.url = asked.set(host="127.0.0.1", port=port, query={}).render_as_string(hide_password=False)
         threading.Thread(target=self._accept, daemon=True).start()
@@ -48,12 +49,13 @@ class Cable:
         with contextlib.suppress(OSError):
             while True:
                 near, _ = self._listener.accept()
-                if not self._whole:
-                    near.close()
-                    continue
-                far = socket.socket(socket.AF_UNIX)
-                far.connect(str(self._socket))
-                self._open += [near, far]
+                with self._turn:
+                    if not self._whole:
+                        near.close()
+                        continue
+                    far = socket.socket(socket.AF_UNIX)
+                    far.connect(str(self._socket))
+                    self._open += [near, far]
                 for ends in ((near, far), (far, near)):
                     threading.Thread(target=self._carry, args=ends, daemon=True).start()
 
@@ -67,10 +69,11 @@ class Cable:
                 end.shutdown(socket.SHUT_RDWR)
 
     def cut(self) -> None:
-        self._whole = False
-        for end in self._open:
-            with contextlib.suppress(OSError):
-                end.shutdown(socket.SHUT_RDWR)
+        with self._turn:
+            self._whole = False
+            for end in self._open:
+                with contextlib.suppress(OSError):
+                    end.shutdown(socket.SHUT_RDWR)
 
     def mend(self) -> None:
         self._whole = True
