@@ -31,7 +31,7 @@ ARGUMENTS = [
     "--process-per-site",
     "--force-prefers-reduced-motion",
 ]
-PATIENCE = 20_000
+PATIENCE = 60_000
 """Milliseconds until what should happen counts as not happening; much, because machines may be busy."""
 
 expect.set_options(timeout=PATIENCE)

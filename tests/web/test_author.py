@@ -21,7 +21,7 @@ from tests.live_service import running
 from tests.web.conftest import LANGUAGES, OpenPage, Watch
 from tests.web.driving import put_table
 
-PATIENCE = 90_000
+PATIENCE = 120_000
 UR5 = {"d1": "0.0892", "a2": "0.425", "a3": "0.392", "d4": "0.1093", "d5": "0.0948"}
 URDF = """<robot name="arm">
   <link name="base"/><link name="upper"/><link name="lower"/><link name="hand"/>

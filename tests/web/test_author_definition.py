@@ -19,7 +19,7 @@ from exercises.library import packaged
 from exercises.parts.registry import part_types
 from tests.web.conftest import OpenPage
 
-PATIENCE = 40_000
+PATIENCE = 120_000
 GUIDE = (Path(__file__).parents[2] / "docs" / "authoring.md").read_text(encoding="utf-8")
 WITH_NEW_KINDS = (
     "puma560-inverse",
@@ -125,6 +125,7 @@ def test_a_dimension_is_dragged_by_mouse_by_touch_and_by_keys(open_page: OpenPag
     page = opened(open_page, crane())
     handle = page.locator(".dimension-handle").first
     expect(handle).to_be_visible(timeout=PATIENCE)
+    page.locator("#author-figure").evaluate("image => image.decode()")
     drawn = page.locator("#author-figure").get_attribute("src")
     before = dimension(page)
     page.locator(".author-paper").scroll_into_view_if_needed()

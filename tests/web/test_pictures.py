@@ -14,21 +14,15 @@ from tests.web.driving import PUMA, SCARA, cell, editor, put_table
 
 
 def until_drawn(page: Page, frames: int) -> None:
-    """Wait until so many frames are drawn."""
-    drawn = "document.querySelector('#own robot-scene').model.frames.length"
+    """Wait until so many frames are drawn in the student's scene, frame 0 included."""
+    drawn = "document.querySelector('#own robot-scene').model.frames?.length"
     page.wait_for_function(f"() => {drawn} === {frames}")
-
-
-def frames_drawn(page: Page) -> int:
-    """Triads in the student's scene, frame 0 included."""
-    count: int = page.evaluate("document.querySelector('#own robot-scene').model.frames.length")
-    return count
 
 
 def test_the_robot_grows_row_by_row(open_page: OpenPage) -> None:
     page = open_page("/exercises/scara")
     order = ("theta", "d", "a", "alpha")
-    assert frames_drawn(page) == 1
+    until_drawn(page, 1)
     for i, row in enumerate(
         [{"alpha": "0", "a": "a2", "d": "0"}, {"alpha": "0", "a": "a3", "d": "0"}, {"alpha": "0", "a": "0"}]
     ):

@@ -248,6 +248,25 @@ def test_inverse_kinematics_shows_all_solutions_and_moves_there(open_page: OpenP
     expect(position).to_have_text(before)
 
 
+def test_solving_waits_for_the_pose_that_was_asked_for(open_page: OpenPage) -> None:
+    """It solved for what stood in the fields before, and the pose came into them afterwards."""
+    page = open_page("/playground")
+    shown_robot(page)
+    opened(page, "Inverse kinematics")
+    target = page.get_by_label("row 1, position", exact=True)
+    expect(target).to_have_value("0.4521")
+    page.get_by_label("Joint angle q1").fill("90")
+    poses = Held(page, "**/forward-kinematics")
+    page.get_by_role("button", name="Use the current pose").click()
+    poses.until(1)
+    with page.expect_request("**/inverse-kinematics") as asked:
+        page.get_by_role("button", name="Solve").click()
+        poses.let_go()
+    assert asked.value.post_data_json["target"][0][3] == pytest.approx(0.1501, abs=1e-4)
+    expect(target).to_have_value(re.compile(r"^0\.150"))
+    expect(page.locator(".solutions")).to_be_visible()
+
+
 def test_the_other_convention_can_be_taken_over(open_page: OpenPage) -> None:
     page = open_page("/playground")
     shown_robot(page)
@@ -327,6 +346,9 @@ def test_accessible_with_everything_open(
     shown_robot(page)
     page.evaluate("for (const each of document.querySelectorAll('details')) each.open = true")
     expect(page.locator(".named dd").first).to_be_visible()
+    for plot in ("Section of the workspace through the first axis", "Joint angles over time"):
+        expect(page.get_by_role("img", name=plot)).to_be_visible()
+    expect(page.locator(".more-tools details").first).to_be_visible()
     assert_accessible_at_both_sizes(page)
 
 
@@ -591,8 +613,9 @@ def test_a_wrong_frame_is_found_in_the_picture(open_page: OpenPage, robot: str) 
     """Also of a modified table with a fixed row: there is a frame for each joint, and one more."""
     page = open_page("/playground")
     shown_robot(page)
-    page.get_by_label("Robot from the catalogue").select_option(robot)
-    expect(page.locator("joint-sliders .joint-name")).to_have_count(6)
+    with page.expect_response("**/understand"):
+        page.get_by_label("Robot from the catalogue").select_option(robot)
+    expect(page.locator("#robot robot-scene")).not_to_have_attribute("aria-busy", "true")
     with page.expect_response("**/plant-frame-mistake") as answered:
         tool = more(page, "Find the wrong frame")
     planted = answered.value.json()

@@ -14,7 +14,7 @@ from typing import Any
 
 import httpx
 import pytest
-from playwright.sync_api import Browser, Page
+from playwright.sync_api import Browser, Page, expect
 
 from service.settings import Settings
 from tests.live_service import running
@@ -142,8 +142,6 @@ def test_launch_wrong_right_leave_return(browser: Browser, lms: tuple[str, dict[
         page.goto("about:blank")
         page.goto(f"{address}/index.html")
         frame = exercise(page)
-        restored = cell(frame, 1, "a")
-        restored.wait_for(timeout=PATIENCE)
-        assert restored.input_value() == "L2"
+        expect(cell(frame, 1, "a")).to_have_value("L2")
     finally:
         context.close()

@@ -28,7 +28,10 @@ export function inverseTool(api, { pose, show, shade, found: tell }) {
   const target = new Cells(t("playground-target"), columns, {
     rows: poseRows(identity()),
     fixed: true,
-    onchange: () => (edited = true),
+    onchange: () => {
+      edited = true;
+      poses.cancel();
+    },
   });
   const answer = el("div", { class: "tool-answer", role: "status" });
   /** Solutions that are drawn side by side. @type {number[][]} */
@@ -61,16 +64,24 @@ export function inverseTool(api, { pose, show, shade, found: tell }) {
       el("div", { class: "stack" }, target.element, el("div", { class: "row" }, take, solve), answer),
     )
   );
-  const takePose = async () => {
-    const present = await pose().catch(() => null);
-    if (!present) return;
-    target.rows = poseRows(present);
-    edited = false;
+  const poses = new Latest();
+  /** The present pose on its way into the fields: what is solved is what will stand there. @type {Promise<void>} */
+  let taking = Promise.resolve();
+  const takePose = () => {
+    taking = poses.run(pose).then(
+      (present) => {
+        if (!present?.value) return;
+        target.rows = poseRows(present.value);
+        edited = false;
+      },
+      () => undefined,
+    );
   };
   const latest = new Latest();
   /** Solving was asked for while the robot was being read. */
   let wanted = false;
   const run = async () => {
+    await taking;
     wanted = !subject;
     if (!subject) return;
     const limits = subject.limits ? { limits: subject.limits } : {};
