@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import functools
 import json
+from abc import ABC, abstractmethod
 from collections.abc import AsyncIterator, Callable, Coroutine, Iterator, Mapping
 from types import TracebackType
-from typing import Any, Concatenate, ParamSpec
+from typing import Any, Concatenate, Generic, ParamSpec, TypeVar
 
 import httpx
 
@@ -14,6 +15,9 @@ from framewise import calls, exercise_calls
 from framewise.calls import ApiCall, Json
 
 _Arguments = ParamSpec("_Arguments")
+_Json = TypeVar("_Json", covariant=True)
+_Bytes = TypeVar("_Bytes", covariant=True)
+_Lines = TypeVar("_Lines", covariant=True)
 
 API = "/api/v1/"
 _TIMEOUT_SECONDS = 60.0
@@ -39,70 +43,122 @@ class ProblemError(Exception):
         super().__init__(f"{status} {self.code}: {document.get('detail', '')}")
 
 
-def _now(
+def _json(
     describe: Callable[_Arguments, ApiCall],
-) -> Callable[Concatenate[Client, _Arguments], Json]:
+) -> Callable[Concatenate[Calls[_Json, Any, Any], _Arguments], _Json]:
     @functools.wraps(describe)
-    def method(self: Client, /, *args: _Arguments.args, **kwargs: _Arguments.kwargs) -> Json:
+    def method(self: Calls[_Json, Any, Any], /, *args: _Arguments.args, **kwargs: _Arguments.kwargs) -> _Json:
         return self.send(describe(*args, **kwargs))
 
     return method
 
 
-def _later(
+def _bytes(
     describe: Callable[_Arguments, ApiCall],
-) -> Callable[Concatenate[AsyncClient, _Arguments], Coroutine[Any, Any, Json]]:
+) -> Callable[Concatenate[Calls[Any, _Bytes, Any], _Arguments], _Bytes]:
     @functools.wraps(describe)
-    async def method(self: AsyncClient, /, *args: _Arguments.args, **kwargs: _Arguments.kwargs) -> Json:
-        return await self.send(describe(*args, **kwargs))
-
-    return method
-
-
-def _now_bytes(
-    describe: Callable[_Arguments, ApiCall],
-) -> Callable[Concatenate[Client, _Arguments], bytes]:
-    @functools.wraps(describe)
-    def method(self: Client, /, *args: _Arguments.args, **kwargs: _Arguments.kwargs) -> bytes:
+    def method(
+        self: Calls[Any, _Bytes, Any], /, *args: _Arguments.args, **kwargs: _Arguments.kwargs
+    ) -> _Bytes:
         return self.fetch(describe(*args, **kwargs))
 
     return method
 
 
-def _later_bytes(
+def _lines(
     describe: Callable[_Arguments, ApiCall],
-) -> Callable[Concatenate[AsyncClient, _Arguments], Coroutine[Any, Any, bytes]]:
-    @functools.wraps(describe)
-    async def method(self: AsyncClient, /, *args: _Arguments.args, **kwargs: _Arguments.kwargs) -> bytes:
-        return await self.fetch(describe(*args, **kwargs))
-
-    return method
-
-
-def _now_one_by_one(
-    describe: Callable[_Arguments, ApiCall],
-) -> Callable[Concatenate[Client, _Arguments], Iterator[Json]]:
-    @functools.wraps(describe)
-    def method(self: Client, /, *args: _Arguments.args, **kwargs: _Arguments.kwargs) -> Iterator[Json]:
-        return self.stream(describe(*args, **kwargs))
-
-    return method
-
-
-def _later_one_by_one(
-    describe: Callable[_Arguments, ApiCall],
-) -> Callable[Concatenate[AsyncClient, _Arguments], AsyncIterator[Json]]:
+) -> Callable[Concatenate[Calls[Any, Any, _Lines], _Arguments], _Lines]:
     @functools.wraps(describe)
     def method(
-        self: AsyncClient, /, *args: _Arguments.args, **kwargs: _Arguments.kwargs
-    ) -> AsyncIterator[Json]:
+        self: Calls[Any, Any, _Lines], /, *args: _Arguments.args, **kwargs: _Arguments.kwargs
+    ) -> _Lines:
         return self.stream(describe(*args, **kwargs))
 
     return method
 
 
-class Client:
-    """Call the service and wait for its answers; the calls are those of `calls` and `exercise_calls`.
+class Calls(ABC, Generic[_Json, _Bytes, _Lines]):
+    """The calls of `calls` and `exercise_calls`, for a client that sends them now or later."""
+
+    @abstractmethod
+    def send(self, call: ApiCall, /) -> _Json:
+        """Send a call and return its JSON.
+
+        Raises:
+            ProblemError: the service refuses.
+            httpx.HTTPError: the service cannot be reached.
+        """
+
+    @abstractmethod
+    def fetch(self, call: ApiCall, /) -> _Bytes:
+        """Send a call and return what comes, such as a picture or a package; raises as `send` does."""
+
+    @abstractmethod
+    def stream(self, call: ApiCall, /) -> _Lines:
+        """Send a call and yield its answers as they come, line by line; raises as `send` does."""
+
+    forward_kinematics = _json(calls.forward_kinematics)
+    jacobian = _json(calls.jacobian)
+    inverse_kinematics = _json(calls.inverse_kinematics)
+    check_inverse_kinematics = _json(calls.check_inverse_kinematics)
+    symbolic = _json(calls.symbolic)
+    dynamics = _json(calls.dynamics)
+    rates = _json(calls.rates)
+    trajectory = _json(calls.trajectory)
+    workspace = _json(calls.workspace)
+    understand = _json(calls.understand)
+    convert = _json(calls.convert)
+    assign_frames = _json(calls.assign_frames)
+    check_frames = _json(calls.check_frames)
+    rotations = _json(calls.rotations)
+    check_jacobian = _json(calls.check_jacobian)
+    check_jacobian_form = _json(calls.check_jacobian_form)
+    check_singularities = _json(calls.check_singularities)
+    check_dynamics = _json(calls.check_dynamics)
+    check_screws = _json(calls.check_screws)
+    trees = _json(calls.trees)
+    check_rotation = _json(calls.check_rotation)
+    scm_forward_kinematics = _json(calls.scm_forward_kinematics)
+    scm_inverse_transform = _json(calls.scm_inverse_transform)
+    scm_jacobian = _json(calls.scm_jacobian)
+    scm_inverse_kinematics = _json(calls.scm_inverse_kinematics)
+    scm_random_configuration = _json(calls.scm_random_configuration)
+    scm_products = _json(calls.scm_products)
+    robots = _json(calls.robots)
+    robot = _json(calls.robot)
+    exercises = _json(calls.exercises)
+    exercise = _json(calls.exercise)
+    grade = _json(calls.grade)
+    grade_all = _json(calls.grade_all)
+    grade_exercise = _json(calls.grade_exercise)
+    receipt = _json(calls.receipt)
+    verify_receipts = _json(calls.verify_receipts)
+    receipt_keys = _json(calls.receipt_keys)
+    problem = _json(calls.problem)
+    compare_tables = _json(exercise_calls.compare_tables)
+    other_tables = _json(exercise_calls.other_tables)
+    plant_mistake = _json(exercise_calls.plant_mistake)
+    plant_matrix_mistake = _json(exercise_calls.plant_matrix_mistake)
+    plant_frame_mistake = _json(exercise_calls.plant_frame_mistake)
+    signed_link = _json(exercise_calls.signed_link)
+    author_start = _json(exercise_calls.author_start)
+    author_import = _json(exercise_calls.author_import)
+    author_preview = _json(exercise_calls.author_preview)
+    author_check = _json(exercise_calls.author_check)
+    author_right_answers = _json(exercise_calls.author_right_answers)
+    author_mistakes = _json(exercise_calls.author_mistakes)
+    author_grade = _json(exercise_calls.author_grade)
+    receipt_page = _bytes(exercise_calls.receipt_page)
+    author_folder = _bytes(exercise_calls.author_folder)
+    post = _json(calls.post)
+    get = _json(calls.get)
+    figure = _bytes(calls.figure)
+    scorm_package = _bytes(calls.scorm_package)
+    grade_each = _lines(calls.grade_all)
+
+
+class Client(Calls[Json, bytes, Iterator[Json]]):
+    """Call the service and wait for its answers.
 
     Args:
         base_url: where the service is, such as `http://127.0.0.1:8000`, with its prefix if it has one.
@@ -137,86 +193,22 @@ class Client:
         self._http.close()
 
     def send(self, call: ApiCall) -> Json:
-        """Send a call and return its JSON.
-
-        Raises:
-            ProblemError: the service refuses.
-            httpx.HTTPError: the service cannot be reached.
-        """
+        """Send a call and return its JSON."""
         return _answer(self._http.request(**_request(call)))
 
     def fetch(self, call: ApiCall) -> bytes:
-        """Send a call and return what comes, such as a picture or a package; raises as `send` does."""
+        """Send a call and return what comes, such as a picture or a package."""
         return _accepted(self._http.request(**_request(call))).content
 
     def stream(self, call: ApiCall) -> Iterator[Json]:
-        """Send a call and yield its answers as they come, line by line; raises as `send` does."""
+        """Send a call and yield its answers as they come, line by line."""
         with self._http.stream(**_request(call, _NDJSON)) as response:
             if not response.is_success:
                 response.read()
             yield from map(json.loads, _accepted(response).iter_lines())
 
-    forward_kinematics = _now(calls.forward_kinematics)
-    jacobian = _now(calls.jacobian)
-    inverse_kinematics = _now(calls.inverse_kinematics)
-    check_inverse_kinematics = _now(calls.check_inverse_kinematics)
-    symbolic = _now(calls.symbolic)
-    dynamics = _now(calls.dynamics)
-    rates = _now(calls.rates)
-    trajectory = _now(calls.trajectory)
-    workspace = _now(calls.workspace)
-    understand = _now(calls.understand)
-    convert = _now(calls.convert)
-    assign_frames = _now(calls.assign_frames)
-    check_frames = _now(calls.check_frames)
-    rotations = _now(calls.rotations)
-    check_jacobian = _now(calls.check_jacobian)
-    check_jacobian_form = _now(calls.check_jacobian_form)
-    check_singularities = _now(calls.check_singularities)
-    check_dynamics = _now(calls.check_dynamics)
-    check_screws = _now(calls.check_screws)
-    trees = _now(calls.trees)
-    check_rotation = _now(calls.check_rotation)
-    scm_forward_kinematics = _now(calls.scm_forward_kinematics)
-    scm_inverse_transform = _now(calls.scm_inverse_transform)
-    scm_jacobian = _now(calls.scm_jacobian)
-    scm_inverse_kinematics = _now(calls.scm_inverse_kinematics)
-    scm_random_configuration = _now(calls.scm_random_configuration)
-    scm_products = _now(calls.scm_products)
-    robots = _now(calls.robots)
-    robot = _now(calls.robot)
-    exercises = _now(calls.exercises)
-    exercise = _now(calls.exercise)
-    grade = _now(calls.grade)
-    grade_all = _now(calls.grade_all)
-    grade_exercise = _now(calls.grade_exercise)
-    receipt = _now(calls.receipt)
-    verify_receipts = _now(calls.verify_receipts)
-    receipt_keys = _now(calls.receipt_keys)
-    problem = _now(calls.problem)
-    compare_tables = _now(exercise_calls.compare_tables)
-    other_tables = _now(exercise_calls.other_tables)
-    plant_mistake = _now(exercise_calls.plant_mistake)
-    plant_matrix_mistake = _now(exercise_calls.plant_matrix_mistake)
-    plant_frame_mistake = _now(exercise_calls.plant_frame_mistake)
-    signed_link = _now(exercise_calls.signed_link)
-    author_start = _now(exercise_calls.author_start)
-    author_import = _now(exercise_calls.author_import)
-    author_preview = _now(exercise_calls.author_preview)
-    author_check = _now(exercise_calls.author_check)
-    author_right_answers = _now(exercise_calls.author_right_answers)
-    author_mistakes = _now(exercise_calls.author_mistakes)
-    author_grade = _now(exercise_calls.author_grade)
-    receipt_page = _now_bytes(exercise_calls.receipt_page)
-    author_folder = _now_bytes(exercise_calls.author_folder)
-    post = _now(calls.post)
-    get = _now(calls.get)
-    figure = _now_bytes(calls.figure)
-    scorm_package = _now_bytes(calls.scorm_package)
-    grade_each = _now_one_by_one(calls.grade_all)
 
-
-class AsyncClient:
+class AsyncClient(Calls[Coroutine[Any, Any, Json], Coroutine[Any, Any, bytes], AsyncIterator[Json]]):
     """Call the service from a program that does other things meanwhile; the same calls as `Client`."""
 
     def __init__(
@@ -244,84 +236,20 @@ class AsyncClient:
         await self._http.aclose()
 
     async def send(self, call: ApiCall) -> Json:
-        """Send a call and return its JSON.
-
-        Raises:
-            ProblemError: the service refuses.
-            httpx.HTTPError: the service cannot be reached.
-        """
+        """Send a call and return its JSON."""
         return _answer(await self._http.request(**_request(call)))
 
     async def fetch(self, call: ApiCall) -> bytes:
-        """Send a call and return what comes, such as a picture or a package; raises as `send` does."""
+        """Send a call and return what comes, such as a picture or a package."""
         return _accepted(await self._http.request(**_request(call))).content
 
     async def stream(self, call: ApiCall) -> AsyncIterator[Json]:
-        """Send a call and yield its answers as they come, line by line; raises as `send` does."""
+        """Send a call and yield its answers as they come, line by line."""
         async with self._http.stream(**_request(call, _NDJSON)) as response:
             if not response.is_success:
                 await response.aread()
             async for line in _accepted(response).aiter_lines():
                 yield json.loads(line)
-
-    forward_kinematics = _later(calls.forward_kinematics)
-    jacobian = _later(calls.jacobian)
-    inverse_kinematics = _later(calls.inverse_kinematics)
-    check_inverse_kinematics = _later(calls.check_inverse_kinematics)
-    symbolic = _later(calls.symbolic)
-    dynamics = _later(calls.dynamics)
-    rates = _later(calls.rates)
-    trajectory = _later(calls.trajectory)
-    workspace = _later(calls.workspace)
-    understand = _later(calls.understand)
-    convert = _later(calls.convert)
-    assign_frames = _later(calls.assign_frames)
-    check_frames = _later(calls.check_frames)
-    rotations = _later(calls.rotations)
-    check_jacobian = _later(calls.check_jacobian)
-    check_jacobian_form = _later(calls.check_jacobian_form)
-    check_singularities = _later(calls.check_singularities)
-    check_dynamics = _later(calls.check_dynamics)
-    check_screws = _later(calls.check_screws)
-    trees = _later(calls.trees)
-    check_rotation = _later(calls.check_rotation)
-    scm_forward_kinematics = _later(calls.scm_forward_kinematics)
-    scm_inverse_transform = _later(calls.scm_inverse_transform)
-    scm_jacobian = _later(calls.scm_jacobian)
-    scm_inverse_kinematics = _later(calls.scm_inverse_kinematics)
-    scm_random_configuration = _later(calls.scm_random_configuration)
-    scm_products = _later(calls.scm_products)
-    robots = _later(calls.robots)
-    robot = _later(calls.robot)
-    exercises = _later(calls.exercises)
-    exercise = _later(calls.exercise)
-    grade = _later(calls.grade)
-    grade_all = _later(calls.grade_all)
-    grade_exercise = _later(calls.grade_exercise)
-    receipt = _later(calls.receipt)
-    verify_receipts = _later(calls.verify_receipts)
-    receipt_keys = _later(calls.receipt_keys)
-    problem = _later(calls.problem)
-    compare_tables = _later(exercise_calls.compare_tables)
-    other_tables = _later(exercise_calls.other_tables)
-    plant_mistake = _later(exercise_calls.plant_mistake)
-    plant_matrix_mistake = _later(exercise_calls.plant_matrix_mistake)
-    plant_frame_mistake = _later(exercise_calls.plant_frame_mistake)
-    signed_link = _later(exercise_calls.signed_link)
-    author_start = _later(exercise_calls.author_start)
-    author_import = _later(exercise_calls.author_import)
-    author_preview = _later(exercise_calls.author_preview)
-    author_check = _later(exercise_calls.author_check)
-    author_right_answers = _later(exercise_calls.author_right_answers)
-    author_mistakes = _later(exercise_calls.author_mistakes)
-    author_grade = _later(exercise_calls.author_grade)
-    receipt_page = _later_bytes(exercise_calls.receipt_page)
-    author_folder = _later_bytes(exercise_calls.author_folder)
-    post = _later(calls.post)
-    get = _later(calls.get)
-    figure = _later_bytes(calls.figure)
-    scorm_package = _later_bytes(calls.scorm_package)
-    grade_each = _later_one_by_one(calls.grade_all)
 
 
 def _headers(api_key: str | None, language: str | None) -> dict[str, str]:
