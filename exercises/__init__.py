@@ -14,7 +14,6 @@ departure         where a wrong table leaves the robot
 access            what students may use and be told
 drawings          the figure of an instance
 figures           how it is drawn       (a package)
-records           reports as plain data and back
 written_table     a table as it would be typed
 alternatives      other right tables
 errors            what goes wrong, and where

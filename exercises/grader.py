@@ -22,7 +22,7 @@ from kinematics.cells import AngleUnit, LengthUnit
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Report:
-    """What is said of an answer; it can be stored, and shown later in any language (`exercises.records`).
+    """What is said of an answer; it can be stored, and shown later in any language.
 
     Attributes:
         verdict: on the table, if one was handed in.

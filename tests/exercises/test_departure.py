@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
+import orjson
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -13,13 +14,13 @@ from exercises.departure import Departure, shared_joints
 from exercises.drawings import figure_geometry
 from exercises.grading import HelpLevel
 from exercises.instance import generate
-from exercises.records import plain, restored
 from kinematics.cells import RawTable, read_table
 from kinematics.chain import chain_of_table
 from kinematics.equivalence.decision import certify, mechanism_only
 from kinematics.equivalence.reference import prepared
 from kinematics.equivalence.search import Effort
 from kinematics.table import JointType, bind
+from service.wire.exercises.verdicts import encoded, restored
 from tests.exercises.answering import judged, table
 from tests.exercises.packaged import exercise
 
@@ -117,7 +118,7 @@ def test_as_many_joints_are_shared_as_have_a_certificate(row: int, cell: str, va
 def test_it_is_told_only_where_the_help_tells_what_is_wrong(level: HelpLevel) -> None:
     report = judged("puma560", table=puma(3, "a", 0), help_level=level)
     assert (report.departure is not None) == (level in (HelpLevel.KIND, HelpLevel.REPAIR))
-    assert restored(type(report), plain(report)) == report
+    assert restored(orjson.loads(encoded(report))) == report
 
 
 def test_a_right_table_and_one_that_cannot_be_drawn_have_none() -> None:

@@ -9,11 +9,9 @@ from courses.attempts import shown_now
 from courses.model import Attempt, CourseSession, ListedAttempt, StudentStanding
 from courses.policies import Shown, attempts_allowed, deadline, refusal
 from courses.sessions import SESSION
-from exercises.grader import Report
 from exercises.instance import variant_of
-from exercises.records import restored
 from service.course_resources import now
-from service.wire.exercises.verdicts import report_body
+from service.wire.exercises.verdicts import report_body, restored
 
 
 def seed_of(session: CourseSession) -> str | None:
@@ -102,4 +100,4 @@ def masked(report: Mapping[str, Any], shown: Shown) -> dict[str, Any] | None:
 
 def stored_report(report: Mapping[str, Any], language: str) -> dict[str, Any]:
     """Return a stored report with its sentences, in any language."""
-    return report_body(restored(Report, report), language)
+    return report_body(restored(report), language)

@@ -11,6 +11,7 @@ from functools import cache
 from typing import Any, cast
 
 import orjson
+from pydantic import TypeAdapter
 
 from exercises.grader import Report
 from exercises.grading import Edit, Feedback
@@ -22,6 +23,23 @@ from service.schemas.spoken import values_told
 def encoded(body: dict[str, Any] | Report) -> bytes:
     """Return a body as JSON; records of the domain are written by their fields."""
     return orjson.dumps(body, default=_plain)
+
+
+def restored(report: object) -> Report:
+    """Return the report that `encoded` wrote, from its JSON.
+
+    A key that a record does not know is ignored, and one that is missing takes the field's default: what was
+    stored by another version can still be shown.
+
+    Raises:
+        ValueError: the data does not fit a report.
+    """
+    return _reports().validate_python(report)
+
+
+@cache
+def _reports() -> TypeAdapter[Report]:
+    return TypeAdapter(Report)
 
 
 def report_body(report: Report, language: str) -> dict[str, Any]:
