@@ -5,6 +5,7 @@ components     which solutions stand alone, and which families there are
 membership     which solutions belong to a family
 corrections    from beside a family back to it
 families       families followed along their path
+weights        distance weighed against angle where a target is missed by both
 walks          ways from one solution to another
 crossings      where families cross others
 gaps           families in pieces

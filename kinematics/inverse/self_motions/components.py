@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
-from dataclasses import replace
 
 import numpy as np
 
 from kinematics.inverse.arm import Arm, Array
-from kinematics.inverse.newton import HEAVIEST
-from kinematics.inverse.residuals import errors_and_jacobians
 from kinematics.inverse.self_motions.crossings import branches, is_beside, tangents
 from kinematics.inverse.self_motions.families import (
     FamilyPath,
@@ -21,6 +17,7 @@ from kinematics.inverse.self_motions.families import (
 from kinematics.inverse.self_motions.gaps import nearest_places, way_through_gaps
 from kinematics.inverse.self_motions.isolation import LONG, fold_length, lost_value, told_apart
 from kinematics.inverse.self_motions.membership import Component, Membership
+from kinematics.inverse.self_motions.weights import follower_at, weighed_otherwise
 
 GAP = 4.0 / LONG
 """Tolerances by which the pose may be off in a gap between pieces of a family: an error that grows from zero
@@ -35,9 +32,6 @@ BESIDE_A_CROSSING = 0.3
 
 BESIDE_A_BRANCH = 0.25
 """What is nearer than this part of a step to a path, a step from where it crosses another, is on it."""
-
-LEVEL, ROUNDED = 1e-2, 1e-13
-"""Where an error is least, the gradients of distance and angle leave no more of each other, or rounding."""
 
 MOST_FOLLOWED = 16
 MOST_FOLLOWED_IF_REDUNDANT = 8
@@ -57,7 +51,8 @@ def components_of(arm: Arm, target: Array, joints: Array, tolerance: float) -> l
     alone, delicate = told_apart(arm, target, joints, tolerance)
     found = [Component(joints[i]) for i in alone]
     if delicate:
-        found += _Sorter(arm, Follower(arm, target, tolerance), tolerance).sorted(joints[delicate])
+        follower = follower_at(arm, target, tolerance, joints[delicate[0]])
+        found += _Sorter(follower.arm if arm.redundancy > 1 else arm, follower).sorted(joints[delicate])
     return found
 
 
@@ -77,7 +72,8 @@ def belongs(arm: Arm, target: Array, component: Component, q: Array, tolerance: 
 class _Sorter:
     """Sorts solutions near singularities, or with redundant joints, into components."""
 
-    def __init__(self, arm: Arm, follower: Follower, tolerance: float) -> None:
+    def __init__(self, arm: Arm, follower: Follower) -> None:
+        tolerance = follower.tolerance
         self.arm, self.follower = arm, follower
         self.long = fold_length(tolerance)
         self.lost = lost_value(tolerance)
@@ -156,7 +152,7 @@ class _Sorter:
         if moving or not redundancy:
             return Component(q, dimension=self._freedoms(x, moving) if moving else 0)
         long = self._long_paths(self.follower, q, null)
-        weighed = None if long else self._weighed_otherwise(q)
+        weighed = None if long else weighed_otherwise(self.arm, self.follower, q)
         if weighed is not None:
             x = q / weighed.arm.units
             long = self._long_paths(weighed, q, null_space(weighed.jacobian(x), self.lost))
@@ -167,23 +163,6 @@ class _Sorter:
         x = q / follower.arm.units
         paths = (follower.path(x, d, np.empty((0, len(x)))) for d in null)
         return [path for path in paths if self._is_long(path)]
-
-    def _weighed_otherwise(self, q: Array) -> Follower | None:
-        """A follower that weighs distance against angle so that the error is least at a solution.
-
-        A rounded pose may be missed by so much that only this weight keeps it within the tolerance. None if
-        the error is least as it is.
-        """
-        e, J = errors_and_jacobians(self.arm, q[None] / self.arm.units, self.follower.target)
-        pull, turn = J[0, :3].T @ e[0, :3], J[0, 3:].T @ e[0, 3:]
-        size = float(np.linalg.norm(pull))
-        if np.linalg.norm(pull + turn) <= LEVEL * max(size, float(np.linalg.norm(turn))) + ROUNDED:
-            return None
-        weight = float(-pull @ turn) / max(size * size, 1e-300)
-        if not 1.0 / HEAVIEST**2 <= weight <= HEAVIEST**2:
-            return None
-        arm = replace(self.arm, size=self.arm.size / math.sqrt(weight))
-        return Follower(arm, self.follower.target, self.follower.tolerance, as_it_is=True)
 
     def _freedoms(self, x: Array, moving: Sequence[Array]) -> int:
         """In how many dimensions a solution can be moved.

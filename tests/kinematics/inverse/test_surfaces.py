@@ -76,3 +76,16 @@ def test_equal_links_folded_below_two_joints_on_one_axis_are_a_surface(off, elbo
         assert one.joint != other.joint
         assert one.full_turn or off
         assert other.full_turn
+
+
+@pytest.mark.parametrize("decimals", [17, 8, 7, 6, 5, 4])
+def test_a_surface_of_a_rounded_axis_is_one_however_distance_and_angle_are_missed(decimals):
+    """Four axes through a point, two of them the same, and a tool along the last: its distance is fixed."""
+    rows = [("revolute", alpha, 0.0, 0.0, 0.0) for alpha in (0.5236, np.pi / 2, -np.pi / 2, np.pi / 2)]
+    table = numeric(Convention.STANDARD, *rows, ("fixed", 0.0, 0.0, 0.1, -0.8713885))
+    target = end_pose(table, [-2.212444276, 5.433656607, -3.467322574, 1.893937880]).round(decimals)
+    tolerance = 10.0**-decimals if decimals <= 6 else None
+    answer = inverse_kinematics(table, target, reach=ArmReach.AXIS, tolerance=tolerance)
+    assert answer.status is IKStatus.SOLVED
+    assert len(answer.solutions) <= 4
+    assert all(solution.family.dimension == 2 for solution in answer.solutions)
