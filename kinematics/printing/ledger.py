@@ -24,7 +24,7 @@ from kinematics.expressions import (
     Product,
     Sum,
 )
-from kinematics.printing.numbers import decimal_text
+from kinematics.printing.numbers import decimal_text, fraction_as_decimal
 from kinematics.symbolic.size import bottom_up, children, operations_of
 
 
@@ -96,6 +96,9 @@ class Ledger:
         self.moving: list[bool] = []
         self._numbers: dict[Hashable, int] = {}
         self._known: dict[int, int] = {}
+        self._decimals: list[bool] = []
+        self._fractions: list[bool] = []
+        self._restyled: dict[int, int] = {}
         self._kept: list[Expression] = []
 
     def numbers(self, expressions: Iterable[Expression]) -> tuple[int, ...]:
@@ -106,7 +109,7 @@ class Ledger:
             self._kept += new  # an id is a node's only while the node lives
             for node in bottom_up(new, self._known):
                 self._known[id(node)] = self._enter(node)
-        return tuple([self._known[id(root)] for root in roots])
+        return tuple([self._in_one_style(self._known[id(root)]) for root in roots])
 
     def matrix(self, matrix: Sequence[Sequence[Expression]]) -> Entered:
         """Return a matrix, which is entered if it is new."""
@@ -149,13 +152,45 @@ class Ledger:
             key = (node.exponent, below)
         number = self._numbers.get(key)
         if number is None:
-            number = self._numbers[key] = len(self.nodes)
-            self.nodes.append(node)
-            self.below.append(below)
-            self.quotients.append(self._quotient(node, below))
-            self.operations.append(operations_of(node, [self.operations[child] for child in below]))
-            self.moving.append(kind is JointVariable or any(map(self.moving.__getitem__, below)))
+            operations = operations_of(node, [self.operations[child] for child in below])
+            moving = kind is JointVariable or any(map(self.moving.__getitem__, below))
+            number = self._add(node, below, self._quotient(node, below), operations, moving)
+            self._numbers[key] = number
         return number
+
+    def _in_one_style(self, number: int) -> int:
+        """The number under which a node is written: beside decimals, fractions that equal some are such."""
+        if not (self._decimals[number] and self._fractions[number]):
+            return number
+        for one in self.under((number,)):
+            if one in self._restyled or not self._fractions[one]:
+                continue
+            below = tuple([self._restyled.get(child, child) for child in self.below[one]])
+            quotient = self._quotient(self.nodes[one], below)
+            quotient = _beside_decimals(quotient) or quotient
+            self._restyled[one] = self._add(
+                self.nodes[one], below, quotient, self.operations[one], self.moving[one]
+            )
+        return self._restyled[number]
+
+    def _add(
+        self,
+        node: Expression,
+        below: tuple[int, ...],
+        quotient: Quotient | None,
+        operations: int,
+        moving: bool,
+    ) -> int:
+        self.nodes.append(node)
+        self.below.append(below)
+        self.quotients.append(quotient)
+        self.operations.append(operations)
+        self.moving.append(moving)
+        is_decimal = quotient is not None and bool(quotient.weight.decimal)
+        self._decimals.append(is_decimal or any(map(self._decimals.__getitem__, below)))
+        is_fraction = _beside_decimals(quotient) is not None
+        self._fractions.append(is_fraction or any(map(self._fractions.__getitem__, below)))
+        return len(self.nodes) - 1
 
     def _quotient(self, node: Expression, below: tuple[int, ...]) -> Quotient | None:
         if isinstance(node, Product):
@@ -198,6 +233,17 @@ def _known_weight(numerator: int, denominator: int) -> Weight:
         return Weight(negative, decimal, decimal, "")
     digits = "" if size.numerator == 1 else str(size.numerator)
     return Weight(negative, digits, "", "" if denominator == 1 else str(denominator))
+
+
+def _beside_decimals(quotient: Quotient | None) -> Quotient | None:
+    """What is written beside decimals for a fraction, alone or before a product without roots; else None."""
+    if quotient is None or quotient.constants or quotient.below or not quotient.weight.denominator:
+        return None
+    weight = quotient.weight
+    decimal = fraction_as_decimal(Fraction(int(weight.digits or 1), int(weight.denominator)))
+    if decimal is None:
+        return None
+    return quotient._replace(weight=Weight(weight.negative, decimal, decimal, ""))
 
 
 def _is_constant(factor: Expression) -> bool:

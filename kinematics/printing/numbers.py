@@ -16,7 +16,20 @@ def decimal_text(value: Fraction) -> str | None:
     0.4318, 0.1 and 2.5e-5 are decimals, as is whatever else has a 5 in its denominator; 1/2, 3/4 and 1/8 are
     fractions, as they come from cosines and averages; so are 1/3 and 5/7, which no decimal equals.
     """
-    denominator = value.denominator
+    twos, fives, rest = _powers(value.denominator)
+    if rest != 1 or (not fives and 2**twos <= _LARGEST_POWER_OF_TWO):
+        return None
+    return _written(value, max(twos, fives))
+
+
+def fraction_as_decimal(value: Fraction) -> str | None:
+    """Return a fraction as the decimal that it is beside other decimals, 1/2 as 0.5; None if it is none."""
+    twos, fives, rest = _powers(value.denominator)
+    return _written(value, max(twos, fives)) if rest == 1 and twos + fives else None
+
+
+def _powers(denominator: int) -> tuple[int, int, int]:
+    """The powers of 2 and 5 in a denominator, and the rest of it."""
     twos = fives = 0
     while denominator % 2 == 0:
         denominator //= 2
@@ -24,8 +37,9 @@ def decimal_text(value: Fraction) -> str | None:
     while denominator % 5 == 0:
         denominator //= 5
         fives += 1
-    if denominator != 1 or (not fives and 2**twos <= _LARGEST_POWER_OF_TWO):
-        return None
-    places = max(twos, fives)
+    return twos, fives, denominator
+
+
+def _written(value: Fraction, places: int) -> str:
     digits = str(abs(value.numerator) * 10**places // value.denominator).zfill(places + 1)
     return f"{'-' if value < 0 else ''}{digits[:-places]}.{digits[-places:]}"

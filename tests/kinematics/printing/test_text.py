@@ -28,6 +28,7 @@ from kinematics.expressions import (
     pi_times,
     power,
 )
+from kinematics.printing.latex import LatexWriter
 from kinematics.printing.notation import Names, Notation
 from kinematics.printing.numbers import decimal_text
 from kinematics.printing.text import TextWriter
@@ -99,6 +100,41 @@ def test_a_decimal_is_written_as_typed(value: str, written: str | None) -> None:
 )
 def test_spelling(expression: Expression, written: str) -> None:
     assert full(expression) == written
+
+
+def times(value: str, *factors: Expression) -> Expression:
+    return multiply((number(value), *factors))
+
+
+ROOT = call(Function.SQRT, number(3))
+EIGHTH = multiply((times("0.4", L1), add((times("1/8", L2), number("5/2")))))
+
+
+@pytest.mark.parametrize(
+    ("expression", "written"),
+    [
+        (add((times("0.4", L1), times("1/2", L2))), "0.4*L1 + 0.5*L2"),
+        (add((times("1/2", L1), times("1/4", L2))), "L1/2 + L2/4"),
+        (add((times("0.425", L1), times("-3/8", L2), number("5/2"))), "0.425*L1 - 0.375*L2 + 2.5"),
+        (add((times("0.4", L1), times("1/2", ROOT, L2), times("1/3", L2))), "0.4*L1 + sqrt(3)*L2/2 + L2/3"),
+        (
+            add((times("0.4", L1), call(Function.COS, add((q1, pi_times(Fraction(1, 4))))))),
+            "0.4*L1 + cos(q1 + pi/4)",
+        ),
+        (EIGHTH, "0.4*L1*(0.125*L2 + 2.5)"),
+        (add((EIGHTH, times("1/2", power(L2, -1)))), "0.4*L1*(0.125*L2 + 2.5) + 1/(2*L2)"),
+    ],
+)
+def test_fractions_beside_decimals_are_decimals(expression: Expression, written: str) -> None:
+    assert full(expression) == written
+    latex = LatexWriter(Names()).text(expression)
+    assert (r"\frac{1}{2}" in latex) is (written == "L1/2 + L2/4")
+
+
+def test_an_entry_without_decimals_keeps_its_fractions_beside_one_that_has_some() -> None:
+    half, whole = times("1/2", L1), add((times("1/2", L1), times("0.4", L2)))
+    writer = TextWriter(Names())
+    assert [writer.text(half), writer.text(whole), writer.text(half)] == ["L1/2", "0.5*L1 + 0.4*L2", "L1/2"]
 
 
 def test_short_names_stand_where_nothing_else_can_be_meant() -> None:
