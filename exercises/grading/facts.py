@@ -101,9 +101,17 @@ class Facts:
             found: (q, 1) its invariants, if they are known; of an answer with the key's number of joints.
         """
         kept, fits, has = self._compared(axes, found)
-        costs = np.where(fits & has, 0.0, np.where(has, self.sign, 1.0) * self.worth[:, None])
-        least = least_cost(self.invariants.shapes, len(self.axes), costs, self.fixed)
+        least = self._least(fits, has)
         return float((least + np.maximum(self.to_earn - least, 0.0) * (1.0 - kept)).min())
+
+    def at_least_wrong(self, found: Floats) -> Floats:
+        """(k,) the least that facts can weigh which answers do not have, from their invariants (q, k)."""
+        fits = np.array(self.invariants.fits(found))
+        return self._least(fits, np.logical_or(fits[0], fits[1]))
+
+    def _least(self, fits: NDArray[np.bool_], has: NDArray[np.bool_]) -> Floats:
+        costs = np.where(fits & has, 0.0, np.where(has, self.sign, 1.0) * self.worth[:, None])
+        return least_cost(self.invariants.shapes, len(self.axes), costs, self.fixed)
 
     def shared(self, axes: Sequence[Axis], found: Floats | None = None) -> NDArray[np.bool_]:
         """(q,) which invariants an answer has, but for signs.

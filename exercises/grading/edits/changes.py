@@ -159,19 +159,22 @@ def with_joints_mended(
 
     Args:
         table: the answer.
-        changes: of the answer.
+        changes: of the answer, by their rows, which are those of the answer.
         wanted: the types of the key's joints.
     """
     rows = list(table.rows)
+    shift = 0
     for change in changes:
         if change.row is None or change.code not in _OF_JOINTS:
             continue
+        place = change.row + shift
         if change.code == "row_extra":
-            del rows[change.row]
+            del rows[place]
+            shift -= 1
             continue
-        place = change.row
         if change.code == "row_missing":
             rows.insert(place, DHRow(joint=JointType.FIXED, theta=0.0, d=0.0, a=0.0, alpha=0.0))
+            shift += 1
         joint = sum(row.joint is not JointType.FIXED for row in rows[:place])
         moves = change.code != "joint_moving" and joint < len(wanted)
         rows[place] = replace(rows[place], joint=wanted[joint] if moves else JointType.FIXED)

@@ -135,10 +135,17 @@ def _along_x_of(work: Work, code: str, others: Sequence[NumericRow | None]) -> I
 
 
 def hides_an_entry(work: Work, change: Change) -> bool:
-    """Return whether columns are moved by a row, and with them one that no key has to where none counts.
+    """Return whether an entry that no key has is as good as none with a change throughout the table.
 
-    Before the first joint and behind the last one a wrong twist or length is as good as none.
+    A wrong twist or length is before the first joint and behind the last one, where columns may be moved to
+    by a row; and a small twist is that is read in degrees instead of radians.
     """
+    if change.code == "angles_in_degrees":
+        least = work.policy.tolerance.angle
+        return any(
+            cell == "alpha" and abs(value) <= least < abs(work.table.rows[row].alpha)
+            for row, cell, value in change.cells
+        )
     if change.code not in ("columns_late", "columns_early"):
         return False
     row, key = (0 if change.code == "columns_late" else -1), work.reference.table.rows

@@ -153,8 +153,11 @@ class Work:
         return (table or self.table).joint_types == self.reference.table.joint_types
 
     def is_a_joint_off(self, table: NumericTable) -> bool:
-        """Return whether a table has the key's types of joints in order, but for one too many or too few."""
-        shorter, longer = sorted((table.joint_types, self.reference.table.joint_types), key=len)
+        """Return whether one joint of a table is missing, superfluous or of another type, and no more."""
+        ours, wanted = table.joint_types, self.reference.table.joint_types
+        shorter, longer = sorted((ours, wanted), key=len)
+        if len(longer) == len(shorter):
+            return sum(one is not other for one, other in zip(ours, wanted, strict=True)) == 1
         return len(longer) == len(shorter) + 1 and any(
             (*longer[:k], *longer[k + 1 :]) == shorter for k in range(len(longer))
         )

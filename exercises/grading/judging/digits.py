@@ -185,11 +185,15 @@ def measured_as_typed(
     invariants: Invariants, table: NumericTable, steps: Mapping[Place, float], policy: Policy
 ) -> Floats:
     """(q, 1 + 2·steps) invariants of a table as it stands, and with each decimal half a unit up and down."""
-    frames = Policy(
+    return _measured_as_typed(invariants.shapes, table, tuple(steps.items()), fixing_frames(policy))
+
+
+def fixing_frames(policy: Policy) -> Policy:
+    """Return a policy that fixes what another one does of frames 0 and N: all that invariants depend on."""
+    return Policy(
         base=BaseRule.FRAME if policy.base is BaseRule.FRAME else BaseRule.FREE,
         tool=ToolRule.FRAME if policy.tool is ToolRule.FRAME else ToolRule.FREE,
     )
-    return _measured_as_typed(invariants.shapes, table, tuple(steps.items()), frames)
 
 
 @lru_cache(maxsize=CACHED_TABLES)

@@ -1,0 +1,88 @@
+"""A slip that spoils many facts costs what it costs, and only what else is wrong comes on top of it."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from exercises.grading import Policy, ToolRule, Verdict, grade
+from exercises.grading.edits.changes import Change, Extent, with_joints_mended
+from kinematics.table import Convention, DHRow, JointType, NumericTable
+from tests.exercises.grading.written import written
+from tests.kinematics.equivalence.campaign import catalogue, references
+from tests.kinematics.equivalence.tables import PUMA, R, changed, standard
+
+FREE = Policy(tool=ToolRule.FREE)
+RX90 = dict(catalogue())["rx90"]
+CELLS: dict[tuple[int, str], float] = {(1, "alpha"): 0.3, (2, "a"): 0.5, (4, "d"): 0.3, (4, "alpha"): 0.3}
+OF_PUMA = 9
+
+
+def judged(key: NumericTable, answer: NumericTable) -> Verdict:
+    return grade(written(key), written(answer), FREE)
+
+
+def in_the_wrong_convention(key: NumericTable) -> NumericTable:
+    other = Convention.MODIFIED if key.convention is Convention.STANDARD else Convention.STANDARD
+    return replace(key, convention=other)
+
+
+def with_rows_exchanged(key: NumericTable, row: int) -> NumericTable:
+    rows = list(key.rows)
+    rows[row - 1], rows[row] = rows[row], rows[row - 1]
+    return replace(key, rows=tuple(rows))
+
+
+@pytest.mark.parametrize("cell", CELLS, ids=lambda cell: f"{cell[1]} of row {cell[0]}")
+def test_another_cell_costs_one_fact_in_the_wrong_convention(cell: tuple[int, str]) -> None:
+    row, name = cell
+    verdict = judged(PUMA, in_the_wrong_convention(changed(PUMA, row, **{name: CELLS[cell]})))
+    assert verdict.score == round(1 - 4 / OF_PUMA, 2)
+    assert verdict.repairs[0].edits[0].code == "convention"
+
+
+def test_every_more_cell_costs_one_more() -> None:
+    scores, wrong = [], PUMA
+    for (row, name), value in CELLS.items():
+        wrong = changed(wrong, row, **{name: value})
+        scores.append(judged(PUMA, in_the_wrong_convention(wrong)).score)
+    assert scores == [round(1 - (3 + k) / OF_PUMA, 2) for k in range(1, 5)]
+
+
+@pytest.mark.parametrize("row", range(1, 7))
+def test_a_wrong_type_in_the_wrong_convention_is_told_and_costs_both(row: int) -> None:
+    rows = list(PUMA.rows)
+    rows[row - 1] = replace(rows[row - 1], joint=JointType.PRISMATIC)
+    verdict = judged(PUMA, in_the_wrong_convention(replace(PUMA, rows=tuple(rows))))
+    told = [(edit.code, edit.row) for edit in verdict.repairs[0].edits]
+    assert told == [("convention", None), ("joint_type", row)]
+    assert verdict.score == round(1 - (3 + 2) / OF_PUMA, 2)
+
+
+def test_a_cell_beside_two_rows_exchanged_costs_one_fact() -> None:
+    exchanged = with_rows_exchanged(RX90, 3)
+    alone, of_rx90 = judged(RX90, exchanged), 8
+    assert (alone.repairs[0].edits[0].code, alone.score) == ("rows_swapped", 1 - 2 / of_rx90)
+    both = judged(RX90, changed(exchanged, 5, alpha=0.3))
+    assert both.score == round(1 - 3 / of_rx90, 2)
+
+
+def test_zeros_earn_nothing_however_they_are_read() -> None:
+    """Across its prismatic joints a table of zeros has more facts wrong than may count."""
+    for name, key in references():
+        if name in ("random 41", "random 90", "stanford", "scara"):
+            rows = tuple(replace(row, theta=0.0, d=0.0, a=0.0, alpha=0.0) for row in key.rows)
+            assert judged(key, replace(key, rows=rows)).score == 0.0
+            assert judged(key, in_the_wrong_convention(replace(key, rows=rows))).score == 0.0
+
+
+def test_one_row_too_many_and_one_missing_are_put_right_one_after_the_other() -> None:
+    key = standard((R, 0, 0.2, 0, 0))
+    fixed = replace(key, rows=(DHRow(joint=JointType.FIXED, theta=0.0, d=0.0, a=0.3, alpha=0.0),))
+    changes = (Change("row_extra", Extent.ROW, 0), Change("row_missing", Extent.ROW, 1))
+    mended = with_joints_mended(fixed, changes, key.joint_types)
+    assert mended.joint_types == key.joint_types
+    twice = (Change("row_missing", Extent.ROW, 1), Change("row_missing", Extent.ROW, 1))
+    types = (JointType.REVOLUTE, JointType.REVOLUTE, JointType.PRISMATIC)
+    assert with_joints_mended(key, twice, types).joint_types == types
