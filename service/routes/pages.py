@@ -85,22 +85,21 @@ async def exercise_page(request: ApiRequest) -> Response:
     kept = {name: value for name in ("seed", QUERY) if (value := request.query_params.get(name))}
     query = urlencode({"lang": language, **kept})
 
-    def work() -> dict[str, str]:
-        return {
+    def work() -> tuple[dict[str, str], dict[str, str]]:
+        told = {
             "id": found.id,
             "title": found.title(language),
             "statement": statement_html(found, language),
-            "figure": _figure(request, found, language, query),
         }
+        return told, {"figure": _figure(request, found, language, query)}
 
     question = ("page", found.id, query, context_of(request))
-    values = (
-        await resources_of(request).limiters[WorkKind.DRAWING].run_first(question, work, ("page", found.id))
-    )
+    drawing = resources_of(request).limiters[WorkKind.DRAWING]
+    values, own = await drawing.run_first(question, work, ("page", found.id))
     # A SCORM package frames the page from whatever origin its LMS has. Nobody is signed in there: a page that
     # frames it gains nothing that it could not ask for itself.
     packaged = request.query_params.get("embed") == "scorm"
-    return page_response(request, EXERCISE, values, in_any_frame=packaged, off=found.access.off)
+    return page_response(request, EXERCISE, values, own=own, in_any_frame=packaged, off=found.access.off)
 
 
 def _figure(request: Request, found: Exercise, language: str, query: str) -> str:

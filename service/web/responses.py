@@ -70,6 +70,7 @@ def page_response(
     page: Page,
     values: Mapping[str, str] | None = None,
     *,
+    own: Mapping[str, str] | None = None,
     status: int = 200,
     in_any_frame: bool = False,
     form_action: str = "'self'",
@@ -81,6 +82,7 @@ def page_response(
         request: the request that it answers.
         page: which kind of page.
         values: what its template asks for as `{{ name }}`; `title` overrides the page's title.
+        own: the same of what differs from reader to reader; see `render`.
         status: the HTTP status.
         in_any_frame: whether anybody may frame it.
         form_action: where its forms may go.
@@ -99,7 +101,8 @@ def page_response(
         modules=store.imports(f"js/pages/{page.name}.js"),
         query=[item for item in request.query_params.multi_items() if item[0] != "lang"],
         values=values,
-        linked=_linked(request, off),
+        own=own,
+        linked=tuple(_linked(request, off)),
     )
     headers = {
         "Content-Security-Policy": content_security_policy(

@@ -6,13 +6,15 @@ import gzip
 import re
 from collections.abc import Iterator
 from pathlib import Path
-from urllib.parse import urljoin
+from typing import Any
+from urllib.parse import quote_plus, urljoin
 
 import httpx
 import pytest
 
 from service.messages import sentence
 from service.settings import Settings
+from service.web import shell
 from service.web.assets import Assets
 from tests.live_service import running
 from tests.web.conftest import LANGUAGES
@@ -267,3 +269,28 @@ def test_imports_are_followed_as_the_browser_follows_them(tmp_path: Path) -> Non
     for name in ("c", "d", "later"):
         (tmp_path / "a" / f"{name}.js").write_text("")
     assert Assets(tmp_path).imports("a/page.js") == ("b.js", "a/c.js", "a/d.js")
+
+
+def test_a_page_is_made_once_for_all_who_differ_in_their_values(
+    client: httpx.Client, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    made: list[str] = []
+    written = shell._written
+
+    def counted(page: shell.Page, *rest: Any) -> str:
+        made.append(page.name)
+        return written(page, *rest)
+
+    monkeypatch.setattr(shell, "_written", counted)
+    shell._shared.cache_clear()
+    seeds = ['"><b>', "s1", "s2"]
+    pages = [client.get("/exercises/puma560", params={"seed": seed, "lang": "en"}).text for seed in seeds]
+    assert made == ["exercise"]
+    for seed, page in zip(seeds, pages, strict=True):
+        told = quote_plus(seed)
+        assert f"?seed={told}&amp;lang=fr" in page
+        assert re.search(rf'src="[^"]+\.svg\?lang=en&amp;seed={re.escape(told)}"', page)
+        assert "\0" not in page
+        assert "<b>" not in page
+    figures = {re.search(r"figures/(\w+)\.svg", page)[1] for page in pages}  # type: ignore[index]
+    assert len(figures) == len(seeds)

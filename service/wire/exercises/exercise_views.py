@@ -168,10 +168,16 @@ def _language_note(found: Exercise, language: str) -> str | None:
 def figure_description(instance: Instance, language: str) -> str:
     """Return the figure in words."""
     sentences = (
-        sentence(language, f"figure-{entry.code}", in_sentence(entry.params, language))
+        _figure_sentence(language, entry.code, tuple(entry.params.items()))
         for entry in figure_sentences(instance)
     )
     return " ".join(text for text in sentences if text)
+
+
+@lru_cache(maxsize=CACHED_DESCRIPTIONS)
+def _figure_sentence(language: str, code: str, params: tuple[tuple[str, str | int], ...]) -> str | None:
+    """A sentence on a figure: most are true of every student's."""
+    return sentence(language, f"figure-{code}", in_sentence(dict(params), language))
 
 
 def _entry(found: Exercise, language: str) -> dict[str, Any]:
