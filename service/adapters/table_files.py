@@ -11,11 +11,9 @@ from dataclasses import dataclass, replace
 from pathlib import PurePosixPath
 from typing import Any, TypeAlias
 
-from python_calamine import CalamineWorkbook
-
 from kinematics.errors import Fault
 from kinematics.table import CELLS
-from service.adapters.workbook_extent import check_extent
+from service.adapters.workbooks import UnreadableError, sheets_of
 from service.http.decoding import JsonLimits, decode_json
 from service.http.problems import RequestError, ServiceError
 
@@ -187,14 +185,9 @@ def _rows_of_columns(
 
 def _workbook_tables(name: str, content: bytes, settings: TableSettings) -> Iterator[FoundTable]:
     try:
-        check_extent(content, _MOST_CELLS)
-        workbook = CalamineWorkbook.from_filelike(io.BytesIO(content))
-        sheets = [
-            (title, workbook.get_sheet_by_name(title).to_python(nrows=MOST_ROWS))
-            for title in workbook.sheet_names
-        ]
-    except Exception as error:  # the reader raises what its formats' readers raise
-        raise _refused("file_unreadable", name, reason=str(error)[:200]) from None
+        sheets = sheets_of(content, MOST_ROWS, _MOST_CELLS)
+    except UnreadableError as error:
+        raise _refused("file_unreadable", name, reason=str(error)) from None
     for title, grid in sheets:
         if any(any(cell not in ("", None) for cell in row) for row in grid):
             for found in _grid_tables(name, grid, settings):

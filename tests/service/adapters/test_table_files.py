@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import io
 import json
+import struct
 import zipfile
 from pathlib import Path
 from xml.sax.saxutils import escape
@@ -313,3 +314,64 @@ def test_cells_that_repeat_are_counted_before_their_sheet_is_made(sheets: tuple[
     with pytest.raises(RequestError) as refused:
         read_tables("ann.ods", document(*sheets), TableSettings())
     assert [fault.code for fault in refused.value.faults] == [code]
+
+
+def binary_workbook(*cells: tuple[int, int, float | str], sheets: int = 1) -> bytes:
+    """An Excel 97 workbook ([MS-XLS] in [MS-CFB]) of equal sheets, as small as a reader takes it."""
+
+    def record(kind: int, content: bytes) -> bytes:
+        return struct.pack("<HH", kind, len(content)) + content
+
+    def cell(row: int, column: int, value: float | str) -> bytes:
+        place = struct.pack("<HHH", row, column, 0)
+        if isinstance(value, str):
+            return record(0x204, place + struct.pack("<HB", len(value), 0) + value.encode())
+        return record(0x203, place + struct.pack("<d", value))
+
+    end = record(0x0A, b"")
+    book = record(0x809, struct.pack("<HHHHII", 0x600, 5, 0, 0, 0, 6))
+    first = len(book) + sheets * 14 + len(end)
+    sheet = record(0x809, struct.pack("<HHHHII", 0x600, 0x10, 0, 0, 0, 6))
+    sheet += b"".join(cell(*each) for each in cells) + end
+    for number in range(sheets):
+        book += record(0x85, struct.pack("<IHBB", first + number * len(sheet), 0, 2, 0) + b"%02d" % number)
+    stream = (book + end + sheet * sheets).ljust(4096, b"\0")
+    stream += b"\0" * (-len(stream) % 512)
+    count = len(stream) // 512
+    free, last, table = 0xFFFFFFFF, 0xFFFFFFFE, 0xFFFFFFFD
+    chains = [table, last, *range(3, count + 2), last]
+
+    def entry(name: str, kind: int, child: int, start: int, size: int) -> bytes:
+        text = name.encode("utf-16-le")
+        links = struct.pack("<HBBIII", len(text) + 2, kind, 1, free, free, child)
+        return text.ljust(64, b"\0") + links + bytes(36) + struct.pack("<IQ", start, size)
+
+    entries = entry("Root Entry", 5, 1, last, 0) + entry("Workbook", 2, free, 2, len(stream))
+    head = bytes.fromhex("d0cf11e0a1b11ae1") + bytes(16) + struct.pack("<HHHHH", 0x3E, 3, 0xFFFE, 9, 6)
+    head += bytes(10) + struct.pack("<IIIIIIIII", 1, 1, 0, 4096, last, 0, last, 0, 0)
+    head += struct.pack("<I", free) * 108
+    fat = struct.pack(f"<{len(chains)}I", *chains).ljust(512, b"\xff")
+    return head + fat + entries.ljust(512, b"\0") + stream
+
+
+HEADER = tuple((0, i, title) for i, title in enumerate(("theta", "d", "a", "alpha")))
+
+
+@pytest.mark.parametrize(
+    "content",
+    [
+        binary_workbook(*HEADER, (65535, 255, 1.0), sheets=12),
+        binary_workbook(*HEADER, (65535, 255, 1.0)),
+        binary_workbook(*HEADER, *((60_000, i, 1.0) for i in range(4)), sheets=30),
+    ],
+    ids=["more than there is memory", "more than are read", "many sheets"],
+)
+def test_a_workbook_that_takes_too_much_ends_nothing_but_its_reader(content: bytes) -> None:
+    """Five kilobytes in the format of Excel 97 ended the grading of a class."""
+    for _ in range(2):
+        with pytest.raises(RequestError) as refused:
+            read_tables("eve.xls", content, TableSettings())
+        assert [fault.code for fault in refused.value.faults] == ["file_unreadable"]
+    rows = ((i, j, float(i + j)) for i in range(1, 3) for j in range(4))
+    (found,) = read_tables("ann.xls", binary_workbook(*HEADER, *rows), TableSettings())
+    assert [row["alpha"] for row in found.table["rows"]] == [4, 5]
