@@ -46,7 +46,7 @@ def visited(tmp_path_factory: pytest.TempPathFactory) -> Iterator[httpx.Client]:
             _wait_for(port)
             transport = httpx.HTTPTransport(local_address=VISITOR)
             url = f"http://127.0.0.1:{port}/dh"
-            with httpx.Client(base_url=url, transport=transport, timeout=60) as client:
+            with httpx.Client(base_url=url, transport=transport, timeout=120) as client:
                 yield client
         finally:
             process.terminate()

@@ -63,7 +63,7 @@ def generated(tmp_path_factory: pytest.TempPathFactory) -> Path:
 def connected(generated: Path, base_url: str) -> Iterator[Any]:
     """The generated package's own client."""
     package = importlib.import_module(NAME)
-    with package.Client(base_url=base_url, timeout=60) as client:
+    with package.Client(base_url=base_url, timeout=120) as client:
         yield client
 
 

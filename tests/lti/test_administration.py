@@ -29,7 +29,7 @@ ADDRESSES = {
 
 @pytest.fixture
 def administrator(service: str, store: Store) -> Iterator[httpx.Client]:
-    with httpx.Client(base_url=f"{service}/api/v1/administration/", timeout=60, trust_env=False) as client:
+    with httpx.Client(base_url=f"{service}/api/v1/administration/", timeout=120, trust_env=False) as client:
         code = invite_administrator(store, now())
         client.headers["Authorization"] = f"Bearer {client.post('open', json={'code': code}).json()['token']}"
         again = client.post("open", json={"code": code})
@@ -89,7 +89,7 @@ def test_an_invitation_made_on_the_page_registers_a_platform(administrator: http
     told = administrator.get("platforms").json()["invitations"][0]
     assert (told["note"], told["open"]) == ("Moodle of the faculty", True)
     asked = {"openid_configuration": f"{lms.root}/openid", "registration_token": "once"}
-    assert 'data-step="close"' in httpx.get(address, params=asked, timeout=60, trust_env=False).text
+    assert 'data-step="close"' in httpx.get(address, params=asked, timeout=120, trust_env=False).text
     state = administrator.get("platforms").json()
     assert state["invitations"][0]["used"]
     (pending,) = (each for each in state["platforms"] if each["issuer"] == lms.root)
@@ -99,7 +99,7 @@ def test_an_invitation_made_on_the_page_registers_a_platform(administrator: http
 
 def test_a_lecturer_is_told_what_to_send(service: str) -> None:
     for language in ("en", "uk"):
-        page = httpx.get(f"{service}/lti/connect?lang={language}", timeout=60, trust_env=False)
+        page = httpx.get(f"{service}/lti/connect?lang={language}", timeout=120, trust_env=False)
         assert page.status_code == 200
         for path in ("login", "launch", "jwks", "configuration"):
             assert f"{service}/lti/{path}" in page.text

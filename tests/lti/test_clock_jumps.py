@@ -59,7 +59,7 @@ def student(store: Store, clock: type[Clock], tmp_path: Path) -> Iterator[httpx.
             base_url=f"{origin}/api/v1/",
             headers={"Authorization": f"Bearer {token}"},
             trust_env=False,
-            timeout=60,
+            timeout=120,
         ) as client,
     ):
         yield client

@@ -48,12 +48,12 @@ class Student:
         self.root, self.headers = f"{origin}/api/v1", {"Authorization": f"Bearer {token(settings)}"}
 
     def get(self, path: str) -> Any:
-        return httpx.get(f"{self.root}/{path}", headers=self.headers, timeout=60, trust_env=False).json()
+        return httpx.get(f"{self.root}/{path}", headers=self.headers, timeout=120, trust_env=False).json()
 
     def submit(self, body: dict[str, Any], key: str) -> httpx.Response:
         headers = {**self.headers, "Idempotency-Key": key}
         address = f"{self.root}/session/attempts"
-        return httpx.post(address, json=body, headers=headers, timeout=60, trust_env=False)
+        return httpx.post(address, json=body, headers=headers, timeout=120, trust_env=False)
 
 
 def test_an_attempt_keeps_the_version_that_it_was_made_with(tmp_path: Path, settings: Settings) -> None:
@@ -97,7 +97,7 @@ class Teacher(Student):
     def regraded(self) -> httpx.Response:
         """What regrading all attempts of the link would change."""
         path = f"{self.root}/course/links/{self.link}/regradings"
-        return httpx.post(path, json={"scope": "all"}, headers=self.headers, timeout=60, trust_env=False)
+        return httpx.post(path, json={"scope": "all"}, headers=self.headers, timeout=120, trust_env=False)
 
 
 @pytest.mark.parametrize("mended", [RENAMED, TWO_LINKS.replace('kind = "table"', 'kind = "transform"'), None])
@@ -119,7 +119,7 @@ def test_what_the_exercise_cannot_read_any_more_is_told_and_stays(
         if mended is None:
             chosen = {"exercise": "scara"}
             path = f"{teacher.root}/course/links/{teacher.link}/settings"
-            httpx.put(path, json=chosen, headers=teacher.headers, timeout=60, trust_env=False)
+            httpx.put(path, json=chosen, headers=teacher.headers, timeout=120, trust_env=False)
         told = teacher.regraded()
         assert told.status_code == 200
         assert (told.json()["changes"], len(told.json()["unread"])) == ([], 1)

@@ -114,5 +114,5 @@ def test_the_addresses_that_are_copied_into_a_platform_are_there(tmp_path: Path)
     assert paths >= {"/lti/login", "/lti/launch", "/lti/jwks", "/lti/configuration"}
     with running(Settings(storage="on", data_folder=tmp_path / "data")) as origin:
         for path in paths:
-            answer = httpx.get(origin + path, timeout=60, trust_env=False)
+            answer = httpx.get(origin + path, timeout=120, trust_env=False)
             assert answer.status_code != 404, path

@@ -99,7 +99,8 @@ def test_a_database_that_goes_and_comes_back_loses_nothing(cable: Cable, tmp_pat
     arrival = Arrival(platform=platform(store), subject="s", exercise_id="puma560", **told)
     token, _ = arrive(store, arrival, now())
     acknowledged: list[str] = []
-    with running(Settings(storage="on", database_url=cable.url, data_folder=tmp_path)) as origin:
+    settings = Settings(storage="on", database_url=cable.url, data_folder=tmp_path)
+    with running(settings, ahead=True) as origin:
         client = httpx.Client(base_url=origin, timeout=120, trust_env=False)
         client.headers["Authorization"] = f"Bearer {token}"
 
@@ -286,7 +287,7 @@ def test_a_service_whose_disk_takes_nothing_is_not_ready(
 def test_a_file_that_is_taken_away_is_noticed_and_nothing_is_acknowledged_into_it(tmp_path: Path) -> None:
     away = tmp_path / "away"
     away.mkdir()
-    with running(Settings(storage="on", data_folder=tmp_path / "data")) as origin:
+    with running(Settings(storage="on", data_folder=tmp_path / "data"), ahead=True) as origin:
         store = open_store("", tmp_path / "data")
         told = {"role": Role.LEARNER, "deployment": "1", "context": "c", "resource": "r"}
         arrival = Arrival(platform=platform(store), subject="s", exercise_id="puma560", **told)

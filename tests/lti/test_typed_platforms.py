@@ -112,7 +112,7 @@ def test_a_platform_that_was_stored_without_an_address_is_told_at_the_login(
     )
     add_platform(store, stored, (), now())
     asked = {"iss": "nonsense", "login_hint": "u", "target_link_uri": f"{service}/", **more}
-    answer = httpx.get(f"{service}/lti/login", params=asked, timeout=60, trust_env=False)
+    answer = httpx.get(f"{service}/lti/login", params=asked, timeout=120, trust_env=False)
     assert (answer.status_code, answer.json()["code"]) == (400, "lti_configuration_invalid")
 
 

@@ -38,5 +38,5 @@ def base_url() -> Iterator[str]:
 
 @pytest.fixture(scope="session")
 def client(base_url: str) -> Iterator[httpx.Client]:
-    with httpx.Client(base_url=base_url, timeout=60) as connected:
+    with httpx.Client(base_url=base_url, timeout=120) as connected:
         yield connected

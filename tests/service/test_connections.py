@@ -149,7 +149,7 @@ def test_who_does_not_read_is_given_up(monkeypatch: pytest.MonkeyPatch) -> None:
         head = b"POST /api/v1/forward-kinematics HTTP/1.1\r\nHost: here\r\nContent-Type: application/json\r\n"
         with connected(url) as deaf:
             deaf.sendall(head + b"Content-Length: %d\r\n\r\n" % len(body) + body)
-            with httpx.Client(base_url=url, timeout=60) as client:
+            with httpx.Client(base_url=url, timeout=120) as client:
                 for _ in range(
                     100
                 ):  # the one slot for batches is free again, once the deaf caller is given up

@@ -52,8 +52,8 @@ def shared(tmp_path: Path) -> Iterator[Sharing]:
     with (
         running(settings) as one,
         running(settings) as other,
-        httpx.Client(base_url=one, trust_env=False, timeout=60) as first,
-        httpx.Client(base_url=other, trust_env=False, timeout=60) as second,
+        httpx.Client(base_url=one, trust_env=False, timeout=120) as first,
+        httpx.Client(base_url=other, trust_env=False, timeout=120) as second,
     ):
         yield Sharing(first, second, store)
     store.close()

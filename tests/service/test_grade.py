@@ -153,7 +153,7 @@ def test_grading_does_not_stall_others(client: httpx.Client, base_url: str) -> N
     done = threading.Event()
 
     def keep_busy() -> None:
-        with httpx.Client(base_url=base_url, timeout=60) as other:
+        with httpx.Client(base_url=base_url, timeout=120) as other:
             for k in range(4):
                 other.post("/api/v1/grade", json={"reference": RX90, "submission": row(wrong, 5, d=k / 7)})
         done.set()

@@ -21,7 +21,7 @@ def test_alive_and_which_version(client: httpx.Client) -> None:
 
 
 def test_ready_is_true_to_the_worker_processes() -> None:
-    with running(Settings()) as url, httpx.Client(base_url=url, timeout=120) as client:
+    with running(Settings(), ahead=True) as url, httpx.Client(base_url=url, timeout=120) as client:
         assert client.get("/readyz").status_code == 200
         table = {"convention": "standard", "rows": [{"alpha": 0, "a": "L1", "d": 0, "theta": "q1"}]}
         assert client.post("/api/v1/symbolic", json={"table": table}).status_code == 200

@@ -53,7 +53,7 @@ def test_statistics_know_the_mistake_all_the_same_and_so_does_the_student_later(
     signed_in = {"Authorization": f"Bearer {token}"}
     with (
         running(Settings(storage="on", data_folder=tmp_path)) as origin,
-        httpx.Client(base_url=f"{origin}/api/v1/", headers=signed_in, timeout=60, trust_env=False) as client,
+        httpx.Client(base_url=f"{origin}/api/v1/", headers=signed_in, timeout=120, trust_env=False) as client,
     ):
         answer = client.post("session/attempts", json={"table": WRONG})
         again = client.get("session/attempts/1").json()["report"]

@@ -150,10 +150,10 @@ def test_a_server_of_several_processes_tells_the_figures_of_all(tmp_path: Path) 
         deadline = time.monotonic() + 120
         while asked < 20 and time.monotonic() < deadline:
             try:  # a connection of its own each time, so that both processes are asked
-                asked += httpx.get(f"{url}/version", timeout=60, trust_env=False).status_code == 200
+                asked += httpx.get(f"{url}/version", timeout=120, trust_env=False).status_code == 200
             except httpx.HTTPError:
                 time.sleep(0.1)
-        with httpx.Client(base_url=url, timeout=60, trust_env=False) as client:
+        with httpx.Client(base_url=url, timeout=120, trust_env=False) as client:
 
             def counted() -> bool:
                 return figure(figures(client), "framewise_request_seconds_count", route="/version") == 20

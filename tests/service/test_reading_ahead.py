@@ -48,7 +48,7 @@ def test_making_a_service_reads_no_packaged_exercise(read: list[str]) -> None:
 
 
 def test_a_service_that_runs_reads_them_all(read: list[str]) -> None:
-    with running(Settings(storage="off")):
+    with running(Settings(storage="off"), ahead=True):
         until = time.monotonic() + PATIENCE
         while set(read) != set(Library().ids) and time.monotonic() < until:
             time.sleep(0.05)

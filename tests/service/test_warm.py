@@ -61,7 +61,7 @@ def test_a_warm_course_draws_nothing_more(
     seeds = set()
     with (
         running(Settings(storage="on", data_folder=folder)) as origin,
-        httpx.Client(base_url=f"{origin}/api/v1/", trust_env=False, timeout=60) as client,
+        httpx.Client(base_url=f"{origin}/api/v1/", trust_env=False, timeout=120) as client,
         patch.object(figure_files, "figure_drawing", side_effect=AssertionError("drawn again")),
     ):
         for token in tokens:

@@ -24,7 +24,7 @@ ADDRESS = re.compile(r'(?:href|src|action)="([^"]+)"')
 
 @pytest.fixture(scope="module")
 def client(web: str) -> Iterator[httpx.Client]:
-    with httpx.Client(base_url=web, timeout=60) as connected:
+    with httpx.Client(base_url=web, timeout=120) as connected:
         yield connected
 
 
