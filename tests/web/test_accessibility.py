@@ -64,29 +64,26 @@ def table_pasted(page: Page) -> None:
     page.get_by_role("dialog").locator("textarea").fill("0 0 0 θ1\n90 0 0 θ2")
 
 
-STATES: list[tuple[str, State]] = [
-    ("/", as_it_opens),
-    ("/", languages_open),
-    ("/exercises/puma560", as_it_opens),
-    ("/exercises/puma560", table_typed),
-    ("/exercises/scara-own-inverse", symbols_shown),
-    ("/exercises/scara", cells_at_fault),
-    ("/exercises/scara", wrong_answer),
-    ("/exercises/scara", right_answer),
-    ("/exercises/scara", table_pasted),
-    ("/exercises/nowhere", as_it_opens),
-]
+STATES: dict[str, tuple[State, ...]] = {
+    "/": (as_it_opens, languages_open),
+    "/exercises/puma560": (as_it_opens, table_typed),
+    "/exercises/scara-own-inverse": (symbols_shown,),
+    "/exercises/scara": (cells_at_fault, wrong_answer, right_answer, table_pasted),
+    "/exercises/nowhere": (as_it_opens,),
+}
+"""What somebody does on a page, one after the other."""
 
 
-@pytest.mark.parametrize(("path", "state"), STATES, ids=[f"{p[1:]}-{s.__name__}" for p, s in STATES])
-def test_no_violation(
-    open_page: OpenPage, watch: Watch, assert_accessible: Check, path: str, state: State
+@pytest.mark.parametrize("path", STATES)
+def test_no_violation_in_any_state(
+    open_page: OpenPage, watch: Watch, assert_accessible: Check, path: str
 ) -> None:
     if path.endswith("nowhere"):
         watch.allow("404")
     page = open_page(path)
-    state(page)
-    assert_accessible(page)
+    for bring_about in STATES[path]:
+        bring_about(page)
+        assert_accessible(page)
 
 
 @pytest.mark.parametrize("language", ["ro", "uk"])
@@ -108,22 +105,6 @@ if EVERYTHING:
     FORCED = dict.fromkeys(WIDTHS, ("none", "active"))
 
 
-@pytest.mark.parametrize("path", PAGES)
-def test_no_violation_at_any_width_in_any_colours(
-    open_page: OpenPage, assert_accessible: Check, path: str
-) -> None:
-    page = open_page(path)
-    page.evaluate("document.querySelectorAll('main details').forEach((details) => (details.open = true))")
-    for width in WIDTHS:
-        page.set_viewport_size({"width": width, "height": 844})
-        assert page.evaluate("document.documentElement.scrollWidth <= window.innerWidth"), width
-        for forced in FORCED.get(width, ()):
-            if path == "/playground" and forced == "none" and not EVERYTHING:
-                continue  # test_playground.py looks at it, with every tool open and answered
-            page.emulate_media(forced_colors=forced)
-            assert_accessible(page)
-
-
 SMALL_TARGETS = """() => {
   const tiny = new CSSStyleSheet();
   tiny.replaceSync("body * { font-size: 1px !important; line-height: 1 !important; }");
@@ -141,10 +122,21 @@ SMALL_TARGETS = """() => {
 
 
 @pytest.mark.parametrize("path", PAGES)
-def test_targets_are_large_enough_whatever_the_font(open_page: OpenPage, path: str) -> None:
+def test_no_violation_at_any_width_in_any_colours_and_no_small_target_in_any_font(
+    open_page: OpenPage, assert_accessible: Check, path: str
+) -> None:
     """With glyphs of one pixel, what is left of a target is what the style sheet sees to by itself."""
     page = open_page(path)
     page.evaluate("document.querySelectorAll('main details').forEach((details) => (details.open = true))")
+    for width in WIDTHS:
+        page.set_viewport_size({"width": width, "height": 844})
+        assert page.evaluate("document.documentElement.scrollWidth <= window.innerWidth"), width
+        for forced in FORCED.get(width, ()):
+            if path == "/playground" and forced == "none" and not EVERYTHING:
+                continue  # test_playground.py looks at it, with every tool open and answered
+            page.emulate_media(forced_colors=forced)
+            assert_accessible(page)
+    page.emulate_media(forced_colors="none")
     for width in (390, 1280):
         page.set_viewport_size({"width": width, "height": 900})
         assert page.evaluate(SMALL_TARGETS) == [], width

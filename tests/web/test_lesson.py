@@ -39,16 +39,11 @@ def test_the_motion_under_way_is_marked_in_both_orders(open_page: OpenPage) -> N
 
 
 @pytest.mark.parametrize("language", LANGUAGES)
-def test_books_and_their_numberings_are_named(open_page: OpenPage, language: str) -> None:
-    page = open_page("/lesson", lang=language)
+def test_books_and_their_numberings_are_named_also_on_a_phone(open_page: OpenPage, language: str) -> None:
+    page = open_page("/lesson", lang=language, width=360)
     books = page.locator("#books tbody tr")
     for author in ("Craig", "Spong", "Siciliano", "Khalil"):
         expect(books.filter(has_text=author)).to_contain_text("₂" if author == "Khalil" else "₁")
     assert "lesson-" not in page.locator("main").inner_text()
-
-
-@pytest.mark.parametrize("language", LANGUAGES)
-def test_the_table_of_books_fits_a_phone(open_page: OpenPage, language: str) -> None:
-    page = open_page("/lesson", lang=language, width=360)
     table = page.locator("#books .scroller")
     assert table.evaluate("box => box.scrollWidth <= box.clientWidth")
