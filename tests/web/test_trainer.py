@@ -110,6 +110,7 @@ def test_an_open_choice_is_pointed_out(open_page: OpenPage) -> None:
     ready(page)
     page.locator("#frame button.primary").click()
     expect(page.locator("#announcer")).to_have_text("Frame 0 has no choice yet.")
+    expect(page.locator("#frame .notice")).to_have_text("Frame 0 has no choice yet.")
     expect(page.locator("#steps [aria-current]")).to_have_text("z axes")
 
 

@@ -29,6 +29,8 @@ class Trainer {
   #running = 0;
   /** The frame whose list is shown: a choice is for that one. */
   shown = -1;
+  /** Why the step is not finished. */
+  note = "";
   /** Why the step before is right. */
   why = "";
   /** @type {Judged | null} */
@@ -72,9 +74,14 @@ class Trainer {
     );
   }
 
-  /** Takes a new state, asks the service about it and shows both. @param {State} state */
-  async become(state) {
+  /**
+   * Takes a new state, asks the service about it and shows both.
+   * @param {State} state @param {string} [note] why the step is not finished
+   */
+  async become(state, note = "") {
     cancelAnimationFrame(this.#running);
+    this.note = note;
+    if (note) announce(note);
     if (state.step !== this.state.step && STEPS.indexOf(state.step) < STEPS.indexOf(this.state.step)) this.why = "";
     this.state = state;
     keep(draft, state);
@@ -126,9 +133,15 @@ class Trainer {
     const focused = this.body.contains(document.activeElement);
     if (!this.list?.isConnected) {
       this.list = el("div", { class: "stack" });
+      this.noted = el("p", { class: "notice" });
       this.buttons = el("div");
-      fill(this.body, el("p", { class: "lead-small", text: t(`trainer-task-${part}`) }), this.list, this.buttons);
+      const task = el("p", { class: "lead-small", text: t(`trainer-task-${part}`) });
+      fill(this.body, task, this.list, this.noted, this.buttons);
     } else if (this.body.firstElementChild) this.body.firstElementChild.textContent = t(`trainer-task-${part}`);
+    if (this.noted) {
+      this.noted.textContent = this.note;
+      this.noted.hidden = !this.note;
+    }
     showChooser(this.list, {
       state,
       part,
@@ -231,17 +244,12 @@ class Trainer {
   #check(part) {
     if (!isFull(this.state)) {
       const frame = this.state.frames.findIndex((each) => part && each[part] === undefined);
-      announce(t("trainer-open-choice", { frame }));
-      return this.become({ ...this.state, frame });
+      return this.become({ ...this.state, frame }, t("trainer-open-choice", { frame }));
     }
     const broken = part ? this.state.frames.findIndex((_, i) => this.#faults(i, part).length > 0) : -1;
     if (broken >= 0) {
-      announce(
-        t("trainer-status", {
-          broken: this.state.frames.filter((_, i) => part && this.#faults(i, part).length).length,
-        }),
-      );
-      return this.become({ ...this.state, checked: true, frame: broken });
+      const count = this.state.frames.filter((_, i) => part && this.#faults(i, part).length).length;
+      return this.become({ ...this.state, checked: true, frame: broken }, t("trainer-status", { broken: count }));
     }
     this.why = part ? t(`trainer-why-${part}`, { convention: this.state.convention }) : "";
     announce(`${t("trainer-step-done")} ${this.why}`);
