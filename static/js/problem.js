@@ -2,12 +2,20 @@
 
 import { Problem } from "./api.js";
 import { el, fill } from "./dom.js";
-import { t } from "./i18n.js";
+import { named, t } from "./i18n.js";
 
-/** What to say of an error. @param {unknown} error @returns {string[]} */
+/** @type {Record<string, string>} */
+const GREEK = { alpha: "α", theta: "θ" };
+
+/** What to say of an error, with the row and the column that it concerns. @param {unknown} error @returns {string[]} */
 function sentencesOf(error) {
-  if (error instanceof Problem) return error.faults.map((fault) => fault.detail);
-  return [t("form-unreachable")];
+  if (!(error instanceof Problem)) return [t("form-unreachable")];
+  return error.faults.map(({ pointer, detail }) => {
+    const [, grid, row, cell] = /\/(rows|joints)\/(\d+)\/(\w+)$/.exec(pointer ?? "") ?? [];
+    if (!cell) return detail;
+    const name = grid === "joints" ? cell.toUpperCase() : (GREEK[cell] ?? cell);
+    return named(t("form-row-cell", { row: Number(row) + 1, name }), detail);
+  });
 }
 
 /** @param {unknown} error @param {{retry?: () => void}} [options] */

@@ -19,7 +19,7 @@ from service.schemas.exercises.examples_authoring import TWO_LINKS
 from service.settings import Settings
 from tests.live_service import running
 from tests.web.conftest import LANGUAGES, OpenPage, Watch
-from tests.web.driving import put_table
+from tests.web.driving import cell, put_table
 
 PATIENCE = 120_000
 UR5 = {"d1": "0.0892", "a2": "0.425", "a3": "0.392", "d4": "0.1093", "d5": "0.0948"}
@@ -163,6 +163,19 @@ def test_a_scara_from_a_table(open_page: OpenPage, watch: Watch) -> None:
     page.locator("[data-path='definition/policy/tool']").select_option("free")
     green(page)
     holds(downloaded(page), "my-robot", 4)
+
+
+def test_what_is_wrong_with_a_typed_table_is_said_at_its_cells(open_page: OpenPage, watch: Watch) -> None:
+    """Three times "This cell is empty" stood below the button, and nothing said which cells."""
+    watch.allow("422")
+    page = open_page("/author")
+    start_with(page, "table")
+    cell(page, 0, "a").fill("L1(")
+    page.get_by_role("button", name="Start with this robot").click()
+    summary = page.locator("dh-table-editor .editor-summary")
+    expect(summary).to_contain_text("3 cells need your attention")
+    expect(summary).to_be_focused()
+    expect(page.locator("#author-start [role=alert]")).to_have_count(0)
 
 
 def test_an_arm_from_urdf(open_page: OpenPage) -> None:

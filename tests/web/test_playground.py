@@ -326,6 +326,9 @@ def test_a_chain_that_is_none_is_refused_in_words(open_page: OpenPage, watch: Wa
     page.locator("#sources details[open]").get_by_label("row 1, A", exact=True).first.fill("2*a1")
     page.locator("#sources details[open]").get_by_role("button", name="Modified table").click()
     expect(page.locator("#sources details[open] [role=alert]")).to_contain_text("q1")
+    page.locator("#sources details[open]").get_by_label("row 2, X", exact=True).first.fill("L1 %")
+    page.locator("#sources details[open]").get_by_role("button", name="Modified table").click()
+    expect(page.locator("#sources details[open] [role=alert]")).to_contain_text("row 2, X: At character")
 
 
 def test_urdf_there_and_back(open_page: OpenPage) -> None:

@@ -20,6 +20,8 @@ export class Start {
   /** @type {any} */
   #scene = null;
   #way = "robot";
+  /** @type {any} */
+  editor = null;
 
   /** @param {import("../api.js").Api} api @param {import("./draft-store.js").DraftStore} store @param {() => void} started */
   constructor(api, store, started) {
@@ -123,6 +125,7 @@ export class Start {
   #tableEditor() {
     const editor = /** @type {any} */ (document.createElement("dh-table-editor"));
     void import("../editor/dh-table-editor.js");
+    this.editor = editor;
     return [editor, this.#button(() => ({ table: editor.table }))];
   }
 
@@ -212,8 +215,10 @@ export class Start {
     this.store.load(withRobot(this.store.draft, draft), source, tag);
   }
 
-  /** @param {unknown} error */
+  /** Says what is wrong, in a typed table at its cells. @param {unknown} error */
   #refuse(error) {
-    fill(this.problem, problemNotice(error));
+    const ofTable = this.#way === "table" && error instanceof Problem && error.status < 500;
+    const isShown = ofTable && this.editor?.showRefusal(error.faults);
+    fill(this.problem, isShown ? null : problemNotice(error));
   }
 }
