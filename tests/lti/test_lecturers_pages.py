@@ -101,6 +101,23 @@ def test_the_class_its_numbers_and_an_attempt(
     preview.close()
 
 
+def test_a_wrong_attempt_is_shown_as_it_was_typed_beside_the_figure(
+    page: Page, browser: Browser, lms: Lms, service: str
+) -> None:
+    """The figure took the width of the window, and a modified table had the columns of a standard one."""
+    where = {"resource": "wrong", "context": "wrong", "custom": CUSTOM}
+    browser.launch("ann", hint(**where))
+    assert browser.api("POST", "session/attempts", WRONG).status_code in (200, 409)
+    arrived(page, lms, "tina", hint([TEACHER], **where))
+    page.locator("#link dl button").first.click()
+    page.get_by_role("button", name="Open", exact=True).first.click()
+    expect(page.locator("#attempt thead").first).to_contain_text("αᵢ₋₁aᵢ₋₁dᵢθᵢ")
+    expect(page.locator("#attempt")).to_contain_text("PUMA 560 (puma560-")
+    figure = page.locator("#attempt .figure-paper")
+    figure.scroll_into_view_if_needed()
+    assert figure.evaluate("({ offsetWidth }) => offsetWidth") < 600
+
+
 def test_rules_of_a_published_exercise_keep_it(
     page: Page, browser: Browser, another_browser: Callable[[], Browser], lms: Lms, service: str
 ) -> None:

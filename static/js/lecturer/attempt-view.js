@@ -2,6 +2,8 @@
 
 import { dataTable } from "../data-table.js";
 import { el, fill } from "../dom.js";
+import { columnText } from "../editor/grid.js";
+import { COLUMNS } from "../editor/model.js";
 import { bothRobots } from "../exercise/both-robots.js";
 import { partName } from "../exercise/progress.js";
 import { partView, verdictView } from "../exercise/verdict-view.js";
@@ -9,17 +11,17 @@ import { dates, language, t } from "../i18n.js";
 import { robotOf } from "../live-robot.js";
 import { convertedValues } from "../units.js";
 
-const CELLS = ["theta", "d", "a", "alpha"];
-
 /** @param {import("../api.js").Api} api @param {HTMLElement} card @param {HTMLElement} place @param {any} attempt */
 export async function showAttempt(api, card, place, attempt) {
   const { answer, report, person } = attempt;
   const when = dates({ dateStyle: "medium", timeStyle: "medium" });
   const { table, ...others } = report.parts;
+  const convention = /** @type {"standard" | "modified"} */ (answer.table?.convention ?? "standard");
+  const cells = COLUMNS[convention];
   const rows = (answer.table?.rows ?? []).map((/** @type {any} */ row, /** @type {number} */ i) => [
     i + 1,
     row.joint ? t(`form-joint-${row.joint}`) : "",
-    ...CELLS.map((cell) => String(row[cell] ?? "")),
+    ...cells.map((cell) => String(row[cell] ?? "")),
   ]);
   const exercise = await api.get(pathOf(attempt)).catch(() => ({ parts: [] })); // one that is gone names no places
   const { placeOf } = await import("../exercise/answer-card.js");
@@ -32,12 +34,12 @@ export async function showAttempt(api, card, place, attempt) {
       el("span", { text: person.slice(0, 8) }),
       el("span", { text: t("lecturer-attempt-number", { attempt: attempt.number }) }),
       el("time", { datetime: attempt.at, text: when.format(new Date(attempt.at)) }),
-      el("span", { text: `${attempt.exercise} (${attempt.version})` }),
+      el("span", { text: `${exercise.title ?? attempt.exercise} (${attempt.version})` }),
     ),
     answer.table
       ? dataTable(
-          t("form-table-caption", { convention: t(`form-convention-${answer.table.convention}`) }),
-          [t("form-row-heading"), t("form-joint"), "θ", "d", "a", "α"],
+          t("form-table-caption", { convention: t(`form-convention-${convention}`) }),
+          [t("form-row-heading"), t("form-joint"), ...cells.map((cell) => columnText(cell, convention))],
           rows,
           {
             captioned: true,
@@ -45,7 +47,7 @@ export async function showAttempt(api, card, place, attempt) {
         )
       : null,
     verdictView(report, {
-      convention: answer.table?.convention ?? "standard",
+      convention,
       rows: answer.table?.rows.length ?? 0,
       focusRow: null,
     }),
@@ -113,5 +115,5 @@ async function draw(api, place, attempt, exercise) {
     width: 480,
     height: 330,
   });
-  place.append(el("div", { class: "row" }, scene, figure));
+  place.append(el("div", { class: "attempt-pictures" }, scene, figure));
 }
