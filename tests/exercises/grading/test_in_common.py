@@ -5,8 +5,12 @@ from __future__ import annotations
 import pytest
 
 from exercises.grading import Edit, HelpLevel, Repair
+from exercises.grading.edits.accused import own_table_first
+from exercises.grading.edits.changes import Change, Extent
 from exercises.grading.edits.in_common import in_common
+from exercises.grading.edits.repairs import Repaired
 from tests.exercises.answering import judged, table
+from tests.kinematics.equivalence.tables import R, changed, standard
 
 
 def repair(*edits: tuple[str, int | None, str | None]) -> Repair:
@@ -29,6 +33,16 @@ def repair(*edits: tuple[str, int | None, str | None]) -> Repair:
 def test_what_repairs_share(repairs: list[Repair], code: str | None, row: int | None) -> None:
     found = in_common(repairs)
     assert (found and found.code, found and found.row) == (code, row)
+
+
+def test_of_repairs_as_small_the_one_to_the_own_table_of_the_key_comes_first() -> None:
+    key = standard((R, 0.5, 0.4, 0.2, 0.0), (R, 0.3, 0.3, 0.1, 0.0))
+    answer = changed(key, 1, a=0.5)
+    length = Change(code="any", extent=Extent.CELL, row=0, cell="a", cells=((0, "a", 0.4),))
+    other = length._replace(cells=((0, "a", 0.45),))
+    elsewhere, two, own = Repaired((other,)), Repaired((other, length)), Repaired((length,))
+    assert own_table_first((elsewhere, two, own), answer, key) == (own, elsewhere, two)
+    assert own_table_first((elsewhere, two), answer, key) == (elsewhere, two)
 
 
 def test_a_verdict_with_several_repairs_tells_it_at_the_highest_help_alone() -> None:

@@ -42,6 +42,16 @@ def test_it_is_the_same_wherever_the_last_variable_is_zero(rows: Rows, cell: int
     assert not is_accepted(key, answer, FRAME)
 
 
+@pytest.mark.parametrize("unit", [1e-4, 1e6])
+def test_what_it_has_none_of_is_zero_in_every_unit(unit: float) -> None:
+    rows: Rows = [("pi/2", 0.1 * unit, 0, "q1"), (0.7, 0.3 * unit, 0.2 * unit, "q2")]
+    answer: Rows = [(0, 0, 0, "q1"), ("pi/2", 0.1 * unit, 0.2 * unit, "q2 + 0.5")]
+    row = last_row(work(of(rows), of(answer, "modified")))
+    assert row is not None
+    assert (row.d, row.theta) == (0.0, 0.0)
+    assert (row.alpha, row.a) == pytest.approx((0.7, 0.3 * unit))
+
+
 @pytest.mark.parametrize("convention", ["standard", "modified"])
 def test_where_the_figure_fixes_the_zeros_it_leads_from_the_frame_as_it_lies(convention: str) -> None:
     rows: Rows = [("pi/2", 0.1, 0, "q1"), (0.7, 0.3, 0.2, "q2 + 0.4"), (0.5, 0.2, 0.15, 0.3)]

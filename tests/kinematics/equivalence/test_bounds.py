@@ -12,7 +12,7 @@ from kinematics.chain import Axis, Chain, chain_of_table
 from kinematics.equivalence import Policy, Tolerance, ToolRule, decide
 from kinematics.equivalence.bounds import surely_apart, upper_bound
 from kinematics.equivalence.certificates import CertificateCandidate
-from kinematics.equivalence.decision import certify
+from kinematics.equivalence.decision import certify, is_certified
 from kinematics.equivalence.reference import prepared
 from kinematics.equivalence.search import Effort
 from kinematics.equivalence.worst_case import worst_case
@@ -65,6 +65,7 @@ def test_what_stands_by_a_bound_stands_as_measured(seed: int, decimals: int) -> 
         measured = certify(*sides, policy, Effort.PLAIN)
         bounded = certify(*sides, policy, Effort.PLAIN, measured=False)
         assert (bounded is None) == (measured is None)
+        assert is_certified(*sides, policy, Effort.PLAIN) == (measured is not None)
         if bounded is not None and measured is not None:
             assert bounded.draws == measured.draws
             assert measured.residual <= bounded.residual + 1e-12 <= tolerance + 1e-12

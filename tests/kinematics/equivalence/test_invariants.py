@@ -189,6 +189,24 @@ def with_sliders(twist: float, *, skew: bool) -> NumericTable:
     return standard(*first, *second, (R, HALF, 0.2, 0.1, 0.1), (R, 0.0, 0.1, 0.1, 0.0))
 
 
+@pytest.mark.parametrize("seed", range(6))
+def test_a_sum_of_offsets_is_the_same_in_all_frames(seed: int) -> None:
+    """Across the plane of two sliders, whatever each of the two offsets beside it is."""
+    key = with_sliders(0.9, skew=True)
+    invariants = invariants_of(prepared(key), FREE)
+    (place,) = (k for k, shape in enumerate(invariants.shapes) if shape.measure is Measure.SUM)
+    table = random_valid_table(key, Random(f"sum {seed}"))
+    found = invariants.measured(axis_batch([axes_of(chain_of_table(table), FREE)]))
+    assert abs(invariants.values[place, 0]) > 0.05
+    assert abs(found[place, 0]) == pytest.approx(abs(invariants.values[place, 0]), rel=1e-9)
+
+
+def test_the_runs_of_an_offset_are_those_along_which_it_is_measured() -> None:
+    assert Shape(Measure.OFFSET, (1, 2, 4, 5)).runs == (2, 4)
+    assert Shape(Measure.SUM, (4, 5, 3, 2, 1, 3, 6, 7, 8, 6)).runs == (2, 3, 6, 7)
+    assert Shape(Measure.DISTANCE, (1, 2, 1, 2)).runs == ()
+
+
 def lift(twist: float) -> NumericTable:
     ends = (R, HALF, 0.1, 0.1, 0.2), (R, 1.0, 0.1, 0.2, 0.1)
     return standard((R, twist, 0.1, 0.4, 0.2), (R, 0, 0.1, 0.2, 0.3), (P, 0, 0.1, 0.1, 0.1), *ends)

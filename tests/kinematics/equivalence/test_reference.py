@@ -47,7 +47,8 @@ def test_a_key_without_lengths_takes_on_the_size_of_what_lies_beside_it() -> Non
     reference = prepared(DHTable(convention=PUMA.convention, rows=rows))
     assert (reference.scaleless, reference.size) == (True, 1.0)
     chain = prepared(PUMA).chain
-    assert reference.beside(chain).size == chain.extent
+    beside = reference.beside(chain)
+    assert (beside.scaleless, beside.size) == (True, chain.extent)
     assert prepared(PUMA).beside(reference.chain) is prepared(PUMA)
 
 

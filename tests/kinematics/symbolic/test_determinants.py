@@ -41,6 +41,16 @@ def draws(table: SymbolicTable, count: int = 6) -> list[np.ndarray]:
     return [rng.uniform(0.2, 1.4, table.n_joints) for _ in range(count)]
 
 
+def test_of_two_joints_on_one_axis_one_is_lost() -> None:
+    """Three parallel axes, two of them one: turning and moving across are left, with the arm L1 between."""
+    rows = (row(), row(a=Parameter("L1")), row(a=Parameter("L2")))
+    minor, only = largest_minor(DHTable(convention=Convention.STANDARD, rows=rows), TWIST)
+    assert minor.exact
+    assert not only
+    found = [evaluate(minor.expression(), {"L1": each, "L2": 0.4}, [0.5, 0.6, 0.7]) for each in (0.1, 0.3)]
+    assert found[1] / found[0] == pytest.approx(3.0)
+
+
 def test_a_slider_has_no_rows_of_rotation() -> None:
     """Lifted and turned: both moves are always there, and nothing moves without a joint."""
     lift, turn = row(JointType.PRISMATIC, a=Parameter("L1")), row(a=Parameter("L2"))
