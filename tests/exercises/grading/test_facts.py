@@ -7,15 +7,17 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from exercises.grading import grade
 from exercises.grading.across_prismatic import across_prismatic
 from exercises.grading.facts import Facts, fixed_ends
 from kinematics.chain import Axis, chain_of_table
-from kinematics.equivalence import Policy, ToolRule
+from kinematics.equivalence import BaseRule, Policy, ToolRule
 from kinematics.equivalence.invariants import axes_of, invariants_of
 from kinematics.equivalence.measures import Measure
 from kinematics.equivalence.reference import prepared
 from kinematics.se3 import ORIGIN, Vector, rotate, rotation_about, unit
 from kinematics.table import NumericTable
+from tests.exercises.grading.written import read
 from tests.kinematics.equivalence.tables import HALF, P, R, standard
 
 FREE = Policy(tool=ToolRule.FREE)
@@ -75,6 +77,13 @@ def test_facts_across_sliders_are_those_that_no_neighbours_have() -> None:
     assert shapes == [(Measure.TURN, (1, 2, 4)), (Measure.OFFSET, (1, 4, 4, 5, 3, 4))]
 
 
+def test_frames_that_are_fixed_fix_which_way_the_ends_point() -> None:
+    for base in BaseRule:
+        for tool in ToolRule:
+            ends = fixed_ends(5, Policy(base=base, tool=tool))
+            assert ends == (0,) * (base is BaseRule.FRAME) + (4,) * (tool is ToolRule.FRAME)
+
+
 def test_a_sum_of_offsets_is_none_where_the_sliders_are_not_in_one_plane() -> None:
     """Even if it has the same value: it is measured across the plane of the first two."""
     facts = facts_of(PLANE)
@@ -82,3 +91,11 @@ def test_a_sum_of_offsets_is_none_where_the_sliders_are_not_in_one_plane() -> No
     assert facts.invariants.shapes[total].axes == (3, 4, 2, 2, 1, 2, 6, 6, 7, 6)
     assert facts.shared(facts.axes).all()
     assert not facts.shared(turned(facts.axes, 5, facts.axes[4].direction, 0.5))[total]
+
+
+def test_a_row_of_zeros_may_be_a_joint_whose_variable_was_forgotten() -> None:
+    """Of the type that the key has there: a slider behind a turning joint."""
+    key = read("standard", [("pi/2", 0.3, 0.2, "q1"), (0, 0, "q2", 0), ("pi/2", 0.1, 0.2, "q3")])
+    answer = read("standard", [("pi/2", 0.3, 0.2, "q1"), (0, 0, 0, 0), ("pi/2", 0.1, 0.2, "q2")])
+    verdict = grade(key, answer, FREE)
+    assert [(edit.code, edit.row) for edit in verdict.repairs[0].edits] == [("joint_fixed", 2)]

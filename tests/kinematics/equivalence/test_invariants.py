@@ -207,6 +207,14 @@ def test_the_runs_of_an_offset_are_those_along_which_it_is_measured() -> None:
     assert Shape(Measure.DISTANCE, (1, 2, 1, 2)).runs == ()
 
 
+@pytest.mark.parametrize("policy", [FREE, FIXED], ids=["free", "fixed"])
+def test_without_joints_nothing_is_measured(policy: Policy) -> None:
+    reference = prepared(standard((F, 0.4, 0.1, 0.3, 0.2)))
+    for found in (invariants_of(reference, policy), home_invariants_of(reference, policy)):
+        assert found.shapes == ()
+        assert found.values.shape == found.slacks.shape == (0, 1)
+
+
 def lift(twist: float) -> NumericTable:
     ends = (R, HALF, 0.1, 0.1, 0.2), (R, 1.0, 0.1, 0.2, 0.1)
     return standard((R, twist, 0.1, 0.4, 0.2), (R, 0, 0.1, 0.2, 0.3), (P, 0, 0.1, 0.1, 0.1), *ends)

@@ -102,6 +102,21 @@ def test_half_angles_are_read_where_angles_are_counted_in_halves():
     assert reader.degrees(reader.read(sin(q1))) == {q1: 2}
 
 
+@pytest.mark.parametrize("parts", [1, 2])
+@pytest.mark.parametrize("function", [sin, cos])
+def test_a_joint_is_read_the_same_after_its_multiples(parts, function):
+    weights = [Fraction(1, 2)] * (parts == 2) + [Fraction(2), Fraction(3), Fraction(1), Fraction(-1)]
+    reader = PolynomialReader(parts=parts)
+    multiples = [function(multiply((Number(weight), q1))) for weight in weights]
+    found = [reader.read(multiple) for multiple in multiples]
+    assert found == [reader.read(multiple) for multiple in reversed(multiples)][::-1]
+    for one, weight in zip(found, weights, strict=True):
+        fresh = PolynomialReader(parts=parts)
+        fresh.read(function(q1))
+        assert fresh.read(function(multiply((Number(weight), q1)))) == one
+    assert len({tuple(sorted(one.items())) for one in found}) >= len(weights) - (function is cos)
+
+
 def test_units_are_left_out_of_a_normalised_polynomial():
     reader = PolynomialReader()
     one = reader.read(add((multiply((L, sin(q1))), multiply((number(2), L, d3)))))
