@@ -77,6 +77,14 @@ def test_facts_across_sliders_are_those_that_no_neighbours_have() -> None:
     assert shapes == [(Measure.TURN, (1, 2, 4)), (Measure.OFFSET, (1, 4, 4, 5, 3, 4))]
 
 
+def test_each_group_of_sliders_has_facts_of_its_own() -> None:
+    key = standard(*((joint, HALF, 0.1, 0.2, 0.3) for joint in (R, P, R, P, R)))
+    facts = facts_of(key)
+    shapes = facts.invariants.shapes
+    turns = [[shapes[q].axes for q in np.flatnonzero(across)] for across in across_prismatic(facts)]
+    assert [[axes for axes in group if len(axes) == 3] for group in turns] == [[(1, 2, 3)], [(3, 4, 5)]]
+
+
 def test_frames_that_are_fixed_fix_which_way_the_ends_point() -> None:
     for base in BaseRule:
         for tool in ToolRule:

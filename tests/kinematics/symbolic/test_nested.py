@@ -6,7 +6,17 @@ from fractions import Fraction
 
 import pytest
 
-from kinematics.expressions import Expression, Function, JointVariable, Parameter, add, call, number, power
+from kinematics.expressions import (
+    Expression,
+    Function,
+    JointVariable,
+    Parameter,
+    add,
+    call,
+    multiply,
+    number,
+    power,
+)
 from kinematics.symbolic.nested import NOTHING, Arena
 
 L, q1 = Parameter("L"), JointVariable(1)
@@ -37,7 +47,7 @@ def test_nothing_times_anything_is_nothing(one: Expression) -> None:
 
 
 def test_roots_of_numbers_are_multiplied_out() -> None:
-    """√2 √8 = 4, √2 √3 = √6 and √(4/3) = 2/3 √3."""
+    """√2 √8 = 4, √2 √3 = √6, √(4/3) = 2/3 √3 and √(1/2) = 1/2 √2."""
     arena = Arena()
 
     def root(of: Fraction | int) -> Expression:
@@ -47,6 +57,19 @@ def test_roots_of_numbers_are_multiplied_out() -> None:
     assert arena.product(arena.read(root(2)), arena.read(root(3))) == arena.read(root(6))
     two_thirds = arena.read(number(Fraction(2, 3)))
     assert arena.read(root(Fraction(4, 3))) == arena.product(two_thirds, arena.read(root(3)))
+    half = arena.read(number(Fraction(1, 2)))
+    assert arena.read(root(Fraction(1, 2))) == arena.product(half, arena.read(root(2)))
+
+
+@pytest.mark.parametrize("second", [3, -3], ids=str)
+def test_a_number_that_all_terms_share_stands_before_the_parentheses(second: int) -> None:
+    """3 L ± 3 c1 = 3 (L ± c1), and of 3 L ± 2 c1 nothing is shared."""
+    arena = Arena()
+    weight, factors = arena.term(arena.read(add((multiply((number(3), L)), multiply((number(second), c1))))))
+    assert abs(weight) == 3
+    assert factors == arena.term(arena.read(add((L, multiply((number(second // 3), c1))))))[1]
+    plain, _ = arena.term(arena.read(add((multiply((number(3), L)), multiply((number(2), c1))))))
+    assert abs(plain) == 1
 
 
 def test_parentheses_around_everything_are_opened() -> None:
