@@ -201,7 +201,7 @@ class Model:
         normal = a.T @ a
         damping = self.damping * (normal.diagonal().max() + 1e-300)
         step = np.linalg.solve(normal + damping * np.eye(normal.shape[0]), a.T @ b)
-        return np.asarray(step * min(1.0, LONGEST_STEP / (np.abs(step).max() + 1e-300)), dtype=np.float64)
+        return np.asarray(step / max(1.0, np.abs(step).max() / LONGEST_STEP), dtype=np.float64)
 
     def least_largest(self) -> tuple[Matrix, float]:
         """Return a step that leaves nearly the smallest largest error, and how large that is at least.

@@ -38,6 +38,7 @@ def test_a_step_far_beyond_what_is_left_is_not_begun() -> None:
     with pytest.raises(WorkExhaustedError):
         meter.charge(OVERDRAFT + 11)
     assert meter.left == 10
+    meter.charge(OVERDRAFT + 10)
 
 
 def test_a_step_with_a_limit_leaves_the_rest() -> None:

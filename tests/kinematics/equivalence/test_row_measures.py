@@ -80,16 +80,18 @@ def test_what_is_fixed_at_the_ends_and_sliders_are_measured_as_well(
 
 
 @pytest.mark.parametrize("convention", Convention)
+@pytest.mark.parametrize("before", [0, 1, 2])
 def test_no_axis_is_carried_through_space_where_a_row_leads_to_every_joint(
-    convention: Convention, monkeypatch: pytest.MonkeyPatch
+    convention: Convention, before: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Skew, right and parallel axes, some of them pointing the other way."""
+    """Skew, right and parallel axes, some of them pointing the other way, behind rows of the base."""
+    foot = DHRow(joint=JointType.FIXED, theta=0.3, d=0.2, a=0.1, alpha=0.4)
     alphas = (math.pi / 2, 0.0, math.pi, -0.7, 0.0, 1.0)
     rows = [
         DHRow(joint=JointType.REVOLUTE, theta=0.1, d=0.1 * k, a=0.5, alpha=alpha)
         for k, alpha in enumerate(alphas)
     ]
-    table = DHTable(convention=convention, rows=tuple(rows))
+    table = DHTable(convention=convention, rows=(*[foot] * before, *rows))
     shapes = invariants_of(prepared(table), FREE).shapes
     wanted = measured(shapes, axes_of_tables([table], [(0, ())], FREE))
     monkeypatch.delattr(row_measures, "axes_of_tables")
