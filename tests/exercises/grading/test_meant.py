@@ -3,20 +3,21 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from fractions import Fraction
 
 import pytest
 
 from exercises.grading import BaseRule, Policy, Tolerance, ToolRule, grade
 from exercises.grading.judging.comparison import comparisons
-from exercises.grading.judging.digits import steps_of_wrong
+from exercises.grading.judging.digits import steps_of_wrong, tightened
 from exercises.grading.judging.name_values import Values, drawn_value, typical_length
 from exercises.grading.judging.named_numbers import with_names
 from exercises.grading.judging.typed import half_steps, meant, meant_in_radians
 from kinematics.cells import AngleUnit, ParameterKind
 from kinematics.equivalence.reference import SAMPLES, prepared
 from kinematics.expressions import Number, number, pi_times
-from kinematics.table import bind
+from kinematics.table import DHTable, JointType, bind
 from tests.exercises.grading.test_grade import KEY, PUMA, USUAL, VALUES, Rows, with_cells
 from tests.exercises.grading.written import Cell, read
 
@@ -245,6 +246,27 @@ def test_a_tool_on_the_last_axis_stays_on_it(typed: float, right: bool) -> None:
 def test_multiples_of_names_are_exact() -> None:
     assert number(2) != number(3)
     assert half_steps(read("standard", with_cells(PUMA, (2, 1, "a2/3 + d4"))).table, AngleUnit.RAD) == {}
+
+
+@pytest.mark.parametrize("unit", [1e-3, 1e3])
+@pytest.mark.parametrize("joint", [JointType.REVOLUTE, JointType.PRISMATIC])
+def test_what_digits_explain_does_not_depend_on_the_unit_of_length(unit: float, joint: JointType) -> None:
+    """Of a table with the joints of the key, and of one with others."""
+
+    def slacks(unit: float) -> tuple[list[float], list[float]]:
+        rows: Rows = [(0.5, 0.4 * unit, 0.3 * unit, "q1"), (0.7, 0.2 * unit, 0.1 * unit, "q2")]
+        key = bind(read("standard", [*rows, (0, 0.3 * unit, 0, "q3")]).table, {})
+        table = DHTable(
+            convention=key.convention, rows=(key.rows[0], replace(key.rows[1], joint=joint), key.rows[2])
+        )
+        steps = {(0, "a"): 0.005 * unit, (1, "d"): 0.005 * unit, (1, "alpha"): 0.005}
+        found = tightened(prepared(key), table, steps, Policy(tool=ToolRule.POINT), 0.01)
+        angular = found.angular[:, 0]
+        return found.slacks[angular, 0].tolist(), found.slacks[~angular, 0].tolist()
+
+    (angles, lengths), (same, scaled) = slacks(1.0), slacks(unit)
+    assert same == pytest.approx(angles)
+    assert scaled == pytest.approx([unit * length for length in lengths])
 
 
 def test_zeros_of_a_wrong_answer_are_known_to_within_the_tolerance() -> None:
