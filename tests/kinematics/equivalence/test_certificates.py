@@ -8,7 +8,9 @@ import pytest
 
 from kinematics.chain import chain_of_table
 from kinematics.equivalence import Policy, ToolRule, decide
-from kinematics.se3 import angle_about, compose, dot, inverse, position, subtract, z_axis
+from kinematics.equivalence.certificates import CertificateCandidate
+from kinematics.equivalence.search import Unfinished, Way, _promise
+from kinematics.se3 import IDENTITY, angle_about, compose, dot, inverse, position, subtract, z_axis
 from kinematics.table import NumericTable
 from tests.kinematics.equivalence.generators import random_valid_table
 from tests.kinematics.equivalence.tables import HALF, PUMA, RX90, SCARA, P, R, standard
@@ -38,3 +40,14 @@ def test_what_the_first_and_the_last_joint_can_do_is_in_their_offsets(
         assert dot(last.direction, moved) == pytest.approx(0.0, abs=1e-9)
     elif dot(z_axis(end), z_axis(chain.end)) > 0.0:  # turned over, it has no angle about the axis
         assert angle_about(compose(end, inverse(chain.end)), last.direction) == pytest.approx(0.0, abs=1e-9)
+
+
+def test_of_nearly_as_good_certificates_the_plain_one_is_refined_first() -> None:
+    """A twentieth for every reversed joint: of two the excess must be less by a tenth."""
+    candidate = CertificateCandidate(signs=(), offsets=(), base=IDENTITY, tool=IDENTITY)
+
+    def unfinished(excess: float, *signs: int) -> Unfinished:
+        return Unfinished(excess, Way(0, 0, signs, 0, 0), candidate)
+
+    best, plain, nearly = unfinished(1.8, -1, -1), unfinished(2.0, 1, 1), unfinished(1.84, -1, -1)
+    assert sorted((nearly, plain, best), key=_promise) == [best, plain, nearly]
