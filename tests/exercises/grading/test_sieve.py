@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from random import Random
 
 import numpy as np
@@ -148,6 +149,30 @@ def test_most_edits_of_an_arm_with_a_row_for_every_joint_are_held_back() -> None
     ]
     assert len(shares) > 10
     assert np.mean(shares) > 0.9
+
+
+@pytest.mark.parametrize(
+    ("row", "cell", "angular", "lacking"),
+    [(1, "a", False, {"a"}), (2, "alpha", True, {"alpha"}), (3, "d", False, {"d"})],
+)
+def test_a_table_is_narrowed_to_the_row_and_the_column_that_are_wrong(
+    row: int, cell: str, angular: bool, lacking: set[str]
+) -> None:
+    rows = [turning(alpha=0.4 + 0.1 * i, a=0.3, d=0.2) for i in range(6)]
+    wrong = [
+        replace(each, **{cell: getattr(each, cell) + 0.5}) if i == row else each
+        for i, each in enumerate(rows)
+    ]
+    key, answer = (
+        written(DHTable(convention=Convention.STANDARD, rows=tuple(each))) for each in (rows, wrong)
+    )
+    work = work_on(comparisons(key, answer, {})[0], (key, answer), FREE)
+    narrowed = Sieve(work).narrowed()
+    assert (narrowed.angular, narrowed.lacking) == (angular, frozenset(lacking))
+    start, end = narrowed.reach
+    assert row <= start <= end <= row + 2
+    right = work_on(comparisons(key, key, {})[0], (key, key), FREE)
+    assert Sieve(right).narrowed() == right
 
 
 @pytest.mark.parametrize("wrong", range(4))
