@@ -69,6 +69,14 @@ def test_a_turn_about_sliders_is_none_where_they_are_not_parallel() -> None:
     assert not facts.shared(turned(facts.axes, 3, (1.0, 0.0, 0.0), 0.1))[turn]
 
 
+def test_an_offset_past_sliders_is_none_where_they_are_no_longer_parallel() -> None:
+    """Even if it has the same value: of two sliders it is measured beside the second."""
+    facts = facts_of(LIFTS)
+    offset = place_of(facts, Measure.OFFSET)
+    assert facts.invariants.shapes[offset].axes == (1, 4, 4, 5, 3, 4)
+    assert not facts.shared(turned(facts.axes, 2, (1.0, 0.0, 0.0), 0.5))[offset]
+
+
 def test_facts_across_sliders_are_those_that_no_neighbours_have() -> None:
     """The angle about them, the offset past them, and no angle or length beside them."""
     facts = facts_of(LIFTS)

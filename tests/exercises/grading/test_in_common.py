@@ -8,6 +8,7 @@ from exercises.grading import Edit, HelpLevel, Repair
 from exercises.grading.edits.accused import own_table_first
 from exercises.grading.edits.changes import Change, Extent
 from exercises.grading.edits.in_common import in_common
+from exercises.grading.edits.own_table import is_own_table
 from exercises.grading.edits.repairs import Repaired
 from tests.exercises.answering import judged, table
 from tests.kinematics.equivalence.tables import R, changed, standard
@@ -43,6 +44,14 @@ def test_of_repairs_as_small_the_one_to_the_own_table_of_the_key_comes_first() -
     elsewhere, two, own = Repaired((other,)), Repaired((other, length)), Repaired((length,))
     assert own_table_first((elsewhere, two, own), answer, key) == (own, elsewhere, two)
     assert own_table_first((elsewhere, two), answer, key) == (elsewhere, two)
+
+
+def test_with_the_axes_the_other_way_it_is_no_own_table_unless_either_way_will_do() -> None:
+    key = standard((R, 0.5, 0.4, 0.2, 0.0), (R, 0.3, 0.3, 0.1, 0.0))
+    other = standard((R, -0.5, 0.4, 0.2, 0.0), (R, -0.3, 0.3, -0.1, 0.0))
+    assert is_own_table(key, key)
+    assert not is_own_table(other, key)
+    assert is_own_table(other, key, either_way=True)
 
 
 def test_a_verdict_with_several_repairs_tells_it_at_the_highest_help_alone() -> None:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+import re
+from dataclasses import asdict, replace
+from pathlib import Path
 from random import Random
 
 import numpy as np
@@ -33,6 +35,7 @@ from tests.kinematics.equivalence.tables import HALF, F, P, R
 from tests.kinematics.equivalence.test_refinement import scaled
 from tests.kinematics.robots import numeric
 
+CHECKER = Path(__file__).resolve().parents[3] / "docs" / "checker.md"
 OF_PUMA = 9
 """α of rows 1, 3, 4 and 5, a2, a3, d3, d4, and the offset along axis 5: along parallel axes there is none."""
 
@@ -407,3 +410,13 @@ def test_another_wrong_cell_of_a_short_arm_hides_none(wrong: tuple[Cell, Cell]) 
     answer: Rows = with_cells(key, (2, 0, wrong[0]), (2, 1, wrong[1]))
     policy = Policy(tool=ToolRule.FREE)
     assert grade(read("modified", key), read("modified", answer), policy).score == 0.0
+
+
+def test_the_weights_are_those_that_the_documentation_lists() -> None:
+    lines = CHECKER.read_text(encoding="utf-8").splitlines()
+    listed = {}
+    for line in lines:
+        cells = [cell.strip() for cell in line.split("|")]
+        if len(cells) == 5 and re.fullmatch(r"\d+(\.\d+)?", cells[2]):
+            listed |= dict.fromkeys(re.findall(r"`(\w+)`", cells[1]), float(cells[2]))
+    assert listed == asdict(Weights())

@@ -9,7 +9,17 @@ import pytest
 
 from kinematics import catalogue
 from kinematics.chain import chain_of_table
-from kinematics.expressions import ZERO, Parameter, evaluate, pi_times
+from kinematics.expressions import (
+    ZERO,
+    Function,
+    JointVariable,
+    Parameter,
+    call,
+    evaluate,
+    multiply,
+    number,
+    pi_times,
+)
 from kinematics.symbolic.determinants import MotionRows, largest_minor, minor_factors
 from kinematics.table import Convention, DHTable, JointType, SymbolicTable, bind
 from tests.kinematics.symbolic.tables import row
@@ -119,6 +129,7 @@ def test_factors_vanish_where_the_minor_does(name: str, rows: MotionRows) -> Non
         ("rx90", TWIST, 5),
         ("puma560", TWIST, 4),
         ("onelink", TWIST, 0),
+        ("twolink", TRANSLATION, 2),
     ],
 )
 def test_factors_are_irreducible(name: str, rows: MotionRows, count: int) -> None:
@@ -127,6 +138,13 @@ def test_factors_are_irreducible(name: str, rows: MotionRows, count: int) -> Non
     assert only
     assert len(factors) == count
     assert len(set(factors)) == count
+
+
+def test_the_one_coordinate_of_a_link_has_its_joint_in_half_angles() -> None:
+    factors, only = minor_factors(arm("onelink")[0], TRANSLATION)
+    half = multiply((number(Fraction(1, 2)), JointVariable(1)))
+    assert set(factors) == {call(Function.COS, half), call(Function.SIN, half)}
+    assert not only
 
 
 def test_a_redundant_arm_has_several_minors() -> None:
