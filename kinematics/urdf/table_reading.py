@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 
 import numpy as np
 
@@ -35,14 +35,12 @@ from kinematics.urdf.serial import MOVING, ChainStep, serial_chain
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class UrdfRobot:
-    """A chain of a URDF description as a DH table: base · table · tool is its tip link in its base link.
+class UrdfChain:
+    """A chain of a URDF description as its joint axes, in the coordinates of its base link.
 
     Attributes:
         name: the robot's name in the description.
-        table: the table [rad, m]; its joint variables are those of the description.
-        base: (4, 4) pose of frame 0 in the base link.
-        tool: (4, 4) pose of the tip link in frame N.
+        chain: the axes and the home pose of the tip link; the links of the description are carried along.
         joints: names of joint 1 … n.
         links: names of the links that these carry.
         limits: (lowest, highest) of joint 1 … n [rad, or m]; None where there is none.
@@ -51,14 +49,27 @@ class UrdfRobot:
     """
 
     name: str
-    table: NumericTable
-    base: Transform
-    tool: Transform
+    chain: Chain
     joints: tuple[str, ...]
     links: tuple[str, ...]
     limits: tuple[Bounds | None, ...]
     base_link: str
     tip_link: str
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class UrdfRobot(UrdfChain):
+    """A chain of a URDF description as a DH table, too: base · table · tool is its tip link in its base link.
+
+    Attributes:
+        table: the table [rad, m]; its joint variables are those of the description.
+        base: (4, 4) pose of frame 0 in the base link.
+        tool: (4, 4) pose of the tip link in frame N.
+    """
+
+    table: NumericTable
+    base: Transform
+    tool: Transform
 
 
 def table_from_urdf(
@@ -95,40 +106,8 @@ def table_from_urdf(
         tool=to_matrix(described.chain.end),
         near_parallel=NearParallel.DUMMY_ROW,
     )
-    return UrdfRobot(
-        name=described.name,
-        table=assigned.table,
-        base=assigned.base,
-        tool=assigned.tool,
-        joints=described.joints,
-        links=described.links,
-        limits=described.limits,
-        base_link=described.base_link,
-        tip_link=described.tip_link,
-    )
-
-
-@dataclass(frozen=True, kw_only=True, slots=True)
-class UrdfChain:
-    """A chain of a URDF description as its joint axes, in the coordinates of its base link.
-
-    Attributes:
-        name: the robot's name in the description.
-        chain: the axes and the home pose of the tip link; the links of the description are carried along.
-        joints: names of joint 1 … n.
-        links: names of the links that these carry.
-        limits: (lowest, highest) of joint 1 … n [rad, or m]; None where there is none.
-        base_link: name of the first link.
-        tip_link: name of the last link.
-    """
-
-    name: str
-    chain: Chain
-    joints: tuple[str, ...]
-    links: tuple[str, ...]
-    limits: tuple[Bounds | None, ...]
-    base_link: str
-    tip_link: str
+    known = {entry.name: getattr(described, entry.name) for entry in fields(described)}
+    return UrdfRobot(**known, table=assigned.table, base=assigned.base, tool=assigned.tool)
 
 
 def chain_from_urdf(text: str, *, base_link: str | None = None, tip_link: str | None = None) -> UrdfChain:
