@@ -30,7 +30,7 @@ from kinematics.frames.assignment import FrameAssignment, assign_frames
 from kinematics.frames.axes import JointAxis
 from kinematics.frames.parallels import NearParallel
 from kinematics.joint_values import one_configuration
-from kinematics.poses import Vector3, axis_angle_from_transform
+from kinematics.poses import Vector3
 from kinematics.se3 import Transform, Vector, check_transform, cross
 from kinematics.table import Convention, JointType, NumericTable
 
@@ -174,24 +174,6 @@ def exponential(screw: Screw, q: float) -> Transform:
     return pose
 
 
-def logarithm(transform: Transform) -> Screw:
-    """Return the twist (v, ω) with exp([(v, ω)]) = T and |ω| ≤ π.
-
-    Accurate for the smallest motions and near half turns; at a half turn exactly, ω points as the axis of
-    `axis_angle_from_transform` does.
-
-    Source: Murray, Li, Sastry, section 2.3.
-    """
-    axis, angle = axis_angle_from_transform(transform)
-    w = np.array(axis) * angle
-    skew = _skew(w)
-    half = angle / 2
-    factor = 1 / 12 + angle**2 / 720 if angle < SERIES_BELOW else (1.0 - half / math.tan(half)) / angle**2
-    p = transform[:3, 3]
-    v = p - 0.5 * (skew @ p) + factor * (skew @ (skew @ p))
-    return Screw(_vector(v), _vector(w))
-
-
 def _coefficients(angle: float) -> tuple[float, float, float]:
     """The functions sin x / x, (1 − cos x) / x² and (x − sin x) / x³."""
     if angle < SERIES_BELOW:
@@ -204,11 +186,6 @@ def _coefficients(angle: float) -> tuple[float, float, float]:
 def _skew(w: Transform) -> Transform:
     x, y, z = w.tolist()
     return np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
-
-
-def _vector(values: Transform) -> Vector3:
-    x, y, z = values.tolist()
-    return x, y, z
 
 
 def _clean(vector: Vector) -> Vector3:

@@ -10,7 +10,6 @@ dh                 a chain as a modified DH table, through which every other met
 unrolled           the same for any chain, motion by motion
 rows               elementary motions as rows, joined to as few as possible
 from_table         a DH table as a chain
-inverse            inverse kinematics, through the table
 sampling           random configurations
 substitution       values in the place of parameters
 
@@ -26,7 +25,6 @@ from kinematics.scm.differentiation import (
     jacobian_numbers_by_differentiation,
 )
 from kinematics.scm.from_table import DescribedScm, scm_from_numbers, scm_from_table, with_tool
-from kinematics.scm.inverse import inverse_kinematics_scm, solver_of_chain
 from kinematics.scm.motion import (
     ScmKinematics,
     check_values,
@@ -63,7 +61,6 @@ __all__ = [
     "derivative",
     "forward_kinematics_scm",
     "inverse_closed_form_scm",
-    "inverse_kinematics_scm",
     "jacobian_base_by_inspection",
     "jacobian_by_differentiation",
     "jacobian_closed_form_scm",
@@ -75,7 +72,6 @@ __all__ = [
     "read_chain",
     "scm_from_numbers",
     "scm_from_table",
-    "solver_of_chain",
     "table_of_chain",
     "unit_vectors",
     "unrolled_dh_from_scm",

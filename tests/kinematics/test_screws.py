@@ -17,7 +17,6 @@ from kinematics.screws import (
     ProductOfExponentials,
     Screw,
     exponential,
-    logarithm,
     pose_of_product,
     product_of_exponentials,
     table_of_product,
@@ -58,20 +57,6 @@ def test_exponential_is_the_power_series(linear, angular, q):
 def test_exponential_at_the_edges_of_its_formulas(angle):
     screw = ((0.3, -2.0, 0.7), (0.6, 0.0, 0.8))
     np.testing.assert_allclose(exponential(Screw(*screw), angle), series(screw, angle), rtol=0, atol=2e-15)
-
-
-@given(vectors, vectors.filter(lambda w: math.hypot(*w) < math.pi))
-def test_logarithm_undoes_the_exponential(linear, angular):
-    pose = exponential(Screw(linear, angular), 1.0)
-    np.testing.assert_allclose(exponential(logarithm(pose), 1.0), pose, atol=1e-14)
-    if math.hypot(*angular) < 3.0:
-        np.testing.assert_allclose(logarithm(pose).angular, angular, atol=1e-13)
-        np.testing.assert_allclose(logarithm(pose).linear, linear, atol=1e-13)
-
-
-@given(transforms())
-def test_exponential_undoes_the_logarithm(pose):
-    np.testing.assert_allclose(exponential(logarithm(pose), 1.0), pose, atol=1e-13)
 
 
 @given(configured(max_rows=6), st.none() | transforms(), st.none() | transforms())

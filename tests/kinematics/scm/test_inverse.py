@@ -4,10 +4,16 @@ import numpy as np
 import pytest
 
 from kinematics import catalogue
-from kinematics.inverse import IKStatus
-from kinematics.scm import forward_kinematics_scm, inverse_kinematics_scm
+from kinematics.inverse import IKStatus, solver_of
+from kinematics.scm import forward_kinematics_scm, table_of_chain
+from kinematics.table import bind
 
 SIX_JOINTS = ["cloos", "kr100p", "kr125", "kr2150k", "puma560", "puma600", "stanford"]
+
+
+def solved(chain, target, lengths, start=None):
+    found = solver_of(bind(table_of_chain(chain), lengths)).solve(target)
+    return found.nearest_first([row.joint for row in chain.rows], start)
 
 
 @pytest.mark.parametrize("robot_id", [*SIX_JOINTS, "onelink", "twolink", "uw", "scara-scm", "scorbot"])
@@ -17,7 +23,7 @@ def test_every_printed_robot_reaches_its_own_pose(robot_id):
     lengths = {name: robot.parameters[known] for name, known in robot.chain.parameters.items()}
     q = [0.4, -0.7, 0.5, 0.6, 0.8, -1.1][: chain.n_joints]
     target = forward_kinematics_scm(chain, q, lengths).transform
-    found = inverse_kinematics_scm(chain, target, lengths, start=q)
+    found = solved(chain, target, lengths, start=q)
     assert found.status is IKStatus.SOLVED
     np.testing.assert_allclose(found.solutions[0].joints, q, atol=1e-7)
     for solution in found.solutions:
@@ -30,7 +36,7 @@ def test_all_eight_solutions_of_the_puma():
     lengths = {name: robot.parameters[known] for name, known in robot.chain.parameters.items()}
     chain = robot.chain.read.chain
     target = forward_kinematics_scm(chain, [0.4, 0.7, -0.5, 0.6, 0.8, -1.1], lengths).transform
-    found = inverse_kinematics_scm(chain, target, lengths)
+    found = solved(chain, target, lengths)
     assert found.complete
     assert len(found.solutions) == 8
 
@@ -39,5 +45,5 @@ def test_out_of_reach_is_a_result():
     robot = catalogue.robot("twolink")
     target = np.eye(4)
     target[0, 3] = 5.0
-    found = inverse_kinematics_scm(robot.chain.read.chain, target, {"L1": 1.0, "L2": 1.0})
+    found = solved(robot.chain.read.chain, target, {"L1": 1.0, "L2": 1.0})
     assert found.status is IKStatus.UNREACHABLE
