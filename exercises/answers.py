@@ -18,11 +18,6 @@ __all__ = ["Answer", "RawAnswer", "parse"]
 def parse(instance: Instance, raw: RawAnswer, limits: Limits = DEFAULT) -> Answer:
     """Read an answer.
 
-    Args:
-        instance: the exercise with the student's values.
-        raw: what was handed in.
-        limits: how large a table may be.
-
     Raises:
         AnswerError: it cannot be graded; every fault, each with its place in the answer.
     """

@@ -41,11 +41,6 @@ def describe(scene: Scene, view: View, unit: str) -> Iterator[Sentence]:
     """Yield the sentences of a scene, in the order in which they are read.
 
     Coordinates count to the right, away from the reader and up, from where the robot is fixed.
-
-    Args:
-        scene: the robot with its true lengths.
-        view: from where it is seen.
-        unit: name of the unit of lengths.
     """
     basis = _directions(view)
     origin = scene.ground.at if scene.ground else scene.axes[0].point

@@ -32,13 +32,7 @@ class Arrow(NamedTuple):
 
 
 def arrows(frames: Sequence[DrawnFrame], size: float, camera: Camera) -> list[Arrow]:
-    """Return the arrows of frame 0 … N.
-
-    Args:
-        frames: in space.
-        size: of the robot.
-        camera: from where it is seen.
-    """
+    """Return the arrows of frame 0 … N."""
     found = []
     for index, frame in enumerate(frames):
         origin = np.array(frame.origin)

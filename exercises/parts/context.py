@@ -216,9 +216,6 @@ class Context:
 
         The last one is the first sample with every length twice as long. Other values are left out where the
         student's own table does not hold for them.
-
-        Args:
-            names: of all parameters.
         """
         names = names.difference(self.reference_values)  # these have values anyhow
         if names not in self._samples:

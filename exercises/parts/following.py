@@ -22,12 +22,7 @@ _EARNED = frozenset(
 
 
 def share_that_follows(own: NumericTable, key: NumericTable) -> float:
-    """Return which share of its marks an answer earns that follows from a wrong table.
-
-    Args:
-        own: the student's own table.
-        key: the exercise's.
-    """
+    """Return which share of its marks an answer earns that follows from a wrong table."""
     wanted = ENOUGH * _says(key)
     return min(1.0, _says(own) / wanted) if wanted else 1.0
 

@@ -23,12 +23,7 @@ from kinematics.table import bind
 
 
 def answer_from(instance: Instance, read: ReadTable) -> RawAnswer:
-    """Return a table with everything else that the exercise asks, as it follows from that table.
-
-    Args:
-        instance: the exercise with the student's values.
-        read: the table, right or wrong.
-    """
+    """Return a table with everything else that the exercise asks, as it follows from that table."""
     context = context_of(instance, read)
     return RawAnswer(
         **{part.kind: part_type(part.kind).right(part, context) for part in instance.exercise.parts}

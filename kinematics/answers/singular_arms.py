@@ -189,13 +189,7 @@ class SingularArm(ValuedRobot):
 
 @lru_cache(maxsize=128)
 def arm_of(table: SymbolicTable, rows: MotionRows, values: tuple[tuple[str, float], ...]) -> SingularArm:
-    """Return an arm; what is known of its singularities is kept.
-
-    Args:
-        table: its table.
-        rows: which motion counts.
-        values: names and values of its parameters.
-    """
+    """Return an arm; what is known of its singularities is kept."""
     return SingularArm(table=table, rows=rows, values=dict(values))
 
 

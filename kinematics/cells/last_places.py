@@ -16,12 +16,7 @@ Place = tuple[int, str]
 
 
 def last_places(raw: Sequence[RawRow], rows: Sequence[SymbolicRow]) -> Iterator[tuple[Place, float]]:
-    """Yield units of the last place [rad or length] of cells that are one number with zeros at its end.
-
-    Args:
-        raw: the rows as handed in.
-        rows: the same, read.
-    """
+    """Yield units of the last place [rad or length] of cells that are one number with zeros at its end."""
     for i, (typed, row) in enumerate(zip(raw, rows, strict=True)):
         for cell in CELLS:
             text = getattr(typed, cell)

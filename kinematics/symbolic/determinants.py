@@ -67,10 +67,6 @@ def minor_factors(table: SymbolicTable, rows: MotionRows) -> tuple[tuple[Express
     Where it is, the arm is singular just where one of the factors vanishes; where it is not, wherever it is
     singular one of them vanishes, but not the other way round.
 
-    Args:
-        table: of the arm.
-        rows: which motion counts.
-
     Returns:
         The factors in sines and cosines of half angles, those without joint variables left out.
 
