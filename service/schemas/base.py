@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, TypeAlias, TypeVar
+from typing import Annotated, Any, Self, TypeAlias, TypeVar
 
 from pydantic import (
     BaseModel,
@@ -34,6 +34,11 @@ class Wire(BaseModel):
         allow_inf_nan=False,
         defer_build=True,  # a service is ready sooner, and never builds most of its models
     )
+
+    @classmethod
+    def from_record(cls, record: Any) -> Self:
+        """Return a record of the domain, whose attributes have the names of the fields, as it goes out."""
+        return cls.model_validate(record, from_attributes=True, strict=False)
 
 
 LONGEST_LIST = 256

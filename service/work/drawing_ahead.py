@@ -48,14 +48,7 @@ class DrawingAhead(BackgroundThread):
     def __init__(
         self, store: Store, library: Library, figures: SharedAnswers, is_busy: Callable[[], bool]
     ) -> None:
-        """Make the thread.
-
-        Args:
-            store: the database.
-            library: the exercises.
-            figures: where drawings are kept.
-            is_busy: whether somebody waits for something.
-        """
+        """Make the thread."""
         super().__init__("drawing-ahead")
         self._store, self._library, self._figures, self._is_busy = store, library, figures, is_busy
         self._done: set[tuple[Exercise, str]] = set()

@@ -8,7 +8,7 @@ from typing import Annotated, Any
 from fastapi import Body
 
 from kinematics.frames.assignment import assign_frames
-from kinematics.frames.wrong_frames import DrawnFrame, plantable_in_frames, right_handed
+from kinematics.frames.wrong_frames import plantable_in_frames, right_handed
 from service.http.languages import language_of
 from service.http.openapi import problems
 from service.http.routing import ApiRequest, api_router
@@ -61,10 +61,6 @@ def _planted(body: PlantFrameMistakeRequest, language: str) -> PlantFrameMistake
         frame=chosen.index,
         mistake=code,
         label=option_name(code, language),
-        frames=[_written(frame) for frame in chosen.shown],
-        mended=_written(chosen.right),
+        frames=[FigureFrame.from_record(frame) for frame in chosen.shown],
+        mended=FigureFrame.from_record(chosen.right),
     )
-
-
-def _written(frame: DrawnFrame) -> FigureFrame:
-    return FigureFrame(origin=list(frame.origin), x=list(frame.x), y=list(frame.y), z=list(frame.z))

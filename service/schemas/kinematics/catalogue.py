@@ -63,9 +63,7 @@ class RobotModel(Wire):
         return cls(
             id=robot.id,
             name=told(f"robot-{robot.id}") or robot.name,
-            source=SourceModel(
-                document=robot.source.document, place=robot.source.place, figures=robot.source.figures
-            ),
+            source=SourceModel.from_record(robot.source),
             table=AnsweredTable(
                 convention=raw.convention,
                 angle_unit=raw.angle_unit,
@@ -97,6 +95,6 @@ class RobotList(Wire):
 
 def _scm_form(robot: CatalogueRobot, chain: ScmDescription) -> ScmForm:
     return ScmForm(
-        chain=ScmChainModel.of(chain.raw),
+        chain=ScmChainModel.from_record(chain.raw),
         parameters={name: robot.parameters[known] for name, known in chain.parameters.items()},
     )

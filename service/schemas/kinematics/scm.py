@@ -107,17 +107,6 @@ class ScmChainModel(Wire):
                 return where
         return (*where[:-1], ENTRIES.index(entry)) if isinstance(row, ListedPlacement) else where
 
-    @classmethod
-    def of(cls, raw: RawChain) -> Self:
-        """Return a chain as it goes over the wire."""
-        return cls(
-            joints=[PlacementModel(**row) for row in raw.joints],
-            final=PlacementModel(**raw.final),
-            tool=PlacementModel(**raw.tool),
-            angle_unit=raw.angle_unit,
-            length_unit=raw.length_unit,
-        )
-
 
 class Verification(StrEnum):
     """What becomes of a chain that does not pass the document's input check.

@@ -8,7 +8,6 @@ from typing import Any
 from kinematics.errors import Fault
 from kinematics.frames.assignment import assign_frames
 from kinematics.frames.axes import Gripper
-from kinematics.frames.candidates import Candidates, FrameCandidate
 from kinematics.frames.rules import FrameFinding
 from kinematics.frames.trainer import JudgedFrame, check_frames
 from kinematics.se3 import Transform
@@ -19,7 +18,6 @@ from service.schemas.kinematics.frame_assignment_models import (
     Broken,
     CheckFramesAnswer,
     CheckFramesRequest,
-    Choice,
     Choices,
     FoundRow,
     Frame,
@@ -57,17 +55,7 @@ def assigned(request: AssignFramesRequest, say: Say) -> AssignFramesAnswer:
         table=AnsweredTable.model_validate(table),
         base=result.base.tolist(),
         tool=result.tool.tolist(),
-        frames=[
-            Frame(
-                origin=list(frame.origin),
-                x=list(frame.x),
-                y=list(frame.y),
-                z=list(frame.z),
-                rule=frame.rule,
-                free=list(frame.free),
-            )
-            for frame in result.frames
-        ],
+        frames=[Frame.from_record(frame) for frame in result.frames],
         warnings=[_remark(warning, say) for warning in result.warnings],
     )
 
@@ -122,7 +110,7 @@ def _judged(frame: JudgedFrame, say: Say) -> JudgedFrameModel:
         index=frame.index,
         complete=frame.complete,
         findings=[_broken(finding, say) for finding in frame.findings],
-        candidates=_choices(frame.candidates),
+        candidates=Choices.from_record(frame.candidates),
     )
 
 
@@ -135,12 +123,3 @@ def _broken(finding: FrameFinding, say: Say) -> Broken:
         params=params,
         message=say(f"rule-{finding.rule.value}", {**params}),
     )
-
-
-def _choices(found: Candidates) -> Choices:
-    def wire(candidates: tuple[FrameCandidate, ...]) -> list[Choice]:
-        return [
-            Choice(kind=each.kind, vector=list(each.vector), params=dict(each.params)) for each in candidates
-        ]
-
-    return Choices(z=wire(found.z), origin=wire(found.origin), x=wire(found.x))

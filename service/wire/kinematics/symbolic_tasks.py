@@ -53,14 +53,7 @@ Task = TypeVar("Task", bound=WritingTask)
 async def answered(
     request: ApiRequest, task: Task, question: bytes, write: Callable[[Task], bytes]
 ) -> BytesResponse:
-    """Return the answer to a task, from a worker process.
-
-    Args:
-        request: whose application has the workers.
-        task: what is asked.
-        question: what the answer is kept under.
-        write: what the worker does.
-    """
+    """Return the answer to a task, from a worker process."""
     resources = resources_of(request)
     address = form_address(resources.closed_forms, task, write)
     answer = resources.closed_forms.known(address)
