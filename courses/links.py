@@ -16,6 +16,7 @@ from courses.model import Attempt, Link, LinkSettings
 from courses.outbox import release_scores
 from courses.policies import Allowance
 from courses.refusals import OutdatedError, unknown_record
+from courses.statements import filled
 from courses.storage import Store
 from kinematics.errors import Fault
 
@@ -41,16 +42,7 @@ def link_in(store: Store, course_id: int, link_id: int) -> Link:
 
 def link_of(row: Any, link_id: int, title: str) -> Link:
     """Return a link, from a row with the columns of one that are in no other table."""
-    return Link(
-        id=link_id,
-        course_id=row.course_id,
-        resource=row.resource,
-        title=title,
-        settings=stored(row.exercise_id, row.settings),
-        line_item=row.line_item,
-        line_items=row.line_items,
-        released_at=row.released_at,
-    )
+    return filled(Link, row, id=link_id, title=title, settings=stored(row.exercise_id, row.settings))
 
 
 def links_of_course(store: Store, called: str) -> list[tuple[LinkSettings, tuple[str, ...]]]:

@@ -17,6 +17,7 @@ import sqlalchemy as sa
 from courses import records
 from courses.link_settings import stored
 from courses.model import ScoreToSend
+from courses.statements import filled
 from courses.storage import Store
 
 _OUTBOX = records.score_to_send
@@ -72,22 +73,12 @@ _LEASED = (
 
 
 def _to_send(row: Any) -> ScoreToSend:
-    return ScoreToSend(
-        link_id=row.link_id,
-        person_id=row.person_id,
-        platform_id=row.platform_id,
+    return filled(
+        ScoreToSend,
+        row,
         subject=row.subject or "",
-        line_item=row.line_item,
-        line_items=row.line_items,
-        resource=row.resource,
         title=row.title or row.exercise_id or "",
-        score=row.score,
         points=stored(row.exercise_id, row.settings).points,
-        revision=row.revision,
-        tries=row.tries,
-        timestamp=row.timestamp,
-        submitted_at=row.submitted_at,
-        lease=row.lease,
     )
 
 

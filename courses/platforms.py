@@ -12,7 +12,7 @@ from courses import records
 from courses.model import Platform, PlatformStatus, Registration
 from courses.refusals import SessionError, unknown_record
 from courses.secrets import hashed, new_token
-from courses.statements import insert_once, upsert
+from courses.statements import filled, insert_once, upsert
 from courses.storage import Store
 from kinematics.errors import Fault
 
@@ -118,29 +118,15 @@ def remove_platform(store: Store, platform_id: int) -> None:
 
 
 def _platform(row: Any) -> Platform:
-    return Platform(
-        id=row.id,
-        issuer=row.issuer,
-        client_id=row.client_id,
-        name=row.name,
-        authorization_endpoint=row.authorization_endpoint,
-        token_endpoint=row.token_endpoint,
-        token_audience=row.token_audience,
-        jwks_uri=row.jwks_uri,
-        origins=tuple(row.origins),
-        names_shared=row.names_shared,
-        status=PlatformStatus(row.status),
-    )
+    return filled(Platform, row, origins=tuple(row.origins), status=PlatformStatus(row.status))
 
 
 def stored_keys(store: Store) -> list[StoredKey]:
     """Return the service's keys, oldest first."""
     table = records.tool_key
     with store.reading() as connection:
-        return [
-            StoredKey(kid=row.kid, private=row.private, created=row.created, signs_from=row.signs_from)
-            for row in connection.execute(sa.select(table).order_by(table.c.signs_from))
-        ]
+        found = connection.execute(sa.select(table).order_by(table.c.signs_from))
+        return [filled(StoredKey, row) for row in found]
 
 
 def add_key(store: Store, key: StoredKey, *, only_if_none: bool = False) -> None:
@@ -177,12 +163,8 @@ def invitations(store: Store) -> list[Registration]:
     """Return every invitation, newest first."""
     table = records.registration
     with store.reading() as connection:
-        return [
-            Registration(
-                id=row.id, note=row.note, created=row.created, expires=row.expires, used_at=row.used_at
-            )
-            for row in connection.execute(sa.select(table).order_by(table.c.id.desc()))
-        ]
+        found = connection.execute(sa.select(table).order_by(table.c.id.desc()))
+        return [filled(Registration, row) for row in found]
 
 
 def _usable(secret: str, now: datetime) -> sa.ColumnElement[bool]:

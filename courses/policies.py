@@ -107,14 +107,7 @@ def attempts_allowed(policy: AttemptPolicy, allowance: Allowance) -> int | None:
 
 
 def refusal(policy: AttemptPolicy, made: int, allowance: Allowance, now: datetime) -> Fault | None:
-    """Return why no attempt is taken now, or None if one is.
-
-    Args:
-        policy: the link's.
-        made: attempts that the student has made.
-        allowance: the student's.
-        now: the time.
-    """
+    """Return why no attempt is taken now, or None if one is."""
     if policy.opens is not None and now < policy.opens:
         return Fault.at("attempts_not_open", opens=policy.opens.isoformat())
     closes = deadline(policy, allowance)

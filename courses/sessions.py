@@ -14,6 +14,7 @@ from courses.model import Course, CourseSession, Link, Person, Role
 from courses.policies import Allowance
 from courses.refusals import SessionError
 from courses.secrets import hashed
+from courses.statements import filled
 from courses.storage import Store
 from kinematics.errors import Fault
 
@@ -111,28 +112,16 @@ def _session(row: Any, links: dict[int, Link]) -> CourseSession:
     link = links.get(row.link_id)
     if link is None:
         link = links[row.link_id] = link_of(row, row.link_id, row.link_title)
-    return CourseSession(
-        id=row.id,
+    return filled(
+        CourseSession,
+        row,
         role=Role(row.role),
-        person=Person(
-            id=row.person_id, platform_id=row.platform_id, key=row.key, subject=row.subject, name=row.name
-        ),
-        course=Course(
-            id=row.course_id,
-            platform_id=row.platform_id,
-            deployment=row.deployment,
-            context=row.context,
-            title=row.course_title,
-            memberships_url=row.memberships_url,
-        ),
+        person=filled(Person, row, id=row.person_id),
+        course=filled(Course, row, id=row.course_id, title=row.course_title),
         link=link,
         allowance=Allowance(
             extra_time=timedelta(seconds=row.extra_seconds), extra_attempts=row.extra_attempts
         ),
-        made=row.made,
         has_draft=row.draft_at is not None,
         longest=float(row.longest or 0),
-        locale=row.locale,
-        return_url=row.return_url,
-        expires=row.expires,
     )

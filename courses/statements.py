@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import fields
 from functools import lru_cache
 from importlib import import_module
-from typing import Any
+from typing import Any, TypeVar, cast
 
 import sqlalchemy as sa
+
+Record = TypeVar("Record")
 
 
 def insert_once(connection: sa.Connection, table: sa.Table, values: Mapping[str, Any]) -> bool:
@@ -89,6 +92,13 @@ def _upserting(
 def _insert(dialect: str, table: sa.Table) -> Any:
     """Start an INSERT of the database that is used; what the other one needs is not loaded."""
     return import_module(f"sqlalchemy.dialects.{dialect}").insert(table)
+
+
+def filled(kind: type[Record], row: Any, **others: Any) -> Record:
+    """Return a record with what a row has in the columns of its fields; others stand instead, or besides."""
+    found = row._mapping
+    columns = {entry.name: found[entry.name] for entry in fields(cast(Any, kind)) if entry.name in found}
+    return kind(**columns | others)
 
 
 def record_of(row: Any) -> dict[str, Any]:
