@@ -19,6 +19,13 @@ _JSON_OR_NULL = sa.JSON(none_as_null=True)
 
 def upgrade() -> None:
     """Make every relation; constraints and indexes are named by the convention of `courses.records`."""
+    _platforms()
+    _courses()
+    _attempts()
+    _scores()
+
+
+def _platforms() -> None:
     op.create_table(
         "access",
         _id(),
@@ -59,6 +66,9 @@ def upgrade() -> None:
     op.create_table(
         "tool_key", *_texts("kid", primary_key=True), *_texts("private"), *_times("created", "signs_from")
     )
+
+
+def _courses() -> None:
     op.create_table(
         "course",
         _id(),
@@ -101,6 +111,9 @@ def upgrade() -> None:
         *_times("released_at", nullable=True),
         sa.UniqueConstraint("course_id", "resource"),
     )
+
+
+def _attempts() -> None:
     op.create_table(
         "attempt",
         _id(),
@@ -146,6 +159,9 @@ def upgrade() -> None:
         *_times("started"),
         *_times("applied", nullable=True),
     )
+
+
+def _scores() -> None:
     op.create_table(
         "score_to_send",
         _to("link", primary_key=True),
