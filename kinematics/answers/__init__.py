@@ -11,7 +11,6 @@ singular_arms        families of singularities and points of them
 lost_motions         motions that an arm has lost in a configuration
 unit_multiples       is a function a product of given ones, up to what never vanishes
 dynamics_answers     equations of motion
-valued_robot         a robot in symbols, with values of its names
 form_samples         points at which closed forms are compared
 axis_pairs           how axes lie to each other, in any frames
 left_open            by how much decimals may move an entry

@@ -5,15 +5,40 @@ from __future__ import annotations
 import random
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.answers.valued_robot import ValuedRobot
+from kinematics.chain import Chain, chain_of_table, size_of
 from kinematics.expressions import Expression
 from kinematics.expressions.arrays import values_at
 from kinematics.se3 import Floats
-from kinematics.table import JointType
+from kinematics.table import JointType, SymbolicTable, bind
+
+
+@dataclass(frozen=True, kw_only=True, eq=False)
+class ValuedRobot:
+    """A robot in symbols, and in numbers.
+
+    Attributes:
+        table: its table.
+        values: of every name in it [the table's length, or rad].
+    """
+
+    table: SymbolicTable
+    values: Mapping[str, float]
+
+    @cached_property
+    def chain(self) -> Chain:
+        """The chain at these values."""
+        return chain_of_table(bind(self.table, self.values))
+
+    @cached_property
+    def size(self) -> float:
+        """Typical length of the robot."""
+        return size_of(self.chain) or 1.0
+
 
 POINTS = 8
 """Configurations with the table's lengths, and as many with others."""

@@ -12,8 +12,8 @@ from functools import cached_property, lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.answers.form_samples import ValuedRobot
 from kinematics.answers.unit_multiples import FamilyProducts
-from kinematics.answers.valued_robot import ValuedRobot
 from kinematics.expressions import Expression
 from kinematics.expressions.arrays import values_at
 from kinematics.se3 import Floats

@@ -7,7 +7,6 @@ tables           a table as it is handed in, and as it is read
 table_reader     from the one to the other
 rows, joints     a row, and which joint it holds
 entries          one cell
-last_places      how exactly a decimal was typed
 From the text of a cell to an expression:
   wrapping, characters, unit_words  what comes with pasted text
   variable_marks, bare_arguments    joint variables and functions as they are printed

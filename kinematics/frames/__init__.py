@@ -9,7 +9,6 @@ levels       where the origins stand along parallel axes
 directions   which way the x axes point
 exactness    right angles and short decimals come out exact
 assignment   the whole procedure
-size         the robot's size, by which zero is judged
 remarks      what a caller should know about an assignment that succeeded
 advice       what would make a table simpler
 rounding     frames that students rounded

@@ -27,6 +27,7 @@ from kinematics.frames.axes import (
     matrix,
     pose_of,
     read_axes,
+    robot_size,
 )
 from kinematics.frames.directions import CrossProduct, LengthSigns, choose_directions
 from kinematics.frames.ends import entering, leaving, may_end, may_start
@@ -42,7 +43,6 @@ from kinematics.frames.parallels import (
 )
 from kinematics.frames.placement import draw_prismatic_axes
 from kinematics.frames.remarks import tilt_remarks, unfit_base, unfit_tool
-from kinematics.frames.size import robot_size
 from kinematics.se3 import Transform, Vector, angle_from_to, cross, dot, scale, subtract
 from kinematics.table import Convention, DHRow, DHTable, JointType, NumericTable
 

@@ -1,4 +1,4 @@
-"""What frame assignment starts from: the joint axes of a robot at its zero position."""
+"""What frame assignment starts from: the joint axes of a robot at its zero position, and its size."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from kinematics.errors import DescriptionError, Fault
-from kinematics.se3 import ORIGIN, Transform, Vector, check_transform, cross, norm, rejection, unit
+from kinematics.se3 import ORIGIN, Transform, Vector, check_transform, cross, norm, rejection, subtract, unit
 from kinematics.table import JointType
 
 MAX_AXES = 64
@@ -171,3 +171,17 @@ def read_direction(value: Sequence[float], where: tuple[str | int, ...], faults:
     if len(faults) == before:
         faults.append(Fault.at("direction_zero", *where))
     return (0.0, 0.0, 1.0)
+
+
+def robot_size(lines: Sequence[AxisLine], first: Pose | None, last: Pose | None) -> float:
+    """Return the extent [m] of the points that were given; 1 where they all coincide.
+
+    The points of prismatic axes mean nothing and do not count. Coordinates that are large beside the extent
+    carry rounding of their own size, so the result is at least 1e-5 of the largest.
+    """
+    points = [line.point for line in lines if line.joint is not JointType.PRISMATIC]
+    points += [pose.origin for pose in (first, last) if pose is not None]
+    if not points:
+        return 1.0
+    extent = max(norm(subtract(point, points[0])) for point in points)
+    return max(extent, 1e-5 * max(map(norm, points))) or 1.0

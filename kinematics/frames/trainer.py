@@ -23,6 +23,7 @@ from kinematics.frames.axes import (
     read_axes,
     read_direction,
     read_point,
+    robot_size,
 )
 from kinematics.frames.candidates import Candidates, candidates
 from kinematics.frames.exactness import clean_angle, clean_length
@@ -30,7 +31,6 @@ from kinematics.frames.parallels import PARALLEL_TOLERANCE, straighten
 from kinematics.frames.placement import draw_prismatic_axes
 from kinematics.frames.rounding import settled, slides_on_neighbours
 from kinematics.frames.rules import FrameFinding, FramePlace, broken_rules, own_axis, partner_axis
-from kinematics.frames.size import robot_size
 from kinematics.se3 import (
     Transform,
     Vector,

@@ -17,7 +17,6 @@ Decisions, in a ring in which every function has one normal form:
   canonical         the normal form, and equality of functions
   poses             rigid motions with entries in the ring
   identity          proof that two tables are the same robot
-  proof_status      proved, refuted, undecided
   determinants      where a Jacobian loses rank
   polynomials, quotients  functions as polynomials, and as quotients
 Beside them:
@@ -30,6 +29,7 @@ All work on the expression trees of `kinematics.expressions`. The method is expl
 
 from kinematics.symbolic.canonical import (
     Canonical,
+    ProofStatus,
     canonical,
     compare,
     same_function,
@@ -37,7 +37,6 @@ from kinematics.symbolic.canonical import (
 from kinematics.symbolic.closed_form import ClosedForm, Workings, closed_form, inverse, jacobian
 from kinematics.symbolic.identity import Proof, prove_identity
 from kinematics.symbolic.interchange import from_sympy, to_sympy
-from kinematics.symbolic.proof_status import ProofStatus
 from kinematics.symbolic.size import count_operations
 from kinematics.symbolic.writing import Matrix
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from enum import StrEnum
 from fractions import Fraction
 from typing import TypeAlias, cast
 
@@ -20,8 +21,21 @@ from kinematics.expressions import (
 from kinematics.symbolic.angles import angle_of, cosine_and_sine
 from kinematics.symbolic.elements import Form, Monomial, RingSymbol
 from kinematics.symbolic.form_reader import FormReader
-from kinematics.symbolic.proof_status import ProofStatus
 from kinematics.symbolic.ring import Ring
+
+
+class ProofStatus(StrEnum):
+    """What is known of an identity.
+
+    PROVED: it holds for all joint and parameter values. REFUTED: it does not. UNDECIDED: it was not proved,
+    and the entries hold what has no unique normal form (a square root of lengths, an arctangent), or their
+    expansion is too large.
+    """
+
+    PROVED = "proved"
+    REFUTED = "refuted"
+    UNDECIDED = "undecided"
+
 
 LIMIT = 2_000_000
 """Products of terms that may be formed for one canonical form."""

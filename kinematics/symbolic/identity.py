@@ -9,10 +9,10 @@ from itertools import chain
 
 from kinematics.errors import FormSizeError
 from kinematics.expressions import ZERO, Expression, negate
+from kinematics.symbolic.canonical import ProofStatus
 from kinematics.symbolic.form_reader import FormReader
 from kinematics.symbolic.motions import Motion, motions_of
 from kinematics.symbolic.poses import ExactPose, read_matrix
-from kinematics.symbolic.proof_status import ProofStatus
 from kinematics.table import SymbolicTable
 
 

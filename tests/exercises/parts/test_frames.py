@@ -21,8 +21,7 @@ from exercises.parts.report import PartReport
 from exercises.selftest.answers import context_of
 from exercises.selftest.checks import check
 from kinematics.frames.assignment import assign_frames
-from kinematics.frames.axes import read_axes
-from kinematics.frames.size import robot_size
+from kinematics.frames.axes import read_axes, robot_size
 from kinematics.table import Convention
 from tests.exercises.packaged import exercise, exercise_ids
 from tests.exercises.parts.frame_assignments import (
