@@ -3,7 +3,7 @@
 definition        what an exercise is
 library           which exercises there are, each read once
 loader            from a folder to an exercise: `definition_files` and `reading`, and for its pieces
-                  `policy_reading`, `sample_reading`, `text_reading` with `statements`
+                  `sample_reading`, `text_reading` with `statements`
 consistency, needs  what must hold between the pieces
 draws, instance   a student's own values
 answers           what was handed in, read or refused; `names` that it may use

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
+from dataclasses import fields, replace
 from fractions import Fraction
 from importlib.resources.abc import Traversable
 from types import MappingProxyType
@@ -16,9 +16,10 @@ from exercises.definition_files import files_of_folder, read_definition, read_st
 from exercises.draws import read_draw
 from exercises.errors import DefinitionError
 from exercises.figures.figure_keys import read_figure
+from exercises.grading import BaseRule, ConventionRule, DirectionRule, Policy, Tolerance, ToolRule, ZeroRule
+from exercises.grading.facts import Weights
 from exercises.parts.protocol import RobotFacts
 from exercises.parts.registry import part_type, part_types
-from exercises.policy_reading import read_policy, read_weights
 from exercises.reading import LONGEST_ECHO, Reader
 from exercises.sample_reading import read_raw_table, read_samples
 from exercises.selftest.mistakes import MISTAKES
@@ -235,3 +236,42 @@ def _parameters(
         else:
             reader.fault("parameter_missing", "parameters", name, name=name)
     return tuple(given[name] for name in reference.parameters if name in given)
+
+
+MOST_WEIGHT = 100.0
+"""A weight beyond this leaves nothing to the other facts: a slip of the pen."""
+
+
+def read_policy(reader: Reader) -> Policy:
+    """Return what a table is held to; faults go to the reader."""
+    inner = reader.table("tolerance")
+    usual = Tolerance()
+    tolerance = Tolerance(
+        length=inner.number("length", usual.length), angle=inner.number("angle", usual.angle)
+    )
+    for name in ("length", "angle"):
+        if not 0 < getattr(tolerance, name) <= 0.1:
+            inner.fault("tolerance_out_of_range", name, name=name)
+    inner.finish()
+    policy = Policy(
+        convention=reader.choice("convention", ConventionRule, ConventionRule.ANY),
+        base=reader.choice("base", BaseRule, BaseRule.FREE),
+        tool=reader.choice("tool", ToolRule, ToolRule.AXIS),
+        zero=reader.choice("zero", ZeroRule, ZeroRule.FREE),
+        direction=reader.choice("direction", DirectionRule, DirectionRule.FREE),
+        tolerance=tolerance,
+    )
+    reader.finish()
+    return policy
+
+
+def read_weights(reader: Reader) -> Weights:
+    """Return what facts and slips are worth in a wrong table; faults go to the reader."""
+    usual = Weights()
+    given = {entry.name: reader.number(entry.name, getattr(usual, entry.name)) for entry in fields(usual)}
+    for name, value in given.items():
+        most = 1.0 if name == "sign" else MOST_WEIGHT  # sign is a share of the others
+        if not 0.0 <= value <= most:
+            reader.fault("weight_out_of_range", name, name=name, most=most)
+    reader.finish()
+    return Weights(**given)

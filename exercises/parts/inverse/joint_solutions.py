@@ -22,8 +22,13 @@ from exercises.parts import definition_keys as defined
 from exercises.parts.cells.number_cells import on_paper, read_numbers_of
 from exercises.parts.context import Context
 from exercises.parts.given_table import given_table
-from exercises.parts.inverse.joint_cells import MOST_ROWS, JointAnswerCells, kept_combination, written_answer
-from exercises.parts.inverse.joint_feedback import joint_feedback
+from exercises.parts.inverse.joint_cells import (
+    MOST_ROWS,
+    JointAnswerCells,
+    joint_feedback,
+    kept_combination,
+    written_answer,
+)
 from exercises.parts.inverse.pose_question import DrawnPose, InverseKinematicsPart, question_of, target_of
 from exercises.parts.joint_draws import PoseCase, SolutionsAsked, drawn_joints, joint_labels, read_joints
 from exercises.parts.protocol import TABLE, PartType, Reading, RobotFacts
