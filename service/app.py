@@ -45,15 +45,13 @@ from service.routes import routers
 from service.secret import installation_secret
 from service.settings import Settings
 from service.web.responses import missing_page
-from service.work.background import BackgroundThread
 from service.work.collection import LOOK_SECONDS, Collection, new_objects_alone
-from service.work.drawing_ahead import DrawingAhead
-from service.work.heaps import share_heaps
-from service.work.reading_ahead import ReadingAhead
+from service.work.drawing_ahead import DrawingAhead, ReadingAhead
+from service.work.heaps import share_heaps, switch_threads_often
 from service.work.retention import Retention
 from service.work.score_sender import ScoreSender
 from service.work.settling import Settling
-from service.work.thread_switching import switch_threads_often
+from service.work.threads import BackgroundThread
 
 _log = logging.getLogger("uvicorn.error")
 THREADS = 4

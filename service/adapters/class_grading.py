@@ -14,10 +14,9 @@ from pathlib import Path
 from exercises.errors import UnknownExerciseError
 from exercises.library import Library
 from kinematics.errors import Fault
-from service.adapters.exercise_names import exercise_named
 from service.adapters.gradebook import Mark
 from service.adapters.hand_ins import HandIn
-from service.adapters.judging import JudgedAnswer, judge, told_fault, with_joint_types
+from service.adapters.judging import JudgedAnswer, exercise_named, judge, told_fault, with_joint_types
 
 _CHUNK = 8
 """Tables that travel to a worker together: a message costs as much as grading one right table, and a worker

@@ -1,4 +1,4 @@
-"""The one function that grades an answer for every caller but the page itself."""
+"""The one function that grades an answer for every caller but the page itself, and the names of exercises."""
 
 from __future__ import annotations
 
@@ -157,3 +157,9 @@ def _is_variable(cell: object) -> bool:
 @cache
 def _adapter() -> TypeAdapter[AnswerBase]:
     return TypeAdapter(ExerciseAnswer)
+
+
+def exercise_named(name: str, library: Library | None = None) -> str | None:
+    """Return the exercise that a file means by a robot's name: its id, whatever the case and the spaces."""
+    bare = "".join(letter for letter in name.lower() if letter.isalnum())
+    return next((known for known in (library or packaged()).ids if known.replace("-", "") == bare), None)

@@ -9,8 +9,14 @@ from typing import Any
 from exercises.grading import HelpLevel
 from exercises.library import Library
 from kinematics.errors import Fault
-from service.adapters.exercise_names import exercise_named
-from service.adapters.judging import JudgedAnswer, NotGraded, judge, told_fault, with_joint_types
+from service.adapters.judging import (
+    JudgedAnswer,
+    NotGraded,
+    exercise_named,
+    judge,
+    told_fault,
+    with_joint_types,
+)
 from service.http.decoding import decode_json
 from service.http.negotiation import preferred_language
 from service.http.problems import ServiceError

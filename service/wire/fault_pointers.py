@@ -6,13 +6,14 @@ chain or a URDF, and what is too long may be a parameter.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import replace
 from typing import Any
 
 from kinematics.errors import Fault, KinematicsError
-from service.http.problems import cause
+from service.http.problems import Problem, cause
+from service.schemas.base import FaultEntry
 
 _SOURCES: Mapping[str, tuple[str, ...]] = {
     "table": ("table",),
@@ -57,3 +58,11 @@ def _placed(fault: Fault, request: Any) -> list[Fault]:
     source = next(name for name in _SOURCES if getattr(request, name, None) is not None)
     below = fault.where if source == "table" and not derived else ()
     return [replace(fault, where=(*_SOURCES[source], *below))]
+
+
+def fault_entries(faults: Sequence[Fault], language: str, limit: int) -> list[FaultEntry]:
+    """Return the first `limit` faults as an answer lists them."""
+    if not faults:
+        return []
+    document = Problem(status=422, faults=tuple(faults)).document(language, fault_limit=limit)
+    return [FaultEntry.model_validate(entry, strict=False) for entry in document["errors"]]  # type: ignore[attr-defined]

@@ -9,11 +9,10 @@ allotted_time    a list of tasks within a processor time
 shared_answers   answers that every process gives alike
 session_grading  judging what a signed-in student hands in
 regrading_processes  judging stored attempts again
-reading_ahead, drawing_ahead  what will be asked for, read and drawn beforehand
-background       a thread that does something again and again:
+drawing_ahead    what will be asked for, read and drawn beforehand
   score_sender   scores to gradebooks
   settling       what follows from a regrading whose request was interrupted
   retention      what has been kept long enough is removed
 callbacks        feedback sent later
-heaps, thread_switching, collection  how the threads of a process share memory and take turns
+heaps, collection  how the threads of a process share memory and take turns
 """

@@ -1,4 +1,4 @@
-"""Draws what the students of links will be shown, while nobody waits for anything.
+"""Reads the packaged exercises, and draws what the students of links will be shown, while nobody waits.
 
 The students of a class open an exercise at the same moment, each with values of their own; the values that
 there may be are known from the day on which the link was made. Each process draws in an order of its own, and
@@ -25,8 +25,8 @@ from kinematics.errors import KinematicsError
 from service.course_resources import now
 from service.messages import languages
 from service.wire.exercises.figure_files import draw_ahead
-from service.work.background import BackgroundThread
 from service.work.shared_answers import SharedAnswers
+from service.work.threads import BackgroundThread
 
 FIRST = 1.0
 """Time from the start to the first look at the links [s]."""
@@ -111,3 +111,17 @@ def _has_ended(settings: LinkSettings) -> bool:
 
 def _spoken(settings: LinkSettings) -> tuple[str, ...]:
     return tuple(languages()) if settings.language is None else (settings.language,)
+
+
+class ReadingAhead(BackgroundThread):
+    """Reads each exercise once; one that is asked for before its turn is read for who asks."""
+
+    def __init__(self, library: Library) -> None:
+        super().__init__("reading-ahead")
+        self._library = library
+
+    def _run(self) -> None:
+        for exercise_id in self._library.ids:
+            if self.stopping.is_set():
+                return
+            self._library.exercise(exercise_id)

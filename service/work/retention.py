@@ -13,7 +13,7 @@ from courses.privacy import purge
 from courses.refusals import StorageUnavailableError
 from courses.storage import Store
 from service.course_resources import now
-from service.work.background import BackgroundThread
+from service.work.threads import BackgroundThread
 
 FIRST = 600.0
 """So long after the start the first look is taken [s]: a process that restarts often still takes it."""

@@ -32,7 +32,7 @@ from service.lti.scores import (
     line_item_for,
     post_score,
 )
-from service.work.background import BackgroundThread
+from service.work.threads import BackgroundThread
 
 PAUSE = 1.0
 """Time between two looks at the outbox [s]."""

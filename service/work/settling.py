@@ -10,7 +10,7 @@ from courses.refusals import StorageUnavailableError
 from courses.settling import settle, unsettled
 from courses.storage import Store
 from service.course_resources import now
-from service.work.background import BackgroundThread
+from service.work.threads import BackgroundThread
 
 AGAIN = 60.0
 """Time from one look to the next [s]."""

@@ -18,7 +18,7 @@ from courses.refusals import StorageUnavailableError
 from courses.storage import Store
 from service.course_resources import now
 from service.wire.answer_cache import AnswerCache
-from service.work.background import BackgroundThread
+from service.work.threads import BackgroundThread
 
 PAUSE = 1.0
 """So long new answers are gathered before they are written down [s]: they share a transaction."""

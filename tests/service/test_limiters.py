@@ -23,8 +23,8 @@ from service.settings import Settings
 from service.wire.exercises import exercise_views
 from service.work import fair_queue
 from service.work.fair_queue import AHEAD, CLIENTS, Client, FairQueue, Name, Proven, current_client
+from service.work.heaps import SWITCH_SECONDS
 from service.work.limiters import DONE, LIGHT, TRIED, Limiter, WorkKind, limiters
-from service.work.thread_switching import SWITCH_SECONDS
 
 TABLE = {"convention": "standard", "rows": [{"alpha": 0, "a": "1", "d": 0, "theta": f"q{i}"} for i in (1, 2)]}
 

@@ -15,10 +15,10 @@ from service.messages import (
     LOCALES,
     in_sentence,
     languages,
+    plainly_written,
     sentence,
     template,
 )
-from service.plain_sentences import plainly_written
 
 
 def test_six_languages_are_spoken() -> None:

@@ -14,7 +14,7 @@ from exercises.library import Library
 from exercises.loader import exercise_of_files
 from service.app import create_app
 from service.settings import Settings
-from service.work.reading_ahead import ReadingAhead
+from service.work.drawing_ahead import ReadingAhead
 from tests.live_service import running
 
 PATIENCE = 120.0

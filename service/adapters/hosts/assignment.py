@@ -8,9 +8,8 @@ from pathlib import Path
 from typing import Any
 
 from kinematics.errors import Fault
-from service.adapters.exercise_names import exercise_named
 from service.adapters.hand_ins import hand_ins
-from service.adapters.judging import JudgedAnswer, NotGraded, judge, with_joint_types
+from service.adapters.judging import JudgedAnswer, NotGraded, exercise_named, judge, with_joint_types
 from service.adapters.table_files import TableSettings
 
 

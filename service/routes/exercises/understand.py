@@ -47,7 +47,7 @@ from service.schemas.exercises.understanding import (
     UnderstoodRow,
 )
 from service.settings import Settings
-from service.wire.fault_entries import fault_entries
+from service.wire.fault_pointers import fault_entries
 
 router = api_router("kinematics", route_class=OneRobotRoute)
 

@@ -30,7 +30,7 @@ from service.schemas.kinematics import scm as wire
 from service.schemas.kinematics import scm_examples as examples
 from service.schemas.kinematics.forward_kinematics import AxisAngleModel, Orientation
 from service.schemas.kinematics.inverse_kinematics import InverseKinematicsAnswer
-from service.schemas.kinematics.joint_limits import domain_limits
+from service.schemas.kinematics.joints import domain_limits
 from service.schemas.kinematics.scm_products import ScmProductsAnswer, ScmProductsRequest
 from service.wire.fault_pointers import traced
 from service.wire.json_chunks import plain_lists

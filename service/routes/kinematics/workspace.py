@@ -14,7 +14,7 @@ from service.http.openapi import problems
 from service.http.routing import ApiRequest, OneRobotRoute, api_router
 from service.schemas import examples
 from service.schemas.kinematics import workspace_request as wire
-from service.schemas.kinematics.joint_limits import domain_limits
+from service.schemas.kinematics.joints import domain_limits
 from service.wire.fault_pointers import traced
 from service.wire.kinematics.joint_values import in_request_units
 from service.wire.kinematics.pose_matrices import base_and_tool, placed_matrix

@@ -9,7 +9,7 @@ from pydantic import Field
 from kinematics.answers.joint_questions import USUAL_TOLERANCE
 from kinematics.answers.joint_verdicts import JointClaim
 from service.schemas.base import Matrix4, Real, Wire
-from service.schemas.kinematics.joint_limits import JointRanges
+from service.schemas.kinematics.joints import JointRanges
 from service.schemas.kinematics.pose_input import PoseInput
 from service.schemas.kinematics.robot_question import RobotQuestion
 from service.schemas.spoken import SpokenFeedback

@@ -14,7 +14,7 @@ from kinematics.urdf import MAX_CHARACTERS
 from service.http.validation import CHOICE
 from service.schemas.base import GivenMatrix4, Real, Vector3, Wire
 from service.schemas.choices import forbidding, not_one_of, together
-from service.schemas.kinematics.joint_limits import JointRanges, Range
+from service.schemas.kinematics.joints import JointRanges, Range
 from service.schemas.kinematics.pose_input import (
     MATRIX,
     PLACED,

@@ -10,10 +10,9 @@ from pydantic_core import PydanticCustomError
 from kinematics.inverse.results import IKStatus, Isolation, Method, UnreachableReason
 from service.schemas.base import FaultEntry, Matrix4, Real, Vector3, Wire
 from service.schemas.choices import forbidding, not_one_of, together
-from service.schemas.kinematics.joint_limits import JointRanges
-from service.schemas.kinematics.numeric_form import NumericForm
+from service.schemas.kinematics.joints import JointRanges
 from service.schemas.kinematics.pose_input import PoseInput
-from service.schemas.kinematics.robot_question import NO_ROBOT, RobotQuestion
+from service.schemas.kinematics.robot_question import NO_ROBOT, NumericForm, RobotQuestion
 from service.schemas.tables import Units
 
 MOST_TARGETS = 1000

@@ -9,9 +9,8 @@ from pydantic import Field
 from kinematics.jacobian import JacobianFrame
 from service.schemas.base import Real, Wire
 from service.schemas.kinematics.joints import Joints
-from service.schemas.kinematics.numeric_form import NumericForm
 from service.schemas.kinematics.pose_input import PoseInput
-from service.schemas.kinematics.robot_question import RobotQuestion
+from service.schemas.kinematics.robot_question import NumericForm, RobotQuestion
 from service.schemas.tables import Units
 
 Matrix6: TypeAlias = Annotated[

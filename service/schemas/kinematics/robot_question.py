@@ -1,10 +1,10 @@
-"""Which robot a call speaks of: a table, or a robot of the catalogue."""
+"""Which robot a call speaks of, a table or one of the catalogue; and whether the answer is in numbers."""
 
 from __future__ import annotations
 
-from typing import Self
+from typing import Annotated, Literal, Self, TypeAlias
 
-from pydantic import Field, model_validator
+from pydantic import BeforeValidator, Field, model_validator
 from pydantic_core import PydanticCustomError
 
 from service.schemas.base import Wire
@@ -28,3 +28,17 @@ class RobotQuestion(Wire):
         if (self.table is None) == (self.robot is None):
             raise PydanticCustomError("table_or_robot", "give either table or robot, exactly one of them")
         return self
+
+
+_FORMS = ("numeric", "symbolic")
+
+
+def _known_form(form: object) -> object:
+    if form not in _FORMS:
+        expected = " or ".join(map(repr, _FORMS))
+        raise PydanticCustomError("value_not_allowed", "this must be {expected}", {"expected": expected})
+    return form
+
+
+NumericForm: TypeAlias = Annotated[Literal["numeric"], BeforeValidator(_known_form)]
+"""The form of an answer in numbers; a fault names the symbolic one too."""

@@ -9,7 +9,7 @@ from pydantic_core import PydanticCustomError
 
 from service.schemas.base import WHOLE, Real, Vector3, Wire
 from service.schemas.choices import forbidding, together
-from service.schemas.kinematics.joint_limits import JointRanges
+from service.schemas.kinematics.joints import JointRanges
 from service.schemas.kinematics.pose_input import PoseInput
 from service.schemas.kinematics.robot_question import NO_ROBOT, RobotQuestion
 from service.schemas.tables import Units

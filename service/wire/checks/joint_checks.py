@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from exercises.grading import Feedback, Policy, ToolRule
-from exercises.parts.inverse.joint_feedback import joint_feedback
+from exercises.parts.inverse.joint_cells import joint_feedback
 from kinematics.answers.joint_answers import in_other_frames, judge_joints
 from kinematics.answers.joint_questions import joint_question
 from kinematics.answers.joint_verdicts import JointAnswer
@@ -30,7 +30,7 @@ from service.schemas.checks.joint_answers import (
     CheckInverseKinematicsRequest,
     JointRowVerdict,
 )
-from service.schemas.kinematics.joint_limits import domain_limits
+from service.schemas.kinematics.joints import domain_limits
 from service.schemas.spoken import spoken
 from service.wire.checks.answer_functions import check_count
 from service.wire.fault_pointers import traced

@@ -25,9 +25,8 @@ from service.schemas.kinematics.inverse_kinematics import (
     SolutionFamily,
     TargetAnswer,
 )
-from service.schemas.kinematics.joint_limits import DomainLimits, domain_limits
-from service.wire.fault_entries import fault_entries
-from service.wire.fault_pointers import traced
+from service.schemas.kinematics.joints import DomainLimits, domain_limits
+from service.wire.fault_pointers import fault_entries, traced
 from service.wire.json_chunks import plain_lists
 from service.wire.kinematics.joint_values import in_request_units, values_in_radians
 from service.wire.kinematics.pose_matrices import base_and_tool, placed_matrix, pose_matrix
