@@ -8,8 +8,7 @@ skeleton        the scene that a DH table alone gives, for definitions that say 
 description     the scene in words (codes and values; the prose is elsewhere)
 camera          space -> paper
 bodies          cylinders and blocks on paper
-shapes          axes, arrows, gripper, ground
-triads          frames on paper
+shapes          axes, arrows, gripper, ground, frames
 strokes         lines in space that pass behind or in front of bodies
 dimensioning    dimension lines, extension lines, arrows
 labels          where numbers and names may stand

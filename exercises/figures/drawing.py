@@ -16,7 +16,10 @@ from exercises.figures.geometry import Scene, scene_points
 from exercises.figures.labels import DISC, NAME_SIZE, Written, name_places, number_places
 from exercises.figures.placement import PaperMap, Placer, Places
 from exercises.figures.shapes import (
+    Arrow,
+    arrows,
     axis_ends,
+    draw_arrow,
     gripper_lines,
     ground_lines,
     sense_arrow,
@@ -25,7 +28,6 @@ from exercises.figures.shapes import (
 from exercises.figures.specification import View
 from exercises.figures.strokes import in_front
 from exercises.figures.svg import Canvas, SvgDrawing, line, text_width
-from exercises.figures.triads import Arrow, arrows, draw_arrow
 from kinematics.frames.wrong_frames import DrawnFrame
 from kinematics.table import JointType
 

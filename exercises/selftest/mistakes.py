@@ -24,6 +24,7 @@ from kinematics.expressions import (
 from kinematics.table import DHTable, JointType, SymbolicRow
 
 QUARTER = pi_times(Fraction(1, 2))
+_OTHER = {JointType.REVOLUTE: JointType.PRISMATIC, JointType.PRISMATIC: JointType.REVOLUTE}
 
 Mistake = Callable[[ReadTable], Iterator[ReadTable]]
 """Every way to make it in a table."""
@@ -33,74 +34,37 @@ def _rows(read: ReadTable, rows: tuple[SymbolicRow, ...]) -> ReadTable:
     return replace(read, table=DHTable(convention=read.table.convention, rows=rows))
 
 
-def _each_row(read: ReadTable, change: Callable[[SymbolicRow], SymbolicRow | None]) -> Iterator[ReadTable]:
-    for i, row in enumerate(read.table.rows):
-        changed = change(row)
-        if changed is not None and changed != row:
-            yield _rows(read, (*read.table.rows[:i], changed, *read.table.rows[i + 1 :]))
+def _each_row(change: Callable[[SymbolicRow], SymbolicRow | None]) -> Mistake:
+    """Return a mistake that is made in one row; None leaves a row as it is."""
+
+    def made(read: ReadTable) -> Iterator[ReadTable]:
+        for i, row in enumerate(read.table.rows):
+            changed = change(row)
+            if changed is not None and changed != row:
+                yield _rows(read, (*read.table.rows[:i], changed, *read.table.rows[i + 1 :]))
+
+    return made
 
 
-def _turned(angle: Expression) -> Expression | None:
-    turns = pi_fraction(angle)
-    return None if turns is None or turns.denominator == 1 else negate(angle)
+def _but_slides(change: Callable[[SymbolicRow], SymbolicRow]) -> Mistake:
+    """Return a mistake about d, which says nothing of a prismatic row: its variable stands there."""
+    return _each_row(lambda row: None if row.joint is JointType.PRISMATIC else change(row))
 
 
-def _alpha_sign(read: ReadTable) -> Iterator[ReadTable]:
-    def change(row: SymbolicRow) -> SymbolicRow | None:
-        other = _turned(row.alpha)
-        return replace(row, alpha=other) if other is not None else None
-
-    return _each_row(read, change)
+def _twist_reversed(row: SymbolicRow) -> SymbolicRow | None:
+    turns = pi_fraction(row.alpha)
+    return None if turns is None or turns.denominator == 1 else replace(row, alpha=negate(row.alpha))
 
 
-def _alpha_value(read: ReadTable) -> Iterator[ReadTable]:
-    def change(row: SymbolicRow) -> SymbolicRow:
-        parallel = (pi_fraction(row.alpha) or Fraction(0)).denominator == 1
-        return replace(row, alpha=add((row.alpha, QUARTER)) if parallel else ZERO)
-
-    return _each_row(read, change)
+def _twist_changed(row: SymbolicRow) -> SymbolicRow:
+    parallel = (pi_fraction(row.alpha) or Fraction(0)).denominator == 1
+    return replace(row, alpha=add((row.alpha, QUARTER)) if parallel else ZERO)
 
 
-def _a_value(read: ReadTable) -> Iterator[ReadTable]:
-    return _each_row(read, lambda row: replace(row, a=ZERO))
-
-
-def _d_value(read: ReadTable) -> Iterator[ReadTable]:
-    return _each_row(read, lambda row: None if row.joint is JointType.PRISMATIC else replace(row, d=ZERO))
-
-
-def _a_sign(read: ReadTable) -> Iterator[ReadTable]:
-    return _each_row(read, lambda row: replace(row, a=negate(row.a)))
-
-
-def _d_sign(read: ReadTable) -> Iterator[ReadTable]:
-    return _each_row(
-        read, lambda row: None if row.joint is JointType.PRISMATIC else replace(row, d=negate(row.d))
-    )
-
-
-def _a_d_swapped(read: ReadTable) -> Iterator[ReadTable]:
-    return _each_row(
-        read, lambda row: None if row.joint is JointType.PRISMATIC else replace(row, a=row.d, d=row.a)
-    )
-
-
-def _theta_value(read: ReadTable) -> Iterator[ReadTable]:
-    def change(row: SymbolicRow) -> SymbolicRow | None:
-        if row.joint is JointType.REVOLUTE:
-            return None  # where a variable is zero is free more often than not
-        return replace(row, theta=add((row.theta, QUARTER)))
-
-    return _each_row(read, change)
-
-
-def _joint_type(read: ReadTable) -> Iterator[ReadTable]:
-    other = {JointType.REVOLUTE: JointType.PRISMATIC, JointType.PRISMATIC: JointType.REVOLUTE}
-    return _each_row(read, lambda row: replace(row, joint=other[row.joint]) if row.joint in other else None)
-
-
-def _joint_fixed(read: ReadTable) -> Iterator[ReadTable]:
-    return _each_row(read, lambda row: replace(row, joint=JointType.FIXED, sign=1))
+def _turned(row: SymbolicRow) -> SymbolicRow | None:
+    if row.joint is JointType.REVOLUTE:
+        return None  # where a variable is zero is free more often than not
+    return replace(row, theta=add((row.theta, QUARTER)))
 
 
 def _rows_swapped(read: ReadTable) -> Iterator[ReadTable]:
@@ -225,17 +189,17 @@ MISTAKES: dict[str, Mistake] = {
     "columns_early": _columns_early,
     "parameter_misnamed": _parameter_misnamed,
     "parameters_swapped": _parameters_swapped,
-    "alpha_sign": _alpha_sign,
-    "alpha_value": _alpha_value,
+    "alpha_sign": _each_row(_twist_reversed),
+    "alpha_value": _each_row(_twist_changed),
     "twists_all_reversed": _twists_all_reversed,
-    "a_sign": _a_sign,
-    "d_sign": _d_sign,
-    "a_d_swapped": _a_d_swapped,
-    "a_value": _a_value,
-    "d_value": _d_value,
-    "theta_value": _theta_value,
-    "joint_type": _joint_type,
-    "joint_fixed": _joint_fixed,
+    "a_sign": _each_row(lambda row: replace(row, a=negate(row.a))),
+    "d_sign": _but_slides(lambda row: replace(row, d=negate(row.d))),
+    "a_d_swapped": _but_slides(lambda row: replace(row, a=row.d, d=row.a)),
+    "a_value": _each_row(lambda row: replace(row, a=ZERO)),
+    "d_value": _but_slides(lambda row: replace(row, d=ZERO)),
+    "theta_value": _each_row(_turned),
+    "joint_type": _each_row(lambda row: replace(row, joint=_OTHER.get(row.joint, row.joint))),
+    "joint_fixed": _each_row(lambda row: replace(row, joint=JointType.FIXED, sign=1)),
     "rows_swapped": _rows_swapped,
     "row_missing": _row_missing,
     "row_extra": _row_extra,

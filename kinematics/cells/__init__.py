@@ -8,8 +8,8 @@ table_reader     from the one to the other
 rows, joints     a row, and which joint it holds
 entries          one cell
 From the text of a cell to an expression:
-  wrapping, characters, unit_words  what comes with pasted text
-  variable_marks, bare_arguments    joint variables and functions as they are printed
+  characters, unit_words  what comes with pasted text
+  variable_marks, bare_arguments  wrapping, joint variables and functions as they are printed
   scanner        tokens
   grammar, syntax  the tree of a cell
   meaning        the exact expression in radians

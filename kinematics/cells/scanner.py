@@ -26,8 +26,7 @@ from kinematics.cells.characters import (
 from kinematics.cells.limits import DEFAULT, Limits
 from kinematics.cells.refusals import CellRefusal
 from kinematics.cells.unit_words import unit_refusal
-from kinematics.cells.variable_marks import without_marks
-from kinematics.cells.wrapping import without_wrapping
+from kinematics.cells.variable_marks import without_marks, without_wrapping
 from kinematics.expressions import Function
 
 FUNCTION_NAMES = {function.value: function for function in Function} | {

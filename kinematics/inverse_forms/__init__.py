@@ -9,7 +9,6 @@ steps          what is written down: equations, branch signs, conditions, singul
 singular_cases the equations of a singular case
 formulas       what the equations are made of
 outer_frames   equations for the pose of the tool in the world
-radicands      radicands that rounding has made negative
 branches       the numbers of each branch
 """
 

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from kinematics.errors import ParameterError
 from kinematics.expressions import Expression, evaluate
-from kinematics.inverse_forms.radicands import rounding_of, without_root
+from kinematics.inverse_forms.formulas import rounding_of, without_root
 from kinematics.inverse_forms.steps import ConditionKind, InverseCondition, InverseForm, InverseStep
 from kinematics.se3 import check_transform
 

@@ -1,4 +1,4 @@
-"""What the equations are made of: roots, quotients, angles by atan2."""
+"""What the equations are made of: roots, quotients, angles by atan2; and radicands below zero."""
 
 from __future__ import annotations
 
@@ -7,10 +7,12 @@ from fractions import Fraction
 
 from kinematics.expressions import (
     ZERO,
+    Call,
     Expression,
     Function,
     Number,
     Product,
+    Sum,
     add,
     call,
     multiply,
@@ -70,3 +72,29 @@ def product_with(matrix: Sequence[Vector], axis: Axis) -> Vector:
     """Return a matrix, given by its rows, times an axis."""
     x, y, z = (along(axis, row) for row in matrix)
     return x, y, z
+
+
+ROUNDING = Fraction(1, 10**9)
+"""Part of what is subtracted in a radicand by which rounding may leave it below 0: a target that stretches an
+arm completely makes 1 - K² zero, and rounding may make it -2e-16. Further below there is no such branch."""
+
+
+def rounding_of(radicand: Expression) -> Expression:
+    """Return by how much rounding may leave a radicand below 0; nothing if nothing is subtracted in it."""
+    terms = radicand.terms if isinstance(radicand, Sum) else (radicand,)
+    subtracted = add(positive(term) for term in terms if positive(term) != term)
+    return multiply((Number(ROUNDING), subtracted))
+
+
+def without_root(value: Expression, radicand: Expression) -> Expression:
+    """Return a value in which the root of a radicand is 0."""
+    match value:
+        case Call(Function.SQRT, (inner,)) if inner == radicand:
+            return ZERO
+        case Call(function, arguments):
+            return call(function, *(without_root(argument, radicand) for argument in arguments))
+        case Sum(terms):
+            return add(without_root(term, radicand) for term in terms)
+        case Product(factors):
+            return multiply(without_root(factor, radicand) for factor in factors)
+    return value

@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 from kinematics.expressions import ZERO, Call, Expression, Function, walk
-from kinematics.inverse_forms.radicands import rounding_of
+from kinematics.inverse_forms.formulas import rounding_of
 from kinematics.printing.formats import EquationFormat
 from kinematics.printing.latex import LatexWriter, parameter
 from kinematics.printing.ledger import Ledger
