@@ -33,7 +33,7 @@ from service.wire.json_chunks import plain_lists
 from service.wire.kinematics.exact_values import exact_values
 from service.wire.kinematics.joint_values import values_in_radians
 from service.wire.kinematics.prepared_robots import joint_units, listed_robot
-from service.wire.kinematics.symbolic_forms import written_out
+from service.wire.kinematics.symbolic_forms import FormTask, written_out
 
 QUICK_JOINTS = 3
 """Joints up to which equations of motion take some milliseconds."""
@@ -57,28 +57,18 @@ class WeighedTable:
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class DynamicsTask:
-    """Equations of motion to be derived and written.
+class DynamicsTask(FormTask[Format]):
+    """Equations of motion to be derived and written; lengths in [m].
 
     Attributes:
-        table: the DH table in [m], values substituted.
-        links: the links, likewise.
+        links: the links, values substituted.
         gravity: acceleration of free fall in frame 0, likewise.
-        variables: names of the joint variables.
         parts: what is wanted.
-        formats: in which formats.
-        notation: how sines and cosines are written.
-        head: what the answer says besides.
     """
 
-    table: SymbolicTable
     links: tuple[SymbolicBody, ...]
     gravity: tuple[Expression, Expression, Expression]
-    variables: tuple[str, ...]
     parts: tuple[EquationPart, ...]
-    formats: tuple[Format, ...]
-    notation: Notation
-    head: Mapping[str, Any]
 
     def is_quick(self) -> bool:
         """Return whether the answer is certain to be small."""
@@ -238,33 +228,27 @@ def written_dynamics(task: DynamicsTask) -> bytes:
     answer: dict[str, Any] = dict(task.head)
     matrices: list[Matrix] = []
     for part in task.parts:
-        matrix: Matrix = getattr(found, _ATTRIBUTES[part])
+        attribute, name, meaning = _PARTS[part]
+        matrix: Matrix = getattr(found, attribute)
         matrices.append(matrix)
-        purpose = Purpose(name=_NAMES[part], meaning=_MEANINGS[part], result=part.value)
+        purpose = Purpose(name=name, meaning=meaning, result=part.value)
         answer[part.value] = printer.write(matrix, task.formats, purpose)
     if task.notation is Notation.SHORT:
         answer["symbols"] = printer.symbols(matrices)
     return written_out(answer)
 
 
-_ATTRIBUTES = {
-    EquationPart.M: "mass",
-    EquationPart.C: "coriolis",
-    EquationPart.H: "velocity",
-    EquationPart.G: "gravity",
+_PARTS = {
+    EquationPart.M: ("mass", "mass_matrix", "Mass matrix."),
+    EquationPart.C: (
+        "coriolis",
+        "coriolis_matrix",
+        "Coriolis and centrifugal matrix of Christoffel symbols.",
+    ),
+    EquationPart.H: ("velocity", "velocity_torque", "Coriolis and centrifugal torques."),
+    EquationPart.G: ("gravity", "gravity_torque", "Torques of gravity."),
 }
-_NAMES = {
-    EquationPart.M: "mass_matrix",
-    EquationPart.C: "coriolis_matrix",
-    EquationPart.H: "velocity_torque",
-    EquationPart.G: "gravity_torque",
-}
-_MEANINGS = {
-    EquationPart.M: "Mass matrix.",
-    EquationPart.C: "Coriolis and centrifugal matrix of Christoffel symbols.",
-    EquationPart.H: "Coriolis and centrifugal torques.",
-    EquationPart.G: "Torques of gravity.",
-}
+"""Of each part what it is in a derivation, and the name and the meaning of a function that computes it."""
 
 
 def _cells(table: SymbolicTable) -> list[Expression]:
