@@ -50,7 +50,6 @@ def velocity_ellipsoids(
     *,
     base: ArrayLike | None = None,
     tool: ArrayLike | None = None,
-    tolerance: float = RANK_TOLERANCE,
 ) -> VelocityEllipsoids:
     """Return manipulability ellipsoids {J q̇ : |q̇| <= 1} and the motions that are lost.
 
@@ -63,7 +62,6 @@ def velocity_ellipsoids(
         joints: (n,) joint variables [rad, or the table's unit for a prismatic joint].
         base: (4, 4) pose of frame 0 in the world; the identity if left out.
         tool: (4, 4) pose of the tool in frame N; the identity if left out.
-        tolerance: singular values below this fraction of the largest count as zero.
 
     Raises:
         JointValueError: not n finite values, or the result overflows.
@@ -77,27 +75,27 @@ def velocity_ellipsoids(
     units = [length if kind is JointType.PRISMATIC else 1.0 for kind in plan.chain.joint_types]
     values = one_configuration(joints, plan.n_joints)
     J = jacobian(table, values, base=base, tool=tool) * np.array(units)
-    translation, rotation = (_ellipsoid(J[rows], tolerance) for rows in (slice(0, 3), slice(3, 6)))
+    translation, rotation = (_ellipsoid(J[rows]) for rows in (slice(0, 3), slice(3, 6)))
     scaled = J / np.array([length] * 3 + [1.0] * 3)[:, None]
     U, sigma, _ = np.linalg.svd(scaled)
     return VelocityEllipsoids(
         translation=translation,
         rotation=rotation,
-        blocked=_signed(U.T[_rank(sigma, tolerance) :]),
+        blocked=_signed(U.T[_rank(sigma) :]),
         length=length,
     )
 
 
-def _ellipsoid(J: Numbers, tolerance: float) -> Ellipsoid:
+def _ellipsoid(J: Numbers) -> Ellipsoid:
     U, sigma, _ = np.linalg.svd(J)
     radii = np.zeros(3)
-    rank = _rank(sigma, tolerance)
+    rank = _rank(sigma)
     radii[:rank] = sigma[:rank]
     return Ellipsoid(axes=_signed(U.T), radii=radii)
 
 
-def _rank(sigma: Numbers, tolerance: float) -> int:
-    return int(np.count_nonzero(sigma > tolerance * sigma.max(initial=0.0)))
+def _rank(sigma: Numbers) -> int:
+    return int(np.count_nonzero(sigma > RANK_TOLERANCE * sigma.max(initial=0.0)))
 
 
 def _signed(rows: Numbers) -> Numbers:

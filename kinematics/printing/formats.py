@@ -96,9 +96,7 @@ class MatrixPrinter:
         parameters: Sequence[str],
         variables: Sequence[str] = (),
         notation: Notation = Notation.FULL,
-        limit: int = LIMIT,
     ) -> None:
-        self._limit = limit
         self._names = Names(
             notation=notation,
             parameters=frozenset((*parameters, *variables)),
@@ -120,7 +118,7 @@ class MatrixPrinter:
         """Return the matrix in the wanted formats.
 
         Raises:
-            FormSizeError: written out, it has more operations than the limit; as a function it may still do.
+            FormSizeError: written out, it has more operations than `LIMIT`; as a function it may still do.
         """
         wanted = tuple(formats)
         entered = self._ledger.matrix(matrix)
@@ -185,5 +183,5 @@ class MatrixPrinter:
 
     def _refuse_large(self, matrix: Entered) -> None:
         operations = sum(self._ledger.operations[number] for number in chain.from_iterable(matrix.rows))
-        if operations > self._limit:
-            raise FormSizeError(Fault.at("closed_form_too_large", limit=self._limit))
+        if operations > LIMIT:
+            raise FormSizeError(Fault.at("closed_form_too_large", limit=LIMIT))

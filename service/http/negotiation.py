@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from functools import lru_cache
 
+from service.messages import DEFAULT_LANGUAGE
+
 
 def weighted(header: str) -> tuple[tuple[str, float], ...]:
     """Return the items of an Accept-style header in lower case with their q-values, the most wanted first.
@@ -25,7 +27,7 @@ def weighted(header: str) -> tuple[tuple[str, float], ...]:
 
 
 @lru_cache(maxsize=256)
-def preferred_language(header: str, available: tuple[str, ...], default: str = "en") -> str:
+def preferred_language(header: str, available: tuple[str, ...]) -> str:
     """Return the available language that the caller wants most; the wish for pt-BR is met by pt."""
     items = weighted(header)
     refused = {tag for tag, quality in items if quality == 0.0}
@@ -33,12 +35,12 @@ def preferred_language(header: str, available: tuple[str, ...], default: str = "
         if quality == 0.0:
             continue
         if tag == "*":
-            return default
+            return DEFAULT_LANGUAGE
         while tag:
             if tag in available and tag not in refused:
                 return tag
             tag = tag.rpartition("-")[0]
-    return default
+    return DEFAULT_LANGUAGE
 
 
 @lru_cache(maxsize=256)
