@@ -102,14 +102,15 @@ class FindMistakeType(MistakeType[MistakePart, FoundMistakeCells, FoundMistake])
         found: Planted = reading.instance.drawn[self.kind]
         count = len(found.table.table.rows)
         row = self.number(raw.row, "row", range(1, count + 1), reading, "row_unknown")
-        if raw.row is None and raw.mended is not None:
+        given = None if raw.mended is None or all(cell == "" for cell in raw.mended) else raw.mended
+        if raw.row in (None, "") and given is not None:
             reading.fault("row_unknown", self.kind, "row", count=count)
         name = self.known_name(raw.name, reading, PLANTABLE)
         if reading.faults:
             return None
         mended = None
-        if raw.mended is not None and row is not None:
-            mended = _mended(found.table, row - 1, raw.mended, reading)
+        if given is not None and row is not None:
+            mended = _mended(found.table, row - 1, given, reading)
             if mended is None:
                 return None
         return FoundMistake(row=None if row is None else row - 1, name=name, mended=mended)

@@ -24,6 +24,7 @@ from exercises.selftest.answers import context_of
 from kinematics.cells import AngleUnit, LengthUnit, RawRow, RawTable, read_table
 from kinematics.table import Convention, JointType
 from service.messages import sentence
+from tests.exercises.answering import codes, part
 from tests.exercises.packaged import exercise
 from tests.exercises.parts.planted_tables import asked
 
@@ -88,6 +89,7 @@ def test_students_get_different_mistakes_and_each_the_same_again() -> None:
         (FoundMistakeCells(row=9), "row_unknown", ("find_mistake", "row")),
         (FoundMistakeCells(row="x"), "row_unknown", ("find_mistake", "row")),
         (FoundMistakeCells(mended=(0, 0, 0, 0)), "row_unknown", ("find_mistake", "row")),
+        (FoundMistakeCells(row="", mended=(0, 0, 0, 0)), "row_unknown", ("find_mistake", "row")),
         (FoundMistakeCells(row=1, name="typo"), "misconception_unknown", ("find_mistake", "name")),
         (FoundMistakeCells(row=1, mended=(0, "zz", 0, "q1")), "name_unknown", ("find_mistake", "mended", 1)),
         (FoundMistakeCells(row=1, mended=(0, 0, "q9", "q1")), "", ("find_mistake", "mended", 2)),
@@ -99,6 +101,14 @@ def test_what_cannot_be_read_is_refused_with_its_place(raw, code, where) -> None
         parse(generate(found, "1"), RawAnswer(find_mistake=raw))
     assert refusal.value.faults[0].where == where
     assert code in refusal.value.code
+
+
+def test_cells_left_empty_are_no_mended_row() -> None:
+    instance = generate(asked("cloos"), "1")
+    planted = instance.drawn["find_mistake"]
+    cells = FoundMistakeCells(row=planted.row + 1, name=planted.code, mended=("", "", "", ""))
+    found = part(grade(instance, parse(instance, RawAnswer(find_mistake=cells))), "find_mistake")
+    assert (found.score, codes(found)) == (pytest.approx(2 / 3), ["mistake_missing"])
 
 
 def test_every_true_reason_is_right_and_no_other() -> None:
