@@ -142,7 +142,7 @@ def open_page(browser: Browser, web: str, watch: Watch, visits: Visits) -> Itera
 
     Waits until the page is ready; fails the test at its end if a console error, a violation of the content
     security policy or a failed load was seen. Every page has a profile of its own; the first of a test, if
-    nothing else is asked of it, one that has the file's scripts and styles already.
+    neither that nor anything else is asked of it, one that has the file's scripts and styles already.
     """
     contexts: list[BrowserContext] = []
     visited = False
@@ -156,10 +156,11 @@ def open_page(browser: Browser, web: str, watch: Watch, visits: Visits) -> Itera
         origin: str | None = None,
         ready: bool = True,
         before: Callable[[Page], Any] | None = None,
+        fresh: bool = False,
         **options: Any,
     ) -> Page:
         nonlocal visited
-        if options or origin or before or visited:
+        if options or origin or fresh or visited:
             context = browser.new_context(
                 viewport={"width": width, "height": height},
                 reduced_motion=options.pop("reduced_motion", "reduce"),

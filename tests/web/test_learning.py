@@ -168,6 +168,7 @@ def test_nothing_hints_at_the_answer_before_it_is_graded(open_page: OpenPage) ->
         page = open_page(
             "/exercises/puma560",
             before=lambda page: page.on("request", lambda request: asked.append(request)),
+            fresh=True,
         )
         put_table(page, table)
         expect(page.locator("#own")).to_contain_text("Drawn from your table: 6 joints.")

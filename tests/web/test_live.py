@@ -178,7 +178,7 @@ def test_the_first_load_is_small_and_all_our_own(open_page: OpenPage, web: str) 
         sizes = transferred(page, session)
 
     for path in ("/", "/exercises/puma560"):
-        page = open_page(path, height=2000, before=listen)
+        page = open_page(path, height=2000, before=listen, fresh=True)
         if "exercises" in path:
             put_table(page, PUMA)
             expect(page.locator("#own robot-scene")).to_have_attribute("data-renderer", "webgl")
