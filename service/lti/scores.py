@@ -22,6 +22,8 @@ _CLOSE = 1e-6
 the way."""
 LONGEST_LABEL = 100
 """Characters of a column's title that every gradebook keeps; Open edX refuses longer ones."""
+_NONE = 404
+"""Answer of platforms that have no line item yet."""
 _UNLINKED = (400, 404, 412, 422)
 """Answers of platforms whose links take no line item of ours."""
 
@@ -132,7 +134,8 @@ def line_item_for(
 ) -> str:
     """Return the line item of a resource: the one that is there, and a new one only if there is none.
 
-    Creating one is not idempotent: it is always looked for first. A new one names its link,
+    Creating one is not idempotent: it is always looked for first, and where the platform does not tell what
+    there is, none is made. A new one names its link,
     without which Open edX never publishes its marks; where a platform refuses that, it stands alone.
 
     Args:
@@ -154,8 +157,14 @@ def line_item_for(
         if page is None:
             break
         answer = services.call(platform, names.LINE_ITEM_SCOPE, "GET", page, accept=names.LINE_ITEMS)
-        found = answer.json() if answer.status // 100 == 2 else ()
-        for item in found if isinstance(found, list) else ():
+        if answer.status == _NONE:
+            break
+        if answer.status // 100 != 2:
+            raise _refused(page, answer)
+        found = answer.json()
+        if not isinstance(found, list):
+            raise unreachable(page, "line items")
+        for item in found:
             if isinstance(item, Mapping) and item.get("resourceId") == resource and item.get("id"):
                 return str(item["id"])
         page = answer.next_page()
@@ -165,13 +174,16 @@ def line_item_for(
     if answer.status in _UNLINKED:
         answer = _new_line_item(services, platform, line_items, content)
     if answer.status // 100 != 2:
-        raise unreachable(
-            line_items, f"HTTP {answer.status}", status=answer.status, retry_after=answer.retry_after
-        )
+        raise _refused(line_items, answer)
     made = answer.json()
     if not isinstance(made, Mapping) or not isinstance(made.get("id"), str):
         raise unreachable(line_items, "id")
     return str(made["id"])
+
+
+def _refused(address: str, answer: FetchedAnswer) -> PlatformError:
+    status = answer.status
+    return unreachable(address, f"HTTP {status}", status=status, retry_after=answer.retry_after)
 
 
 def _new_line_item(

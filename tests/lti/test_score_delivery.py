@@ -6,6 +6,7 @@ import random
 import threading
 import time
 from datetime import datetime, timedelta
+from functools import partial
 from typing import Any
 
 import orjson
@@ -18,7 +19,7 @@ from courses.storage import Store
 from service.course_resources import CourseResources, now
 from service.lti.fetching import FetchedAnswer
 from service.lti.launch_errors import PlatformError, unreachable
-from service.lti.scores import Delivery, DeliveryReport, ScoreMessage, has_result
+from service.lti.scores import Delivery, DeliveryReport, ScoreMessage, has_result, line_item_for
 from service.lti.services import Services
 from service.settings import Settings
 from service.work import score_sender
@@ -193,6 +194,36 @@ def test_a_silent_gradebook_holds_up_no_other(
             sender.send(to_send(person, platform, host, known=known))
     assert [address for address in asked if address in hosts] == hosts
     sender.stop()
+    resources.close()
+
+
+@pytest.mark.parametrize(
+    ("status", "body", "made"),
+    [(200, b"[]", 1), (404, b"", 1), (503, b"", 0), (429, b"", 0), (403, b"", 0), (200, b"{}", 0)],
+)
+def test_no_column_is_made_where_the_platform_does_not_say_which_there_are(
+    resources: CourseResources, monkeypatch: pytest.MonkeyPatch, status: int, body: bytes, made: int
+) -> None:
+    """An overloaded platform refused the look and took the new line item: the second column of a link."""
+    new: list[object] = []
+
+    def call(_: Any, __: str, method: str, address: str, **given: Any) -> FetchedAnswer:
+        if method == "POST":
+            new.append(given["content"])
+            return FetchedAnswer(
+                address=address, status=201, headers={}, body=b'{"id": "https://lms/items/2"}'
+            )
+        return FetchedAnswer(address=address, status=status, headers={"retry-after": "7"}, body=body)
+
+    monkeypatch.setattr(resources.services, "call", call)
+    ask = partial(line_item_for, resources.services, None, "https://lms/items", resource="r", label="l")
+    if made:
+        assert ask(maximum=1.0) == "https://lms/items/2"
+    else:
+        with pytest.raises(PlatformError) as refused:
+            ask(maximum=1.0)
+        assert refused.value.retry_after == (7 if status != 200 else None)
+    assert len(new) == made
     resources.close()
 
 
