@@ -11,14 +11,15 @@ from collections.abc import Generator, Iterator
 from pathlib import Path
 
 import pytest
-from hypothesis import settings
+from hypothesis import HealthCheck, settings
 from hypothesis.internal.conjecture import providers
 
 from tests.databases import postgresql_server, without_waiting_for_the_disk
 
 # The machine that runs the tests may be busy: time is measured by the benchmarks, not by tests.
-settings.register_profile("framewise", max_examples=40, deadline=None, derandomize=True, database=None)
-settings.register_profile("explore", max_examples=300, deadline=None)
+UNTIMED = settings(deadline=None, suppress_health_check=[HealthCheck.too_slow])
+settings.register_profile("framewise", UNTIMED, max_examples=40, derandomize=True, database=None)
+settings.register_profile("explore", UNTIMED, max_examples=300)
 EXPLORE = bool(os.environ.get("FRAMEWISE_EXPLORE"))
 settings.load_profile("explore" if EXPLORE else "framewise")
 if not EXPLORE:
