@@ -238,6 +238,22 @@ def test_a_fault_is_told_at_its_field(open_page: OpenPage, watch: Watch) -> None
     expect(title).not_to_have_attribute("aria-invalid", "true")
 
 
+def test_a_fault_of_a_group_names_it_and_leads_to_it(open_page: OpenPage, watch: Watch) -> None:
+    """Which of the dimensions has "no value to draw from" was not said, nor any field marked."""
+    watch.allow("422")
+    page = open_page("/author")
+    start_with(page, "robot")
+    page.get_by_label("Robot", exact=True).select_option("scara")
+    page.get_by_role("button", name="Start with this robot").click()
+    begin = page.locator("[data-path='definition/parameters/a3/draw/from']")
+    begin.fill("9")
+    link = page.locator("#author-problem a")
+    expect(link).to_contain_text("a3: There is no value to draw from")
+    expect(begin).to_have_attribute("aria-invalid", "true")
+    link.click()
+    expect(begin).to_be_focused()
+
+
 def test_the_exercise_is_tried_as_a_student(open_page: OpenPage, watch: Watch) -> None:
     watch.allow("422")
     page = open_page("/author")

@@ -1,6 +1,6 @@
 /** The page on which an exercise is made: on the left what it is, on the right how it looks and whether it holds. */
 
-import { Latest } from "../api.js";
+import { Latest, Problem } from "../api.js";
 import { DraftStore, workIn } from "../author/draft-store.js";
 import { DimensionHandles } from "../author/dimension-handles.js";
 import { figureSection } from "../author/figure-form.js";
@@ -11,7 +11,7 @@ import { takeAlong } from "../author/take-along.js";
 import { textsSection } from "../author/texts.js";
 import { asStudent, rightAnswers, SelfTest, wrongAnswers } from "../author/trials.js";
 import { announce, debounced, el, fill, iconButton, variable } from "../dom.js";
-import { t } from "../i18n.js";
+import { named, t } from "../i18n.js";
 import { plain } from "../numbers.js";
 import { api, startPage } from "../page.js";
 import { problemNotice } from "../problem.js";
@@ -104,18 +104,17 @@ class AuthorPage {
       this.test();
     } catch (error) {
       if (error instanceof Error && error.name === "AbortError") return;
-      fill($("author-problem"), problemNotice(error));
+      fill($("author-problem"), error instanceof Problem ? refusal(error.faults) : problemNotice(error));
       this.selfTest.refused();
-      this.#markFaults(/** @type {any} */ (error).faults ?? []);
+      this.#markFaults(error instanceof Problem ? error.faults : []);
     }
   }
 
   /** Marks the fields that a refusal speaks of. @param {import("../api.js").Fault[]} faults */
   #markFaults(faults) {
-    const places = faults.map(({ pointer }) => pointer.replace(/^\/draft\//, ""));
-    for (const input of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll("[data-path]"))) {
-      const wrong = places.includes(input.dataset.path ?? "");
-      if (wrong) input.setAttribute("aria-invalid", "true");
+    const wrong = new Set(faults.flatMap(fieldsOf));
+    for (const input of document.querySelectorAll("[data-path]")) {
+      if (wrong.has(/** @type {HTMLElement} */ (input))) input.setAttribute("aria-invalid", "true");
       else input.removeAttribute("aria-invalid");
     }
   }
@@ -130,6 +129,34 @@ class AuthorPage {
     else return;
     event.preventDefault();
   }
+}
+
+/** The fields that a fault concerns: one, or those of a group. @param {import("../api.js").Fault} fault @returns {HTMLElement[]} */
+function fieldsOf({ pointer }) {
+  const path = (pointer ?? "").replace(/^\/draft\//, "");
+  const fields = /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll("[data-path]"));
+  const isGroup = path.split("/").length > 2; // what is said of a whole card concerns none of its fields
+  return [...fields].filter(
+    ({ dataset }) => dataset.path === path || (isGroup && dataset.path?.startsWith(`${path}/`)),
+  );
+}
+
+/** Why there is no preview, each reason a link to its field. @param {import("../api.js").Fault[]} faults */
+function refusal(faults) {
+  const line = (/** @type {import("../api.js").Fault} */ fault) => {
+    const [field] = fieldsOf(fault);
+    if (!field) return el("li", { text: fault.detail });
+    const group = field.closest("fieldset")?.querySelector("legend")?.textContent;
+    const follow = (/** @type {Event} */ event) => {
+      event.preventDefault();
+      for (let fold = field.closest("details"); fold; fold = fold.parentElement?.closest("details") ?? null)
+        fold.open = true;
+      field.focus();
+    };
+    const text = group ? named(group, fault.detail) : fault.detail;
+    return el("li", {}, el("a", { href: `#${field.id}`, onclick: follow, text }));
+  };
+  return el("div", { class: "notice notice-problem", role: "alert" }, el("ul", {}, faults.map(line)));
 }
 
 /** Builds fields anew; whoever was typing in one goes on in its successor. @param {() => void} build */
