@@ -301,6 +301,22 @@ def test_without_webgl_the_robots_are_drawn_as_svg(open_page: OpenPage) -> None:
     assert all_right(page)
 
 
+def test_robots_are_on_paper_what_they_are_on_the_screen(open_page: OpenPage) -> None:
+    """What WebGL had drawn was blank in print, beneath labels that stood elsewhere."""
+    page = open_page("/exercises/scara")
+    put_table(page, SCARA)
+    scene = page.locator("#own robot-scene")
+    expect(scene).to_have_attribute("data-renderer", "webgl")
+    page.evaluate("dispatchEvent(new Event('beforeprint'))")
+    page.emulate_media(media="print")
+    expect(scene.locator(".scene-paper > *").first).to_be_visible()
+    expect(scene.locator("canvas")).to_be_hidden()
+    page.emulate_media(media="screen")
+    page.evaluate("dispatchEvent(new Event('afterprint'))")
+    expect(scene.locator(".scene-paper")).to_have_count(0)
+    expect(scene.locator("canvas")).to_be_visible()
+
+
 def test_a_lost_context_falls_back_to_svg(open_page: OpenPage) -> None:
     page = open_page("/exercises/scara")
     put_table(page, SCARA)

@@ -20,6 +20,7 @@ import { fitted, project, VIEWS } from "./camera.js";
 import { listenTo } from "./gestures.js";
 import { labelElement, placeLabels } from "./labels.js";
 import { drawnPoints, emptyModel, poses, together } from "./model.js";
+import { printable } from "./paper.js";
 import { pickAt } from "./picking.js";
 import { SvgRenderer } from "./svg-renderer.js";
 import { toolbar } from "./toolbar.js";
@@ -57,6 +58,10 @@ export class RobotScene extends HTMLElement {
     this.#renderer = new SvgRenderer();
     this.#renderer.setModel(this.#whole);
     this.viewport.prepend(this.#renderer.element);
+    printable(this.viewport, (paper) => {
+      paper.setModel(this.#whole);
+      paper.draw(poses(this.#whole, this.#joints), this.#camera);
+    });
     new ResizeObserver(() => this.#resize()).observe(this.viewport);
     matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => {
       this.#renderer.takeColours?.();
