@@ -10,6 +10,7 @@ import pytest
 
 from exercises.grading import BaseRule, DirectionRule, Policy, ToolRule, ZeroRule
 from exercises.grading.edits import cell_edits, row_edits, table_edits
+from exercises.grading.edits.cell_edits import _is_a_name
 from exercises.grading.edits.changes import Change, Extent, TableSlip
 from exercises.grading.edits.misconceptions import CATALOGUE
 from exercises.grading.edits.wanted_changes import changes_beforehand, changes_of
@@ -531,3 +532,11 @@ def test_before_a_joint_too_few_what_leaves_one_too_few_is_undone() -> None:
 def test_the_catalogue_is_made_of_pure_functions() -> None:
     homes = {cell_edits.__name__, row_edits.__name__, table_edits.__name__}
     assert {entry.changes.__module__ for entry in CATALOGUE} == homes
+
+
+def test_a_row_that_an_edit_has_added_holds_no_name() -> None:
+    named = work(
+        read("standard", [*ARM[:1], (0, "L1", 0.2, "q2"), *ARM[2:]]),
+        key=read("standard", [*ARM[:1], (0, "L1", 0.2, "q2"), *ARM[2:]]),
+    )
+    assert [_is_a_name(named, row, "a") for row in range(len(ARM) + 1)] == [False, True, False, False, False]

@@ -11,8 +11,10 @@ import numpy as np
 import pytest
 
 from exercises.grading import ConventionRule, DirectionRule, HelpLevel, Policy, ToolRule, ZeroRule, grade
+from exercises.grading.edits.changes import Change, Extent
 from exercises.grading.facts import Weights
 from exercises.grading.judging.digits import floors
+from exercises.grading.score import _is_of_length_or_turn
 from kinematics.equivalence.invariants import invariants_of
 from kinematics.equivalence.reference import prepared
 from kinematics.table import Convention, NumericTable
@@ -420,3 +422,15 @@ def test_the_weights_are_those_that_the_documentation_lists() -> None:
         if len(cells) == 5 and re.fullmatch(r"\d+(\.\d+)?", cells[2]):
             listed |= dict.fromkeys(re.findall(r"`(\w+)`", cells[1]), float(cells[2]))
     assert listed == asdict(Weights())
+
+
+def test_a_repair_of_one_cell_is_of_a_length_or_a_turn_unless_it_tilts_an_axis() -> None:
+    cell = Change("a_value", Extent.CELL, 0, "a")
+    found = [
+        cell,
+        cell._replace(cell="theta"),
+        cell._replace(cell="alpha"),
+        cell._replace(code="a_sign"),
+        cell._replace(extent=Extent.ROW),
+    ]
+    assert [_is_of_length_or_turn(change) for change in found] == [True, True, False, False, False]

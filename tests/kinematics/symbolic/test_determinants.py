@@ -70,8 +70,10 @@ def test_a_slider_has_no_rows_of_rotation() -> None:
         assert minor.exact
         assert abs(evaluate(minor.expression(), {"L1": 0.3, "L2": 0.4}, [0.5, 0.5])) == pytest.approx(1.0)
     still = DHTable(convention=Convention.STANDARD, rows=(row(JointType.FIXED, a=Parameter("L1")),))
-    minor, only = largest_minor(still, TWIST)
-    assert (minor.terms, minor.exact, only) == (frozenset(), True, True)
+    turned = DHTable(convention=Convention.STANDARD, rows=(row(), row(alpha=pi_times(Fraction(1, 2)))))
+    for nothing, rows in ((still, TWIST), (turned, TRANSLATION)):
+        minor, only = largest_minor(nothing, rows)
+        assert (minor.terms, minor.exact, only) == (frozenset(), True, True)
 
 
 @pytest.mark.parametrize(("name", "rows"), [case for case in CASES if case[0] != "onelink"])
