@@ -33,6 +33,15 @@ def test_what_is_used_up_ends_the_search() -> None:
         meter.charge(1)
 
 
+def test_the_last_unit_may_be_spent() -> None:
+    meter = Meter(2)
+    meter.charge(1)
+    meter.charge(1)
+    assert meter.left == 0
+    with pytest.raises(WorkExhaustedError):
+        meter.charge(0)
+
+
 def test_a_step_far_beyond_what_is_left_is_not_begun() -> None:
     meter = Meter(10)
     with pytest.raises(WorkExhaustedError):
