@@ -59,6 +59,8 @@ def test_axes_of_many_tables_are_those_of_each(policy: Policy) -> None:
                 direction, gap = batch.directions[m, :, k], batch.points[m, :, k] - axis.point
                 assert direction == pytest.approx(axis.direction, abs=1e-12)
                 assert np.cross(gap, direction) == pytest.approx(0.0, abs=1e-12)
+            for end in (0, -1):  # offsets are counted from the very points
+                assert batch.points[end, :, k] == pytest.approx(alone[end].point, abs=1e-12)
 
 
 def test_what_is_measured_of_a_table_known_by_hand() -> None:
