@@ -86,6 +86,8 @@ def test_equality_is_that_of_the_ring(a, b):
         ),
         (add((power(sin(alpha), 2), power(cos(alpha), 2))), number(1)),
         (multiply((L, add((d3, L)))), add((power(L, 2), multiply((L, d3))))),
+        (Call(Function.COS, (pi_times(2),)), number(1)),
+        (Call(Function.SIN, (pi_times(2),)), number(0)),
         (multiply((number(4), add((number("0.25"), d3)))), add((number(1), multiply((number(4), d3))))),
     ],
 )
