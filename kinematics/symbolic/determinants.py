@@ -129,11 +129,11 @@ def _columns(reader: FormReader, motions: Sequence[Motion], cut: int, rows: Moti
     for motion in motions[cut:]:
         if motion.joint:
             found[motion.joint] = (motion, *seen(ahead))
-        ahead.then(_moved(motion, 1))
+        ahead.then(_moved(motion, inverse=False))
         ahead.tidy()
     behind = ExactPose(reader, read_matrix(reader, None))
     for motion in reversed(motions[:cut]):
-        behind.then(_moved(motion, -1))
+        behind.then(_moved(motion, inverse=True))
         behind.tidy()
         if motion.joint:
             found[motion.joint] = (motion, *seen(behind))
@@ -150,12 +150,12 @@ def _columns(reader: FormReader, motions: Sequence[Motion], cut: int, rows: Moti
     return columns
 
 
-def _moved(motion: Motion, way: int) -> Motion:
+def _moved(motion: Motion, *, inverse: bool) -> Motion:
     """Return a motion with its joint variable for an amount, or the inverse of that."""
     amount = motion.amount
     if motion.joint:
         amount = multiply((number(motion.sign), JointVariable(motion.joint)))
-    return Motion(motion.kind, amount if way > 0 else negate(amount))
+    return Motion(motion.kind, negate(amount) if inverse else amount)
 
 
 def _cross(ring: Ring, a: list[Form], b: list[Form]) -> list[Form]:

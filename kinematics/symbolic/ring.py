@@ -317,8 +317,8 @@ class Ring:
     def _cleared(self, a: Form) -> Form:
         """The form times the powers of related symbols that leave none in a denominator."""
         for place in reversed(self._keys.related):
-            lowest = min((place.exponent(key) for key in a.coefficients), default=0)
-            if lowest < 0:
+            lowest = min([0, *map(place.exponent, a.coefficients)])
+            if lowest:
                 shift = (-lowest) << place.shift
                 a = Form({key + shift: c for key, c in a.coefficients.items()}, a.denominator)
             a = self._reduced(a)
