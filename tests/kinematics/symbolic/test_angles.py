@@ -9,6 +9,7 @@ from fractions import Fraction
 import pytest
 
 from kinematics.expressions import (
+    Expression,
     Function,
     JointVariable,
     Parameter,
@@ -36,6 +37,26 @@ def test_every_multiple_of_a_twelfth_of_pi_is_exact(steps: int) -> None:
     assert evaluate(cosine) == pytest.approx(math.cos(steps * math.pi / 12), abs=1e-14)
     assert evaluate(sine) == pytest.approx(math.sin(steps * math.pi / 12), abs=1e-14)
     assert angle.half_turns == 1 - (1 - Fraction(steps, 12)) % 2
+
+
+@pytest.mark.parametrize(
+    "angle",
+    [
+        number("0.3"),
+        number("2.5"),
+        pi_times(Fraction(2, 5)),
+        add((pi_times(Fraction(2, 5)), number("0.3"))),
+        q1,
+        multiply((number("1/2"), q1)),
+        add((q1, multiply((number(-1), ALPHA)))),
+    ],
+    ids=str,
+)
+def test_no_sign_is_written_within_a_sine_where_none_need_be(angle: Expression) -> None:
+    assert cosine_and_sine(angle_of(angle)) == (call(Function.COS, angle), call(Function.SIN, angle))
+    opposite = multiply((number(-1), angle))
+    cosine, sine = cosine_and_sine(angle_of(opposite))
+    assert (cosine, sine) == (call(Function.COS, angle), multiply((number(-1), call(Function.SIN, angle))))
 
 
 def test_an_arc_that_is_a_known_angle_is_one() -> None:
