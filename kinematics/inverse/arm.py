@@ -50,6 +50,7 @@ class Arm:
         revolute: (n,) which joints turn.
         size: sum of the arm's offsets [m], or where they are as good as none, 1 (or the distance of the base,
             if that is more). Positions are divided by it where they are weighed against angles.
+        sliding: the unit of joints that slide [m]: the size, whatever distances are weighed by.
         rounding: what rounding leaves of a position [m].
         reach: what of the tool has to reach a target; errors and Jacobians leave out the rest.
     """
@@ -57,6 +58,7 @@ class Arm:
     constants: Array
     revolute: NDArray[np.bool_]
     size: float
+    sliding: float
     rounding: float
     reach: ArmReach = ArmReach.POSE
 
@@ -68,7 +70,7 @@ class Arm:
     @cached_property
     def units(self) -> Array:
         """(n,) unit of each joint variable: 1 rad of one that turns, the size of one that slides."""
-        return np.where(self.revolute, 1.0, self.size)
+        return np.where(self.revolute, 1.0, self.sliding)
 
     @cached_property
     def link_basis(self) -> Array:
@@ -176,6 +178,7 @@ def arm_of(table: NumericTable, base: Transform | None = None, tool: Transform |
         constants=K,
         revolute=np.array(revolute, dtype=bool),
         size=size,
+        sliding=size,
         rounding=1e-13 * (size + float(np.linalg.norm(K[0, :3, 3]))),
     )
 

@@ -23,7 +23,7 @@ def differences(q: Array, other: Array, arm: Arm) -> Array:
     """Return the joint differences, turns in [-π, π), slides divided by the size."""
     difference = q - other
     turned = (difference + np.pi) % (2.0 * np.pi) - np.pi
-    return np.where(arm.revolute, turned, difference / arm.size)
+    return np.where(arm.revolute, turned, difference / arm.sliding)
 
 
 def distinct(arm: Arm, target: Array, joints: Array) -> Array:

@@ -28,7 +28,13 @@ def pose_in_unit(pose: Transform, unit: float) -> Transform:
 def arm_in_unit(arm: Arm, unit: float) -> Arm:
     """Return an arm with its lengths divided by a unit."""
     constants = pose_in_unit(arm.constants, unit)
-    return replace(arm, constants=constants, size=arm.size / unit, rounding=arm.rounding / unit)
+    return replace(
+        arm,
+        constants=constants,
+        size=arm.size / unit,
+        sliding=arm.sliding / unit,
+        rounding=arm.rounding / unit,
+    )
 
 
 def box_in_unit(box: Box, arm: Arm, unit: float) -> Box:

@@ -229,7 +229,7 @@ def _best(descent: Descent) -> Array:
 def _measured(arm: Arm, target: Array) -> Arm:
     """The arm, its size what the target asks of its slides: beside their way its offsets may be nothing."""
     far = float(np.linalg.norm(target[:3, 3] - arm.constants[0, :3, 3]))
-    return arm if arm.revolute.all() or far <= arm.size else replace(arm, size=far)
+    return arm if arm.revolute.all() or far <= arm.size else replace(arm, size=far, sliding=far)
 
 
 def _exact(arm: Arm, target: Array, joints: Array, box: Box, tolerance: float) -> Array:

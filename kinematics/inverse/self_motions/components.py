@@ -52,7 +52,7 @@ def components_of(arm: Arm, target: Array, joints: Array, tolerance: float) -> l
     found = [Component(joints[i]) for i in alone]
     if delicate:
         follower = follower_at(arm, target, tolerance, joints[delicate[0]])
-        found += _Sorter(follower.arm if arm.redundancy > 1 else arm, follower).sorted(joints[delicate])
+        found += _Sorter(arm, follower).sorted(joints[delicate])
     return found
 
 

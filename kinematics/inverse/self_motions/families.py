@@ -120,7 +120,7 @@ def null_space(J: Array, smallest: float) -> Array:
 
 def weighing_alike(arm: Arm) -> Arm:
     """Return the arm with its lengths in the unit of a tolerance, of which there are as many as radians."""
-    return replace(arm, size=1.0) if arm.size > 1.0 and bool(arm.revolute.all()) else arm
+    return replace(arm, size=1.0) if arm.size > 1.0 else arm
 
 
 class Follower:
@@ -134,7 +134,7 @@ class Follower:
         self.target, self.tolerance = target, tolerance
         self.lost = max(LOST, math.sqrt(tolerance))
         self.spent = 0
-        self._farthest = FARTHEST * (1.0 + float(np.linalg.norm(target[:3, 3])) / self.arm.size)
+        self._farthest = FARTHEST * (1.0 + float(np.linalg.norm(target[:3, 3])) / self.arm.sliding)
 
     def count(self, rows: int) -> None:
         """Count one correction of so many configurations."""

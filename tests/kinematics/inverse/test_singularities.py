@@ -1,6 +1,7 @@
 """Poses at and near singularities: nothing lost, nothing invented, families told as what they are."""
 
 import math
+from dataclasses import replace
 from itertools import islice
 
 import numpy as np
@@ -35,6 +36,21 @@ def test_a_small_campaign(name):
     tally = run(name, MODELS[name], poses=12, tried=1)
     assert tally.faults == []
     assert tally.poses == 12
+
+
+@pytest.mark.parametrize("decimals", [6, 7, 9])
+@pytest.mark.parametrize("factor", [1.0, 1000.0, 1.0 / 0.0254])
+def test_a_wrist_in_line_behind_a_slide_turns_right_round_in_every_unit(factor, decimals):
+    """A distance of 1e-6 counts as much as an angle of 1e-6, however many units the arm's size has."""
+    rows = tuple(replace(row, a=factor * row.a, d=factor * row.d) for row in STANFORD.rows)
+    table = replace(STANFORD, rows=rows)
+    q = [-1.75183, 2.10798, -0.19994 * factor, -2.28115, math.pi, 1.47821]
+    target = end_pose(table, q)
+    target[:3, 3], target[:3, :3] = target[:3, 3].round(6), target[:3, :3].round(decimals)
+    answer = inverse_kinematics(table, target, tolerance=1e-6)
+    families = [solution.family for solution in answer.solutions if solution.family]
+    assert len(answer.solutions) == 6
+    assert [family.parameters[0].full_turn for family in families] == [True, True]
 
 
 def test_a_campaign_refuses_a_model_that_there_is_not(capsys):
