@@ -20,7 +20,7 @@ STEEP = 0.1
 """The sine of a twist from which two rows make a pose without long offsets."""
 
 LEVEL = 1e-14
-"""The sine of a twist, or a turn [rad], that is rounding."""
+"""The sine of a twist, a turn [rad], or a shift in parts of the way of the pose, that is rounding."""
 
 
 class _AxisMotion(NamedTuple):
@@ -78,4 +78,8 @@ def _motions(pose: Transform) -> list[_AxisMotion]:
     aside = y * math.cos(first) - x * math.sin(first)
     offset = -aside / sine
     along = x * math.cos(first) + y * math.sin(first)
-    return [_AxisMotion(first, z - offset * r33), _AxisMotion(twist, along), _AxisMotion(last, offset)]
+    rounding = LEVEL * (math.hypot(x, y, z) + abs(offset))
+    rise, along, offset = (
+        0.0 if abs(shift) <= rounding else shift for shift in (z - offset * r33, along, offset)
+    )
+    return [_AxisMotion(first, rise), _AxisMotion(twist, along), _AxisMotion(last, offset)]

@@ -61,3 +61,13 @@ def test_simple_poses_need_few_rows(convention):
     assert row.theta == pytest.approx(0.3)
     assert len(fixed_rows(transform_from_xyzabc([0.2, 0, 0, 0, 0, 0.4]), convention)) == 1
     assert len(fixed_rows(transform_from_xyzabc([0.2, -0.1, 0.4, 1, 0.5, -2]), convention)) == 2
+
+
+@both
+@pytest.mark.parametrize(
+    "turns", [(0.0, 60.0, 0.0), (30.0, 45.0, 0.0), (90.0, 30.0, 90.0), (0.0, -60.0, 0.0)]
+)
+def test_shifts_that_are_none_are_zero(turns, convention):
+    rows = fixed_rows(transform_from_xyzabc([0.2, 0.0, 0.0, *np.radians(turns)]), convention)
+    lengths = np.array([length for row in rows for length in (row.a, row.d)])
+    assert (np.abs(lengths[lengths != 0.0]) > 1e-9).all()
