@@ -16,7 +16,7 @@ from exercises.instance import Instance
 from exercises.parts.context import Context
 from exercises.parts.following import as_it_follows
 from exercises.parts.registry import part_type
-from exercises.parts.report import PartReport
+from exercises.parts.report import Credit, PartReport
 from kinematics.cells import AngleUnit, LengthUnit
 
 
@@ -97,7 +97,9 @@ def grade(
         given = answer.get(part.kind)
         if given is not None:
             judge = part_type(part.kind)
-            found = as_it_follows(judge.grade(part, given, context), context.own_share)
+            found = judge.grade(part, given, context)
+            if found.credit is Credit.OWN_TABLE:
+                found = as_it_follows(found, context.own_share)
             reports.append(judge.shown(found, level))
     return Report(
         verdict=verdict,

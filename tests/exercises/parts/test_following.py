@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from exercises import grader
 from exercises.parts.report import Credit
 from tests.exercises.answering import codes, judged, part, table
 
@@ -61,3 +62,14 @@ def test_less_than_half_earns_in_proportion(lengths: tuple[object, ...], score: 
 
 def test_the_pose_of_a_matrix_without_the_joints_is_no_achievement() -> None:
     assert part(judged("twolink", transform=IDENTITY, pose=IDENTITY), "pose").score == 0.0
+
+
+def test_a_table_alone_is_not_asked_how_much_follows_from_it(monkeypatch: pytest.MonkeyPatch) -> None:
+    asked: list[object] = []
+    monkeypatch.setattr(grader, "as_it_follows", lambda report, share: asked.append(share) or report)
+    half = table("standard", (0, "L1", 0, "q1"), (0, 0, 0, "q2"))
+    judged("twolink", table=half)
+    assert asked == []
+    first = [["c1", "-s1", 0, "L1*c1"], ["s1", "c1", 0, "L1*s1"], [0, 0, 1, 0], [0, 0, 0, 1]]
+    judged("twolink", table=half, link_matrices=[first, TURNS[1]])
+    assert asked == [1.0]
