@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from itertools import accumulate
+from itertools import accumulate, combinations
 from typing import TypeAlias
 
 from exercises.grading.edits.changes import ROW_CELLS, Change, TableSlip
@@ -244,7 +244,8 @@ class Work:
 def _alike(change: Change, own: Draws, keys: Draws) -> Change | None:
     """A change of some cells as it is at another draw: what is an entry of the answer or the key stays that.
 
-    An angle that is neither is itself; of such a length, None. `own` is the table that it is made in.
+    So does the sum of two lengths. Another angle is itself; of another length, None. `own` is the table that
+    it is made in.
     """
     if change.table is not None:
         return None
@@ -262,10 +263,20 @@ def _alike(change: Change, own: Draws, keys: Draws) -> Change | None:
 
 
 def _pairs_of_entries(own: Draws, keys: Draws, row: int, cell: str) -> Iterator[tuple[float, float]]:
-    """An entry of the answer at two draws, then those of the key and all of the answer that it may become."""
+    """An entry of the answer at two draws, then those of the key and all of the answer that it may become.
+
+    A length may be the sum or the difference of two as well: an offset that makes up for another.
+    """
     yield getattr(own[0].rows[row], cell), getattr(own[1].rows[row], cell)
     kinds = LENGTHS if cell in LENGTHS else ANGLES
-    for one, other in (keys, own):
-        for mine, its in zip(one.rows, other.rows, strict=True):
-            for kind in kinds:
-                yield getattr(mine, kind), getattr(its, kind)
+    found = [
+        (getattr(mine, kind), getattr(its, kind))
+        for one, other in (keys, own)
+        for mine, its in zip(one.rows, other.rows, strict=True)
+        for kind in kinds
+    ]
+    yield from found
+    if cell in LENGTHS:
+        for (one, its), (other, with_it) in combinations(dict.fromkeys(pair for pair in found if pair[0]), 2):
+            yield one + other, its + with_it
+            yield one - other, its - with_it

@@ -19,6 +19,7 @@ from exercises.grading import (
     explanation,
     grade,
 )
+from exercises.grading.edits import repairs
 from exercises.grading.edits.repairs import MOST_WORK, Repaired, find_repairs
 from exercises.grading.edits.work import Work
 from exercises.grading.explanation import work_on
@@ -441,3 +442,19 @@ def test_what_mends_the_nearest_reading_is_searched_for_once(
     assert len(verdict.repairs[0].edits) == len(cells)
     # of the other reading only that no single edit mends it is asked
     assert searched == [True, False][: len(cells)]
+
+
+def test_an_offset_that_makes_up_for_another_is_a_difference_of_names_at_every_draw(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def fails(*_: object) -> bool:
+        raise AssertionError("it is known what the value is at the other draws")
+
+    monkeypatch.setattr(repairs, "_mends", fails)
+    # joints 2 and 3 are parallel: where d3 is missing, any offset along both of them does
+    answer = of(with_cells(PUMA, (3, 2, "d4"), (4, 2, "d4")))
+    found = grade(of(PUMA), answer, USUAL).repairs
+    assert [(edit.code, edit.row) for one in found for edit in one.edits] == [
+        ("cell_parameter", 3),
+        ("d_missing", 2),
+    ]
