@@ -108,10 +108,13 @@ def _lost_beside_a_slip(work: Work, weights: Weights, standard: Standard, most: 
     Such a slip may make all facts wrong, as the wrong convention does, though few of them are mistakes.
     """
     rules = weights.rule * unconfirmed(work.policy)
+    if most <= rules + min(weights.row, weights.table, standard.nothing / 2.0):
+        return most
     undone = [
         (cost, other)
-        for change, other in _slips_undone(work)
-        if (cost := rules + _cost(change, weights, standard.nothing)) < most and other.has_the_joints()
+        for change in _slips(work)
+        if (cost := rules + _cost(change, weights, standard.nothing)) < most
+        and (other := _without(change, work)).has_the_joints()
     ]
     if not undone:
         return most
@@ -214,17 +217,23 @@ def _is_something(work: Work, changes: Sequence[Change], standard: Standard) -> 
     completed = replace(work, table=table, comparison=replace(work.comparison, steps=NOTHING_TYPED))
     if not completed.has_the_joints():
         return False
+    if not _has_no_more_than_zeros(completed, standard):
+        return True
     codes = {change.code for change in changes if change.row is None}
-    undone = (other for change, other in _slips_undone(completed) if change.code in codes) if codes else ()
-    return any(not _has_no_more_than_zeros(one, standard) for one in (completed, *undone))
+    slips = (slip for slip in _slips(completed) if slip.code in codes) if codes else ()
+    return any(not _has_no_more_than_zeros(_without(slip, completed), standard) for slip in slips)
 
 
-def _slips_undone(work: Work) -> Iterator[tuple[Change, Work]]:
-    """What the answer is without each slip that may have been made in it besides others."""
+def _slips(work: Work) -> Iterator[Change]:
+    """What undoes each slip in a row or throughout the table that may have been made besides others."""
     for misconception in CATALOGUE:
         for change in misconception.changes(work) if misconception.beforehand else ():
             if not hides_an_entry(work, change):
-                yield change, replace(work, table=change.of(work.table))
+                yield change
+
+
+def _without(slip: Change, work: Work) -> Work:
+    return replace(work, table=slip.of(work.table))
 
 
 def lost(decision: Decision, work: Work, weights: Weights) -> float:
