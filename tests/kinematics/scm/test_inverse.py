@@ -12,8 +12,8 @@ SIX_JOINTS = ["cloos", "kr100p", "kr125", "kr2150k", "puma560", "puma600", "stan
 
 
 def solved(chain, target, lengths, start=None):
-    found = solver_of(bind(table_of_chain(chain), lengths)).solve(target)
-    return found.nearest_first([row.joint for row in chain.rows], start)
+    solver = solver_of(bind(table_of_chain(chain), lengths))
+    return solver.nearest_first(solver.solve(target), start)
 
 
 @pytest.mark.parametrize("robot_id", [*SIX_JOINTS, "onelink", "twolink", "uw", "scara-scm", "scorbot"])
