@@ -107,31 +107,27 @@ def _lost_beside_a_slip(work: Work, weights: Weights, standard: Standard, most: 
 
     Such a slip may make all facts wrong, as the wrong convention does, though few of them are mistakes.
     """
-    rules = weights.rule * unconfirmed(work.policy)
-    if most <= rules + min(weights.row, weights.table, standard.nothing / 2.0):
+    cheapest = min(weights.row, weights.table, standard.nothing / 2.0)
+    if most <= cheapest + weights.rule * unconfirmed(work.policy):
         return most
-    undone = [
-        (cost, other)
-        for change in _slips(work)
-        if (cost := rules + _cost(change, weights, standard.nothing)) < most
-        and (other := _without(change, work)).has_the_joints()
-    ]
+    undone = []
+    for change in _slips(work):
+        other = _without(change, work)
+        cost, rules = _cost(change, weights, standard.nothing), _lost_by_rules(other, weights)
+        if cost + rules < most and other.has_the_joints():
+            undone.append((cost, rules, other))
     if not undone:
         return most
-    least = at_least_lost([other for _, other in undone], standard)
-    found = [
-        (
-            cost + max(weights.sign, wrong_of(other, standard) - shared_across_prismatic(other, standard)),
-            cost,
-            other,
-        )
-        for (cost, other), at_least in zip(undone, least, strict=True)
-        if cost + at_least < most and wrong_of(other, standard) < standard.of_zeros - SAME
-    ]
+    least = at_least_lost([other for *_, other in undone], standard)
+    found = []
+    for (cost, rules, other), at_least in zip(undone, least, strict=True):
+        if cost + rules + at_least < most and wrong_of(other, standard) < standard.of_zeros - SAME:
+            beside = rules + wrong_of(other, standard) - shared_across_prismatic(other, standard)
+            found.append((cost + max(weights.sign, beside), cost + rules + CELL, other))
     if not found:
         return most
-    off, cost, other = min(found, key=itemgetter(0))
-    return min(most, cost + CELL if off > cost + CELL and _has_one_other_twist(other) else off)
+    off, with_a_cell, other = min(found, key=itemgetter(0))
+    return min(most, with_a_cell if off > with_a_cell and _has_one_other_twist(other) else off)
 
 
 def _is_of_length_or_turn(change: Change) -> bool:
@@ -242,12 +238,17 @@ def lost(decision: Decision, work: Work, weights: Weights) -> float:
     A rule that the right robot does not keep costs at most half of what a table of zeros loses: where the
     rule `axis` has the second length of two links decide about the tool, the first one is still right.
     """
-    policy, table = work.policy, work.table
-    standard = standard_of(work.reference, policy, weights)
+    standard = standard_of(work.reference, work.policy, weights)
     wrong = wrong_of(work, standard)
     if decision.same_robot:
         broken = {mismatch.kind for mismatch in decision.mismatches}
         ends = bool(broken & {Kind.BASE, Kind.TOOL})
         return max(wrong, min(weights.rule, standard.nothing / 2.0) * (len(broken & RULES) + ends))
-    rules = unconfirmed(policy) + (not convention_fits(table.convention, policy.convention))
-    return wrong + weights.rule * rules
+    return wrong + _lost_by_rules(work, weights)
+
+
+def _lost_by_rules(work: Work, weights: Weights) -> float:
+    """What the rules weigh that an answer with another robot is not seen to keep."""
+    policy = work.policy
+    broken = not convention_fits(work.table.convention, policy.convention)
+    return weights.rule * (unconfirmed(policy) + broken)

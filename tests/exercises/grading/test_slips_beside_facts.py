@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import pytest
 
-from exercises.grading import Policy, ToolRule, Verdict, grade
+from exercises.grading import ConventionRule, Policy, ToolRule, Verdict, grade
 from exercises.grading.edits.changes import Change, Extent, with_joints_mended
 from kinematics.table import Convention, DHRow, JointType, NumericTable
 from tests.exercises.grading.written import written
@@ -66,6 +66,17 @@ def test_a_cell_beside_two_rows_exchanged_costs_one_fact() -> None:
     assert (alone.repairs[0].edits[0].code, alone.score) == ("rows_swapped", 1 - 2 / of_rx90)
     both = judged(RX90, changed(exchanged, 5, alpha=0.3))
     assert both.score == round(1 - 3 / of_rx90, 2)
+
+
+@pytest.mark.parametrize("wrong_cells", [0, 1])
+def test_a_slip_does_not_hide_a_convention_that_is_not_asked_for(wrong_cells: int) -> None:
+    """The rule costs beside exchanged rows what it costs beside one wrong cell."""
+    wrong = changed(PUMA, 2, a=0.5) if wrong_cells else PUMA
+    answer = with_rows_exchanged(wrong, 3)
+    asked = replace(FREE, convention=ConventionRule.MODIFIED)
+    assert judged(PUMA, answer).score == round(1 - (2 + wrong_cells) / OF_PUMA, 2)
+    verdict = grade(written(PUMA), written(answer), asked)
+    assert verdict.score == round(1 - (2 + wrong_cells + 1) / OF_PUMA, 2)
 
 
 def test_zeros_earn_nothing_however_they_are_read() -> None:
