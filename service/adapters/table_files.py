@@ -10,6 +10,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import PurePosixPath
 from typing import Any, TypeAlias
+from unicodedata import normalize
 
 from kinematics.errors import Fault
 from kinematics.table import CELLS
@@ -34,17 +35,17 @@ _JSON_LIMITS = JsonLimits(
 """As many rows as other files may have, each an object of eight values at most."""
 
 _COLUMNS = {
-    "theta": ("theta", "θ", "th", "ϑ", "thetai", "θi", "jointangle", "thetaoffset", "θoffset"),
-    "d": ("d", "di", "linkoffset", "offset"),
-    "a": ("a", "ai", "r", "ri", "linklength", "ai-1", "a(i-1)"),
-    "alpha": ("alpha", "α", "alphai", "αi", "linktwist", "twist", "alphai-1", "αi-1", "alpha(i-1)", "α(i-1)"),
-    "joint": ("joint", "type", "jointtype", "sigma", "σ"),
-    "student": ("student", "studentid", "user", "username", "userid", "login", "email", "name", "id"),
-    "exercise": ("exercise", "robot", "task"),
-    "convention": ("convention",),
-    "link": ("link", "row", "i", "linki", "#", "frame", "no", "nr"),
+    "theta": "theta θ th thetai θi jointangle thetaoffset θoffset thêta teta тета",
+    "d": "d di linkoffset offset",
+    "a": "a ai r ri linklength ai-1 a(i-1)",
+    "alpha": "alpha α alphai αi linktwist twist alphai-1 αi-1 alpha(i-1) α(i-1) alfa альфа",
+    "joint": "joint type jointtype sigma σ",
+    "student": "student studentid user username userid login email name id",
+    "exercise": "exercise robot task",
+    "convention": "convention",
+    "link": "link row i linki # frame no nr",
 }
-_MEANING = {spelling: column for column, spellings in _COLUMNS.items() for spelling in spellings}
+_MEANING = {spelling: column for column, spellings in _COLUMNS.items() for spelling in spellings.split()}
 _JOINT_TYPES = {
     "r": "revolute", "revolute": "revolute", "rotational": "revolute", "0": "revolute",
     "p": "prismatic", "prismatic": "prismatic", "1": "prismatic", "t": "prismatic", "linear": "prismatic",
@@ -268,9 +269,13 @@ def _cell(value: object) -> object:
 
 
 def _column(title: str) -> str:
-    bare = _UNIT_IN_HEADER.sub("", title.strip().lower())
-    bare = re.sub(r"[\s_{}$\\*]", "", bare).replace("−", "-")
-    return _MEANING.get(bare, "")
+    bare = _UNIT_IN_HEADER.sub("", _plain(title))
+    return _MEANING.get(re.sub(r"[\s_{}$\\*]", "", bare), "")
+
+
+def _plain(title: str) -> str:
+    """A title in lower case, its indices on the line: aᵢ₋₁ as ai-1."""
+    return normalize("NFKC", title.strip().lower()).replace("−", "-")
 
 
 def _head(settings: TableSettings, document: Mapping[str, Any]) -> dict[str, str]:
@@ -282,12 +287,12 @@ def _head_of(settings: TableSettings, header: Sequence[str]) -> dict[str, str]:
     """Convention and units as the header's titles name them: a_{i-1}, alpha (deg), d [mm]."""
     head = _head(settings, {})
     for title in header:
-        found = _UNIT_IN_HEADER.search(title.lower())
+        found = _UNIT_IN_HEADER.search(_plain(title))
         column = _column(title)
         if found:
             unit = _UNITS.get(found[1], found[1])
             head["angle_unit" if column in ("theta", "alpha") else "length_unit"] = unit
-        if column in ("a", "alpha") and re.search(r"i\s*[-−]\s*1", title):
+        if column in ("a", "alpha") and re.search(r"i\s*-\s*1", _plain(title)):
             head["convention"] = "modified"
     return head
 

@@ -105,6 +105,13 @@ def test_headers_name_convention_and_units() -> None:
     assert found.table["rows"][0]["d"] == "12.5"
 
 
+@pytest.mark.parametrize("header", ["θᵢ;dᵢ;aᵢ₋₁;αᵢ₋₁", "ϑ_i;d_i;a_{i-1};α_{i-1}", "тета;d;aᵢ₋₁;альфа"])
+def test_indices_below_the_line_are_indices(header: str) -> None:
+    (found,) = read_tables("t.csv", f"{header}\nq1;1;2;90\n".encode(), TableSettings())
+    assert found.table["convention"] == "modified"
+    assert found.table["rows"] == [{"theta": "q1", "d": "1", "a": "2", "alpha": "90"}]
+
+
 def test_several_robots_in_a_file() -> None:
     found = read_tables("answers.json", json.dumps(COURSE).encode(), TableSettings())
     assert [table.exercise for table in found] == ["scara", "two"]
