@@ -203,7 +203,10 @@ UNGROUPED = 1000
 
 
 def plainly_written(pattern: ast.SyntaxNode, values: Mapping[str, str | int]) -> str | None:
-    """Return what Fluent makes of a pattern that it has read; None where only Fluent can tell."""
+    """Return what Fluent makes of a pattern that it has read; None where only Fluent can tell.
+
+    Fluent takes a tenth of a millisecond for a message, and a verdict has twenty, most of them plain.
+    """
     parts: list[str] = []
     for element in pattern.elements if isinstance(pattern, ast.Pattern) else (pattern,):
         if isinstance(element, ast.TextElement):

@@ -23,6 +23,7 @@ Sheet: TypeAlias = tuple[str, list[list[Any]]]
 
 _CONFINED = Confinement(memory=1 << 30, seconds=20.0, niceness=0)
 """A process takes a third of this memory before it reads; the largest workbook here, less than the time."""
+_TOO_MUCH = f"> {_CONFINED.memory >> 30} GiB, > {_CONFINED.seconds:.0f} s"
 _PATIENCE = 120.0
 """A process that has not answered for so long [s] is given up: the machine is overloaded."""
 
@@ -49,11 +50,11 @@ def sheets_of(content: bytes, rows: int, cells: int) -> list[Sheet]:
     except (ProcessDiedError, UnansweredError) as error:
         _process.cache_clear()
         process.close()
-        raise UnreadableError("memory, time") from error
+        raise UnreadableError(_TOO_MUCH) from error
     if outcome == WorkOutcome.RESULT:
         found: list[Sheet] = value
         return found
-    raise UnreadableError(str(value)[:200] if outcome == WorkOutcome.ERROR else "memory")
+    raise UnreadableError(str(value)[:200] if outcome == WorkOutcome.ERROR else _TOO_MUCH)
 
 
 @lru_cache(maxsize=1)

@@ -365,20 +365,21 @@ HEADER = tuple((0, i, title) for i, title in enumerate(("theta", "d", "a", "alph
 
 
 @pytest.mark.parametrize(
-    "content",
+    ("content", "reason"),
     [
-        binary_workbook(*HEADER, (65535, 255, 1.0), sheets=12),
-        binary_workbook(*HEADER, (65535, 255, 1.0)),
-        binary_workbook(*HEADER, *((60_000, i, 1.0) for i in range(4)), sheets=30),
+        (binary_workbook(*HEADER, (65535, 255, 1.0), sheets=12), "> 1 GiB, > 20 s"),
+        (binary_workbook(*HEADER, (65535, 255, 1.0)), "> 1 GiB, > 20 s"),
+        (binary_workbook(*HEADER, *((60_000, i, 1.0) for i in range(4)), sheets=30), "60000 × 3"),
     ],
     ids=["more than there is memory", "more than are read", "many sheets"],
 )
-def test_a_workbook_that_takes_too_much_ends_nothing_but_its_reader(content: bytes) -> None:
+def test_a_workbook_that_takes_too_much_ends_nothing_but_its_reader(content: bytes, reason: str) -> None:
     """Five kilobytes in the format of Excel 97 ended the grading of a class."""
     for _ in range(2):
         with pytest.raises(RequestError) as refused:
             read_tables("eve.xls", content, TableSettings())
-        assert [fault.code for fault in refused.value.faults] == ["file_unreadable"]
+        (fault,) = refused.value.faults
+        assert (fault.code, fault.params["reason"]) == ("file_unreadable", reason)
     rows = ((i, j, float(i + j)) for i in range(1, 3) for j in range(4))
     (found,) = read_tables("ann.xls", binary_workbook(*HEADER, *rows), TableSettings())
     assert [row["alpha"] for row in found.table["rows"]] == [4, 5]
