@@ -51,7 +51,7 @@ from service.work.heaps import share_heaps, switch_threads_often
 from service.work.retention import Retention
 from service.work.score_sender import ScoreSender
 from service.work.settling import Settling
-from service.work.threads import BackgroundThread
+from service.work.threads import BackgroundThread, call_briefly, stop_all
 
 _log = logging.getLogger("uvicorn.error")
 THREADS = 4
@@ -190,9 +190,8 @@ async def _working(app: FastAPI) -> AsyncIterator[None]:
     try:
         yield
     finally:
-        for thread in threads:
-            await asyncio.to_thread(thread.stop)
-        await asyncio.to_thread(resources.close)
+        await asyncio.to_thread(stop_all, threads)
+        await asyncio.to_thread(call_briefly, resources.close)
 
 
 def _background_threads(resources: Resources) -> Iterator[BackgroundThread]:

@@ -4,10 +4,14 @@ from __future__ import annotations
 
 import argparse
 import gc
+import logging
+import os
 import shutil
-from typing import TYPE_CHECKING
+import signal
+from typing import TYPE_CHECKING, Any
 
 import uvicorn
+from uvicorn.supervisors import Multiprocess
 
 from service.cli.environment import count, require_key_files, settings_of_environment
 from service.http.connections import server_options
@@ -34,7 +38,8 @@ def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
 def _serve(options: argparse.Namespace) -> int:
     settings = settings_of_environment()
     require_key_files(settings)
-    chosen: dict[str, object] = {
+    signal.signal(signal.SIGTERM, _end)
+    chosen: dict[str, Any] = {
         "host": settings.host if options.host is None else options.host,
         "port": settings.port if options.port is None else options.port,
         "log_config": log_configuration(settings),
@@ -45,16 +50,36 @@ def _serve(options: argparse.Namespace) -> int:
         share_secret()
         figures = share_metrics()
         try:
-            uvicorn.run("service.cli.serve:application", factory=True, workers=workers, **chosen)  # type: ignore[arg-type]
+            config = uvicorn.Config("service.cli.serve:application", factory=True, workers=workers, **chosen)
+            _Supervisor(config, sockets=[config.bind_socket()]).run()
         finally:
             shutil.rmtree(figures, ignore_errors=True)
         return 0
     app = application(settings)
     try:
-        uvicorn.run(app, **chosen)  # type: ignore[arg-type]
+        uvicorn.run(app, **chosen)
     finally:
         app.state.resources.close()  # or they would outlive a server that could not start
     return 0
+
+
+class _Supervisor(Multiprocess):
+    """Looks after the server processes."""
+
+    def terminate_all(self) -> None:
+        """Have them answer what is in progress; who comes now is refused, and does not wait for nothing."""
+        for each in self.sockets:
+            each.close()
+        super().terminate_all()
+
+
+def _end(*_: object) -> None:
+    """End with status 0: uvicorn repeats the signal once all is answered and closed.
+
+    Threads that still wait for a database or a platform would hold up an ordinary end.
+    """
+    logging.shutdown()
+    os._exit(0)
 
 
 def application(settings: Settings | None = None) -> FastAPI:

@@ -5,6 +5,7 @@ Pure ASGI and thin, because every request passes through it.
 
 from __future__ import annotations
 
+import asyncio
 import itertools
 import logging
 import re
@@ -21,7 +22,7 @@ from uvicorn.middleware.proxy_headers import ProxyHeadersMiddleware
 from kinematics.errors import Fault
 from service.http.compression import accepts_gzip, compressing
 from service.http.languages import language_for
-from service.http.problems import INTERNAL, PROBLEM_JSON, Problem
+from service.http.problems import INTERNAL, PROBLEM_JSON, Problem, busy, problem_of
 from service.http.uploads import HELD, Upload, may_be_under_way
 from service.logs import log_access
 from service.metrics import UNMATCHED
@@ -103,11 +104,17 @@ class OuterMiddleware:
             await self._app(scope, upload or receive, send_with_headers)
         except ClientDisconnect:
             _log.info("request %s: the caller went away", request_id.decode())
+        except asyncio.CancelledError:  # the server ends, and has waited for as long as it may
+            _log.warning("request %s: given up, because the server ends", request_id.decode())
+            if not status:
+                await self._send_problem(scope, send_with_headers, problem_of(busy(), scope[REQUEST_ID]))
         except Exception:
             _log.exception("request %s: unhandled error", request_id.decode())
             if status:
                 raise
-            await self._send_internal_error(scope, send_with_headers, request_id.decode())
+            fault = Fault.at("internal_error", id=scope[REQUEST_ID])
+            problem = Problem(status=INTERNAL, faults=(fault,), request_id=scope[REQUEST_ID])
+            await self._send_problem(scope, send_with_headers, problem)
         finally:
             if HELD in scope:
                 scope["app"].state.resources.uploads.release(scope)
@@ -142,19 +149,17 @@ class OuterMiddleware:
         prefix = forwarded.decode("latin-1").split(",")[0].strip().rstrip("/")
         return prefix if PREFIX.fullmatch(prefix) else ""
 
-    async def _send_internal_error(self, scope: Scope, send: Send, request_id: str) -> None:
-        fault = Fault.at("internal_error", id=request_id)
+    async def _send_problem(self, scope: Scope, send: Send, problem: Problem) -> None:
         languages = [value for name, value in scope["headers"] if name == b"accept-language"]
         language = language_for(languages[0].decode("latin-1") if languages else None)
-        body = Problem(status=INTERNAL, faults=(fault,), request_id=request_id).encoded(
-            language, prefix=scope.get("root_path", "")
-        )
+        body = problem.encoded(language, prefix=scope.get("root_path", ""))
         headers = [
+            *((name.lower().encode(), value.encode()) for name, value in problem.headers.items()),
             (b"content-type", PROBLEM_JSON.encode()),
             (b"content-language", language.encode()),
             (b"content-length", str(len(body)).encode()),
         ]
-        await send({"type": "http.response.start", "status": INTERNAL, "headers": headers})
+        await send({"type": "http.response.start", "status": problem.status, "headers": headers})
         await send({"type": "http.response.body", "body": body})
 
 

@@ -68,12 +68,11 @@ class ScoreSender(BackgroundThread):
         self._finding: defaultdict[int, threading.Lock] = defaultdict(threading.Lock)
         self._silent: dict[_Gradebook, float] = {}
 
-    def stop(self) -> None:
-        """Finish what is under way, and end."""
-        super().stop()
-        self._threads.shutdown()
-
     def _run(self) -> None:
+        with self._threads:
+            self._send_until_stopped()
+
+    def _send_until_stopped(self) -> None:
         while not self.stopping.wait(self._pause * random.uniform(0.75, 1.25)):  # noqa: S311
             try:
                 while not self.stopping.is_set() and self.send_due():

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import threading
+import time
 from abc import ABC, abstractmethod
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import TypeVar, TypeVarTuple, cast
 
 import anyio
@@ -51,8 +52,9 @@ def _outcome(
         return None, error
 
 
-_LONGEST_END = 30.0
-"""Time that what is under way has to come to its end [s]: longer than any call to a platform."""
+_LONGEST_END = 5.0
+"""Time that what is under way has to come to its end [s]. What takes longer waits for a platform or for the
+database, and is done again by whoever looks next."""
 
 
 class BackgroundThread(ABC):
@@ -72,10 +74,29 @@ class BackgroundThread(ABC):
 
     def stop(self) -> None:
         """Finish what is under way, and end."""
-        self.stopping.set()
+        stop_all([self])
+
+    def wait(self, seconds: float) -> None:
+        """Wait for the end, but not longer than so many seconds."""
         if self._thread.is_alive():
-            self._thread.join(timeout=_LONGEST_END)
+            self._thread.join(timeout=max(0.0, seconds))
 
     @abstractmethod
     def _run(self) -> None:
         """Go on until `stopping` is set."""
+
+
+def call_briefly(function: Callable[[], None]) -> None:
+    """Call what ends things, and leave it to itself if it takes too long: the process is about to end."""
+    thread = threading.Thread(target=function, daemon=True)
+    thread.start()
+    thread.join(timeout=_LONGEST_END)
+
+
+def stop_all(threads: Sequence[BackgroundThread]) -> None:
+    """Have threads finish what is under way, all at the same time, and end."""
+    for thread in threads:
+        thread.stopping.set()
+    end = time.monotonic() + _LONGEST_END
+    for thread in threads:
+        thread.wait(end - time.monotonic())

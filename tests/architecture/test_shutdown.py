@@ -2,20 +2,24 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import re
 import signal
 import socket
+import sqlite3
 import subprocess
 import sys
 import threading
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager
+from pathlib import Path
 
 import httpx
 import pytest
 
+from courses.storage import FILE_NAME
 from tests.architecture.sources import ROOT
 
 patient = httpx.Client(timeout=120, headers={"Connection": "close"})
@@ -25,7 +29,9 @@ COMMAND = [sys.executable, "-m", "service", "--port", "0"]
 
 
 @contextmanager
-def server(**environment: str) -> Iterator[tuple[subprocess.Popen[str], str]]:
+def server(log: list[str] | None = None, **environment: str) -> Iterator[tuple[subprocess.Popen[str], str]]:
+    """Start a server; what it logs from then on is added to `log` when it has ended."""
+    log = [] if log is None else log
     process = subprocess.Popen(
         COMMAND,
         cwd=ROOT,
@@ -41,7 +47,7 @@ def server(**environment: str) -> Iterator[tuple[subprocess.Popen[str], str]]:
         line = process.stderr.readline()
         assert line, "the server did not start"
         found = re.search(r"running on (http://\S+)", line)
-    reader = threading.Thread(target=process.stderr.read, daemon=True)
+    reader = threading.Thread(target=lambda: log.append(process.stderr.read()), daemon=True)
     reader.start()
     try:
         _wait_for(found[1])
@@ -71,16 +77,41 @@ def connected(address: str) -> socket.socket:
     return socket.create_connection((host, int(port)), timeout=60)
 
 
+@contextmanager
+def locked(folder: Path) -> Iterator[None]:
+    """Lock the database in a folder as another program may."""
+    with contextlib.closing(sqlite3.connect(folder / FILE_NAME, isolation_level=None)) as other:
+        other.execute("BEGIN IMMEDIATE")
+        yield
+
+
+def received(connection: socket.socket) -> bytes:
+    """All that comes until the server closes."""
+    found = b""
+    with contextlib.suppress(ConnectionError):
+        while piece := connection.recv(65536):
+            found += piece
+    return found
+
+
 @pytest.mark.parametrize("workers", ["1", "2"])
 def test_half_a_body_does_not_keep_it_alive(workers: str) -> None:
+    """It is refused as by a busy service; it got a bare 500, and the log a traceback."""
+    log: list[str] = []
     environment = {"FRAMEWISE_SHUTDOWN_SECONDS": "1", "FRAMEWISE_READ_SECONDS": "600"}
-    with server(**environment, FRAMEWISE_WORKERS=workers) as (process, address), connected(address) as half:
+    environment["FRAMEWISE_WORKERS"] = workers
+    with server(log, **environment) as (process, address), connected(address) as half:
         patient.get(f"{address}/healthz")
         half.sendall(b"POST /api/v1/jacobian HTTP/1.1\r\nHost: here\r\nContent-Length: 900\r\n"
                      b"Content-Type: application/json\r\n\r\n{")  # fmt: skip
         patient.get(f"{address}/healthz")
         process.send_signal(signal.SIGTERM)
-        assert process.wait(timeout=60) in (0, -signal.SIGTERM)
+        answer = received(half)
+        assert process.wait(timeout=60) == 0
+    assert answer.startswith(b"HTTP/1.1 503 ")
+    assert b"retry-after: 2" in answer.lower()
+    assert b'"code":"busy"' in answer
+    assert "Traceback" not in "".join(log)
 
 
 def test_what_has_begun_is_answered() -> None:
@@ -92,7 +123,35 @@ def test_what_has_begun_is_answered() -> None:
         process.send_signal(signal.SIGTERM)
         begun.sendall(body[10:])
         assert begun.recv(64).startswith(b"HTTP/1.1 200 ")
-        assert process.wait(timeout=60) in (0, -signal.SIGTERM)
+        assert process.wait(timeout=60) == 0
+
+
+def test_a_database_that_does_not_answer_does_not_keep_it_alive(tmp_path: Path) -> None:
+    """Threads that waited for the lock were waited for one after the other, half a minute each."""
+    environment = {"FRAMEWISE_STORAGE": "on", "FRAMEWISE_DATA_FOLDER": str(tmp_path)}
+    log: list[str] = []
+    with server(log, **environment, FRAMEWISE_SHUTDOWN_SECONDS="1") as (process, _), locked(tmp_path):
+        time.sleep(3.0)  # the sender of scores looks for some each second, and waits
+        process.send_signal(signal.SIGTERM)
+        assert process.wait(timeout=25) == 0
+    assert "Traceback" not in "".join(log)
+
+
+def test_who_comes_after_the_signal_is_refused_also_by_several_processes() -> None:
+    """The process that looks after the others kept the door open, and nobody behind it."""
+    environment = {"FRAMEWISE_SHUTDOWN_SECONDS": "20", "FRAMEWISE_READ_SECONDS": "600"}
+    with server(**environment, FRAMEWISE_WORKERS="2") as (process, address), connected(address) as half:
+        half.sendall(b"POST /api/v1/jacobian HTTP/1.1\r\nHost: here\r\nContent-Length: 900\r\n"
+                     b"Content-Type: application/json\r\nExpect: 100-continue\r\n\r\n")  # fmt: skip
+        assert half.recv(64).startswith(b"HTTP/1.1 100 ")  # this request is in progress
+        process.send_signal(signal.SIGTERM)
+        while True:
+            try:
+                connected(address).close()
+            except ConnectionRefusedError:
+                break
+            assert process.poll() is None, "nobody was refused while a request was in progress"
+            time.sleep(0.05)
 
 
 def test_nothing_is_left_in_the_folder_for_temporary_files(tmp_path_factory: pytest.TempPathFactory) -> None:
