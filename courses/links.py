@@ -119,7 +119,7 @@ def allow(store: Store, link_id: int, person: str, allowance: Allowance, now: da
         }
         if connection.execute(sa.update(_PART).where(own).values(values)).rowcount != 1:
             raise unknown_record("person")
-        _regrade_all(connection, link_id, now)
+        regrade_people(connection, link_id, [person_id], now)
 
 
 def regrade_people(

@@ -171,6 +171,19 @@ def test_extra_time_lets_a_late_attempt_count(store: Store) -> None:
     assert (state["score"], state["extra_seconds"]) == (0.9, 600)
 
 
+def test_extra_time_derives_the_grade_of_no_other_student(
+    store: Store, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The grades of the whole class were derived anew, while nobody could hand in on SQLite."""
+    session, other = joined(store), joined(store, "another")
+    for each in (session, other):
+        submitted(store, each, 0.5)
+    derived: list[int] = []
+    monkeypatch.setattr("courses.links.regrade", lambda _, __, people, *___: derived.extend(people))
+    allow(store, session.link.id, session.person.key, Allowance(extra_time=minutes(10)), NOW)
+    assert derived == [session.person.id]
+
+
 def test_a_draft_comes_back_in_another_session(store: Store) -> None:
     keep_draft(store, joined(store), {"table": ["θ"]}, NOW)
     draft = standing_of(store, joined(store)).draft
