@@ -50,6 +50,7 @@ def postgresql(url: str) -> sa.Engine:
         max_overflow=CONNECTIONS,
         connect_args={"connect_timeout": CONNECT_SECONDS, "client_encoding": "utf8"},
         json_serializer=_written,
+        hide_parameters=True,  # an error that is logged must not tell names and answers
     )
     event.listen(engine, "checkin", _note_use)
     event.listen(engine, "checkout", _check_idle)
@@ -97,6 +98,7 @@ def sqlite(file: Path) -> sa.Engine:
         pool_size=CONNECTIONS,
         max_overflow=CONNECTIONS,
         json_serializer=_written,
+        hide_parameters=True,
     )
     event.listen(engine, "connect", _prepare)
     event.listen(engine, "begin", _begin)

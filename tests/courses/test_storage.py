@@ -16,7 +16,7 @@ import sqlalchemy as sa
 from alembic.autogenerate import compare_metadata
 from alembic.migration import MigrationContext
 from psycopg.errors import AdminShutdown, DeadlockDetected, SerializationFailure
-from sqlalchemy.exc import OperationalError
+from sqlalchemy.exc import IntegrityError, OperationalError
 
 from courses.backup import back_up, restore
 from courses.records import metadata, prepared_answer
@@ -25,6 +25,16 @@ from courses.schema_history import advance
 from courses.statistics import class_overview
 from courses.storage import Store, connect, newest_revision, open_store, revision_of
 from tests.courses.classroom import attempts_of, joined, submitted
+
+
+def test_errors_of_the_database_do_not_tell_what_it_was_given(store: Store) -> None:
+    """They are logged with their tracebacks, and rows hold names, e-mail addresses and answers."""
+    joined(store)
+    wrong = sa.insert(metadata.tables["person"]).values(name="Ada Lovelace", key=None)
+    with store.writing() as connection, pytest.raises(IntegrityError) as caught:
+        connection.execute(wrong)
+    assert "INSERT INTO person" in str(caught.value)
+    assert "Lovelace" not in str(caught.value).split("DETAIL")[0]
 
 
 def test_the_history_ends_at_the_schema_of_the_program(store: Store) -> None:
