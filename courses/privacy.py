@@ -54,7 +54,7 @@ def export_person(store: Store, key: str, course_id: int | None = None) -> dict[
     with store.reading() as connection:
         person = connection.execute(sa.select(records.person).where(records.person.c.key == key)).first()
         if person is None:
-            raise unknown_record("person")
+            raise unknown_record("anybody" if course_id is None else "person")
         found: dict[str, Any] = {"person": _plain(person)}
         for table in _OF_A_PERSON:
             rows = connection.execute(sa.select(table).where(*_of(table, person.id, course_id)))
@@ -86,7 +86,7 @@ def erase_person(store: Store, key: str, course_id: int | None = None) -> dict[s
             sa.select(records.person.c.id).where(records.person.c.key == key)
         ).scalar()
         if person_id is None:
-            raise unknown_record("person")
+            raise unknown_record("anybody" if course_id is None else "person")
         removed = {
             str(table.name): connection.execute(
                 sa.delete(table).where(*_of(table, person_id, course_id))

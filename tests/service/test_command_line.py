@@ -326,6 +326,17 @@ def test_what_needs_a_database_makes_none(
     assert (tmp_path / "backup.gz").read_bytes() == b"the last good one"
 
 
+@pytest.mark.parametrize("action", ["export", "erase"])
+def test_who_is_stored_in_no_course_is_sought_in_none(
+    action: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    monkeypatch.setenv("FRAMEWISE_STORAGE", "on")
+    monkeypatch.setenv("FRAMEWISE_DATA_FOLDER", str(tmp_path))
+    assert main(["migrate"]) == 0
+    assert main(["people", action, "nobody"]) == 2
+    assert capsys.readouterr().err == "framewise: There is no such person here. [record_unknown]\n"
+
+
 def test_without_storage_there_is_nothing_to_back_up(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:

@@ -20,6 +20,7 @@ error-backup_unreadable = { $file } cannot be read or written as a backup: { $re
 error-record_unknown = { $kind ->
     [attempt] There is no such attempt in this course.
     [person] There is no such person in this course.
+    [anybody] There is no such person here.
     [link] There is no such link in this course.
     [platform] There is no such platform.
    *[other] There is no such record in this course.

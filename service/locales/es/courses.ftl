@@ -20,6 +20,7 @@ error-backup_unreadable = { $file } no se puede leer o escribir como copia de se
 error-record_unknown = { $kind ->
     [attempt] No existe ese intento en este curso.
     [person] No existe esa persona en este curso.
+    [anybody] No existe esa persona aquí.
     [link] No existe ese enlace en este curso.
     [platform] No existe esa plataforma.
    *[other] No existe ese registro en este curso.

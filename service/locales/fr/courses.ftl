@@ -20,6 +20,7 @@ error-backup_unreadable = { $file } ne peut être ni lu ni écrit comme sauvegar
 error-record_unknown = { $kind ->
     [attempt] Cet essai n’existe pas dans ce cours.
     [person] Cette personne n’existe pas dans ce cours.
+    [anybody] Cette personne n’existe pas ici.
     [link] Ce lien n’existe pas dans ce cours.
     [platform] Cette plateforme n’existe pas.
    *[other] Cet enregistrement n’existe pas dans ce cours.

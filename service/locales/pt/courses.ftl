@@ -20,6 +20,7 @@ error-backup_unreadable = { $file } não pode ser lido nem escrito como cópia d
 error-record_unknown = { $kind ->
     [attempt] Não existe essa tentativa nesta disciplina.
     [person] Não existe essa pessoa nesta disciplina.
+    [anybody] Não existe essa pessoa aqui.
     [link] Não existe essa ligação nesta disciplina.
     [platform] Não existe essa plataforma.
    *[other] Não existe esse registo nesta disciplina.

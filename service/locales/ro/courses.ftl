@@ -20,6 +20,7 @@ error-backup_unreadable = { $file } nu poate fi citit sau scris ca o copie de si
 error-record_unknown = { $kind ->
     [attempt] Nu există această încercare în acest curs.
     [person] Nu există această persoană în acest curs.
+    [anybody] Nu există această persoană aici.
     [link] Nu există această legătură în acest curs.
     [platform] Nu există această platformă.
    *[other] Nu există această înregistrare în acest curs.
