@@ -129,7 +129,9 @@ class Settings(BaseSettings):
         10.0, description="time that a body may take to arrive, and a second more for each 16 KiB of it [s]"
     )
     batch_limit: PositiveInt = Field(200_000, description="most configurations in one request")
-    batch_threads: PositiveInt = Field(2, description="batches that are computed at the same time")
+    batch_threads: int = Field(
+        2, gt=0, le=MOST_WORKERS, description="batches that are computed at the same time, at most 1024"
+    )
     batch_queue: NonNegativeInt = Field(64, description="batches that may wait for their turn")
     row_limit: int = Field(64, ge=1, le=256, description="most rows of a DH table, at most 256")
     parameter_limit: PositiveInt = Field(64, description="most different parameters of a DH table")
@@ -153,7 +155,9 @@ class Settings(BaseSettings):
         50, le=50, description="most faults listed in one problem document, at most 50"
     )
     table_cache: PositiveInt = Field(512, description="parsed tables in the cache")
-    symbolic_workers: PositiveInt = Field(1, description="processes for closed forms")
+    symbolic_workers: int = Field(
+        1, gt=0, le=MOST_WORKERS, description="processes for closed forms, at most 1024"
+    )
     symbolic_queue: NonNegativeInt = Field(256, description="closed forms that may wait for their turn")
     symbolic_seconds: Seconds = Field(5.0, description="processor time that one closed form may take [s]")
     queue_seconds: Seconds = Field(
@@ -203,7 +207,12 @@ class Settings(BaseSettings):
         (),
         description="folders with your own exercises, which override packaged ones of the same id",
     )
-    grading_threads: PositiveInt = Field(2, description="wrong answers that are explained at the same time")
+    grading_threads: int = Field(
+        2,
+        gt=0,
+        le=MOST_WORKERS,
+        description="wrong answers that are explained at the same time, at most 1024",
+    )
     grading_queue: NonNegativeInt = Field(
         4096, description="answers, figures and sign-ins that may wait for their turn, counted by kind"
     )

@@ -9,8 +9,7 @@ import sys
 
 from pydantic import SecretStr
 
-from exercises.library import Library
-from service.cli.environment import require_key_files, settings_of_environment
+from service.cli.environment import require_files, settings_of_environment
 
 HIDDEN = "********"
 
@@ -28,8 +27,7 @@ def _print(_options: argparse.Namespace) -> int:
         shown = HIDDEN if isinstance(value, SecretStr) and value.get_secret_value() else value
         unset = "# " if value is None else ""
         sys.stdout.write(f"{unset}FRAMEWISE_{name.upper()}={_written(shown)}\n")
-    require_key_files(settings)
-    Library(settings.exercise_folders)  # refuses folders that are not there, as the service does
+    require_files(settings)
     return 0
 
 

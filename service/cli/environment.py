@@ -51,8 +51,10 @@ def settings_of_environment() -> Settings:
     return settings
 
 
-def require_key_files(settings: Settings) -> None:
-    """End the program if a key file is not there, with the name of its setting: without, all would be let in.
+def require_files(settings: Settings) -> None:
+    """End the program if a key file or a folder is not there, with the name of its setting.
+
+    Without a key file, all would be let in.
 
     Raises:
         UnavailableError: the file of API keys cannot be understood.
@@ -62,6 +64,11 @@ def require_key_files(settings: Settings) -> None:
         f"  {_PREFIX}{name.upper()}: there is no file {path}; {command} makes it"
         for name, command in made_by.items()
         if (path := getattr(settings, name)) is not None and not path.is_file()
+    ]
+    missing += [
+        f"  {_PREFIX}EXERCISE_FOLDERS: there is no folder {folder}"
+        for folder in settings.exercise_folders
+        if not folder.is_dir()
     ]
     if missing:
         sys.exit("\n".join((_FAULTY, *missing)))

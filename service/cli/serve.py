@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 import uvicorn
 from uvicorn.supervisors import Multiprocess
 
-from service.cli.environment import count, require_key_files, settings_of_environment
+from service.cli.environment import count, require_files, settings_of_environment
 from service.http.connections import server_options
 from service.logs import log_configuration
 from service.metrics import share_metrics
@@ -37,7 +37,7 @@ def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
 
 def _serve(options: argparse.Namespace) -> int:
     settings = settings_of_environment()
-    require_key_files(settings)
+    require_files(settings)
     signal.signal(signal.SIGTERM, _end)
     chosen: dict[str, Any] = {
         "host": settings.host if options.host is None else options.host,
