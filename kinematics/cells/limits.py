@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
@@ -64,7 +65,8 @@ class Limits:
 @lru_cache(maxsize=64)
 def _exact_range(smallest: float, largest: float) -> tuple[Fraction, Fraction]:
     # 1e15 is meant, not the double nearest to it
-    return Fraction(smallest) / 2, Fraction(repr(largest))
+    below = math.nextafter(smallest, 0.0)
+    return (Fraction(below) + Fraction(smallest)) / 2, Fraction(repr(largest))
 
 
 DEFAULT = Limits()

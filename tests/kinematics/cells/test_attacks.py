@@ -312,6 +312,25 @@ def test_every_limit_is_a_setting_and_is_named(limits, text, code, limit):
     assert str(limit) in str(fault)
 
 
+@pytest.mark.parametrize(
+    ("smallest", "refused", "admitted"),
+    [
+        (0.5, "0.49999999", "0.5"),
+        (0.001, "0.00099999", "0.001"),  # the double of 0.001 is a little larger
+        (5e-324, "1e-324", "4.9E-324"),
+        (2.0, "1", "2"),
+    ],
+)
+def test_a_number_is_read_from_the_smallest_on(smallest: float, refused: str, admitted: str) -> None:
+    """It was read from half the size on."""
+    limits = Limits(smallest=smallest)
+    assert read_cell(admitted, ParameterKind.LENGTH, limits=limits)
+    with pytest.raises(CellError) as caught:
+        read_cell(refused, ParameterKind.LENGTH, limits=limits)
+    assert caught.value.code == "number_out_of_range"
+    assert caught.value.faults[0].params["size"] == "small"
+
+
 def test_a_longer_limit_lifts_the_bound_without_recursion():
     generous = Limits(cell_characters=10**6, cell_depth=32)
     with pytest.raises(CellError) as caught:
