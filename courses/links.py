@@ -117,7 +117,8 @@ def allow(store: Store, link_id: int, person: str, allowance: Allowance, now: da
             "extra_seconds": int(allowance.extra_time.total_seconds()),
             "extra_attempts": allowance.extra_attempts,
         }
-        if connection.execute(sa.update(_PART).where(own).values(values)).rowcount != 1:
+        changed = connection.execute(sa.update(_PART).where(own).values(values)).rowcount
+        if person_id is None or changed != 1:
             raise unknown_record("person")
         regrade_people(connection, link_id, [person_id], now)
 
