@@ -61,7 +61,9 @@ def read_access(reader: Reader) -> ExerciseAccess:
     """Return what [access] and [help] of a definition say; faults go to the reader."""
     switches = reader.table("access")
     off = frozenset(tool for tool in Tool if not _switched_on(switches, tool))
-    attempts, variants = (_count(switches, name) for name in ("attempts", "variants"))
+    attempts, variants = (
+        switches.count(name) if switches.given(name) else None for name in ("attempts", "variants")
+    )
     if variants is not None and variants > MOST_VARIANTS:
         switches.fault("variants_too_many", "variants", limit=MOST_VARIANTS)
     switches.finish()
@@ -74,15 +76,6 @@ def read_access(reader: Reader) -> ExerciseAccess:
 def lowest(levels: Sequence[HelpLevel]) -> HelpLevel:
     """Return the level that tells least."""
     return min(levels, key=LEVELS.index)
-
-
-def _count(reader: Reader, name: str) -> int | None:
-    """Return a number from 1; None where it is left out."""
-    value = reader.integer(name, 0) if reader.given(name) else None
-    if value is not None and value < 1:
-        reader.mistyped(ValueKind.COUNT, name)
-        return None
-    return value
 
 
 def _switched_on(reader: Reader, tool: Tool) -> bool:

@@ -110,6 +110,7 @@ def read_draw(reader: Reader, key: str) -> Draw | None:
     if not reader.given(key):
         return None
     inner = reader.table(key)
+    before = len(reader.faults)
     draw = Draw(
         start=inner.exact("from"),
         stop=inner.exact("to"),
@@ -117,6 +118,8 @@ def read_draw(reader: Reader, key: str) -> Draw | None:
         without=inner.exacts("without", ()),
     )
     inner.finish()
+    if len(reader.faults) > before:
+        return None
     if draw.step <= 0 or draw.stop < draw.start:
         inner.fault("draw_empty")
         return None

@@ -111,7 +111,7 @@ def _needs(reader: Reader, names: Mapping[str, object]) -> tuple[str, ...]:
 def _exercise(exercise_id: str, reader: Reader, statements: Mapping[str, str]) -> Exercise | None:
     robot = reader.text("robot", "") or None
     reference, values = _reference(reader, robot)
-    version = reader.integer("version")
+    version = reader.count("version")
     titles = read_titles(reader, statements)
     policy = read_policy(reader.table("policy"))
     access = read_access(reader)

@@ -7,7 +7,7 @@ from typing import ClassVar
 
 from kinematics.cells import AngleUnit, Cell, ParameterKind, canonical_name, read_cell
 from kinematics.expressions import ZERO, Expression, joint_variables_in
-from kinematics.keys import KeyFaults, KeyReader, ValueKind
+from kinematics.keys import LARGEST, KeyFaults, KeyReader, ValueKind
 
 LONGEST_ECHO = 80
 """Characters of a text that its fault repeats."""
@@ -22,6 +22,17 @@ class Reader(KeyReader):
         mistyped="exercise_value_type",
         unlisted="exercise_value_unknown",
     )
+
+    def count(self, key: str) -> int:
+        """Return a whole number from 1 on; 1 with a fault where it is something else."""
+        value = self.value(key, int, ValueKind.COUNT)
+        if value is not None and value < 1:
+            self.mistyped(ValueKind.COUNT, key)
+        elif value is not None and value > LARGEST:
+            self.mistyped(ValueKind.NUMBER, key)
+        else:
+            return value or 1
+        return 1
 
     def length(self, key: str, default: Cell | None = None) -> Expression:
         """Return a length: a number or an expression in the exercise's dimensions."""

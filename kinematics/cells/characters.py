@@ -61,7 +61,7 @@ VULGAR_FRACTIONS = {
 _MATHEMATICAL_LETTERS = range(0x1D400, 0x1D800)
 _FULL_WIDTH = range(0xFF01, 0xFF5F)
 DOT_ABOVE = "\u0307"
-_LOOKALIKES = dict(zip("АВЕКМНОРСТХаеорсухіІјЈѕЅԁԛһԚ", "ABEKMHOPCTXaeopcyxiIjJsSdqhQ", strict=True))
+LOOKALIKES = dict(zip("АВЕКМНОРСТХаеорсухіІјЈѕЅԁԛһԚ", "ABEKMHOPCTXaeopcyxiIjJsSdqhQ", strict=True))
 _ALLOWED = re.compile(
     "[A-Za-z0-9+\\-*/^()._, {}$\\\\°√;:!|"
     + DOT_ABOVE
@@ -121,9 +121,9 @@ def translated(text: str) -> str:
 
 def _refusal(character: str, column: int) -> CellRefusal:
     code_point = f"U+{ord(character):04X}"
-    if character in _LOOKALIKES:
+    if character in LOOKALIKES:
         return CellRefusal(
-            "character_lookalike", column=column, character=code_point, latin=_LOOKALIKES[character]
+            "character_lookalike", column=column, character=code_point, latin=LOOKALIKES[character]
         )
     if ord(character) in _FULL_WIDTH:
         latin = unicodedata.normalize("NFKC", character)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+from kinematics.cells.characters import LOOKALIKES
 from kinematics.cells.refusals import CellRefusal
 
 _WORDS = """
@@ -27,6 +28,7 @@ _ALSO_NAMES = {"m", "in", "м"}
 _STOPPED = "deg."
 """Without its full stop it is a degree sign."""
 _UNITS = frozenset(_WORDS.split())
+_FOREIGN = frozenset("".join(_UNITS)).intersection(map(chr, range(0x400, 0x500))) - LOOKALIKES.keys()
 _NUMBER = r"(?:\d+[.,]?\d*|\.\d+)(?:[eE][+-]?\d+)?"
 _VARIABLE = r"(?:[qθd]|theta)_?(?:\d+|[₀-₉]+)"
 _VALUE_AND_WORD = re.compile(
@@ -58,4 +60,14 @@ def is_symbol_of_unit(name: str) -> bool:
 
 
 def _is_unit(word: str) -> bool:
-    return word.lower() in _UNITS and (word.lower() not in _ALSO_NAMES or word.islower())
+    if word.lower() in _UNITS:
+        return word.lower() not in _ALSO_NAMES or word.islower()
+    return _is_begun(word.lower())
+
+
+def _is_begun(word: str) -> bool:
+    """Return whether a word is the beginning of a unit in letters that are in no name: 90 гра, 90 градусо.
+
+    A page reads cells while they are typed; letters that look like Latin ones may be meant as these.
+    """
+    return any(map(_FOREIGN.__contains__, word)) and any(unit.startswith(word) for unit in _UNITS)

@@ -18,6 +18,9 @@ from exercises.instance import generate
 from exercises.parts.forward.schematic import AxisRelation, Schematic
 from exercises.parts.forward.workspace import RadiiCells
 from exercises.parts.inverse.joint_cells import JointAnswerCells
+from exercises.parts.mistakes.find_mistake import FoundMistakeCells
+from exercises.parts.mistakes.frame_mistake import FoundFrameMistakeCells
+from exercises.parts.mistakes.matrix_mistake import FoundMatrixMistakeCells
 from exercises.parts.motion.singularities import SingularityCells
 from kinematics.answers.joint_verdicts import JointClaim
 from kinematics.table import JointType
@@ -78,6 +81,23 @@ def test_parts_that_are_not_asked_are_refused() -> None:
     assert refused("stanford", schematic=Schematic(joints=(JointType.REVOLUTE,), relations=())) == {
         "schematic": "part_not_asked"
     }
+
+
+@pytest.mark.parametrize(
+    ("exercise_id", "empty"),
+    [
+        ("puma560-find-mistake", FoundMistakeCells()),
+        ("puma560-find-mistake", FoundMistakeCells(row="", name="", mended=("", "", "", ""))),
+        ("puma560-matrix-mistake", FoundMatrixMistakeCells()),
+        ("puma560-matrix-mistake", FoundMatrixMistakeCells(mended_matrix=(("",) * 4,) * 4)),
+        ("puma560-frame-mistake", FoundFrameMistakeCells()),
+        ("puma560-frame-mistake", FoundFrameMistakeCells(wrong_frame="", mended_x=("", "", ""))),
+    ],
+)
+def test_a_part_about_a_mistake_that_says_nothing_is_refused(exercise_id: str, empty: Any) -> None:
+    """It was graded with 0 and cost an attempt."""
+    (part,) = exercise(exercise_id).parts
+    assert refused(exercise_id, **{part.kind: empty}) == {part.kind: "mistake_empty"}
 
 
 def test_faults_of_all_parts_come_at_once() -> None:

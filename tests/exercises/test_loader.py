@@ -94,6 +94,8 @@ def test_every_fault_is_reported_at_once(tmp_path: Path) -> None:
         ("L2.value = 0.3", 'L2.value = 0.3\nL2.aliases = ["L1"]', "parameters.L2.aliases.0", "alias_taken"),
         ("L2.value = 0.3", 'L2.value = 0.3\nL2.aliases = ["q_1"]', "parameters.L2.aliases.0", "alias_taken"),
         ("version = 1", 'version = 1\nneeds = ["L9"]', "needs.0", "need_unknown"),
+        ("version = 1", "version = 0", "version", "exercise_value_type"),
+        ("version = 1", "version = -1", "version", "exercise_value_type"),
         ('theta = "q1"', 'theta = "2*q1"', "reference.rows.0.theta", "variable_scaled"),
         ('theta = "q1", ', "", "reference.rows.0.theta", "exercise_key_missing"),
         ('convention = "standard"', 'convention = "craig"', "reference.convention", "exercise_value_unknown"),
@@ -125,6 +127,25 @@ def test_every_fault_is_reported_at_once(tmp_path: Path) -> None:
 )
 def test_a_fault_names_its_key(tmp_path: Path, old: str, new: str, place: str, code: str) -> None:
     assert faults(folder(tmp_path, changed(old, new)))[f"two.exercise.toml.{place}"] == code
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "place"),
+    [
+        ("step = 0.1", 'step = "x"', "parameters.L1.draw.step"),
+        ("[[parts]]", "[access]\nattempts = 1.5\n[[parts]]", "access.attempts"),
+        ("[[parts]]", '[access]\nvariants = "x"\n[[parts]]', "access.variants"),
+        ("version = 1", "version = 1.5", "version"),
+    ],
+)
+def test_what_cannot_be_read_is_told_once(tmp_path: Path, old: str, new: str, place: str) -> None:
+    with pytest.raises(DefinitionError) as refused:
+        load_exercise(folder(tmp_path, changed(old, new)))
+    places = [".".join(map(str, fault.where)) for fault in refused.value.faults]
+    assert [found for found in places if found.startswith(f"two.exercise.toml.{place}")] == [
+        f"two.exercise.toml.{place}"
+    ]
+    assert f"two.exercise.toml.{place.rpartition('.')[0]}" not in places
 
 
 @pytest.mark.parametrize(

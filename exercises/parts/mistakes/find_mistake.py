@@ -99,6 +99,8 @@ class FindMistakeType(MistakeType[MistakePart, FoundMistakeCells, FoundMistake])
 
     def read(self, raw: FoundMistakeCells, reading: Reading) -> FoundMistake | None:
         """Return the answer with the mended table."""
+        if self.is_empty(raw, reading):
+            return None
         found: Planted = reading.instance.drawn[self.kind]
         count = len(found.table.table.rows)
         row = self.number(raw.row, "row", range(1, count + 1), reading, "row_unknown")

@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from abc import abstractmethod
 from collections.abc import Collection, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from fractions import Fraction
 from random import Random
 from typing import Any, ClassVar, NamedTuple, TypeVar
@@ -107,6 +107,13 @@ class MistakeType(PartType[M, Raw, Read]):
     def left_as_shown(self, right: Raw, instance: Instance) -> Raw:
         """Return a right answer but for the repair, which is what was shown."""
 
+    def is_empty(self, raw: Raw, reading: Reading) -> bool:
+        """Return whether none of the fields holds anything; if so, keep a fault."""
+        empty = all(_is_blank(getattr(raw, field.name)) for field in fields(raw))
+        if empty:
+            reading.fault("mistake_empty", self.kind)
+        return empty
+
     def name_field(self, mistakes: Collection[str]) -> FormField:
         """Return the field in which the mistake is named."""
         return choice_field(self.fields[1], mistakes)
@@ -159,3 +166,8 @@ class MistakeType(PartType[M, Raw, Read]):
         score = sum(step.right for _, step, _ in steps) / len(steps)
         right = [Feedback(code="mistake_found")]
         return judged(part, score, Credit.KEY, facts=facts, feedback=wrong or right)
+
+
+def _is_blank(value: object) -> bool:
+    """Return whether a field, or every cell in it, was left out or has no text."""
+    return all(map(_is_blank, value)) if isinstance(value, list | tuple) else value in (None, "")

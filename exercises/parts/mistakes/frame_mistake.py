@@ -133,6 +133,8 @@ class FrameMistakeType(MistakeType[MistakePart, FoundFrameMistakeCells, ByName[F
 
     def read(self, raw: FoundFrameMistakeCells, reading: Reading) -> ByName[FoundFrameMistake] | None:
         """Return the answer in numbers."""
+        if self.is_empty(raw, reading):
+            return None
         return read_by_name(raw, reading, self._read, _lengths)
 
     def _read(self, raw: FoundFrameMistakeCells, reading: Reading) -> FoundFrameMistake | None:

@@ -142,6 +142,8 @@ class MatrixMistakeType(MistakeType[MatrixMistakePart, FoundMatrixMistakeCells, 
 
     def read(self, raw: FoundMatrixMistakeCells, reading: Reading) -> FoundMatrixMistake | None:
         """Return the answer with the mended matrix."""
+        if self.is_empty(raw, reading):
+            return None
         before = len(reading.faults)
         row = self.number(raw.cell_row, "cell_row", range(1, 4), reading, "row_unknown")
         column = self.number(raw.cell_column, "cell_column", range(1, 5), reading, "column_unknown")

@@ -102,6 +102,7 @@ error-component_order_missing = Say where the scalar of the quaternion is: wxyz 
 error-axis_and_angle = An axis needs an angle, and an angle an axis.
 error-family_incomplete = A family of triples needs all three: the middle angle, sum or difference, and its value.
 error-orientation_empty = Write the orientation in one of the notations that are asked for.
+error-mistake_empty = Say where the mistake is, which it is, or how it is mended.
 error-frames_not_connected = The known poses do not lead from frame { $start } to frame { $end }.
 
 error-one_notation = Give the orientation in one notation: { $known }.

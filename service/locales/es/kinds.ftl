@@ -102,6 +102,7 @@ error-component_order_missing = Diga dónde está el escalar del cuaternión: wx
 error-axis_and_angle = Un eje necesita un ángulo, y un ángulo un eje.
 error-family_incomplete = Una familia de ternas necesita las tres cosas: el ángulo intermedio, suma o diferencia, y su valor.
 error-orientation_empty = Escriba la orientación en una de las notaciones que se piden.
+error-mistake_empty = Diga dónde está el error, cuál es o cómo se corrige.
 error-frames_not_connected = Las poses conocidas no llevan del sistema { $start } al sistema { $end }.
 
 error-one_notation = Dé la orientación en una sola notación: { $known }.

@@ -102,6 +102,7 @@ error-component_order_missing = Dites où se trouve le scalaire du quaternion :
 error-axis_and_angle = À un axe il faut un angle, et à un angle un axe.
 error-family_incomplete = Une famille de triplets demande les trois : l’angle du milieu, somme ou différence, et sa valeur.
 error-orientation_empty = Écrivez l’orientation dans l’une des notations demandées.
+error-mistake_empty = Dites où est l’erreur, laquelle c’est ou comment la corriger.
 error-frames_not_connected = Les poses connues ne mènent pas du repère { $start } au repère { $end }.
 
 error-one_notation = Donnez l’orientation dans une seule notation : { $known }.

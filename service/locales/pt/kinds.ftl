@@ -102,6 +102,7 @@ error-component_order_missing = Diga onde está o escalar do quaternião: wxyz o
 error-axis_and_angle = Um eixo precisa de um ângulo, e um ângulo precisa de um eixo.
 error-family_incomplete = Uma família de ternos precisa das três coisas: o ângulo do meio, a soma ou a diferença, e o seu valor.
 error-orientation_empty = Escreva a orientação numa das notações pedidas.
+error-mistake_empty = Diga onde está o erro, qual é ou como se corrige.
 error-frames_not_connected = As poses conhecidas não levam do referencial { $start } ao referencial { $end }.
 
 error-one_notation = Dê a orientação numa só notação: { $known }.

@@ -102,6 +102,7 @@ error-component_order_missing = Spuneți unde stă scalarul cuaternionului: wxyz
 error-axis_and_angle = O axă are nevoie de un unghi, iar un unghi de o axă.
 error-family_incomplete = O familie de triplete are nevoie de toate trei: unghiul din mijloc, suma sau diferența și valoarea ei.
 error-orientation_empty = Scrieți orientarea într-una dintre notațiile cerute.
+error-mistake_empty = Spuneți unde este greșeala, care este ea sau cum se îndreaptă.
 error-frames_not_connected = Situările cunoscute nu duc de la sistemul { $start } la sistemul { $end }.
 
 error-one_notation = Dați orientarea într-o singură notație: { $known }.

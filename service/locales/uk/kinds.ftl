@@ -102,6 +102,7 @@ error-component_order_missing = Укажіть, де стоїть скаляр �
 error-axis_and_angle = До осі потрібен кут, а до кута — вісь.
 error-family_incomplete = Родині трійок потрібні всі три дані: середній кут, сума чи різниця та її значення.
 error-orientation_empty = Запишіть орієнтацію в одному із записів, про які запитано.
+error-mistake_empty = Укажіть, де помилка, яка вона або як її виправити.
 error-frames_not_connected = Відомі пози не ведуть від системи { $start } до системи { $end }.
 
 error-one_notation = Задайте орієнтацію одним записом: { $known }.

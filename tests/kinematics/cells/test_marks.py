@@ -115,6 +115,17 @@ def test_units_in_seven_languages_are_told(cell):
     assert faults_of(raw_row(theta=cell)) == [("unit_in_cell", ("rows", 0, "theta"))]
 
 
+@pytest.mark.parametrize("unit", ["градусів", "градусов", "міліметрів"])
+def test_a_unit_in_cyrillic_letters_is_told_while_it_is_typed(unit):
+    for end in range(1, len(unit) + 1):
+        assert faults_of(raw_row(theta=f"90 {unit[:end]}")) == [("unit_in_cell", ("rows", 0, "theta"))]
+
+
+@pytest.mark.parametrize("word", ["р", "ра", "с"])
+def test_letters_that_look_like_latin_ones_are_no_half_typed_unit(word):
+    assert faults_of(raw_row(theta=f"2 {word}")) == [("character_lookalike", ("rows", 0, "theta"))]
+
+
 @pytest.mark.parametrize("cell", ["90 deg", "90 Deg", "90DEG", "π/2"])
 def test_the_degree_sign_may_be_a_word(cell):
     assert read_cell(cell, ParameterKind.ANGLE) == read_cell("90°", ParameterKind.ANGLE)
