@@ -31,7 +31,7 @@ RUN python -m venv /opt/framewise \
        --only-binary :all: -r "${LOCK:-requirements.lock}" \
     && /opt/framewise/bin/python -m pip uninstall --yes setuptools pip \
     && find /opt/framewise -path '*/babel/locale-data/*.dat' ! -name root.dat ! -name en.dat ! -name es.dat \
-       ! -name en_001.dat ! -name en_GB.dat ! -name fr.dat ! -name pt.dat ! -name ro.dat ! -name uk.dat -delete \
+       ! -name en_001.dat ! -name en_GB.dat ! -name fr.dat ! -name pt.dat ! -name pt_PT.dat ! -name ro.dat ! -name uk.dat -delete \
     && find /opt/framewise -path '*/pymupdf_fonts/*.py' ! -name __init__.py ! -name 'FiraGO_*' -delete \
     && find /opt/framewise -type d -name tests -path '*/site-packages/*' -prune -exec rm -r {} + \
     && find /opt/framewise -type f \( -name '*.pyi' -o -name '*.pyx' -o -name '*.pxd' -o -name '*.h' -o -name '*.a' \

@@ -19,8 +19,8 @@ if TYPE_CHECKING:
 
 LOCALES = Path(__file__).parent / "locales"
 DEFAULT_LANGUAGE = "en"
-ENGLISH = "en_GB"
-"""The texts' English, for dates and numbers in them."""
+REGIONS = {"en": "en_GB", "pt": "pt_PT"}
+"""Where texts are written as in one of several countries: for their plurals, dates and numbers."""
 SENTENCES = 4096
 """Sentences in the cache: most students are told the same."""
 _TEXT_LIMIT = 200
@@ -74,7 +74,7 @@ FUNCTIONS: dict[str, Callable[[Any], FluentType]] = {"TIME": _time}
 def _bundle(language: str) -> FluentBundle:
     from fluent.runtime import FluentBundle
 
-    locales = [ENGLISH if name == "en" else name for name in (language, DEFAULT_LANGUAGE)]
+    locales = [REGIONS.get(name, name) for name in (language, DEFAULT_LANGUAGE)]
     return FluentBundle(locales, use_isolating=False, functions=FUNCTIONS)
 
 
@@ -102,6 +102,11 @@ def sentence(language: str, identifier: str, params: Mapping[str, object] | None
     if identifier.startswith("error-"):
         told = {name: _GREEK.sub(_greek, v) if isinstance(v, str) else v for name, v in told.items()}
     return _formatted(language, identifier, tuple(told.items()))
+
+
+def robot_name(language: str, robot_id: str) -> str | None:
+    """Return the name of a catalogue robot in a language; None if it is called there as everywhere."""
+    return sentence(language, f"robot-{robot_id}")
 
 
 @lru_cache(maxsize=SENTENCES)

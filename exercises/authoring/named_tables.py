@@ -34,14 +34,12 @@ class ExerciseSource:
         table: the key as it is typed; its lengths have names.
         values: the value of each name [the table's length unit].
         robot: id of the catalogue robot, if it is one; then table and values follow from it.
-        name: of the catalogue robot.
         axes: the joint axes in space, where they were drawn.
     """
 
     table: RawTable
     values: Mapping[str, float]
     robot: str | None = None
-    name: str | None = None
     axes: tuple[JointAxis, ...] = ()
 
 

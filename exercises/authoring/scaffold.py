@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
 from exercises.authoring.draft import ExerciseDraft, check_id, files_of_draft
 from exercises.authoring.named_tables import ExerciseSource
 from exercises.errors import DefinitionError
+from kinematics import catalogue
 from kinematics.cells import AngleUnit, RawRow, RawTable, read_table
 from kinematics.errors import Fault
 from kinematics.table import CELLS, JointType
@@ -46,13 +48,25 @@ MISTAKES = (
 )
 
 
-def scaffold(exercise_id: str, source: ExerciseSource, into: Path) -> Path:
+RobotName = Callable[[str, str], str | None]
+"""The name of a catalogue robot in a language, by language and id; None if it is that of the catalogue."""
+
+
+def name_of_catalogue(language: str, robot_id: str) -> str:
+    """Return the name of a catalogue robot, the same in every language."""
+    return catalogue.robot(robot_id).name
+
+
+def scaffold(
+    exercise_id: str, source: ExerciseSource, into: Path, robot_name: RobotName = name_of_catalogue
+) -> Path:
     """Write the folder of a new exercise.
 
     Args:
         exercise_id: its id; letters, digits and hyphens.
         source: what it is about.
         into: the folder of exercises in which its own is made.
+        robot_name: title of an exercise about a catalogue robot.
 
     Returns:
         The new folder.
@@ -60,7 +74,7 @@ def scaffold(exercise_id: str, source: ExerciseSource, into: Path) -> Path:
     Raises:
         DefinitionError: the id is no name of a folder, or the folder exists.
     """
-    draft = started(exercise_id, source)
+    draft = started(exercise_id, source, robot_name)
     folder = into / exercise_id
     if folder.exists():
         raise DefinitionError(Fault.at("exercise_exists", id=exercise_id))
@@ -70,8 +84,15 @@ def scaffold(exercise_id: str, source: ExerciseSource, into: Path) -> Path:
     return folder
 
 
-def started(exercise_id: str, source: ExerciseSource) -> ExerciseDraft:
+def started(
+    exercise_id: str, source: ExerciseSource, robot_name: RobotName = name_of_catalogue
+) -> ExerciseDraft:
     """Return the draft of a new exercise: everything that has to be said, in words that may stay.
+
+    Args:
+        exercise_id: its id.
+        source: what it is about.
+        robot_name: title of an exercise about a catalogue robot.
 
     Raises:
         DefinitionError: the id is no name of a folder.
@@ -82,7 +103,12 @@ def started(exercise_id: str, source: ExerciseSource) -> ExerciseDraft:
     definition: dict[str, Any] = {
         "version": 1,
         **({"robot": source.robot} if source.robot else {}),
-        "title": {language: text.format(id=exercise_id) for language, text in TITLES.items()},
+        "title": {
+            language: text.format(id=exercise_id)
+            if source.robot is None
+            else robot_name(language, source.robot) or name_of_catalogue(language, source.robot)
+            for language, text in TITLES.items()
+        },
         **({} if source.robot else {"reference": _reference(source.table)}),
         "policy": {"tool": "axis"},
         "parameters": {

@@ -7,7 +7,7 @@ from typing import Any
 
 from exercises.authoring.admission import PolicyAdmission, policy_admission
 from exercises.authoring.draft import ExerciseDraft, exercise_of_draft
-from exercises.authoring.scaffold import started
+from exercises.authoring.scaffold import RobotName, name_of_catalogue, started
 from exercises.authoring.sources import read_source
 from exercises.consistency import FILE
 from exercises.definition import Exercise
@@ -30,18 +30,21 @@ SOME_MISTAKES = 6
 """So many of the listed mistakes are made for each seed: a round stays below some seconds."""
 
 
-def new_draft(exercise_id: str, document: Mapping[str, Any]) -> tuple[ExerciseDraft, tuple[JointAxis, ...]]:
+def new_draft(
+    exercise_id: str, document: Mapping[str, Any], robot_name: RobotName = name_of_catalogue
+) -> tuple[ExerciseDraft, tuple[JointAxis, ...]]:
     """Return a new draft that loads and can be drawn, and the axes that it was drawn by, if it was.
 
     Args:
         exercise_id: its id.
         document: what it is about, as `sources.read_source` takes it.
+        robot_name: title of an exercise about a catalogue robot.
 
     Raises:
         DefinitionError: every fault of the id and of the document, at its place there.
     """
     source = read_source(document)
-    draft = started(exercise_id, source)
+    draft = started(exercise_id, source, robot_name)
     try:
         _drawn(_read(draft))
     except DefinitionError as error:

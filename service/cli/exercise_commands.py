@@ -24,7 +24,7 @@ from exercises.loader import load_exercise
 from exercises.selftest.checks import check
 from exercises.selftest.findings import Failure, Findings
 from service.cli.environment import count, settings_of_environment
-from service.messages import sentence
+from service.messages import robot_name, sentence
 from service.wire.exercises.figure_files import figure_file
 
 SEEDS = 10
@@ -111,7 +111,7 @@ def _figure(options: argparse.Namespace) -> int:
 
 
 def _new(options: argparse.Namespace) -> int:
-    folder = scaffold(options.id, _source(options), options.into)
+    folder = scaffold(options.id, _source(options), options.into, robot_name)
     load_exercise(folder)
     sys.stdout.write(f"{folder / FILE}\n")
     return 0

@@ -7,9 +7,14 @@ let bundle = null;
 
 export const language = document.documentElement?.lang || "en";
 
-/** How dates and times are written: English ones as in Britain, like the texts. @param {Intl.DateTimeFormatOptions} options */
+/** Where texts are written as in one of several countries: for their plurals, dates and numbers. @type {Record<string, string>} */
+const REGIONS = { en: "en-GB", pt: "pt-PT" };
+
+const region = REGIONS[language] ?? language;
+
+/** How dates and times are written. @param {Intl.DateTimeFormatOptions} options */
 export function dates(options) {
-  return new Intl.DateTimeFormat(language === "en" ? "en-GB" : language, options);
+  return new Intl.DateTimeFormat(region, options);
 }
 
 /**
@@ -20,7 +25,7 @@ export function dates(options) {
 export async function loadMessages(root, files) {
   const answer = await fetch(`${root}locales/${language}.ftl?files=${files}`);
   if (!answer.ok) throw new Error(`messages: HTTP ${answer.status}`);
-  useMessages(await answer.text(), language);
+  useMessages(await answer.text(), region);
 }
 
 /** Takes messages from text; what loadMessages does after loading. @param {string} text @param {string} locale */

@@ -25,7 +25,7 @@ from pathlib import Path
 import pytest
 from babel.core import get_global
 
-from service.messages import ENGLISH, languages
+from service.messages import REGIONS, languages
 from tests.architecture.serving import fetched, reserved_port, serving
 from tests.architecture.sources import ROOT
 
@@ -253,7 +253,8 @@ def locales(name: str) -> Iterator[str]:
 
 def test_the_image_counts_and_dates_in_every_language() -> None:
     (install,) = (rest for key, rest in stages()["packages"].steps if key == "RUN" and "pip install" in rest)
-    assert set(re.findall(r"! -name (\w+)\.dat", install)) == {"root", *languages(), *locales(ENGLISH)}
+    regions = {name for region in REGIONS.values() for name in locales(region)}
+    assert set(re.findall(r"! -name (\w+)\.dat", install)) == {"root", *languages(), *regions}
 
 
 def test_the_image_holds_what_it_serves_and_nothing_more(image: Path) -> None:

@@ -10,9 +10,9 @@ from kinematics.keys import ValueKind
 from service import messages
 from service.http.languages import language_for
 from service.messages import (
-    ENGLISH,
     FUNCTIONS,
     LOCALES,
+    REGIONS,
     in_sentence,
     languages,
     plainly_written,
@@ -55,6 +55,12 @@ def test_a_time_is_told_as_the_language_writes_it(
     assert told in (sentence(language, code, {parameter: "2026-11-22T18:00:00+02:00"}) or "")
 
 
+def test_portuguese_counts_as_in_portugal() -> None:
+    """In Brazil none is told as one is, and thousands have a point."""
+    assert sentence("pt", "author-points-total", {"points": 0}) == "No total: 0 pontos."
+    assert "1\u00a0048\u00a0576" in (sentence("pt", "error-body_too_large", {"limit": 1048576}) or "")
+
+
 def test_what_a_caller_sent_is_cut_short_in_a_sentence() -> None:
     assert len(sentence("en", "error-address_unknown", {"path": "/" + "x" * 10_000}) or "") < 400
 
@@ -80,9 +86,7 @@ def test_numbers_that_are_not_counts_keep_their_digits() -> None:
 
 @pytest.mark.parametrize("language", ["en", "uk"])
 def test_messages_are_found_as_fluent_finds_them(language: str) -> None:
-    whole = FluentBundle(
-        [ENGLISH if language == "en" else language], use_isolating=False, functions=FUNCTIONS
-    )
+    whole = FluentBundle([REGIONS.get(language, language)], use_isolating=False, functions=FUNCTIONS)
     texts = [path.read_text(encoding="utf-8") for path in sorted((LOCALES / language).glob("*.ftl"))]
     read = FluentParser().parse("\n".join(texts)).body
     whole.add_resource(ast.Resource(read))

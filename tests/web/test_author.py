@@ -178,6 +178,21 @@ def test_what_is_wrong_with_a_typed_table_is_said_at_its_cells(open_page: OpenPa
     expect(page.locator("#author-start [role=alert]")).to_have_count(0)
 
 
+def test_a_catalogue_robot_starts_with_its_own_name(open_page: OpenPage) -> None:
+    """It was called "Robot my-robot"; a title that somebody wrote stays."""
+    page = open_page("/author")
+    title = page.locator("[data-path='definition/title/en']")
+    for robot, name in {"puma560": "PUMA 560", "scorbot": "Scorbot"}.items():
+        page.locator("#author-start select").select_option(robot)
+        page.get_by_role("button", name="Start with this robot").click()
+        expect(title).to_have_value(name)
+    title.fill("Exam")
+    page.locator("#author-start select").select_option("cloos")
+    page.get_by_role("button", name="Start with this robot").click()
+    expect(page.locator("[data-path='definition/title/uk']")).to_have_count(0)
+    expect(title).to_have_value("Exam")
+
+
 def test_an_arm_from_urdf(open_page: OpenPage) -> None:
     page = open_page("/author")
     start_with(page, "urdf")

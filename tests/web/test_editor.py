@@ -210,6 +210,37 @@ def test_empty_cells_are_pointed_out_and_led_to_when_handed_in(open_page: OpenPa
     expect(page.locator("#verdict-card")).to_be_hidden()
 
 
+@pytest.mark.parametrize("width", [320, 1280])
+def test_the_button_of_a_row_is_beside_its_joint(open_page: OpenPage, width: int) -> None:
+    """Its right half lay below the choice of the joint: where borders are drawn they crossed."""
+    page = open_page("/exercises/twolink", width=width)
+    play, joint = (
+        editor(page).locator(f"tbody tr:first-child {name}").bounding_box() for name in (".dh-play", "select")
+    )
+    assert play
+    assert joint
+    assert play["x"] + play["width"] <= joint["x"]
+
+
+def test_empty_columns_and_rows_have_a_line_each(open_page: OpenPage) -> None:
+    """An empty table of six rows had eighteen lines."""
+    page = open_page("/exercises/twolink")
+    hand_in = page.locator("button[type=submit].primary")
+    hand_in.click()
+    summary = editor(page).locator(".editor-summary")
+    texts = summary.get_by_role("link")
+    empty = "Empty: write 0 if it is zero."
+    expect(texts).to_have_text([f"column {name}: {empty}" for name in ("dᵢ", "aᵢ", "αᵢ")])
+    cell(page, 1, "a").fill("L2")
+    expect(texts).to_have_text([f"column dᵢ: {empty}", f"row 1, aᵢ: {empty}", f"column αᵢ: {empty}"])
+    cell(page, 1, "d").fill("0")
+    cell(page, 1, "alpha").fill("0")
+    cell(page, 0, "theta").fill("")
+    hand_in.click()
+    expect(texts).to_have_text([f"row 1: {empty}"])
+    expect(summary).to_contain_text("4 cells need your attention")
+
+
 def test_empty_cells_and_cells_that_cannot_be_read_are_pointed_out_together(open_page: OpenPage) -> None:
     """In the order in which they stand, so that nobody mends the one and is then told of the other."""
     page = open_page("/exercises/twolink", lang="fr")
@@ -272,3 +303,29 @@ def test_the_types_of_joints_are_not_cut(open_page: OpenPage, language: str) -> 
         }"""
     )
     assert needed <= given
+
+
+def test_dates_are_those_of_portugal_where_the_texts_are(open_page: OpenPage) -> None:
+    """They were "22 de nov. de 2026", as in Brazil."""
+    page = open_page("/exercises/twolink", lang="pt", locale="pt-PT")
+    module = page.locator("link[href$='/js/i18n.js']").get_attribute("href")
+    written = page.evaluate(
+        """async (href) => {
+            const { dates } = await import(new URL(href, document.baseURI).href);
+            return dates({ dateStyle: "medium", timeZone: "UTC" }).format(new Date("2026-11-22T16:00:00Z"));
+        }""",
+        module,
+    )
+    assert written == "22/11/2026"
+
+
+def test_the_score_is_drawn_in_forced_colours(open_page: OpenPage) -> None:
+    """The ring was a background, which forced colours take away; the number alone stood there."""
+    page = open_page("/exercises/twolink", forced_colors="active")
+    page.evaluate("document.body.innerHTML = '<div class=score-ring></div>'")
+    ring = page.locator(".score-ring")
+    shots = set()
+    for score in ("0%", "50%", "100%"):
+        ring.evaluate("(ring, score) => ring.style.setProperty('--score', score)", score)
+        shots.add(ring.screenshot())
+    assert len(shots) == 3

@@ -24,6 +24,7 @@ from service.http.openapi import problems, request_body
 from service.http.problems import located
 from service.http.routing import JSON, ApiRequest, DirectRoute, api_router
 from service.http.validation import validated
+from service.messages import robot_name
 from service.resources import resources_of
 from service.schemas.exercises import authoring as wire
 from service.schemas.exercises import examples_authoring as examples
@@ -69,7 +70,7 @@ async def start_draft(
     The draft loads, can be drawn and passes its own tests unchanged.
     """
     with draft_refused():
-        draft, axes = await _in_worker(request, new_draft, body.id, body.source)
+        draft, axes = await _in_worker(request, new_draft, body.id, body.source, robot_name)
     return _json({**draft_body(draft), "axes": axes}, language_of(request))
 
 

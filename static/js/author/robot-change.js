@@ -3,9 +3,10 @@
 /**
  * @param {import("./draft-store.js").Draft | null} before
  * @param {import("./draft-store.js").Draft} fresh as the service starts it
+ * @param {string[]} begun titles as text that drafts were started with: one that nobody has written over goes
  * @returns {import("./draft-store.js").Draft}
  */
-export function withRobot(before, fresh) {
+export function withRobot(before, fresh, begun = []) {
   if (!before) return fresh;
   const [old, next] = [before.definition, fresh.definition];
   const same = typesOf(old) !== "" && typesOf(old) === typesOf(next);
@@ -15,6 +16,7 @@ export function withRobot(before, fresh) {
     if (next[key] === undefined) delete definition[key];
     else definition[key] = next[key];
   }
+  if (begun.includes(JSON.stringify(old.title))) definition.title = next.title;
   if (same) {
     definition.parts = old.parts;
     definition.figure = old.figure ? withoutLengths(old.figure, names) : next.figure;

@@ -20,6 +20,8 @@ export class Start {
   /** @type {any} */
   #scene = null;
   #way = "robot";
+  /** @type {string[]} titles as text that drafts were started with */
+  #begun = [];
   /** @type {any} */
   editor = null;
 
@@ -212,7 +214,8 @@ export class Start {
 
   /** @param {any} draft @param {any} source @param {string} tag */
   #take(draft, source, tag) {
-    this.store.load(withRobot(this.store.draft, draft), source, tag);
+    this.store.load(withRobot(this.store.draft, draft, this.#begun), source, tag);
+    this.#begun.push(JSON.stringify(draft.definition.title));
   }
 
   /** Says what is wrong, in a typed table at its cells. @param {unknown} error */

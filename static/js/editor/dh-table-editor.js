@@ -278,7 +278,7 @@ export class DhTableEditor extends HTMLElement {
 
   /** @param {import("./faults.js").PlacedFault[]} faults */
   #refuse(faults) {
-    this.#faults.refuse(faults, this.#table.convention);
+    this.#faults.refuse(faults, this.#table);
     this.#placeFaults();
   }
 

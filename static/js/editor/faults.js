@@ -1,12 +1,13 @@
 /**
  * What is wrong with a table, from two sides: what the service says while it is typed, and what it said when the
- * table was handed in. The second has a summary that leads to each cell. A fault goes when its cell is typed into,
+ * table was handed in. The second has a summary that leads to each cell, or to the first of a whole row or column. A fault goes when its cell is typed into,
  * whichever side it came from; an answer to the one never touches the other, in whatever order they arrive.
  */
 
 import { el, fill } from "../dom.js";
 import { named, t } from "../i18n.js";
 import { columnText } from "./grid.js";
+import { COLUMNS } from "./model.js";
 
 /** @typedef {{row: number, cell: string, text: string}} PlacedFault row -1 is the table as a whole */
 
@@ -23,8 +24,8 @@ export class Faults {
   #read = [];
   /** @type {PlacedFault[]} */
   #refused = [];
-  /** @type {Map<PlacedFault, HTMLElement>} */
-  #lines = new Map();
+  /** @type {Pick<import("./model.js").Table, "convention" | "rows"> | null} */
+  #table = null;
 
   /** @param {string} id of the editor @param {(row: number, cell: any) => void} go leads to a cell */
   constructor(id, go) {
@@ -57,12 +58,11 @@ export class Faults {
     return this.#read;
   }
 
-  /** What a table was refused for, listed in the summary. @param {PlacedFault[]} faults @param {string} convention */
-  refuse(faults, convention) {
+  /** What a table was refused for, listed in the summary. @param {PlacedFault[]} faults @param {import("./model.js").Table} table */
+  refuse(faults, table) {
     this.#refused = faults;
-    this.#lines = new Map(faults.map((fault) => [fault, this.#line(fault, convention)]));
-    fill(this.list, [...this.#lines.values()]);
-    this.#count();
+    this.#table = table;
+    this.#showSummary();
   }
 
   /** A cell was typed into. @param {number} row @param {string} cell */
@@ -70,15 +70,15 @@ export class Faults {
     /** @param {any} fault */
     const elsewhere = (fault) => fault.row !== row || fault.cell !== cell;
     this.#read = this.#read.filter(elsewhere);
-    for (const fault of this.#refused) if (!elsewhere(fault)) this.#lines.get(fault)?.remove();
     this.#refused = this.#refused.filter(elsewhere);
-    this.#count();
+    this.#showSummary();
   }
 
   /** The table is another one. */
   clear() {
     this.#read = [];
-    this.refuse([], "");
+    this.#refused = [];
+    this.#showSummary();
   }
 
   /** What is wrong with a cell. @param {number} row @param {string} cell */
@@ -106,22 +106,47 @@ export class Faults {
     );
   }
 
-  #count() {
+  #showSummary() {
     this.summary.hidden = this.#refused.length === 0;
+    fill(this.list, this.#lines());
     const count = this.#refused.filter(({ row }) => row >= 0).length;
     if (this.#refused.length) this.title.textContent = count ? t("form-faults", { count }) : t("form-refused");
   }
 
-  /** @param {any} options @param {string} convention */
-  #line({ row, cell, text }, convention) {
-    if (row < 0) return el("li", { text });
-    const name = cell === "joint" ? t("form-joint") : columnText(/** @type {any} */ (cell), convention);
+  /** A line for each fault; one for a column or a row in which every cell has the same. */
+  #lines() {
+    if (!this.#table) return [];
+    const { convention, rows } = this.#table;
+    const columns = COLUMNS[convention];
+    /** @param {number} row @param {string} cell */
+    const textAt = (row, cell) => this.#refused.find((fault) => fault.row === row && fault.cell === cell)?.text ?? "";
+    const isSame = (/** @type {string[]} */ texts) => texts.length > 1 && new Set(texts).size === 1 && texts[0] !== "";
+    const wholeColumns = columns.filter((cell) => isSame(rows.map((_, row) => textAt(row, cell))));
+    const others = columns.filter((cell) => !wholeColumns.includes(cell));
+    const isWholeRow = (/** @type {number} */ row) =>
+      others.length > 1 && row >= 0 && isSame(columns.map((cell) => textAt(row, cell)));
+    /** @type {Map<string, HTMLElement>} */
+    const lines = new Map();
+    for (const [i, fault] of this.#refused.entries()) {
+      const { row, cell, text } = fault;
+      const name = cell === "joint" ? t("form-joint") : columnText(/** @type {any} */ (cell), convention);
+      const [key, place] = wholeColumns.includes(/** @type {any} */ (cell))
+        ? [cell, t("form-column", { name })]
+        : isWholeRow(row) && cell !== "joint"
+          ? [`row ${row}`, t("form-row", { row: row + 1 })]
+          : [`fault ${i}`, t("form-row-cell", { row: row + 1, name })];
+      if (!lines.has(key)) lines.set(key, row < 0 ? el("li", { text }) : this.#line(fault, place));
+    }
+    return [...lines.values()];
+  }
+
+  /** @param {PlacedFault} fault @param {string} place */
+  #line({ row, cell, text }, place) {
     /** @param {any} event */
     const follow = (event) => {
       event.preventDefault();
       this.go(row, cell);
     };
-    const place = t("form-row-cell", { row: row + 1, name });
     return el("li", {}, el("a", { href: `#${this.id}-${row}-${cell}`, onclick: follow, text: named(place, text) }));
   }
 }

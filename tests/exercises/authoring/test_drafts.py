@@ -30,6 +30,7 @@ from exercises.authoring.toml_text import toml_text
 from exercises.errors import DefinitionError, ExerciseError
 from exercises.library import ROOT, packaged
 from exercises.loader import load_exercise
+from service.messages import robot_name
 from tests.exercises.authoring.test_drawn_robots import UR5
 from tests.exercises.folders import TWO_LINKS, draft_of, folder
 
@@ -148,6 +149,16 @@ def leaves(value: Any, where: tuple[str | int, ...] = ()) -> Iterator[tuple[str 
             yield from leaves(inner, (*where, step))
     else:
         yield where
+
+
+def test_a_draft_about_a_catalogue_robot_bears_its_name() -> None:
+    """It was called "Robot arm"."""
+    titles = started("arm", read_source({"robot": "cloos"}), robot_name).definition["title"]
+    assert (titles["en"], titles["uk"]) == ("Cloos welding robot", "Зварювальний робот Cloos")
+    assert set(started("arm", read_source({"robot": "ur5"})).definition["title"].values()) == {
+        "Universal Robots UR5"
+    }
+    assert started("arm", read_source({"axes": UR5})).definition["title"]["en"] == "Robot arm"
 
 
 @pytest.mark.parametrize(
