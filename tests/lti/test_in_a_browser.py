@@ -101,6 +101,26 @@ def test_a_withheld_score_is_not_shown_as_none(page: Page, service: str, browser
 
 
 @pytest.mark.parametrize("address", ["sqlite"], indirect=True)
+def test_a_page_that_stays_open_says_when_attempts_open_and_close(
+    page: Page, service: str, browser: Browser
+) -> None:
+    """Whoever waited for an exam read "Opens", and whoever went on writing "Closes", until the next attempt."""
+    told = {"opens": "2098-12-31T12:00:00Z", "closes": "2099-01-01T12:00:00Z"}
+    link = hint(resource="exam", custom={"exercise": "puma560", "settings": json.dumps(told)})
+    launched = browser.post(browser.authorized(browser.login("emil", link)))
+    page.clock.install(time="2098-12-31T11:59:00Z")
+    page.goto(urljoin(service, launched.headers["location"]))
+    page.wait_for_selector("html[data-ready=true]")
+    banner = page.locator(".session-banner")
+    expect(banner).to_contain_text("Opens: 31 Dec 2098, 12:00")
+    page.clock.fast_forward("02:00")
+    expect(banner).not_to_contain_text("Opens:")
+    page.evaluate("document.querySelector('.session-banner .warn')?.remove()")
+    page.clock.fast_forward("24:00:00")
+    expect(banner.locator(".badge.warn")).to_be_visible()
+
+
+@pytest.mark.parametrize("address", ["sqlite"], indirect=True)
 def test_a_lost_answer_costs_no_second_attempt(
     chromium: Chromium, lms: Lms, service: str, browser: Browser
 ) -> None:

@@ -12,6 +12,7 @@ import { keep, recall } from "../storage.js";
 const KEPT = "framewise:session";
 const PAUSE = 1500;
 const RENEWED_EVERY = 20 * 60 * 1000;
+const LONGEST_WAIT = 2 ** 31 - 1;
 
 /** @typedef {import("../attempts.js").AttemptStore} AttemptStore */
 
@@ -78,6 +79,22 @@ export class CourseSession {
       this.#api.put("session/draft", state).catch(() => null);
     }, PAUSE);
     this.#show();
+    this.#awaitChange();
+  }
+
+  /** When attempts open or close while the page is open, the banner says so. */
+  #awaitChange() {
+    const { opens, closes } = this.told;
+    const waits = [opens, closes].map((time) => Date.parse(time) - Date.now()).filter((wait) => wait > 0);
+    if (waits.length === 0) return;
+    setTimeout(
+      async () => {
+        this.told = await this.#api.get("session").catch(() => this.told);
+        this.#show();
+        this.#awaitChange();
+      },
+      Math.min(...waits, LONGEST_WAIT),
+    );
   }
 
   /** What the exercise is worth; the banner says by it what counts. @param {number} total */
