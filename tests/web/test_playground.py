@@ -193,6 +193,27 @@ def test_the_workspace_is_asked_for_once_however_the_joints_move(open_page: Open
     assert asked.count("workspace") == 1
 
 
+def test_a_pose_to_reach_without_a_number_is_told_at_its_cell(open_page: OpenPage) -> None:
+    """It was “target[0][3]” must be a number; the present pose, or a number, takes it away."""
+    page = open_page("/playground")
+    shown_robot(page)
+    opened(page, "Inverse kinematics")
+    tool = page.locator("details.tool", has_text="Inverse kinematics")
+    cell = tool.get_by_label("row 1, position")
+    expect(cell).not_to_have_value("0")
+    cell.fill("1/2")
+    tool.get_by_label("row 3, z axis").fill("")
+    page.get_by_role("button", name="Solve").click()
+    expect(tool.get_by_role("alert").get_by_role("listitem")).to_have_text(
+        ["row 1, position: Write a number, such as 0.5.", "row 3, z axis: Write a number, such as 0.5."]
+    )
+    expect(cell).to_have_attribute("aria-invalid", "true")
+    page.get_by_role("button", name="Use the current pose").click()
+    page.get_by_role("button", name="Solve").click()
+    expect(page.locator(".solutions")).to_be_visible()
+    expect(tool.locator("[aria-invalid=true]")).to_have_count(0)
+
+
 def test_what_was_found_for_another_table_goes(open_page: OpenPage) -> None:
     page = open_page("/playground")
     shown_robot(page)

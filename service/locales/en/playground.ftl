@@ -36,6 +36,7 @@ playground-target-x = x axis
 playground-target-y = y axis
 playground-target-z = z axis
 playground-target-p = position
+playground-number-needed = Write a number, such as 0.5.
 playground-target-present = Use the current pose
 playground-solve = Solve
 playground-solutions = Solutions

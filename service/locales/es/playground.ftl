@@ -36,6 +36,7 @@ playground-target-x = eje x
 playground-target-y = eje y
 playground-target-z = eje z
 playground-target-p = posición
+playground-number-needed = Escriba un número, por ejemplo 0,5.
 playground-target-present = Tomar la pose actual
 playground-solve = Resolver
 playground-solutions = Soluciones

@@ -36,6 +36,7 @@ playground-target-x = axe x
 playground-target-y = axe y
 playground-target-z = axe z
 playground-target-p = position
+playground-number-needed = Écrivez un nombre, par exemple 0,5.
 playground-target-present = Prendre la pose actuelle
 playground-solve = Résoudre
 playground-solutions = Solutions

@@ -36,6 +36,7 @@ playground-target-x = eixo x
 playground-target-y = eixo y
 playground-target-z = eixo z
 playground-target-p = posição
+playground-number-needed = Escreva um número, por exemplo 0,5.
 playground-target-present = Usar a pose atual
 playground-solve = Resolver
 playground-solutions = Soluções

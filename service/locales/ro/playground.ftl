@@ -36,6 +36,7 @@ playground-target-x = axa x
 playground-target-y = axa y
 playground-target-z = axa z
 playground-target-p = poziția
+playground-number-needed = Scrieți un număr, de exemplu 0,5.
 playground-target-present = Preia situarea actuală
 playground-solve = Rezolvă
 playground-solutions = Soluții

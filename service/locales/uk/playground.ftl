@@ -36,6 +36,7 @@ playground-target-x = вісь x
 playground-target-y = вісь y
 playground-target-z = вісь z
 playground-target-p = положення
+playground-number-needed = Запишіть число, наприклад 0,5.
 playground-target-present = Узяти поточну позу
 playground-solve = Розв’язати
 playground-solutions = Розв’язки

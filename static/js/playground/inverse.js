@@ -3,7 +3,7 @@
 import { Latest } from "../api.js";
 import { dataTable } from "../data-table.js";
 import { el, fill } from "../dom.js";
-import { t } from "../i18n.js";
+import { named, t } from "../i18n.js";
 import { plain, shown } from "../numbers.js";
 import { problemNotice } from "../problem.js";
 import { Cells, cellValue } from "./cells.js";
@@ -77,13 +77,28 @@ export function inverseTool(api, { pose, show, shade, found: tell }) {
       () => undefined,
     );
   };
+  /** Marks the cells that hold no number, and says which. @returns {boolean} whether there are none */
+  const isNumeric = () => {
+    const faults = target.rows.flatMap((cells, row) =>
+      columns
+        .filter(({ name }) => typeof cellValue(cells[name]) !== "number")
+        .map(({ name, label }) => ({ row, name, text: t("form-row-cell", { row: row + 1, name: label }) })),
+    );
+    target.mark(faults);
+    if (faults.length) {
+      const lines = faults.map(({ text }) => el("li", { text: named(text, t("playground-number-needed")) }));
+      fill(answer, el("div", { class: "notice notice-problem", role: "alert" }, el("ul", {}, lines)));
+      know([]);
+    }
+    return faults.length === 0;
+  };
   const latest = new Latest();
   /** Solving was asked for while the robot was being read. */
   let wanted = false;
   const run = async () => {
     await taking;
     wanted = !subject;
-    if (!subject) return;
+    if (!subject || !isNumeric()) return;
     const limits = subject.limits ? { limits: subject.limits } : {};
     const request = { ...asked(subject), ...limits, target: matrixOf(target.rows) };
     solve.setAttribute("aria-disabled", "true");
