@@ -214,6 +214,31 @@ def test_a_pose_to_reach_without_a_number_is_told_at_its_cell(open_page: OpenPag
     expect(tool.locator("[aria-invalid=true]")).to_have_count(0)
 
 
+def test_limits_and_durations_that_do_not_hold_are_explained(open_page: OpenPage) -> None:
+    """A red border was all, and the curves of the trajectory went."""
+    page = open_page("/playground")
+    page.get_by_label("Robot from the catalogue").select_option("scara")
+    opened(page, "Joint limits")
+    tool = page.locator("details.tool", has_text="Joint limits")
+    least = tool.locator("tbody input").first
+    for text, told in {
+        "180°": "q1: Write a number, such as 0.5.",
+        "1e9": "q1: The least value is above the greatest.",
+    }.items():
+        least.fill(text)
+        expect(least).to_have_accessible_description(told)
+        expect(tool.locator(".notice-problem")).to_be_visible()
+    least.fill("-90")
+    expect(tool.locator(".notice-problem")).to_have_count(0)
+    opened(page, "Joint trajectory")
+    duration = page.get_by_label("Duration")
+    duration.fill("0")
+    expect(duration).to_have_accessible_description("Write a duration from 0.001 to 1000000 seconds.")
+    duration.fill("2")
+    expect(page.locator(".plot-drawing text").first).to_be_visible()
+    assert "−0" not in page.locator(".plot-drawing text").all_text_contents()
+
+
 def test_what_was_found_for_another_table_goes(open_page: OpenPage) -> None:
     page = open_page("/playground")
     shown_robot(page)

@@ -1,7 +1,7 @@
 /** How far each joint may go: shown, changed, and used by the sliders and by every answer. */
 
 import { el, fill, uniqueId } from "../dom.js";
-import { t } from "../i18n.js";
+import { named, t } from "../i18n.js";
 import { numberIn, plain } from "../numbers.js";
 
 /** @typedef {import("../joint-ranges.js").Limits} Limits */
@@ -16,7 +16,8 @@ export class JointLimits {
   constructor(changed) {
     this.changed = changed;
     this.body = el("div", { class: "limits" });
-    this.element = el("details", { class: "tool" }, el("summary", {}, t("playground-limits")), this.body);
+    this.fault = el("div", { role: "status", id: uniqueId("limits-fault") });
+    this.element = el("details", { class: "tool" }, el("summary", {}, t("playground-limits")), this.body, this.fault);
   }
 
   /** In the table's units; null where nothing is known. */
@@ -45,6 +46,7 @@ export class JointLimits {
     const focused = fields.findIndex((field) => field === document.activeElement);
     this.#shown = shown;
     if (focused >= 0 && fields.length === 2 * types.length) return;
+    fill(this.fault);
     fill(
       this.body,
       el("p", { class: "hint", text: types.length ? t("playground-limits-hint") : t("playground-no-joints") }),
@@ -108,6 +110,7 @@ export class JointLimits {
     const value = input.value.trim() === "" ? null : numberIn(input.value);
     const wrong = value === null && input.value.trim() !== "";
     input.toggleAttribute("aria-invalid", false);
+    this.#say(wrong ? t("playground-number-needed") : "", input);
     if (wrong) return input.setAttribute("aria-invalid", "true");
     const count = this.body.querySelectorAll("input").length / 2;
     const limits = Array.from({ length: count }, (_, k) => this.#limits?.[k] ?? null);
@@ -117,9 +120,17 @@ export class JointLimits {
     for (const each of input.closest("tr")?.querySelectorAll("input") ?? [])
       if (reversed) each.setAttribute("aria-invalid", "true");
       else each.removeAttribute("aria-invalid");
-    if (reversed) return;
+    if (reversed) return this.#say(t("playground-limits-reversed"), input);
     limits[i] = pair[0] === null && pair[1] === null ? null : pair;
     this.#limits = limits.every((each) => each === null) ? null : limits;
     this.changed(this.#limits);
+  }
+
+  /** Says below the table why a limit that is being typed does not hold. @param {string} text @param {HTMLInputElement} input */
+  #say(text, input) {
+    const joint = input.closest("tr")?.querySelector("th")?.textContent ?? "";
+    fill(this.fault, text ? el("p", { class: "notice notice-problem", text: named(joint, text) }) : null);
+    if (text) input.setAttribute("aria-describedby", this.fault.id);
+    else input.removeAttribute("aria-describedby");
   }
 }

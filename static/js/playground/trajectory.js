@@ -80,17 +80,25 @@ class Plan {
     this.changed = changed;
     this.ends = el("div", { class: "trajectory-ends" });
     const id = uniqueId("duration");
+    const fault = el("div", { role: "status", id: `${id}-fault` });
     const duration = el("input", {
       id,
       type: "text",
       inputmode: "decimal",
       autocomplete: "off",
       value: String(this.duration),
+      "aria-describedby": fault.id,
       oninput: (event) => {
         const value = numberIn(event.target.value);
         this.duration = value !== null && value >= 0.001 && value <= 1e6 ? value : null;
         event.target.toggleAttribute("aria-invalid", false);
         if (this.duration === null) event.target.setAttribute("aria-invalid", "true");
+        fill(
+          fault,
+          this.duration === null
+            ? el("p", { class: "notice notice-problem", text: t("playground-duration-needed") })
+            : null,
+        );
         this.changed();
       },
     });
@@ -117,6 +125,7 @@ class Plan {
         el("span", { class: "joint-number" }, duration, el("span", { class: "hint", text: "s" })),
         choice(SCALINGS, "scaling", (value) => t(`playground-scaling-${value}`)),
       ),
+      fault,
       choice(QUANTITIES, "quantity", (value) => t(`playground-quantity-${value}`)),
     );
     this.#show();
