@@ -35,9 +35,6 @@ export function drawing(label, options) {
     const plot = await library();
     const shape = plot.plot({ className: "plot", width, ...options(plot, width) });
     for (const style of shape.querySelectorAll("style")) style.remove();
-    // An axis that ends at zero from below counts by a negative step, and its zero is −0.
-    for (const tick of shape.querySelectorAll("text"))
-      if (/^[-−]0$/.test(tick.textContent ?? "")) tick.textContent = "0";
     // Inside of an image nothing is announced; its groups keep their names for the style sheet.
     for (const group of shape.querySelectorAll("g[aria-label]")) {
       group.setAttribute("data-mark", group.getAttribute("aria-label") ?? "");

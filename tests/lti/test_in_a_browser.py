@@ -104,7 +104,7 @@ def test_a_withheld_score_is_not_shown_as_none(page: Page, service: str, browser
 def test_a_page_that_stays_open_says_when_attempts_open_and_close(
     page: Page, service: str, browser: Browser
 ) -> None:
-    """Whoever waited for an exam read "Opens", and whoever went on writing "Closes", until the next attempt."""
+    """Whoever waited read "Opens", and whoever went on writing "Closes", until the next attempt."""
     told = {"opens": "2098-12-31T12:00:00Z", "closes": "2099-01-01T12:00:00Z"}
     link = hint(resource="exam", custom={"exercise": "puma560", "settings": json.dumps(told)})
     launched = browser.post(browser.authorized(browser.login("emil", link)))
