@@ -109,7 +109,7 @@ class MistakeType(PartType[M, Raw, Read]):
 
     def is_empty(self, raw: Raw, reading: Reading) -> bool:
         """Return whether none of the fields holds anything; if so, keep a fault."""
-        empty = all(_is_blank(getattr(raw, field.name)) for field in fields(raw))
+        empty = all(_is_blank(getattr(raw, field.name)) for field in fields(self.raw))
         if empty:
             reading.fault("mistake_empty", self.kind)
         return empty
