@@ -39,6 +39,11 @@ export function asPoints(value) {
   return POINTS.format(toTenth(value));
 }
 
+/** A share in percent, to a tenth as points are: 99.6 % is not all. @param {number} share */
+export function percentOf(share) {
+  return `${asPoints(share * 100)} %`;
+}
+
 /** Points for a message, which inflects the noun by a number; from a thousand on as text, whose digits are not grouped. @param {number} value */
 export function pointsTold(value) {
   const told = toTenth(value);

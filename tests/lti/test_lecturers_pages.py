@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 
 import pytest
 from playwright.sync_api import Browser as Chromium
-from playwright.sync_api import Page, expect
+from playwright.sync_api import Page, Route, expect
 
 from courses.administration import invite_administrator
 from courses.storage import Store
@@ -99,6 +99,25 @@ def test_the_class_its_numbers_and_an_attempt(
     preview.wait_for_selector("html[data-ready=true]", state="attached", timeout=PATIENCE)
     expect(preview.locator(".session-banner")).to_contain_text("of 3")
     preview.close()
+
+
+def test_a_list_that_was_cut_says_so_and_no_score_is_rounded_up(
+    page: Page, browser: Browser, lms: Lms, service: str
+) -> None:
+    """Two hundred of a class's attempts looked like all, and 99.6 % like 100 %."""
+    where = {"resource": "long", "context": "long", "custom": CUSTOM}
+    browser.launch("lena", hint(**where))
+    assert browser.api("POST", "session/attempts", RIGHT).status_code in (200, 409)
+
+    def many(route: Route) -> None:
+        found, *_ = route.fetch().json()["attempts"]
+        route.fulfill(json={"attempts": [{**found, "score": 0.996}] * 200})
+
+    page.route("**/attempts?*", many)
+    arrived(page, lms, "tina", hint([TEACHER], **where))
+    page.locator("#link dl button").first.click()
+    behind = page.locator("#link", has_text="The latest 200 are listed here.")
+    expect(behind.get_by_role("cell", name="99.6 %").first).to_be_visible()
 
 
 def test_a_wrong_attempt_is_shown_as_it_was_typed_beside_the_figure(

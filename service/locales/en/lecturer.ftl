@@ -47,6 +47,7 @@ lecturer-open-attempts = { $count ->
    *[other] Show { $count } attempts
 }
 lecturer-time = Time
+lecturer-latest = The latest { $count } are listed here.
 lecturer-open = Open
 lecturer-as-sent = As submitted
 lecturer-rules = Exercise and rules

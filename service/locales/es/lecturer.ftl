@@ -47,6 +47,7 @@ lecturer-open-attempts = { $count ->
    *[other] Mostrar { $count } intentos
 }
 lecturer-time = Hora
+lecturer-latest = Aquí aparecen los últimos { $count }.
 lecturer-open = Abrir
 lecturer-as-sent = Tal como se envió
 lecturer-rules = Ejercicio y reglas

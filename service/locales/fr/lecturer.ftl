@@ -47,6 +47,7 @@ lecturer-open-attempts = { $count ->
    *[other] Afficher { $count } essais
 }
 lecturer-time = Heure
+lecturer-latest = Les { $count } derniers figurent ici.
 lecturer-open = Ouvrir
 lecturer-as-sent = Tel qu’il a été envoyé
 lecturer-rules = Exercice et règles

@@ -47,6 +47,7 @@ lecturer-open-attempts = { $count ->
    *[other] Mostrar { $count } tentativas
 }
 lecturer-time = Hora
+lecturer-latest = Aqui estão as últimas { $count }.
 lecturer-open = Abrir
 lecturer-as-sent = Tal como foi enviado
 lecturer-rules = Exercício e regras

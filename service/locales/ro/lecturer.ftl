@@ -48,6 +48,7 @@ lecturer-open-attempts = { $count ->
    *[other] Arată { $count } de încercări
 }
 lecturer-time = Ora
+lecturer-latest = Aici apar ultimele { $count }.
 lecturer-open = Deschide
 lecturer-as-sent = Așa cum a fost trimis
 lecturer-rules = Exercițiu și reguli

@@ -48,6 +48,7 @@ lecturer-open-attempts = { $count ->
    *[other] Показати { $count } спроб
 }
 lecturer-time = Час
+lecturer-latest = Тут показано останні { $count }.
 lecturer-open = Відкрити
 lecturer-as-sent = Як було надіслано
 lecturer-rules = Вправа і правила

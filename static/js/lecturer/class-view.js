@@ -3,6 +3,7 @@
 import { dataTable } from "../data-table.js";
 import { el, fill } from "../dom.js";
 import { named, t } from "../i18n.js";
+import { percentOf } from "../numbers.js";
 
 /** @type {Record<string, string>} */
 const TONES = { solved: "good", stuck: "bad", begun: "warn", opened: "", absent: "" };
@@ -51,7 +52,7 @@ export function showClass(place, { links, students }, { openLink, openStudent, o
     const state = found?.state ?? "absent";
     const said = t(`lecturer-state-${state}`);
     if (!found) return el("span", { class: "badge", text: said });
-    const share = found.score === null ? "" : ` ${Math.round(found.score * 100)} %`;
+    const share = found.score === null ? "" : ` ${percentOf(found.score)}`;
     return el("button", {
       type: "button",
       class: `badge ${TONES[state]}`,
@@ -85,7 +86,7 @@ export function showUndelivered(card, place, lost, resend) {
       lost.map((entry) => [
         studentName(entry),
         entry.title,
-        `${Math.round(entry.score * 100)} %`,
+        percentOf(entry.score),
         el("span", {
           dataset: { code: entry.problem },
           text: `${t(`lecturer-problem-${adviceFor(entry.problem)}`)} (${entry.problem})`,

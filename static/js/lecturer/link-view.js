@@ -5,6 +5,7 @@ import { dataTable } from "../data-table.js";
 import { announce, el, fill } from "../dom.js";
 import { partName } from "../exercise/progress.js";
 import { dates, knows, named, t } from "../i18n.js";
+import { percentOf } from "../numbers.js";
 import { pageAddress } from "../page.js";
 import { problemNotice, telling } from "../problem.js";
 import { barChart } from "./chart.js";
@@ -12,6 +13,8 @@ import { studentName } from "./class-view.js";
 import { entryOf, settingsForm } from "./settings-form.js";
 
 const DAYS = 40;
+/** Attempts that the service lists at most. */
+const LISTED = 200;
 
 export class LinkView {
   /**
@@ -76,7 +79,7 @@ export class LinkView {
 
   /** @param {any} options */
   #numbers({ attempts, students, solved, first_attempt_rate: first, days, sequence }) {
-    const percent = first === null ? "–" : `${Math.round(first * 100)} %`;
+    const percent = first === null ? "–" : percentOf(first);
     const facts = [
       [t("lecturer-attempts-made"), this.#opener(attempts, {})],
       [t("lecturer-students"), this.#opener(students, {})],
@@ -157,7 +160,7 @@ export class LinkView {
         [t("lecturer-does-not-fit"), t("lecturer-attempts-made")],
         unexplained.map((/** @type {any} */ { facts, attempts }) => [
           facts.map(factName).join(", "),
-          this.#opener(attempts.length, { ids: attempts.slice(0, 200).join(",") }),
+          this.#opener(attempts.length, { ids: attempts.slice(0, LISTED).join(",") }),
         ]),
       ),
     ];
@@ -191,6 +194,7 @@ export class LinkView {
     fill(
       this.behind,
       el("h3", { text: t("lecturer-attempts-made") }),
+      attempts.length >= LISTED ? el("p", { class: "hint", text: t("lecturer-latest", { count: LISTED }) }) : null,
       dataTable(
         t("lecturer-attempts-made"),
         [t("lecturer-student"), t("lecturer-attempt"), t("lecturer-time"), t("lecturer-score"), t("lecturer-open")],
@@ -198,7 +202,7 @@ export class LinkView {
           studentName(attempt),
           attempt.number,
           when.format(new Date(attempt.at)),
-          `${Math.round(attempt.score * 100)} %`,
+          percentOf(attempt.score),
           el("button", {
             type: "button",
             class: "quiet small",
@@ -292,9 +296,8 @@ export class LinkView {
         await this.act.changed();
         fill(said, el("p", { text: t("lecturer-applied") }));
       });
-      const percent = (/** @type {number} */ score) => `${Math.round(score * 100)} %`;
-      const row = (/** @type {any} */ { before, ...entry }) => [studentName(entry), entry.number, percent(before)];
-      const rows = changes.map((/** @type {any} */ entry) => [...row(entry), percent(entry.after)]);
+      const row = (/** @type {any} */ { before, ...entry }) => [studentName(entry), entry.number, percentOf(before)];
+      const rows = changes.map((/** @type {any} */ entry) => [...row(entry), percentOf(entry.after)]);
       const kept = [t("lecturer-student"), t("lecturer-attempt"), t("lecturer-before")];
       const headings = [...kept, t("lecturer-after")];
       fill(
