@@ -107,13 +107,16 @@ def _lost_beside_a_slip(work: Work, weights: Weights, standard: Standard, most: 
 
     Such a slip may make all facts wrong, as the wrong convention does, though few of them are mistakes.
     """
-    cheapest = min(weights.row, weights.table, standard.nothing / 2.0)
-    if most <= cheapest + weights.rule * unconfirmed(work.policy):
+    affordable = most - weights.rule * unconfirmed(work.policy)
+    if affordable <= min(weights.row, weights.table, standard.nothing / 2.0):
         return most
     undone = []
     for change in _slips(work):
+        cost = _cost(change, weights, standard.nothing)
+        if cost >= affordable:
+            continue
         other = _without(change, work)
-        cost, rules = _cost(change, weights, standard.nothing), _lost_by_rules(other, weights)
+        rules = _lost_by_rules(other, weights)
         if cost + rules < most and other.has_the_joints():
             undone.append((cost, rules, other))
     if not undone:
