@@ -30,5 +30,5 @@ class CellRefusal(Exception):  # noqa: N818 - it becomes a Fault of a CellError 
 
 def size_refusal(value: Fraction, column: int, limits: Limits) -> CellRefusal:
     """Return the refusal of a number that is larger or smaller in size than what is read."""
-    size = "small" if abs(value) < limits.smallest else "large"
+    size = "small" if abs(value) < limits.smallest or abs(value) < 1 <= limits.largest else "large"
     return CellRefusal("number_out_of_range", column=column, size=size, largest=limits.largest)
