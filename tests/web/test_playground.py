@@ -330,7 +330,7 @@ def test_the_other_convention_can_be_taken_over(open_page: OpenPage) -> None:
     opened(page, "Write it in another form")
     page.locator("#tools").get_by_role("button", name="Modified table").click()
     page.get_by_role("button", name="Use this table").click()
-    expect(page.get_by_label("modified")).to_be_checked()
+    expect(page.get_by_role("radio", name="modified")).to_be_checked()
     shown_robot(page)
     assert column(page, "alpha")[:3] == ["0", "90", "0"]
 

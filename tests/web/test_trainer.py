@@ -185,7 +185,7 @@ def test_choices_survive_a_reload_and_another_convention_starts_again(open_page:
     page.reload()
     ready(page)
     expect(frame_button(page, 1)).to_have_class(re.compile("step-whole"))
-    page.get_by_label("modified").check()
+    page.get_by_role("radio", name="modified").check()
     expect(page.locator("#frames .step-whole")).to_have_count(0)
 
 
