@@ -85,6 +85,15 @@ def fetched(address: str, path: str) -> tuple[int, bytes]:
             return error.code, error.read()
 
 
+def received(connection: socket.socket) -> bytes:
+    """All that comes until the server closes."""
+    found = b""
+    with contextlib.suppress(ConnectionError):
+        while piece := connection.recv(65536):
+            found += piece
+    return found
+
+
 def _collect(process: subprocess.Popen[str], printed: list[str]) -> None:
     assert process.stdout is not None
     printed.extend(iter(process.stdout.readline, ""))

@@ -20,6 +20,7 @@ import httpx
 import pytest
 
 from courses.storage import FILE_NAME
+from tests.architecture.serving import received
 from tests.architecture.sources import ROOT
 
 patient = httpx.Client(timeout=120, headers={"Connection": "close"})
@@ -83,15 +84,6 @@ def locked(folder: Path) -> Iterator[None]:
     with contextlib.closing(sqlite3.connect(folder / FILE_NAME, isolation_level=None)) as other:
         other.execute("BEGIN IMMEDIATE")
         yield
-
-
-def received(connection: socket.socket) -> bytes:
-    """All that comes until the server closes."""
-    found = b""
-    with contextlib.suppress(ConnectionError):
-        while piece := connection.recv(65536):
-            found += piece
-    return found
 
 
 @pytest.mark.parametrize("workers", ["1", "2"])

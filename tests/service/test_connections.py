@@ -13,6 +13,7 @@ import httpx
 import pytest
 
 from service.settings import Settings
+from tests.architecture.serving import received
 from tests.live_service import running
 
 patient = httpx.Client(timeout=120, headers={"Connection": "close"})
@@ -24,15 +25,6 @@ def connected(url: str) -> Iterator[socket.socket]:
     host, _, port = url.removeprefix("http://").partition(":")
     with socket.create_connection((host, int(port)), timeout=60) as connection:
         yield connection
-
-
-def received(connection: socket.socket) -> bytes:
-    """All that comes until the server closes."""
-    found = b""
-    with contextlib.suppress(ConnectionError):
-        while piece := connection.recv(65536):
-            found += piece
-    return found
 
 
 @pytest.mark.parametrize(
