@@ -17,6 +17,7 @@ prepared_answers  figures and closed forms made before
 platforms        platforms and keys
 administration, audit, privacy  who may do what, who did, and what people may ask for
 storage          the database, opened and used in transactions; engines, its connections
+turns            who writes next to an SQLite file
 postgresql_connection  one that gives up where the server keeps silent
 records, column_types  its relations
 statements       what SQLite and PostgreSQL write alike

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import fields
 from datetime import datetime, timedelta
 from functools import cache
@@ -154,13 +154,26 @@ def attempt_of(row: Any) -> Attempt:
 _NAMES = tuple(column.name for column in _TABLE.columns)
 
 
-def keep_draft(store: Store, session: CourseSession, state: Mapping[str, Any] | None, now: datetime) -> None:
-    """Keep what somebody has typed; None forgets it."""
-    own = _own(records.participation, {"link_id": session.link.id, "person_id": session.person.id})
+Typed: TypeAlias = tuple[CourseSession, Mapping[str, Any] | None]
+"""Who has typed something, and what; None to forget it."""
+
+
+def keep_drafts(store: Store, typed: Sequence[Typed], now: datetime) -> list[None]:
+    """Keep what people have typed, in one transaction; of the same person the last one stays."""
+    own = _own(records.participation, {"link_id": sa.bindparam("link"), "person_id": sa.bindparam("person")})
+    values = {"draft": sa.bindparam("state"), "draft_at": now}
+    rows = [
+        {
+            "link": session.link.id,
+            "person": session.person.id,
+            "state": None if state is None else dict(state),
+        }
+        for session, state in typed
+    ]
     with store.writing() as connection:
-        values = {"draft": None if state is None else dict(state), "draft_at": now}
-        connection.execute(sa.update(records.participation).where(own).values(values))
+        connection.execute(sa.update(records.participation).where(own).values(values), rows)
+    return [None] * len(rows)
 
 
-def _own(table: sa.Table, own: Mapping[str, int]) -> sa.ColumnElement[bool]:
+def _own(table: sa.Table, own: Mapping[str, Any]) -> sa.ColumnElement[bool]:
     return sa.and_(*(table.c[name] == value for name, value in own.items()))

@@ -15,8 +15,8 @@ from sqlalchemy.pool import ConnectionPoolEntry
 from courses.refusals import StorageError
 from kinematics.errors import Fault
 
-BUSY_SECONDS = 30.0
-"""How long a writer waits for another one on SQLite."""
+BUSY_SECONDS = 15.0
+"""How long a writer on SQLite waits for its turn, and then for a program that takes no turns."""
 CONNECTIONS = 16
 """Connections that stay open, and as many again under load: the threads that judge and store are fewer, and
 PostgreSQL allows a hundred by default."""

@@ -7,7 +7,6 @@ there: the same request sent again, or a process that looks for runs whose reque
 
 from __future__ import annotations
 
-import time
 from collections.abc import Iterable, Mapping, Sequence
 from datetime import datetime
 from typing import Any
@@ -25,15 +24,12 @@ BATCH = 400
 """Attempts of one transaction, or all of one student: who hands in meanwhile waits for no more than these."""
 STUDENTS = 100
 """Students of one transaction."""
-GIVEN_WAY = 0.12
-"""Pause after a transaction on SQLite [s]: who waits for the lock of the file looks ten times a second."""
 
 
 def settle(store: Store, run: int, now: datetime) -> None:
     """Settle the students whom an applied run has left, a few in each transaction."""
     while _settle_some(store, run, now):
-        if not store.is_postgresql:
-            time.sleep(GIVEN_WAY)
+        pass
 
 
 def unsettled(store: Store, before: datetime) -> list[int]:

@@ -11,7 +11,7 @@ import logging
 import os
 import secrets
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, nullcontext
 from datetime import UTC, datetime
 from pathlib import Path
 
@@ -24,9 +24,10 @@ from sqlalchemy.exc import (
 )
 from sqlalchemy.exc import TimeoutError as PoolTimeoutError
 
-from courses.engines import ALONE, WRITES, bound_connections, postgresql, sqlite
+from courses.engines import ALONE, BUSY_SECONDS, WRITES, bound_connections, postgresql, sqlite
 from courses.records import one_time_code
 from courses.refusals import StorageError, StorageUnavailableError
+from courses.turns import Turns
 from kinematics.errors import Fault
 
 MIGRATIONS = Path(__file__).resolve().parent / "migrations"
@@ -55,6 +56,7 @@ class Store:
         self.file = file
         self.takes_writes = True
         self._inode = _inode(file) if file else None
+        self._turns = Turns(file.with_suffix(".turns"), BUSY_SECONDS) if file else None
 
     @property
     def location(self) -> str:
@@ -92,7 +94,8 @@ class Store:
         """Open a transaction that changes something; on SQLite there is one at a time."""
         self._check_file()
         try:
-            with _answering(), self.engine.connect() as connection:
+            turn = self._turns.taken() if self._turns else nullcontext()
+            with _answering(), turn, self.engine.connect() as connection:
                 connection = connection.execution_options(**{WRITES: True})
                 with connection.begin():
                     yield connection
@@ -138,6 +141,8 @@ class Store:
     def close(self) -> None:
         """End every connection."""
         self.engine.dispose()
+        if self._turns:
+            self._turns.close()
 
 
 def _inode(file: Path) -> int | None:
@@ -157,7 +162,7 @@ def _answering() -> Iterator[None]:
     """
     try:
         yield
-    except (OperationalError, InterfaceError, DisconnectionError, PoolTimeoutError) as error:
+    except (OperationalError, InterfaceError, DisconnectionError, PoolTimeoutError, TimeoutError) as error:
         _log.error("the database does not answer: %s", reason_of(error))
         undone = str(getattr(getattr(error, "orig", None), "sqlstate", None)).startswith(_UNDONE)
         raise StorageUnavailableError(is_gone=not undone) from error
@@ -206,10 +211,10 @@ def connect(url: str, folder: Path) -> Store:
         folder.mkdir(parents=True, exist_ok=True)
         (folder / FILE_NAME).open("a").close()
         (folder / FILE_NAME).chmod(0o600)
+        return Store(sqlite((folder / FILE_NAME).resolve()), (folder / FILE_NAME).resolve())
     except OSError as error:
         fault = Fault.at("storage_folder", folder=str(folder), reason=error.strerror or "")
         raise StorageError(fault) from error
-    return Store(sqlite((folder / FILE_NAME).resolve()), (folder / FILE_NAME).resolve())
 
 
 def migrate(store: Store) -> None:

@@ -7,6 +7,7 @@ import time
 from collections.abc import Callable
 from datetime import UTC, datetime
 
+from courses.attempts import Typed, keep_drafts
 from courses.model import Attempt, Course, CourseSession, Platform, PlatformStatus
 from courses.outbox import OutboxState, outbox_state
 from courses.platforms import StoredKey, add_key, platform_by_id, platforms, remove_keys, stored_keys
@@ -57,6 +58,7 @@ class CourseResources:
         services: their services.
         sign_in: finds who is signed in by a token.
         keep: stores a judged submission.
+        keep_draft: stores what somebody has typed.
     """
 
     def __init__(self, settings: Settings, is_crowded: Callable[[], bool] = lambda: False) -> None:
@@ -85,6 +87,12 @@ class CourseResources:
             gives_up=_database_is_gone,
             pause=lambda: _CROWDED_PAUSE if is_crowded() else 0.0,
         )
+        self.keep_draft: Batcher[Typed, None] = Batcher(
+            lambda typed: keep_drafts(self.store, typed, now()),
+            batches=1,
+            capacity=capacity,
+            gives_up=_database_is_gone,
+        )
         self._people: dict[str, Proven] = {}
         self._lock = threading.Lock()
         self._members: dict[int, tuple[dict[str, str | None] | None, float]] = {}
@@ -98,6 +106,7 @@ class CourseResources:
         """Store what waits, and end every connection."""
         self.sign_in.close()
         self.keep.close()
+        self.keep_draft.close()
         self.fetcher.close()
         self.store.close()
 

@@ -13,7 +13,7 @@ import pytest
 import sqlalchemy as sa
 
 from courses import records
-from courses.attempts import LISTED, attempt_numbered, keep_draft, standing_of
+from courses.attempts import LISTED, attempt_numbered, keep_drafts, standing_of
 from courses.judged import AttemptFilter, Outcome, Progress, attempts_behind
 from courses.links import allow, change_settings, release_feedback
 from courses.model import CourseSession, LinkSettings, Role
@@ -185,7 +185,7 @@ def test_extra_time_derives_the_grade_of_no_other_student(
 
 
 def test_a_draft_comes_back_in_another_session(store: Store) -> None:
-    keep_draft(store, joined(store), {"table": ["θ"]}, NOW)
+    keep_drafts(store, [(joined(store), {"table": ["?"]}), (joined(store), {"table": ["θ"]})], NOW)
     draft = standing_of(store, joined(store)).draft
     assert draft is not None
     assert (draft.state, draft.at) == ({"table": ["θ"]}, NOW)
@@ -337,7 +337,7 @@ def test_every_number_has_its_attempts(store: Store) -> None:
         for number, score in enumerate(made):
             submitted(store, joined(store, name), score, key=str(number), minutes=number)
     session = joined(store, "zoe")
-    keep_draft(store, session, {"table": []}, NOW)
+    keep_drafts(store, [(session, {"table": []})], NOW)
     counts = class_overview(store, session.course.id)["links"][0]
     states = {name: counts[name] for name in ("absent", "opened", "begun", "stuck", "solved")}
     assert states == {"absent": 0, "opened": 1, "begun": 1, "stuck": 1, "solved": 2}

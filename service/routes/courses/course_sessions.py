@@ -9,7 +9,7 @@ from typing import Any
 from fastapi import Response
 from pydantic import TypeAdapter
 
-from courses.attempts import attempt_numbered, by_key, keep_draft, shown_now, standing_of
+from courses.attempts import attempt_numbered, by_key, shown_now, standing_of
 from courses.model import CourseSession, StudentStanding
 from courses.policies import Shown
 from courses.refusals import AttemptError, NoExerciseError
@@ -129,5 +129,5 @@ async def put_draft(request: ApiRequest) -> Response:
     courses, session = await signed_in(request)
     state = await request.json()
     kept = state if isinstance(state, dict) else None
-    await in_thread(request, keep_draft, courses.store, session, kept, now())
+    await courses.keep_draft((session, kept))
     return Response(status_code=204)

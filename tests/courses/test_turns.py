@@ -1,0 +1,140 @@
+"""Whoever waits to write to an SQLite file comes next, whatever else its process or another one writes."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+import threading
+from collections.abc import Iterator
+from contextlib import closing, contextmanager
+from pathlib import Path
+
+import pytest
+
+from courses import storage
+from courses.refusals import StorageUnavailableError
+from courses.turns import Turns
+
+OTHER = """
+import sys
+from pathlib import Path
+from courses.turns import Turns
+
+turns = Turns(Path(sys.argv[1]), 60.0)
+for line in sys.stdin:
+    print("waiting", flush=True)
+    with turns.taken():
+        print("taken", flush=True)
+        sys.stdin.readline()
+    print("given back", flush=True)
+"""
+
+
+@pytest.fixture
+def turns(tmp_path: Path) -> Iterator[Turns]:
+    """Turns of this process."""
+    with closing(Turns(tmp_path / "turns", 60.0)) as own:
+        yield own
+
+
+@contextmanager
+def other_process(file: Path) -> Iterator[subprocess.Popen[str]]:
+    """Another writer: told to take its turn by a line, and to give it back by another."""
+    command = [sys.executable, "-c", OTHER, str(file)]
+    with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as process:
+        try:
+            yield process
+        finally:
+            process.kill()
+
+
+def told(process: subprocess.Popen[str]) -> None:
+    """Send a line."""
+    assert process.stdin is not None
+    process.stdin.write("\n")
+    process.stdin.flush()
+
+
+def heard(process: subprocess.Popen[str]) -> str:
+    """Return the next line."""
+    assert process.stdout is not None
+    return process.stdout.readline().strip()
+
+
+def is_next_taken(turns: Turns) -> bool:
+    """Whether another process is the next one."""
+    if turns._is_locked(0):
+        turns._unlock(0)
+        return False
+    return True
+
+
+def test_a_process_that_waits_comes_before_one_that_has_just_written(turns: Turns, tmp_path: Path) -> None:
+    with other_process(tmp_path / "turns") as other:
+        for _ in range(5):
+            with turns.taken():
+                told(other)
+                assert heard(other) == "waiting"
+                while not is_next_taken(turns):
+                    pass
+            told(other)
+            with turns.taken():
+                assert heard(other) == "taken"
+                assert heard(other) == "given back"
+
+
+def test_what_a_killed_process_held_is_free(turns: Turns, tmp_path: Path) -> None:
+    with other_process(tmp_path / "turns") as other:
+        told(other)
+        assert [heard(other), heard(other)] == ["waiting", "taken"]
+        other.kill()
+        with turns.taken():
+            assert other.wait()
+
+
+def test_patience_ends(tmp_path: Path) -> None:
+    with closing(Turns(tmp_path / "turns", 0.01)) as turns, other_process(tmp_path / "turns") as other:
+        told(other)
+        assert [heard(other), heard(other)] == ["waiting", "taken"]
+        for _ in range(2):  # who gave up holds nothing that the next one would wait for
+            with pytest.raises(TimeoutError), turns.taken():
+                pass
+        told(other)
+        assert heard(other) == "given back"
+        with turns.taken():
+            pass
+
+
+def test_threads_write_one_after_another(turns: Turns) -> None:
+    inside, most = [0], [0]
+
+    def write() -> None:
+        for _ in range(50):
+            with turns.taken():
+                inside[0] += 1
+                most[0] = max(most[0], inside[0])
+                inside[0] -= 1
+
+    threads = [threading.Thread(target=write) for _ in range(4)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert most == [1]
+
+
+def test_a_turn_that_does_not_come_is_a_database_that_does_not_answer(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(storage, "BUSY_SECONDS", 0.01)
+    store = storage.open_store("", tmp_path)
+    with other_process(tmp_path / "framewise.turns") as other:
+        told(other)
+        assert [heard(other), heard(other)] == ["waiting", "taken"]
+        with pytest.raises(StorageUnavailableError), store.writing():
+            pass
+        told(other)
+        assert heard(other) == "given back"
+    with store.writing():
+        pass
+    store.close()
