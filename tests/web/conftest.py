@@ -49,9 +49,9 @@ def web() -> Iterator[str]:
         yield origin
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="package")
 def browser() -> Iterator[Browser]:
-    """Chromium, ended with the file: while it runs, so does its event loop, and no other may start."""
+    """Chromium, ended with the folder: while it runs, so does its event loop, and no other may start."""
     if CHROMIUM is None:
         reason = "Chromium is not installed (`make browser` installs it)"
         if os.environ.get("CI"):
@@ -64,7 +64,7 @@ def browser() -> Iterator[Browser]:
 
 
 class Visits:
-    """One browser profile for the tests of a file: what a page loads is fetched and compiled once.
+    """One browser profile for the tests of the folder: what a page loads is fetched and compiled once.
 
     A page that stays open keeps the process in which the others are drawn. Every test finds the profile
     without cookies, permissions and stored data, as if nobody had been there before.
@@ -89,7 +89,7 @@ class Visits:
         self._protocol.send("Storage.clearDataForOrigin", {"origin": self._origin, "storageTypes": stored})
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="package")
 def visits(browser: Browser, web: str) -> Iterator[Visits]:
     made = Visits(browser, web)
     yield made
@@ -142,7 +142,7 @@ def open_page(browser: Browser, web: str, watch: Watch, visits: Visits) -> Itera
 
     Waits until the page is ready; fails the test at its end if a console error, a violation of the content
     security policy or a failed load was seen. Every page has a profile of its own; the first of a test, if
-    neither that nor anything else is asked of it, one that has the file's scripts and styles already.
+    neither that nor anything else is asked of it, one that has the scripts and styles already.
     """
     contexts: list[BrowserContext] = []
     visited = False
