@@ -5,11 +5,13 @@ Exploring with fresh seeds (`make explore`) is a long search for faults; what it
 test with numbers of its own takes the smaller one here and the larger one there (`EXPLORE`).
 """
 
+import functools
 import gc
 import os
 from collections.abc import Generator, Iterator
 from pathlib import Path
 
+import httpx
 import pytest
 from hypothesis import HealthCheck, settings
 from hypothesis.internal.conjecture import providers
@@ -59,6 +61,16 @@ def no_lane_stands_back() -> Iterator[None]:
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr("service.work.workers.SLOW_NICENESS", 0)
         patch.setattr("service.work.regrading_processes.NICENESS", 0)
+        yield
+
+
+@pytest.fixture(scope="session", autouse=True)
+def certificates_are_read_once() -> Iterator[None]:
+    """Reading whom to trust costs each client 25 ms, as much as several answers."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(
+            "httpx._transports.default.create_ssl_context", functools.cache(httpx.create_ssl_context)
+        )
         yield
 
 
