@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import lru_cache
+from math import inf
 
 from kinematics.expressions import (
     ONE,
@@ -27,7 +28,7 @@ from kinematics.symbolic.form_reader import FormReader
 
 _ROOT_2, _ROOT_3, _ROOT_6 = (call(Function.SQRT, number(n)) for n in (2, 3, 6))
 _QUARTER = Fraction(1, 4)
-_COSINES: tuple[Expression, ...] = (
+_QUADRANT: tuple[Expression, ...] = (
     ONE,
     multiply((Number(_QUARTER), add((_ROOT_6, _ROOT_2)))),
     multiply((Number(Fraction(1, 2)), _ROOT_3)),
@@ -36,7 +37,8 @@ _COSINES: tuple[Expression, ...] = (
     multiply((Number(_QUARTER), add((_ROOT_6, multiply((number(-1), _ROOT_2)))))),
     ZERO,
 )
-"""Cosines of 0, π/12, …, π/2."""
+COSINES = (*_QUADRANT, *(multiply((number(-1), cosine)) for cosine in _QUADRANT[-2::-1]))
+"""Cosines of 0, π/12, …, π."""
 
 _ARCS = (Function.ASIN, Function.ACOS, Function.ATAN, Function.ATAN2)
 
@@ -150,33 +152,32 @@ def cosine_and_sine(angle: Angle) -> tuple[Expression, Expression]:
     if not angle.parts and not angle.number and (angle.half_turns * 12).denominator == 1:
         steps = (angle.half_turns * 12).numerator
         return _twelfth(steps), _twelfth(steps - 6)
-    quarters, sign = Fraction(0), 1
+    quarters = 0
     if (angle.half_turns * 2).denominator == 1:
-        quarters = angle.half_turns * 2
-        angle = Angle(Fraction(0), angle.number, angle.parts)
-    if _leads_negative(angle):
-        angle, sign = NO_ANGLE.plus(angle, -1), -1
+        quarters = (angle.half_turns * 2).numerator
+        angle = Angle(number=angle.number, parts=angle.parts)
+    flipped = _leads_negative(angle)
+    if flipped:
+        angle = NO_ANGLE.plus(angle, -1)
     argument = angle.expression()
     cosine: Expression = Call(Function.COS, (argument,))
     sine: Expression = Call(Function.SIN, (argument,))
-    if sign < 0:
+    if flipped:
         sine = _negative(sine)
-    for _ in range(quarters.numerator % 4):
+    for _ in range(quarters % 4):
         cosine, sine = _negative(sine), cosine
     return cosine, sine
 
 
 def _leads_negative(angle: Angle) -> bool:
-    if angle.parts:
-        return angle.parts[0][1] < 0
-    return (angle.number or angle.half_turns) < 0
+    leading = angle.parts[0][1] if angle.parts else angle.number or angle.half_turns
+    return leading < 0
 
 
 def _twelfth(steps: int) -> Expression:
     """Cosine of steps·π/12."""
-    steps = abs(steps) % 24
-    steps = min(steps, 24 - steps)
-    return _COSINES[steps] if steps <= 6 else _negative(_COSINES[12 - steps])
+    steps %= 24
+    return COSINES[min(steps, 24 - steps)]
 
 
 def _negative(expression: Expression) -> Expression:
@@ -187,9 +188,9 @@ def _wrapped(half_turns: Fraction) -> Fraction:
     return 1 - (1 - half_turns) % 2
 
 
-def _place(item: tuple[Expression, Fraction]) -> tuple[int, int]:
+def _place(item: tuple[Expression, Fraction]) -> float:
     part = item[0]
-    return (0, part.index) if isinstance(part, JointVariable) else (1, 0)
+    return part.index if isinstance(part, JointVariable) else inf
 
 
 def _split(term: Expression) -> tuple[Fraction, Expression]:

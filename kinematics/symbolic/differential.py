@@ -34,7 +34,7 @@ class MovingJoint:
 
     def axis(self, arena: Arena) -> Vector:
         """Return the direction of the joint's axis, in the frame where it moves."""
-        return NOTHING, NOTHING, UNITY if self.motion.sign > 0 else arena.negative(UNITY)
+        return NOTHING, NOTHING, UNITY if self.motion.sign == 1 else arena.negative(UNITY)
 
     def run(self, runs: Sequence[Run]) -> int:
         """Return in which run a revolute joint is."""
@@ -49,7 +49,7 @@ class MovingJoint:
         name = self.motion.joint
         arms = {angle.plus(after, -1): arm for angle, arm in run.arms.items() if angle.weight_of(name)}
         x, y, _ = swung(arena, Run(angle=run.angle.plus(after, -1), arms=arms), tip)
-        if run.angle.weight_of(name) > 0:
+        if run.angle.weight_of(name) == 1:
             return arena.negative(y), x, NOTHING
         return y, arena.negative(x), NOTHING
 
@@ -83,7 +83,7 @@ def column_in_end(
         return axis if end is None else writer.projected(end[:3], axis), ORIGIN
     at = joint.run(runs)
     own, *following = with_rises_moved_back(arena, runs[at:])
-    z = UNITY if own.angle.weight_of(joint.motion.joint) > 0 else arena.negative(UNITY)
+    z = UNITY if own.angle.weight_of(joint.motion.joint) == 1 else arena.negative(UNITY)
     back = NO_ANGLE.plus(own.twist, -1)
     omega = twisted(arena, (NOTHING, NOTHING, z), back)
     v = twisted(arena, joint.lever(arena, own, ORIGIN, after=own.angle), back)

@@ -6,13 +6,12 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from kinematics.expressions import Expression, Number, evaluate
-from kinematics.symbolic.angles import Angle, cosine_and_sine
+from kinematics.symbolic.angles import COSINES
 from kinematics.symbolic.writing import Matrix
 
 _LAST_DIGITS = 4e-16
 """Two units in the last place of a number near 1, which rounding a cosine leaves."""
-_COSINES = [cosine_and_sine(Angle(half_turns=Fraction(k, 12)))[0] for k in range(13)]
-_KNOWN = [(evaluate(cosine), cosine) for cosine in _COSINES]
+_KNOWN = [(evaluate(cosine), cosine) for cosine in COSINES]
 
 
 def exact_pose(matrix: Sequence[Sequence[float]]) -> Matrix:

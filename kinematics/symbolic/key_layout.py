@@ -54,8 +54,7 @@ class KeyField:
         low = key & ((1 << self.shift) - 1)
         # exponents in lower places may be negative together: they have then borrowed from this one
         upper = (key >> self.shift) + (low >> (self.shift - 1))
-        half = 1 << (self.width - 1)
-        return ((upper + half) & ((1 << self.width) - 1)) - half
+        return _signed(upper, self.width)
 
 
 @dataclass(slots=True)
@@ -133,8 +132,7 @@ class KeyLayout:
             # what is below the lowest bit is zero: the next exponent that is not stands there
             number = bisect_right(shifts, (key & -key).bit_length() - 1) - 1
             place = self.places[number]
-            half = 1 << (place.width - 1)
-            raw = (((key >> place.shift) + half) & ((1 << place.width) - 1)) - half
+            raw = _signed(key >> place.shift, place.width)
             key -= raw << place.shift
             found.append((number, raw))
         return found
@@ -174,3 +172,9 @@ class KeyLayout:
                 factor *= Fraction(symbol.of) ** pairs
                 found[symbol] = Fraction(rest)
         return frozenset(item for item in found.items() if item[1]), factor
+
+
+def _signed(bits: int, width: int) -> int:
+    """Return the number whose lowest bits, in two's complement, are these."""
+    half = 1 << (width - 1)
+    return ((bits & (half + half - 1)) ^ half) - half

@@ -133,7 +133,7 @@ class Arena:
             return NOTHING
         if not left or not right:
             return ((x * y, left or right),)
-        weight = x if y == 1 else y if x == 1 else x * y
+        weight = x * y
         factors = tuple(sorted(left + right))
         if rank_of(factors[1]) == Rank.ROOT:
             root, factors = self._merged_roots(factors)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from kinematics.dh import MotionKind
 from kinematics.expressions import Expression
-from kinematics.symbolic.elements import MINUS_ONE_FORM, ONE_FORM, ZERO_FORM, Form
+from kinematics.symbolic.elements import ONE_FORM, ZERO_FORM, Form
 from kinematics.symbolic.form_reader import FormReader
 from kinematics.symbolic.motions import Motion
 from kinematics.symbolic.surds import tidy
@@ -99,21 +99,8 @@ class ExactPose:
         return all(map(self.reader.vanishes, differences))
 
     def _mixed(self, circle: tuple[Form, Form], u: Form, v: Form) -> tuple[Form, Form]:
-        if not u.coefficients and not v.coefficients:
-            return u, v
         ring, (c, s) = self.reader.ring, circle
-        if not c.coefficients:  # right angles are the usual ones
-            if s is ONE_FORM:
-                return v, _negated(u)
-            if s is MINUS_ONE_FORM:
-                return _negated(v), u
         return (
             ring.add(ring.multiply(c, u), ring.multiply(s, v)),
             ring.add(ring.multiply(c, v), ring.multiply(s, u), -1),
         )
-
-
-def _negated(form: Form) -> Form:
-    if not form.coefficients:
-        return form
-    return Form({key: -coefficient for key, coefficient in form.coefficients.items()}, form.denominator)

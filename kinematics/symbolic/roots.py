@@ -60,7 +60,7 @@ def square_root_of_prime(prime: int) -> tuple[tuple[Fraction, int], ...]:
     """
     if prime == 2:
         return ((Fraction(1, 8), 1), (Fraction(7, 8), 1))
-    quarter = Fraction(0) if prime % 4 == 1 else Fraction(-1, 4)
+    quarter = Fraction(1 - prime % 4, 8)  # back if p ≡ 3, else none
     squares = {k * k % prime for k in range(1, prime)}
     return tuple(((Fraction(k, prime) + quarter) % 1, 1 if k in squares else -1) for k in range(1, prime))
 
@@ -114,7 +114,7 @@ def _prime_powers(number: int) -> list[tuple[int, int]]:
         while number % candidate == 0:
             number //= candidate
             size *= candidate
-        if size > 1:
+        if size != 1:
             powers.append((candidate, size))
         candidate += 1
     return powers

@@ -88,7 +88,7 @@ class Runs:
         if not motion.joint:
             return self.arena.read(motion.amount)
         variable = self.arena.read(JointVariable(motion.joint))
-        return variable if motion.sign > 0 else self.arena.negative(variable)
+        return variable if motion.sign == 1 else self.arena.negative(variable)
 
     def _turn(self, angle: Angle) -> None:
         run = self.runs[-1]
@@ -172,7 +172,7 @@ def twisted(arena: Arena, vector: Vector, angle: Angle) -> Vector:
 
 
 def _rotated(arena: Arena, u: Nested, v: Nested, angle: Angle) -> tuple[Nested, Nested]:
-    if angle.is_nothing or not (u or v):
+    if not (u or v):
         return u, v
     c, s = arena.circle(angle)
     return (

@@ -56,10 +56,10 @@ def denested_root(ring: Ring, terms: Terms) -> Form | None:
     rational = ring.terms(ring.scale(total, Fraction(1, len(conjugates)))).get(UNIT, Fraction(0))
     surd = ring.add(ring.form(terms), ring.rational(rational), -1)
     squared = ring.terms(ring.multiply(surd, surd))
-    if rational <= 0 or squared.keys() != {UNIT} or squared[UNIT] <= 0:
+    if squared.keys() != {UNIT}:
         return None
     d = _rational_root(rational**2 - squared[UNIT])
-    if d is None:
+    if d is None or d >= rational:
         return None
     larger = root_of_rational(ring, (rational + d) / 2)
     smaller = root_of_rational(ring, (rational - d) / 2)
@@ -91,9 +91,7 @@ def _conjugates(ring: Ring, terms: Terms) -> list[Form]:
     Nothing of what is no algebraic number, and of a number in a field whose group is large.
     """
     symbols = {symbol for monomial in terms for symbol, _ in monomial.exponents}
-    order = 1
-    for monomial in terms:
-        order = lcm(order, monomial.turn.denominator)
+    order = lcm(*(monomial.turn.denominator for monomial in terms))
     if order > _LARGEST_ORDER or any(symbol.kind != "radical" for symbol in symbols):
         return []
     units = [k for k in range(1, order + 1) if gcd(k, order) == 1]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from enum import IntEnum
+from enum import IntEnum, auto
 from fractions import Fraction
 from typing import TypeAlias
 
@@ -31,12 +31,12 @@ PLACE_BITS = 16
 class Rank(IntEnum):
     """The order of factors within a term."""
 
-    ROOT = 0
-    LENGTH = 1
-    PRISMATIC = 2
-    CONSTANT_ANGLE = 3
-    JOINT_ANGLE = 4
-    PARENTHESES = 5
+    ROOT = auto()
+    LENGTH = auto()
+    PRISMATIC = auto()
+    CONSTANT_ANGLE = auto()
+    JOINT_ANGLE = auto()
+    PARENTHESES = auto()
 
 
 def place_of(expression: Expression) -> int:
@@ -78,9 +78,8 @@ def _shared_factors(a: Nested) -> tuple[int, ...]:
 
 def _shared_weight(a: Nested) -> Rational:
     """The number that every term has up to sign; negative if all terms are."""
-    first = a[0][0]
-    size = first if first > 0 else -first
-    if any(weight not in (size, -size) for weight, _ in a):
+    size = abs(a[0][0])
+    if any(abs(weight) != size for weight, _ in a):
         size = 1
     return size if any(weight > 0 for weight, _ in a) else -size
 
