@@ -23,6 +23,7 @@ from kinematics.expressions import (
 )
 from kinematics.symbolic import canonical, same_function
 from kinematics.symbolic.angles import angle_of, cosine_and_sine
+from kinematics.symbolic.exact_poses import decimal, exact_pose
 from kinematics.symbolic.form_reader import FormReader
 from kinematics.symbolic.roots import basis_terms, has_large_prime, square_free
 
@@ -80,12 +81,13 @@ def test_parts_are_added_with_their_weights_and_what_moves_comes_first() -> None
     assert angle.plus(angle, -1).is_nothing
 
 
-@pytest.mark.parametrize("denominator", [1, 2, 4, 8, 9, 15, 25, 27, 30, 31, 37, 72, 77, 120, 360, 961, 1001])
+@pytest.mark.parametrize("denominator", [1, 2, 4, 8, 9, 15, 25, 27, 30, 31, 37, 60, 72, 77, 120, 360, 961, 1001])
 def test_a_root_of_unity_is_the_sum_of_its_basis(denominator: int) -> None:
-    for numerator in (1, 7, denominator - 1):
+    for numerator in (1, 7, 11, denominator - 1):
         turn = Fraction(numerator, denominator)
         written = sum(weight * cmath.exp(2j * math.pi * float(part)) for part, weight in basis_terms(turn))
         assert written == pytest.approx(cmath.exp(2j * math.pi * float(turn)), abs=1e-12)
+        assert all(0 <= part < 1 for part, _ in basis_terms(turn))
     assert has_large_prime(Fraction(1, denominator)) == (denominator == 37)
 
 
@@ -104,3 +106,16 @@ def test_a_reciprocal_of_a_sum_is_written_with_its_content_outside() -> None:
     assert canonical(twice) == canonical(once)
     inverse = power(add((number(1), call(Function.SQRT, number(5)))), -1)
     assert same_function(multiply((inverse, add((number(1), call(Function.SQRT, number(5)))))), number(1))
+
+
+@pytest.mark.parametrize("twelfths", range(13))
+def test_a_number_is_a_cosine_that_it_is_to_its_last_digits(twelfths: int) -> None:
+    """In a rotation: it may be two units in the last place of a number near 1 off, but not four."""
+    cosine, _ = cosine_and_sine(angle_of(pi_times(Fraction(twelfths, 12))))
+    value = evaluate(cosine)
+    for off in (-3e-16, 0.0, 3e-16):
+        pose = exact_pose([[value + off] * 4] * 4)
+        assert pose[0][0] == pose[2][2] == cosine
+        assert pose[0][3] == pose[3][0] == decimal(value + off)
+    for off in (-7e-16, 7e-16):
+        assert exact_pose([[value + off] * 4] * 4)[1][1] == decimal(value + off)

@@ -184,6 +184,14 @@ def test_rational_angles_are_independent_of_each_other_and_of_lengths() -> None:
     assert compare(mixed, L1) is ProofStatus.UNDECIDED
 
 
+def test_relations_of_large_primes_are_not_used_and_that_is_said() -> None:
+    small, large = (
+        call(Function.COS, pi_times(Fraction(2, prime))) for prime in (LARGEST_PRIME, LARGEST_PRIME + 6)
+    )
+    assert compare(small, number("0.3")) is ProofStatus.REFUTED
+    assert compare(large, number("0.3")) is ProofStatus.UNDECIDED
+
+
 def test_nested_functions_of_angles_are_not_claimed() -> None:
     assert not canonical(cos(cos(q1))).exact
     assert same_function(cos(add((cos(q1), q2))), cos(add((q2, cos(q1)))))

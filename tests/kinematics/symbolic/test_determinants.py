@@ -190,3 +190,13 @@ def test_a_factor_that_no_tangent_of_a_half_angle_shows_is_found() -> None:
     at = {q2: [abs(evaluate(f, {"L1": 1.0}, [0.7, q2])) for f in factors] for q2 in (np.pi, 0.0)}
     assert min(at[np.pi]) < 1e-12
     assert min(at[0.0]) > 1e-3
+
+
+def test_one_dimension_less_than_joints_is_looked_for_next() -> None:
+    """Two joints on one axis and a third across it: two of the three motions are independent."""
+    rows = (row(), row(a=Parameter("L1"), alpha=pi_times(Fraction(1, 2))), row())
+    table = DHTable(convention=Convention.STANDARD, rows=rows)
+    minor, only = largest_minor(table, TWIST)
+    assert not only
+    found = [evaluate(minor.expression(), {"L1": each}, [0.5, 0.6, 0.7]) for each in (0.1, 0.3)]
+    assert abs(found[0]) in (pytest.approx(1.0), pytest.approx(0.1))

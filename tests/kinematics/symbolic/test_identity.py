@@ -156,3 +156,18 @@ def test_what_is_too_large_is_undecided() -> None:
     big = table(Convention.STANDARD, *rows)
     shifted = table(Convention.MODIFIED, *rows)
     assert prove_identity(big, shifted, **plain(6), limit=50).verdict is ProofStatus.UNDECIDED
+
+
+@pytest.mark.parametrize("joint", [JointType.REVOLUTE, JointType.PRISMATIC])
+@pytest.mark.parametrize("entry", [(i, j) for i in range(3) for j in range(4)], ids=str)
+def test_a_base_that_differs_in_one_entry_alone_is_refuted_where_it_tells(
+    joint: JointType, entry: tuple[int, int]
+) -> None:
+    """At the joint if its axis, or the direction of a slider, is not kept; else where the end is compared."""
+    base = [[number(int(i == j)) for j in range(4)] for i in range(4)]
+    base[entry[0]][entry[1]] = add((base[entry[0]][entry[1]], number("0.001")))
+    one = table(Convention.STANDARD, row(joint))
+    proof = prove_identity(one, one, signs=[1], offsets=[ZERO], base=base)
+    slides = joint is JointType.PRISMATIC
+    tells = entry[1] == 2 if slides else entry not in {(2, 2), (2, 3)}
+    assert (proof.verdict, proof.joint) == (ProofStatus.REFUTED, int(tells))

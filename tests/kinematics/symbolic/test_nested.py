@@ -18,6 +18,7 @@ from kinematics.expressions import (
     power,
 )
 from kinematics.symbolic.nested import NOTHING, Arena
+from kinematics.symbolic.terms import leads_negative
 
 L, q1 = Parameter("L"), JointVariable(1)
 c1 = call(Function.COS, q1)
@@ -82,3 +83,40 @@ def test_parentheses_around_everything_are_opened() -> None:
         assert set(opened) == set(whole if sign > 0 else arena.negative(whole))
     kept = ((2, factors),)
     assert arena.gathered(kept) == kept
+
+
+def test_minus_one_times_a_sum_changes_its_signs() -> None:
+    arena = Arena()
+    whole = arena.read(add((L, c1)))
+    for product in (
+        arena.product(arena.read(number(-1)), whole),
+        arena.product(whole, arena.read(number(-1))),
+    ):
+        assert product == arena.negative(whole)
+    assert len(arena.product(arena.read(number(-2)), whole)) == 1
+
+
+def test_the_size_is_that_of_what_is_written() -> None:
+    """A term counts, and each factor in it; parentheses count as what stands in them."""
+    arena = Arena()
+    whole = arena.read(add((L, c1)))
+    assert arena.size(whole) == 4
+    assert arena.size(arena.product(arena.read(c1), arena.read(L))) == 3
+    assert arena.size(arena.product(arena.read(c1), whole)) == 1 + 1 + 4
+    assert arena.size(arena.read(number(3))) == 1
+
+
+@pytest.mark.parametrize(
+    ("signs", "negative"),
+    [
+        *(([-1, -1, 1], True), ([1, 1, -1], False), ([-1, 1, 1, -1], True), ([1, -1, -1, 1], False)),
+        *(([Fraction(-1, 2), 2], True), ([Fraction(1, 2), -2], False)),
+    ],
+    ids=str,
+)
+def test_a_sum_is_written_with_the_sign_that_most_terms_have_or_the_first(
+    signs: list[Fraction | int], negative: bool
+) -> None:
+    arena = Arena()
+    names = [arena.read(Parameter(f"L{i}"))[0][1] for i in range(len(signs))]
+    assert leads_negative(tuple(zip(signs, names, strict=True))) is negative

@@ -88,6 +88,8 @@ def test_equality_is_that_of_the_ring(a, b):
         (multiply((L, add((d3, L)))), add((power(L, 2), multiply((L, d3))))),
         (Call(Function.COS, (pi_times(2),)), number(1)),
         (Call(Function.SIN, (pi_times(2),)), number(0)),
+        (Call(Function.SIN, (pi_times(-HALF),)), number(-1)),
+        (Call(Function.COS, (PI,)), number(-1)),
         (multiply((number(4), add((number("0.25"), d3)))), add((number(1), multiply((number(4), d3))))),
     ],
 )
@@ -164,3 +166,10 @@ def test_an_exponent_beyond_its_field_is_not_read(last, fits):
     factors = [reader.read(power(cos(q1), n)) for n in (*[64] * 31, last)]
     sine = reader.read(sin(q1))
     assert (reader.product([*factors, sine, sine]) is not None) is fits
+
+
+def test_degrees_are_those_in_joint_variables():
+    reader = PolynomialReader()
+    assert reader.degrees(reader.read(d3)) == {d3: 1}
+    whole = multiply((power(d3, 2), L, add((sin(q1), number(1))), add((cos(q1, q2), d3))))
+    assert reader.degrees(reader.read(whole)) == {d3: 3, q1: 2, q2: 1}

@@ -141,3 +141,21 @@ def test_replacing_is_counted_as_multiplying_is() -> None:
     assert ring.replaced(ring.symbol(MASS), MASS, [pair]) == pair
     with pytest.raises(FormSizeError):
         ring.replaced(whole, MASS, [pair])
+
+
+def test_of_the_values_the_one_that_is_put_in_is_counted() -> None:
+    ring = Ring(limit=3)
+    pair = ring.add(ring.symbol(LENGTH), ring.symbol(OTHER))
+    many = total_of(ring, [pair, ring.symbol(ANGLE), ONE_FORM])
+    assert ring.replaced(ring.symbol(MASS), MASS, [pair, many]) == pair
+
+
+def test_an_exponent_is_let_in_up_to_the_room_that_its_place_has() -> None:
+    ring = Ring()
+    length = ring.symbol(LENGTH)
+    room = ring._keys.place(LENGTH).room
+    assert ring.exponents(next(iter(ring.power(length, room).coefficients))) == [(0, room)]
+    with pytest.raises(FormSizeError):
+        ring.power(length, room + 1)
+    with pytest.raises(FormSizeError):
+        ring.power(ring.power(length, room), 2)
