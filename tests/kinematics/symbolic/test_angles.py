@@ -81,7 +81,9 @@ def test_parts_are_added_with_their_weights_and_what_moves_comes_first() -> None
     assert angle.plus(angle, -1).is_nothing
 
 
-@pytest.mark.parametrize("denominator", [1, 2, 4, 8, 9, 15, 25, 27, 30, 31, 37, 60, 72, 77, 120, 360, 961, 1001])
+@pytest.mark.parametrize(
+    "denominator", [1, 2, 4, 8, 9, 15, 25, 27, 30, 31, 37, 60, 72, 77, 120, 360, 961, 1001]
+)
 def test_a_root_of_unity_is_the_sum_of_its_basis(denominator: int) -> None:
     for numerator in (1, 7, 11, denominator - 1):
         turn = Fraction(numerator, denominator)
