@@ -372,6 +372,10 @@ def test_a_joint_is_looked_for_among_its_places() -> None:
     change = next(CHANGES["row_missing"](behind))
     assert (change.row, dict(change.params)) == (2, {"place": 3, "after": 2})
     assert [one.cells[0][2] for one in CHANGES["row_missing"](behind)] == list(cell_edits.RIGHT_ANGLES)
+    for put_in in CHANGES["row_missing"](behind):
+        assert put_in.table is not None
+        blank = put_in.table.rows[2]
+        assert (blank.theta, blank.d, blank.a, blank.alpha) == (0.0, 0.0, 0.0, 0.0)
     more: Rows = [*ARM[:2], ("pi/6", 0.3, 0, "q3"), (0, 0, "q4", 0.3)]
     near = replace(work(read("standard", more)), reach=(2, 2))
     for code in ("joint_fixed", "row_extra"):
@@ -396,6 +400,8 @@ def test_a_cell_and_a_row_that_the_whole_robot_asks_for() -> None:
     (change,) = cell_edits.any_cell(off, 0)
     assert (change.code, change.row, change.cell) == ("a_value", 0, "a")
     assert change.cells[0][2] == pytest.approx(0.1, rel=1e-4)
+    flat = work(read("standard", with_cells(ARM, (1, 0, 0))), USUAL)
+    assert "alpha_value" in {change.code for change in cell_edits.any_cell(replace(flat, angular=True), 0)}
     slip = TableSlip(0, "a")
     assert len(list(cell_edits.any_cell(replace(off, only=slip), 0))) == 1
     assert list(cell_edits.any_cell(replace(off, only=TableSlip(4, "d")), 0)) == []

@@ -1,0 +1,84 @@
+"""Edits tried at once: where another may finish, which cells are solved for, what is alike at other draws."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import pytest
+
+from exercises.grading import Policy, ToolRule, ZeroRule
+from exercises.grading.edits.changes import Change, Extent
+from exercises.grading.edits.trials import UNCHANGED, Trial, _Batch, _fits, finishing_reaches
+from exercises.grading.edits.work import ANYTHING, EVERYWHERE, _alike
+from exercises.grading.explanation import work_on
+from exercises.grading.judging.comparison import comparisons
+from kinematics.table import NumericTable
+from tests.exercises.grading.test_edits_tried import ARM, CHANGES, FIXED, Rows, work
+from tests.exercises.grading.test_grade import with_cells
+from tests.exercises.grading.written import read
+
+SHORT = read("standard", [ARM[0], ("pi/6", 0, "q2", 0.3), ARM[3]])
+"""The arm without its second row."""
+
+
+@pytest.mark.parametrize(
+    ("reach", "meets"), [((1, 4), True), ((2, 3), True), ((3, 3), False), ((4, 3), False)], ids=str
+)
+def test_what_fails_meets_where_one_edit_has_to_do_with_all_of_it(
+    reach: tuple[int, int], meets: bool
+) -> None:
+    assert Trial(UNCHANGED, 2, 0, reach=reach, angular=False, off=ANYTHING).meets is meets
+
+
+def test_a_joint_that_is_missing_is_sought_where_nothing_is_known_yet() -> None:
+    """Between what fits as counted from the base and from the tool; what is known already stays."""
+    short = work(SHORT)
+    known, right = (1, 2), work(read("standard", ARM))
+    found = finishing_reaches([short, replace(short, reach=known), right])
+    assert found[0] != EVERYWHERE
+    assert found[0][0] <= 2 <= found[0][1]
+    assert found[1:] == [known, EVERYWHERE]
+
+
+def test_after_a_length_no_angle_is_solved_for() -> None:
+    """With a length first, an angle that fails is never mended."""
+    short = work(SHORT)
+    made = [(0, change) for change in CHANGES["row_missing"](short)]
+    left = {
+        (change.cells[-1][1], change.unsolved) for _, change in _Batch([short], made).solved(finishing=False)
+    }
+    assert left == {("alpha", ("a", "d")), ("a", ("d",))}
+
+
+def test_values_are_sought_for_all_cells_while_nothing_is_known_of_what_is_off() -> None:
+    for place, wrong in (
+        ((0, "alpha"), (1, 0, 0.7)),
+        ((1, "a"), (2, 1, 0.3)),
+        ((1, "theta"), (2, 3, "q2 + 0.4")),
+    ):
+        (found,) = _fits([work(read("standard", with_cells(ARM, wrong)))])
+        assert found[place]
+    free = work_on(
+        comparisons(*(tables := (read("standard", ARM), read("standard", ARM))), {})[0],
+        tables,
+        Policy(tool=ToolRule.FREE, zero=ZeroRule.FREE),
+    )
+    assert not any(_fits([free])[0].values())
+
+
+def test_an_entry_of_the_answer_is_first_what_it_is_itself_at_another_draw() -> None:
+    """Two entries are equal at one draw and differ at another: the sign of one is flipped."""
+
+    def table(a: float, other: float) -> NumericTable:
+        rows: Rows = [("pi/2", a, 0, "q1"), (0, other, 0, "q2")]
+        return work(read("standard", rows), FIXED, read("standard", rows)).table
+
+    own, keys = (table(0.3, 0.3), table(0.7, 0.5)), (table(0.3, 0.2), table(0.4, 0.6))
+    for row, alike in ((0, -0.7), (1, -0.5)):
+        flipped = Change("a_sign", Extent.CELL, row, "a", ((row, "a", -0.3),))
+        changed = _alike(flipped, own, keys)
+        assert changed is not None
+        assert changed.cells == ((row, "a", pytest.approx(alike)),)
+    taken = _alike(Change("a_value", Extent.CELL, 0, "a", ((0, "a", 0.2),)), own, keys)
+    assert taken is not None
+    assert taken.cells == ((0, "a", pytest.approx(0.6)),)
