@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from itertools import accumulate, combinations
+from itertools import accumulate
 from typing import TypeAlias
 
+import numpy as np
+
 from exercises.grading.edits.changes import ROW_CELLS, Change, TableSlip
+from exercises.grading.facts import Floats
 from exercises.grading.judging.comparison import Comparison
 from exercises.grading.judging.end_lines import ends_beyond_digits
 from exercises.grading.judging.judgement import share_of
@@ -251,32 +254,36 @@ def _alike(change: Change, own: Draws, keys: Draws) -> Change | None:
         return None
     cells: list[CellChange] = []
     for row, cell, value in change.cells:
-        for one, other in _pairs_of_entries(own, keys, row, cell) if value else ():
-            if one and abs(abs(value) - abs(one)) <= SAME * abs(one):
-                cells.append((row, cell, other * value / one))
-                break
-        else:
-            if value and cell in LENGTHS:
-                return None
-            cells.append((row, cell, value))
+        there = _elsewhere(value, own, keys, row, cell) if value else 0.0
+        if there is None and cell in LENGTHS:
+            return None
+        cells.append((row, cell, value if there is None else there))
     return change._replace(cells=tuple(cells))
 
 
-def _pairs_of_entries(own: Draws, keys: Draws, row: int, cell: str) -> Iterator[tuple[float, float]]:
-    """An entry of the answer at two draws, then those of the key and all of the answer that it may become.
+def _elsewhere(value: float, own: Draws, keys: Draws, row: int, cell: str) -> float | None:
+    """What a new value of a cell is at the other draw; None if it is no entry of the answer or the key.
 
     A length may be the sum or the difference of two as well: an offset that makes up for another.
     """
-    yield getattr(own[0].rows[row], cell), getattr(own[1].rows[row], cell)
     kinds = LENGTHS if cell in LENGTHS else ANGLES
-    found = [
+    entries = [(getattr(own[0].rows[row], cell), getattr(own[1].rows[row], cell))]
+    entries += [
         (getattr(mine, kind), getattr(its, kind))
         for one, other in (keys, own)
         for mine, its in zip(one.rows, other.rows, strict=True)
         for kind in kinds
     ]
-    yield from found
-    if cell in LENGTHS:
-        for (one, its), (other, with_it) in combinations(dict.fromkeys(pair for pair in found if pair[0]), 2):
-            yield one + other, its + with_it
-            yield one - other, its - with_it
+    known = np.array(list(dict.fromkeys(pair for pair in entries if pair[0]))).reshape(-1, 2)
+    there = _scaled(value, known)
+    if there is None and cell in LENGTHS:
+        first, second = np.triu_indices(len(known), 1)
+        there = _scaled(value, np.concatenate((known[first] + known[second], known[first] - known[second])))
+    return there
+
+
+def _scaled(value: float, pairs: Floats) -> float | None:
+    """Return the second of the first pair (k, 2) whose first one the value is, with the value's sign."""
+    sizes = np.abs(pairs[:, 0])
+    (found,) = np.nonzero((sizes > 0.0) & (np.abs(abs(value) - sizes) <= SAME * sizes))
+    return float(pairs[found[0], 1] * value / pairs[found[0], 0]) if found.size else None
