@@ -22,6 +22,9 @@ Array = NDArray[np.float64]
 _TINY, _TINY_BESIDE_A_SLIDE = 1e-9, 1e-6
 """Offsets below this part of 1 (or of the distance of the base) say nothing about the arm's size."""
 
+_ROUNDED_AWAY = 1e-13
+"""The same of turning joints that only have to bring the origin somewhere: without offsets they cannot."""
+
 FULL_RANK = 1e-4
 """Singular values that exceed this somewhere are not zero everywhere."""
 
@@ -160,19 +163,27 @@ class Arm:
         return frames[:-1, :3, 2], frames[:-1, :3, 3], frames[-1]
 
 
-def arm_of(table: NumericTable, base: Transform | None = None, tool: Transform | None = None) -> Arm:
+def arm_of(
+    table: NumericTable,
+    base: Transform | None = None,
+    tool: Transform | None = None,
+    reach: ArmReach = ArmReach.POSE,
+) -> Arm:
     """Return the chain of a DH table.
 
     Args:
         table: the table.
         base: (4, 4) pose of frame 0; the identity if left out.
         tool: (4, 4) pose of the tool in frame N; the identity if left out.
+        reach: what of the tool has to reach a target.
     """
     revolute = [kind is JointType.REVOLUTE for kind in table.joint_types]
     K = np.array(joint_constants(table, base, tool))
     offsets = float(np.linalg.norm(K[1:, :3, 3], axis=1).sum())
     away = max(1.0, float(np.linalg.norm(K[0, :3, 3])))
     least = _TINY if all(revolute) else _TINY_BESIDE_A_SLIDE
+    if reach is ArmReach.POSITION and all(revolute):
+        least = _ROUNDED_AWAY
     size = offsets if offsets > least * away else away
     return Arm(
         constants=K,
@@ -180,6 +191,7 @@ def arm_of(table: NumericTable, base: Transform | None = None, tool: Transform |
         size=size,
         sliding=size,
         rounding=1e-13 * (size + float(np.linalg.norm(K[0, :3, 3]))),
+        reach=reach,
     )
 
 

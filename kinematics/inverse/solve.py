@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from functools import lru_cache
 
 import numpy as np
@@ -96,7 +95,7 @@ def _prepared(
     if not 1 <= table.n_joints <= MAX_JOINTS:
         raise TableError(Fault.at("inverse_joint_count", "rows", count=table.n_joints, limit=MAX_JOINTS))
     ends = [None if T is None else np.frombuffer(T).reshape(4, 4) for T in (base, tool)]
-    arm = replace(arm_of(table, *ends), reach=reach)
+    arm = arm_of(table, *ends, reach)
     closed_form = closed_form_of(arm)
     clear = clear_wrist_of(arm, closed_form) if isinstance(closed_form, WristArm) else None
     return arm, closed_form, clear, locked_arms_of(arm)

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from kinematics.inverse.arm import Arm, ArmReach, Array
 from kinematics.inverse.distinct import differences
-from kinematics.inverse.goals import Goal, read_goal
+from kinematics.inverse.goals import LARGEST_TOLERANCE, Goal, read_goal
 from kinematics.inverse.limits import within_limits
 from kinematics.inverse.methods.closed_form import InverseClosedForm, candidates_beside, closed_form_of
 from kinematics.inverse.methods.locked import LockedArms, locked_arms_of
@@ -41,6 +41,10 @@ from kinematics.table import NumericTable
 
 MOST_SOLUTIONS = 64
 """Of a search no more solutions than this are returned."""
+
+_SMALL = SEARCHED / LARGEST_TOLERANCE
+"""Size [m] below which a search's tolerance runs the solutions of an arm into each other: what brings its
+origin somewhere is measured in parts of the size instead."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -79,10 +83,7 @@ class Solver:
         Raises:
             PoseError: not a rigid motion, or too far away to be computed with, at ("target", …).
         """
-        goal = self.goal(target, tolerance, where=("target",))
-        if goal.unit == 1.0:
-            return self.solve_goal(goal)
-        return answer_from_unit(self._in_unit(goal.unit).solve_goal(goal_in_unit(goal)), self.arm, goal)
+        return self.solve_goal(self.goal(target, tolerance, where=("target",)))
 
     def nearest_first(self, answer: InverseKinematics, start: Sequence[float] | None) -> InverseKinematics:
         """Return the same answer, its solutions sorted by their distance from a start, if there is one.
@@ -103,7 +104,14 @@ class Solver:
 
     def goal(self, target: ArrayLike, tolerance: float | None, where: tuple[str | int, ...]) -> Goal:
         """Return a target made ready; arguments and refusals are those of `read_goal`."""
-        return read_goal(target, tolerance, where, self.arm.size)
+        return self._measured(read_goal(target, tolerance, where, self.arm.size))
+
+    def _measured(self, goal: Goal) -> Goal:
+        """The same goal, its tolerance a part of the arm's size where the arm is small beside tolerances."""
+        size = self.arm.size
+        if self.arm.reach is not ArmReach.POSITION or size >= _SMALL or goal.unit != 1.0:
+            return goal
+        return goal._replace(tolerance=goal.tolerance * size, unit=size)
 
     def _in_unit(self, unit: float) -> Solver:
         """The same arm, its lengths in another unit."""
@@ -119,6 +127,9 @@ class Solver:
 
     def solve_goal(self, goal: Goal) -> InverseKinematics:
         """Return what `solve` does, of a target that was read already."""
+        goal = self._measured(goal)
+        if goal.unit != 1.0:
+            return answer_from_unit(self._in_unit(goal.unit).solve_goal(goal_in_unit(goal)), self.arm, goal)
         answer = self._directly(goal)
         return self._searched(goal) if answer is None else answer
 

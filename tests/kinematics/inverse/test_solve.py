@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 from kinematics.catalogue import robots
 from kinematics.cells import bind_parameters
 from kinematics.errors import JointValueError, PoseError, TableError
-from kinematics.forward import end_pose, forward_kinematics
-from kinematics.inverse import IKStatus, UnreachableReason, inverse_kinematics, solver_of
+from kinematics.forward import end_pose, end_poses, forward_kinematics
+from kinematics.inverse import IKStatus, UnreachableReason, inverse_kinematics, solve_many, solver_of
 from kinematics.inverse.arm import ArmReach, arm_of
 from kinematics.inverse.goals import read_goal
 from kinematics.inverse.residuals import pose_errors
@@ -460,6 +460,25 @@ def test_a_stretched_or_folded_elbow_is_so_to_rounding(lengths, elbow, shoulder)
     assert abs(math.remainder(solution.joints[0] - shoulder, math.tau)) < 1e-13
     assert abs(math.remainder(solution.joints[1] - elbow, math.tau)) < 1e-13
     assert solution.residual < 1e-15 * sum(lengths)
+
+
+@pytest.mark.parametrize("size", [5e-8, 1e-9, 4e-10, 7e-12])
+def test_an_arm_smaller_than_a_tolerance_has_its_elbow_up_and_down(size):
+    table = numeric(Convention.STANDARD, *(("revolute", 0.0, a * size, 0.0, 0.0) for a in (0.5, 0.3)))
+    solver = solver_of(table, reach=ArmReach.POSITION)
+    poses = end_poses(table, np.array([[0.3, 0.8], [-1.2, 2.9], [0.7, 1e-4]]))
+    for pose, elbow in zip(poses, (0.8, 2.9, 1e-4), strict=True):
+        answer = solver.solve(pose)
+        assert answer.complete
+        assert sorted(s.joints[1] for s in answer.solutions) == pytest.approx([-elbow, elbow], rel=1e-6)
+        assert answer.tolerance < 1e-9 * size
+        assert max(s.position_error for s in answer.solutions) < 1e-14 * size
+    batch = solve_many(solver, poses)
+    assert batch.complete.all()
+    assert len(batch.joints) == 6
+    far = poses[0].copy()
+    far[:3, 3] *= 3.0 * size / np.linalg.norm(far[:3, 3])
+    assert solver.solve(far).nearest.position_error == pytest.approx(2.2 * size)
 
 
 @pytest.mark.parametrize("off", [1e-6, 3e-7])
