@@ -45,6 +45,7 @@ export async function startPage(run) {
     if (link.dataset.nav === pageName) link.setAttribute("aria-current", "page");
   }
   prepareLanguages();
+  takeAlong();
   await loadMessages(root, messages || "form");
   whenNothingLasts(sayThatNothingLasts);
   await run();
@@ -86,13 +87,13 @@ export function warnAbove(text, action) {
   return notice;
 }
 
-/** The menu of languages: its links take along what only memory holds; Escape and a click elsewhere close it. */
+/** The menu of languages: the place on the page stays; Escape and a click elsewhere close it. */
 function prepareLanguages() {
   const menu = /** @type {HTMLDetailsElement | null} */ (document.getElementById("language"));
   if (!menu) return;
   menu.addEventListener("click", (event) => {
     const link = /** @type {Element} */ (event.target).closest("a");
-    if (link) link.hash = carried() || location.hash;
+    if (link) link.hash = location.hash;
   });
   menu.addEventListener("keydown", (event) => {
     if (event.key !== "Escape" || !menu.open) return;
@@ -101,6 +102,21 @@ function prepareLanguages() {
   });
   document.addEventListener("click", (event) => {
     if (!menu.contains(/** @type {Node} */ (event.target))) menu.open = false;
+  });
+}
+
+/** Takes a fragment whose content is here, and has been changed, out of the address: a reload would bring it back. @param {string} name */
+export function forgetFragment(name) {
+  if (location.hash.startsWith(`#${name}=`))
+    history.replaceState(history.state, "", location.pathname + location.search);
+}
+
+/** Links to other pages of the tool take along what only memory holds. */
+function takeAlong() {
+  document.addEventListener("click", (event) => {
+    const link = /** @type {Element} */ (event.target).closest("a");
+    if (!link || link.target || link.download || link.getAttribute("href")?.startsWith("#")) return;
+    if (link.href.startsWith(root) && !link.href.startsWith(api.base)) link.hash = carried(link.hash.slice(1));
   });
 }
 

@@ -1,6 +1,6 @@
 /**
  * Where drafts live: the browser's storage, or memory where a frame or a private window forbids it.
- * What is kept in memory survives a change of language through the address (see `carried`).
+ * What is kept in memory goes along to other pages of the tool through the address (see `carried`).
  */
 
 const PREFIX = "framewise:";
@@ -77,14 +77,21 @@ export function whenKeptElsewhere(key, listener) {
   });
 }
 
-/** What only memory holds, as text for the address's fragment. */
-export function carried() {
-  return memory.size ? `#kept=${encodeURIComponent(JSON.stringify([...memory]))}` : "";
+/** Keeps a value as long as the page is open, and for the pages that `carried` leads to. @param {string} key @param {string} value */
+export function keepInMemory(key, value) {
+  if (value) memory.set(key, JSON.stringify(value));
+  else memory.delete(key);
+}
+
+/** What only memory holds, as an address's fragment. @param {string} place the place on the other page that is gone to, or none */
+export function carried(place = "") {
+  if (memory.size === 0) return place && `#${place}`;
+  return `#kept=${encodeURIComponent(JSON.stringify([...memory]))}${place && `&${place}`}`;
 }
 
 /** Takes back what `carried` put into the address, and clears it there. */
 export function takeCarried() {
-  const match = /^#kept=(.*)$/.exec(location.hash);
+  const match = /^#kept=([^&]*)(?:&(.*))?$/.exec(location.hash);
   if (!match) return;
   try {
     for (const [key, text] of JSON.parse(decodeURIComponent(match[1]))) memory.set(key, text);
@@ -92,4 +99,5 @@ export function takeCarried() {
     return;
   }
   history.replaceState(history.state, "", location.pathname + location.search);
+  if (match[2]) location.replace(`#${match[2]}`);
 }

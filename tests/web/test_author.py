@@ -186,6 +186,7 @@ def test_a_catalogue_robot_starts_with_its_own_name(open_page: OpenPage) -> None
         page.locator("#author-start select").select_option(robot)
         page.get_by_role("button", name="Start with this robot").click()
         expect(title).to_have_value(name)
+        page.reload()
     title.fill("Exam")
     page.locator("#author-start select").select_option("cloos")
     page.get_by_role("button", name="Start with this robot").click()
@@ -227,6 +228,28 @@ def test_a_draft_stays_in_the_browser_and_in_its_link(open_page: OpenPage) -> No
     page.goto(link)
     page.locator("html[data-ready=true]").wait_for()
     expect(title).to_have_value("Two links, written over")
+    title.fill("Two links, and over again")
+    assert "#" not in page.url  # by which a reload would bring back what was shared
+    page.reload()
+    page.locator("html[data-ready=true]").wait_for()
+    expect(title).to_have_value("Two links, and over again")
+
+
+def test_a_draft_that_somebody_shared_replaces_ones_own_in_a_step(open_page: OpenPage) -> None:
+    page = open_page("/author")
+    kept(page)
+    title = page.locator("[data-path='definition/title/en']")
+    title.fill("The other draft")
+    page.get_by_role("button", name="Copy a link to the draft").click()
+    page.wait_for_url(re.compile("#draft="))
+    link = page.url
+    title.fill("One's own")
+    page.goto("about:blank")
+    page.goto(link)
+    page.locator("html[data-ready=true]").wait_for()
+    expect(title).to_have_value("The other draft")
+    page.get_by_role("button", name="Undo").click()
+    expect(title).to_have_value("One's own")
 
 
 def test_undo_takes_back_and_redo_brings_again(open_page: OpenPage) -> None:

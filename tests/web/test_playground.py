@@ -270,6 +270,11 @@ def test_a_link_holds_the_whole_robot(open_page: OpenPage) -> None:
     shown_robot(other)
     expect(other.locator("joint-sliders .joint-number input").first).to_have_value("30")
     assert column(other, "d") == column(page, "d")
+    field = other.locator("dh-table-editor tbody tr:nth-child(2) input[id$='-a']")
+    field.fill("9.5")
+    assert "#" not in other.url  # by which a reload would bring back what was shared
+    other.reload()
+    expect(field).to_have_value("9.5")
 
 
 @pytest.mark.parametrize("robot", ["not json", '{"table":{"rows":[{}]}}', '{"table":{"rows":[{"a":{}}]}}'])

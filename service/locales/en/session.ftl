@@ -25,3 +25,4 @@ session-late = Closed: attempts no longer count
 session-handed-in = handed in
 session-attempts-kept = Kept in your course.
 session-attempts-latest = The latest { $count } are listed here.
+session-ended = You are no longer signed in: answers that you give here do not count. Open the exercise from your course again; what you typed there is still there.

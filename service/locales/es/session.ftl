@@ -25,3 +25,4 @@ session-late = Cerrado: los intentos ya no cuentan
 session-handed-in = entregado
 session-attempts-kept = Se guardan en su curso.
 session-attempts-latest = Aquí aparecen los últimos { $count }.
+session-ended = Su sesión ha terminado: las respuestas que dé aquí no cuentan. Vuelva a abrir el ejercicio desde su curso; lo que escribió allí sigue allí.

@@ -25,3 +25,4 @@ session-late = Fermé : les essais ne comptent plus
 session-handed-in = rendu
 session-attempts-kept = Conservés dans votre cours.
 session-attempts-latest = Les { $count } derniers figurent ici.
+session-ended = Vous n’êtes plus connecté : les réponses que vous donnez ici ne comptent pas. Rouvrez l’exercice depuis votre cours ; votre saisie s’y trouve toujours.

@@ -25,3 +25,4 @@ session-late = Fechado: as tentativas já não contam
 session-handed-in = entregue
 session-attempts-kept = Ficam guardadas na sua disciplina.
 session-attempts-latest = Aqui estão as últimas { $count }.
+session-ended = A sua sessão terminou: as respostas que der aqui não contam. Volte a abrir o exercício a partir da sua disciplina; o que lá escreveu continua lá.

@@ -26,3 +26,4 @@ session-late = Închis: încercările nu mai contează
 session-handed-in = predat
 session-attempts-kept = Se păstrează în cursul dumneavoastră.
 session-attempts-latest = Aici apar ultimele { $count }.
+session-ended = Nu mai sunteți autentificat: răspunsurile pe care le dați aici nu contează. Deschideți din nou exercițiul din cursul dumneavoastră; ce ați scris acolo este încă acolo.

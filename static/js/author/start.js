@@ -6,6 +6,7 @@ import { t } from "../i18n.js";
 import { rowsTable } from "../editor/rows-table.js";
 import { Cells, cellValue } from "../playground/cells.js";
 import { problemNotice } from "../problem.js";
+import { keep, recall } from "../storage.js";
 import { AxesForm } from "./axes-form.js";
 import { drawnAxes } from "./axes-scene.js";
 import { field } from "./fields.js";
@@ -13,6 +14,8 @@ import { withRobot } from "./robot-change.js";
 
 const WAYS = ["robot", "axes", "table", "scm", "urdf"];
 const NEW_VALUE = 0.3;
+const BEGUN = "author-begun";
+const MOST_BEGUN = 20;
 const SIX = ["x", "y", "z", "a", "b", "c"];
 
 export class Start {
@@ -21,7 +24,7 @@ export class Start {
   #scene = null;
   #way = "robot";
   /** @type {string[]} titles as text that drafts were started with */
-  #begun = [];
+  #begun = recall(BEGUN, []);
   /** @type {any} */
   editor = null;
 
@@ -215,7 +218,8 @@ export class Start {
   /** @param {any} draft @param {any} source @param {string} tag */
   #take(draft, source, tag) {
     this.store.load(withRobot(this.store.draft, draft, this.#begun), source, tag);
-    this.#begun.push(JSON.stringify(draft.definition.title));
+    this.#begun = [...this.#begun, JSON.stringify(draft.definition.title)].slice(-MOST_BEGUN);
+    keep(BEGUN, this.#begun);
   }
 
   /** Says what is wrong, in a typed table at its cells. @param {unknown} error */

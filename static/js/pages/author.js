@@ -13,7 +13,7 @@ import { asStudent, rightAnswers, SelfTest, wrongAnswers } from "../author/trial
 import { announce, debounced, el, fill, iconButton, variable } from "../dom.js";
 import { named, t } from "../i18n.js";
 import { plain } from "../numbers.js";
-import { api, startPage } from "../page.js";
+import { api, forgetFragment, startPage } from "../page.js";
 import { problemNotice } from "../problem.js";
 import { openSession } from "../session/course-session.js";
 
@@ -67,12 +67,14 @@ class AuthorPage {
     document.addEventListener("keydown", (event) => this.#keys(event));
   }
 
-  /** The draft of the address, else the one that was here last. */
+  /** The draft that was here last, and over it, as a step that can be taken back, the one of the address. */
   async restore() {
     const work = await workIn(location.hash);
+    this.store.restore();
     if (work?.draft) this.store.load(work.draft, work.source);
-    else if (!this.store.restore()) this.start.show("robot");
     if (this.store.draft) this.start.resume();
+    else this.start.show("robot");
+    this.store.addEventListener("draft", () => forgetFragment("draft"));
   }
 
   /** @param {boolean} whole */

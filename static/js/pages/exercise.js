@@ -38,7 +38,7 @@ async function run() {
   /** @type {CourseSession | null} */
   let course = null;
   try {
-    const told = await openSession(api);
+    const told = await openSession(api, () => warnAbove(t("session-ended")));
     if (told?.exercise === id) course = new CourseSession(api, told);
     exercise = await api.get(`exercises/${id}${query}`);
   } catch (error) {
@@ -88,6 +88,12 @@ async function run() {
   robot.addEventListener("reading", (event) => answer.showReading(/** @type {CustomEvent} */ (event).detail));
 
   restore(recall(draftKey, null) ?? course?.told.draft?.state);
+  const readOff = recall(`read-off:${id}`, null);
+  if (readOff) {
+    resume({ ...answer.state, table: readOff });
+    course?.draft(answer.state);
+    keep(`read-off:${id}`, null);
+  }
   const frame = isPackaged() ? new PackageFrame(resume) : null;
   watchOtherTabs();
   follow({ now: true });

@@ -12,7 +12,7 @@ import { connect } from "../exercise/pictures.js";
 import { t } from "../i18n.js";
 import { inward, LiveRobot, outward } from "../live-robot.js";
 import { problemNotice } from "../problem.js";
-import { api, startPage } from "../page.js";
+import { api, forgetFragment, startPage } from "../page.js";
 import { keep, recall } from "../storage.js";
 import { convertTool } from "../playground/convert.js";
 import { inverseTool } from "../playground/inverse.js";
@@ -122,7 +122,7 @@ class Playground {
       this.#tell(null);
       if (this.found && !this.#known()) this.limits.take(null);
       this.card.take(this.editor.table, { limits: this.limits.limits });
-      this.#keep();
+      this.#changed();
     });
     this.robot.addEventListener("reading", (event) => {
       const { rows, faults } = /** @type {CustomEvent} */ (event).detail;
@@ -136,7 +136,7 @@ class Playground {
       this.#tell(subject);
     });
     place("robot").addEventListener("joints-change", () => this.#tell(this.#subject()));
-    for (const name of ["input", "joints-change"]) place("robot").addEventListener(name, () => this.#keep());
+    for (const name of ["input", "joints-change"]) place("robot").addEventListener(name, () => this.#changed());
     window.addEventListener("hashchange", () => this.restore());
   }
 
@@ -154,7 +154,10 @@ class Playground {
    */
   async bring(call) {
     const answer = await this.bringing.run(call);
-    if (answer) this.use(answer.value);
+    if (answer) {
+      forgetFragment("robot");
+      this.use(answer.value);
+    }
     return Boolean(answer);
   }
 
@@ -191,7 +194,7 @@ class Playground {
   #limited() {
     this.#tell(null);
     this.card.take(this.editor.table, { joints: this.robot.joints, limits: this.limits.limits });
-    this.#keep();
+    this.#changed();
   }
 
   /** Postures as shades of the robot. @param {number[][]} postures in the table's units */
@@ -207,7 +210,7 @@ class Playground {
     if (!subject || subject.types.length !== joints.length) return;
     this.card.show(inward({ ...subject, joints }));
     this.#tell(this.#subject());
-    this.#keep();
+    this.#changed();
     if (!silent) announce(t("playground-moved"));
   }
 
@@ -256,6 +259,12 @@ class Playground {
     const { limits } = this.limits;
     const { parameters, joints } = this.robot;
     return { table: this.editor.table, parameters, joints, ...(limits ? { limits } : {}) };
+  }
+
+  /** What was shared stands in the address no longer than it is what is here. */
+  #changed() {
+    forgetFragment("robot");
+    this.#keep();
   }
 
   #keep() {

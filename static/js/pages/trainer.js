@@ -10,7 +10,8 @@ import { api, pageAddress, startPage } from "../page.js";
 import { problemNotice } from "../problem.js";
 import { emptyModel } from "../scene/model.js";
 import { across, cross, dot, minus, norm, plus, times, unit } from "../scene/matrix.js";
-import { keep, recall } from "../storage.js";
+import { carried, keep, recall } from "../storage.js";
+import { openSession } from "../session/course-session.js";
 import { candidateText, findingNotice, showChooser } from "../trainer/chooser.js";
 import { litModel, picture } from "../trainer/picture.js";
 import { backTo, choose, isFull, onward, partOf, same, shuffled, start, STEPS, wire } from "../trainer/steps.js";
@@ -22,7 +23,6 @@ import { METRES } from "../units.js";
 
 const $ = (/** @type {string} */ id) => /** @type {HTMLElement} */ (document.getElementById(id));
 const id = $("trainer").dataset.id ?? "";
-const draft = `trainer:2:${id}`;
 
 class Trainer {
   #latest = new Latest();
@@ -38,8 +38,9 @@ class Trainer {
   /** @type {Wire.Candidate[]} */
   candidates = [];
 
-  /** @param {Wire.Exercise} exercise */
-  constructor(exercise) {
+  /** @param {Wire.Exercise} exercise @param {string} draft where the browser keeps what was chosen */
+  constructor(exercise, draft) {
+    this.draft = draft;
     this.exercise = exercise;
     this.figure = exercise.figure;
     this.axes = exercise.figure.axes.map(({ type, point, direction }) => ({ joint: type, point, direction }));
@@ -84,7 +85,7 @@ class Trainer {
     if (note) announce(note);
     if (state.step !== this.state.step && STEPS.indexOf(state.step) < STEPS.indexOf(this.state.step)) this.why = "";
     this.state = state;
-    keep(draft, state);
+    keep(this.draft, state);
     $("frame").setAttribute("aria-busy", "true");
     try {
       const tool = this.point ? toolPose(this.figure, this.point.at) : null;
@@ -290,8 +291,8 @@ class Trainer {
     const take = () => {
       const { angle_unit, length_unit } = this.exercise;
       const table = fromWire({ convention: this.state.convention, angle_unit, length_unit, rows });
-      keep(`draft:${id}`, { ...recall(`draft:${id}`, { parts: {} }), table });
-      location.href = pageAddress(`exercises/${id}`);
+      keep(`read-off:${id}`, table);
+      location.href = pageAddress(`exercises/${id}`) + carried();
     };
     const advice = (this.judged?.frames ?? []).flatMap(({ findings }) =>
       findings.filter(({ severity }) => severity !== "broken"),
@@ -419,7 +420,9 @@ function arrange() {
 startPage(async () => {
   arrange();
   try {
-    const trainer = new Trainer(await api.get(`exercises/${id}`));
+    const told = await openSession(api);
+    const key = told?.exercise === id ? `:${told.person.key}` : ""; // values of one's own
+    const trainer = new Trainer(await api.get(`exercises/${id}`), `trainer:2:${id}${key}`);
     await trainer.become(trainer.state);
   } catch (error) {
     fill($("frame"), problemNotice(error, { retry: () => location.reload() }));

@@ -7,9 +7,11 @@ import { Problem } from "../api.js";
 import { debounced, el, fill } from "../dom.js";
 import { dates, t } from "../i18n.js";
 import { pointsTold } from "../numbers.js";
-import { keep, recall } from "../storage.js";
+import { warnAbove } from "../page.js";
+import { keep, keepInMemory, recall } from "../storage.js";
 
 const KEPT = "framewise:session";
+const TAKEN_ALONG = "session";
 const PAUSE = 1500;
 const RENEWED_EVERY = 20 * 60 * 1000;
 const LONGEST_WAIT = 2 ** 31 - 1;
@@ -18,13 +20,13 @@ const LONGEST_WAIT = 2 ** 31 - 1;
 
 let held = "";
 
-/** The token, where a reload of this tab finds it; a blocked storage only costs the reload. */
+/** The token, where a reload of this tab finds it; a blocked storage costs the reload, but not the way to other pages. */
 const tab = {
   get() {
     try {
       return held || (sessionStorage.getItem(KEPT) ?? "");
     } catch {
-      return held;
+      return held || recall(TAKEN_ALONG, "");
     }
   },
   /** @param {string} token */
@@ -34,17 +36,17 @@ const tab = {
       if (token) sessionStorage.setItem(KEPT, token);
       else sessionStorage.removeItem(KEPT);
     } catch {
-      // memory has it
+      keepInMemory(TAKEN_ALONG, token);
     }
   },
 };
 
 /**
  * The session of this page, or null if nobody is signed in.
- * @param {import("../api.js").Api} api
+ * @param {import("../api.js").Api} api @param {() => void} [ended] called if somebody was, and is no longer; a reload says so again
  * @returns {Promise<any>}
  */
-export async function openSession(api) {
+export async function openSession(api, ended = () => {}) {
   const code = new URLSearchParams(location.hash.slice(1)).get("session");
   if (code) {
     history.replaceState(history.state, "", location.pathname + location.search);
@@ -59,7 +61,7 @@ export async function openSession(api) {
   } catch (error) {
     if (!(error instanceof Problem) || error.status !== 401) throw error;
     api.token = "";
-    tab.set("");
+    ended();
     return null;
   }
 }
@@ -75,8 +77,13 @@ export class CourseSession {
     this.version = told.version;
     this.total = 0;
     this.banner = el("section", { class: "card session-banner", "aria-label": t("session-heading") });
+    let isTold = false;
     this.draft = debounced((/** @type {unknown} */ state) => {
-      this.#api.put("session/draft", state).catch(() => null);
+      this.#api.put("session/draft", state).catch((error) => {
+        if (isTold || !(error instanceof Problem) || error.status !== 401) return;
+        isTold = true;
+        warnAbove(error.message);
+      });
     }, PAUSE);
     this.#show();
     this.#awaitChange();

@@ -1,0 +1,95 @@
+"""In Chromium: who is signed in stays so from page to page, and is told when it ends."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from urllib.parse import urljoin
+
+import pytest
+from playwright.sync_api import Browser as Chromium
+from playwright.sync_api import Page, Route, expect
+
+from tests.lti.classes import Browser, hint
+from tests.lti.test_in_a_browser import chromium, page
+from tests.lti.test_launches import CUSTOM
+from tests.web.conftest import wait_ready
+from tests.web.driving import cell, switch_language
+from tests.web.walking import assigned, by_lecture, ready, walk
+
+__all__ = ["chromium", "page"]
+
+NO_STORAGE = """for (const name of ["localStorage", "sessionStorage"])
+  Object.defineProperty(window, name, { get() { throw new DOMException("denied", "SecurityError"); } });"""
+
+pytestmark = pytest.mark.parametrize("address", ["sqlite"], indirect=True)
+
+
+def launched(page: Page, browser: Browser, service: str, user: str, custom: dict[str, str] = CUSTOM) -> None:
+    link = hint(resource=f"page-{user}", custom=custom)
+    answer = browser.post(browser.authorized(browser.login(user, link)))
+    page.goto(urljoin(service, answer.headers["location"]))
+    wait_ready(page)
+    expect(page.locator(".session-banner")).to_contain_text("Robotics 1")
+
+
+def test_without_storage_other_pages_know_who_is_signed_in(
+    page: Page, browser: Browser, service: str
+) -> None:
+    """A change of language made the page one where answers count for nothing, and said nothing of it."""
+    page.add_init_script(NO_STORAGE)
+    launched(page, browser, service, "nora")
+    cell(page, 1, "a").fill("0.5")
+    switch_language(page, "fr")
+    page.locator("html[lang=fr][data-ready=true]").wait_for(state="attached")
+    expect(page.locator(".session-banner")).to_contain_text("Robotics 1")
+    page.locator(".crumb a").click()
+    page.locator("html[data-page=home][data-ready=true]").wait_for(state="attached")
+    page.get_by_role("link", name="PUMA 560", exact=True).click()
+    page.locator("html[data-page=exercise][data-ready=true]").wait_for(state="attached")
+    expect(page.locator(".session-banner")).to_contain_text("Robotics 1")
+    expect(cell(page, 1, "a")).to_have_value("0.5")
+    assert "#" not in page.url
+
+
+def test_a_session_that_has_ended_is_not_taken_for_nobody(
+    chromium: Chromium, browser: Browser, service: str
+) -> None:
+    """The service says so while somebody types, and after a reload the page is no practice page unawares."""
+    page = chromium.new_page(locale="en")
+    launched(page, browser, service, "olga")
+    warning = page.locator(".notice-warn")
+
+    def ended(route: Route) -> None:
+        route.continue_(headers={**route.request.headers, "authorization": "Bearer ended"})
+
+    page.route("**/api/v1/session**", ended)
+    page.route("**/api/v1/session/**", ended)
+    cell(page, 1, "a").fill("0.5")
+    expect(warning).to_contain_text("You are no longer signed in. What you typed is still here")
+    for _ in range(2):
+        page.reload()
+        wait_ready(page)
+        expect(warning).to_contain_text("answers that you give here do not count")
+        expect(page.locator(".session-banner")).to_have_count(0)
+    page.unroute_all()
+    page.goto("about:blank")
+    launched(page, browser, service, "olga")
+    expect(cell(page, 1, "a")).to_have_value("0.5")
+    page.close()
+
+
+def test_a_table_from_the_trainer_arrives_in_the_course(page: Page, browser: Browser, service: str) -> None:
+    """It was kept where the exercise looks for it only if nobody is signed in."""
+    launched(page, browser, service, "tom", {"exercise": "twolink"})
+    page.goto(f"{service}/trainer/twolink?lang=en")
+    wait_ready(page)
+    ready(page)
+    exercise = page.request.get(f"{service}/api/v1/exercises/twolink").json()
+    assert walk(page, 3, by_lecture(assigned(page, service, exercise)))
+    page.get_by_role("button", name="Take the table into the exercise").click()
+    page.locator("html[data-page=exercise][data-ready=true]").wait_for(state="attached")
+    expect(page.locator(".session-banner")).to_contain_text("Robotics 1")
+    expect(cell(page, 0, "a")).to_have_value("L1")
+    page.reload()
+    wait_ready(page)
+    expect(cell(page, 0, "a")).to_have_value("L1")
