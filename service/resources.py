@@ -60,9 +60,10 @@ class Resources:
         self.settings = settings
         self.limiters = limiters(settings)
         self.turns = FairQueue(slots=1, capacity=settings.grading_queue, timeout=settings.queue_seconds)
-        grading = self.limiters[WorkKind.GRADING].queue
         self.courses = (
-            CourseResources(settings, lambda: grading.waiting > CROWD) if settings.storage == "on" else None
+            CourseResources(settings, lambda: self.grading.queue.waiting > CROWD)
+            if settings.storage == "on"
+            else None
         )
         shelf = self.courses.published if self.courses is not None else None
         self.exercises = Library(settings.exercise_folders, shelf)
@@ -102,7 +103,7 @@ class Resources:
 
     def help_now(self, asked: HelpLevel | None) -> HelpLevel | None:
         """Return how much a wrong answer may be told now; its score is the same however long the lane is."""
-        if self.limiters[WorkKind.GRADING].queue.waiting <= self.settings.explained_queue:
+        if self.grading.queue.waiting <= self.settings.explained_queue:
             return asked
         return HelpLevel.ROW if asked is None else lowest((asked, HelpLevel.ROW))
 
@@ -116,6 +117,11 @@ class Resources:
     def reading(self) -> Limiter:
         """What lets large bodies be read in a thread, one at a time."""
         return self.limiters[WorkKind.READING]
+
+    @property
+    def grading(self) -> Limiter:
+        """What lets so many answers be judged at a time."""
+        return self.limiters[WorkKind.GRADING]
 
 
 def resources_of(request: Request) -> Resources:

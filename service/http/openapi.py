@@ -7,7 +7,7 @@ import re
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from fastapi import FastAPI
+from fastapi import Body, FastAPI
 from fastapi.openapi.utils import get_openapi
 from pydantic import BaseModel
 from pydantic.json_schema import models_json_schema
@@ -15,7 +15,6 @@ from pydantic.json_schema import models_json_schema
 from service.http.problems import PROBLEM_JSON
 from service.http.routing import API_PREFIX, JSON
 from service.schemas.base import ProblemDocument
-from service.schemas.examples import named
 
 _REFERENCE = "#/components/schemas/{model}"
 _DECLARED: dict[str, type[BaseModel]] = {}
@@ -46,11 +45,20 @@ def request_body(
     content: dict[str, Any] = {
         JSON: {
             "schema": {"$ref": _REFERENCE.format(model=model.__name__)},
-            "examples": named(examples),
+            "examples": _named(examples),
         }
     }
     content |= {f"application/{name.replace('_', '-')}": dict(entry) for name, entry in other.items()}
     return {"requestBody": {"required": True, "content": content}}
+
+
+def body_with(examples: Mapping[str, Any]) -> Any:
+    """Return what OpenAPI says of a validated body, for `Annotated`: bodies by name; a test sends each."""
+    return Body(openapi_examples=_named(examples))
+
+
+def _named(examples: Mapping[str, Any]) -> dict[str, Any]:
+    return {name: {"summary": name, "value": value} for name, value in examples.items()}
 
 
 NPY_QUERY: dict[str, Any] = {

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import Any
 
 PUMA_560: dict[str, Any] = {
@@ -106,8 +105,3 @@ CONVERT: dict[str, Any] = {
         "to": "standard",
     },
 }
-
-
-def named(found: Mapping[str, Any]) -> dict[str, Any]:
-    """Return examples as OpenAPI lists them."""
-    return {name: {"summary": name, "value": value} for name, value in found.items()}

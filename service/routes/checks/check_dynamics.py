@@ -7,8 +7,6 @@ from functools import partial
 from itertools import chain
 from typing import Annotated, Any
 
-from fastapi import Body
-
 from kinematics.answers.dynamics_answers import DynamicsQuestion, EquationsAnswer, judge_dynamics
 from kinematics.answers.left_open import Rounded
 from kinematics.cells import ReadTable
@@ -16,9 +14,8 @@ from kinematics.dynamics import rate_name
 from kinematics.errors import Fault, JointValueError
 from kinematics.expressions import Expression
 from service.http.languages import language_of
-from service.http.openapi import problems
+from service.http.openapi import body_with, problems
 from service.http.routing import ApiRequest, api_router
-from service.schemas import examples
 from service.schemas.checks.dynamics_answers import (
     CHECK_DYNAMICS,
     CheckDynamicsAnswer,
@@ -29,7 +26,6 @@ from service.schemas.spoken import feedback_sentence
 from service.settings import Settings
 from service.wire.checks.answer_functions import read_row, roundings_of
 from service.wire.kinematics.dynamics import parameter_numbers, weighed
-from service.work.limiters import WorkKind
 
 router = api_router("kinematics")
 
@@ -40,7 +36,7 @@ router = api_router("kinematics")
     responses=problems(400, 413, 415, 422, 503),
 )
 async def check_dynamics(
-    body: Annotated[CheckDynamicsRequest, Body(openapi_examples=examples.named(CHECK_DYNAMICS))],
+    body: Annotated[CheckDynamicsRequest, body_with(CHECK_DYNAMICS)],
     request: ApiRequest,
 ) -> CheckDynamicsAnswer:
     """Judge M and g entry by entry, and C by C q̇: every C with the right C q̇ is right.
@@ -49,7 +45,7 @@ async def check_dynamics(
     separately whether Ṁ − 2C is skew-symmetric. Names of lengths are in metres, as in `/dynamics`.
     """
     work = partial(_checked, body, request.settings, language_of(request))
-    return await request.resources.limiters[WorkKind.GRADING].run(work)
+    return await request.resources.grading.run(work)
 
 
 def _checked(body: CheckDynamicsRequest, settings: Settings, language: str) -> CheckDynamicsAnswer:

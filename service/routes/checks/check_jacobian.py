@@ -6,14 +6,13 @@ from functools import partial
 from typing import Annotated, Any
 
 import numpy as np
-from fastapi import Body
 
 from kinematics.answers.jacobian_answers import JacobianMistake, judge_forces, judge_jacobian
 from kinematics.answers.screw_answers import ScrewOrder
 from kinematics.chain import chain_of_table
 from kinematics.inverse.lengths import check_lengths
 from service.http.languages import language_of
-from service.http.openapi import problems
+from service.http.openapi import body_with, problems
 from service.http.routing import ApiRequest, api_router
 from service.schemas import examples
 from service.schemas.checks.jacobian_answers import (
@@ -51,7 +50,7 @@ _EXAMPLES: dict[str, Any] = {
     responses=problems(400, 413, 415, 422),
 )
 async def check_jacobian(
-    body: Annotated[CheckJacobianRequest, Body(openapi_examples=examples.named(_EXAMPLES))],
+    body: Annotated[CheckJacobianRequest, body_with(_EXAMPLES)],
     request: ApiRequest,
 ) -> CheckJacobianAnswer:
     """Return the Jacobian of the last frame's origin, in either order of the rows, and τ = Jᵀ (f, m).

@@ -6,8 +6,6 @@ from functools import partial
 from itertools import chain
 from typing import Annotated, Any
 
-from fastapi import Body
-
 from exercises.parts.definition_keys import COMPONENTS
 from kinematics.answers.form_samples import FormRobot
 from kinematics.answers.jacobian_answers import JacobianMistake
@@ -16,14 +14,13 @@ from kinematics.answers.screw_answers import ScrewOrder
 from kinematics.cells import ParameterKind
 from kinematics.symbolic import ProofStatus
 from service.http.languages import language_of
-from service.http.openapi import problems
+from service.http.openapi import body_with, problems
 from service.http.routing import ApiRequest, api_router
 from service.schemas import examples
 from service.schemas.checks.jacobian_answers import jacobian_mistake
 from service.schemas.checks.jacobian_form_answers import CheckJacobianFormAnswer, CheckJacobianFormRequest
 from service.wire.checks.answer_functions import angles_of_jacobian, form_values, read_row, roundings_of
 from service.wire.kinematics.prepared_robots import PreparedRobot
-from service.work.limiters import WorkKind
 
 router = api_router("kinematics")
 
@@ -55,7 +52,7 @@ _EXAMPLES: dict[str, Any] = {
     responses=problems(400, 413, 415, 422, 503),
 )
 async def check_jacobian_form(
-    body: Annotated[CheckJacobianFormRequest, Body(openapi_examples=examples.named(_EXAMPLES))],
+    body: Annotated[CheckJacobianFormRequest, body_with(_EXAMPLES)],
     request: ApiRequest,
 ) -> CheckJacobianFormAnswer:
     """Return the Jacobian of the last frame's origin and τ = Jᵀ (f, m), as functions of q1 … qn.
@@ -65,7 +62,7 @@ async def check_jacobian_form(
     """
     robot = await request.in_turn(partial(request.resources.robots.prepare, body))
     work = partial(_checked, body, robot, language_of(request))
-    return await request.resources.limiters[WorkKind.GRADING].run(work)
+    return await request.resources.grading.run(work)
 
 
 def _checked(body: CheckJacobianFormRequest, robot: PreparedRobot, language: str) -> CheckJacobianFormAnswer:

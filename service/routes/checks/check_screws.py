@@ -6,12 +6,11 @@ from functools import partial
 from typing import Annotated, Any
 
 import numpy as np
-from fastapi import Body
 
 from kinematics.answers.screw_answers import ScrewAnswer, ScrewOrder, judge_screws
 from kinematics.errors import DescriptionError, Fault
 from service.http.languages import language_of
-from service.http.openapi import problems
+from service.http.openapi import body_with, problems
 from service.http.routing import ApiRequest, api_router
 from service.schemas import examples
 from service.schemas.checks.screw_answers import CheckScrewsAnswer, CheckScrewsRequest, ScrewMistakeModel
@@ -19,7 +18,6 @@ from service.schemas.spoken import feedback_sentence
 from service.wire.fault_pointers import traced
 from service.wire.kinematics.pose_matrices import pose_matrix
 from service.wire.kinematics.prepared_robots import PreparedRobot
-from service.work.limiters import WorkKind
 
 router = api_router("kinematics")
 
@@ -42,7 +40,7 @@ _EXAMPLES: dict[str, Any] = {
     responses=problems(400, 413, 415, 422, 503),
 )
 async def check_screws(
-    body: Annotated[CheckScrewsRequest, Body(openapi_examples=examples.named(_EXAMPLES))],
+    body: Annotated[CheckScrewsRequest, body_with(_EXAMPLES)],
     request: ApiRequest,
 ) -> CheckScrewsAnswer:
     """Judge screws: either sense of an axis, any point on it, any zero, space or body, any prismatic length.
@@ -52,7 +50,7 @@ async def check_screws(
     resources = request.resources
     robot = await request.in_turn(partial(resources.robots.prepare, body))
     work = partial(_checked, body, robot, language_of(request))
-    return await resources.limiters[WorkKind.GRADING].run(work)
+    return await resources.grading.run(work)
 
 
 def _checked(body: CheckScrewsRequest, robot: PreparedRobot, language: str) -> CheckScrewsAnswer:

@@ -6,8 +6,6 @@ from collections.abc import Collection
 from functools import partial
 from typing import Annotated, Any
 
-from fastapi import Body
-
 from exercises.parts.motion.conditions import read_conditions
 from kinematics.answers.lost_motions import lost_motion_is_right, lost_motions_at
 from kinematics.answers.singular_arms import SingularArm, arm_of
@@ -21,7 +19,7 @@ from kinematics.expressions import Expression
 from kinematics.inverse.lengths import check_lengths
 from kinematics.symbolic.determinants import MotionRows
 from service.http.languages import language_of
-from service.http.openapi import problems
+from service.http.openapi import body_with, problems
 from service.http.routing import ApiRequest, api_router
 from service.schemas import examples
 from service.schemas.checks.singularity_answers import CheckSingularitiesAnswer, CheckSingularitiesRequest
@@ -30,7 +28,6 @@ from service.wire.checks.answer_functions import check_count, form_values, known
 from service.wire.fault_pointers import traced
 from service.wire.kinematics.joint_values import in_request_units, values_in_radians
 from service.wire.kinematics.prepared_robots import PreparedRobot
-from service.work.limiters import WorkKind
 
 router = api_router("kinematics")
 
@@ -56,7 +53,7 @@ _EXAMPLES: dict[str, Any] = {
     responses=problems(400, 413, 415, 422, 503),
 )
 async def check_singularities(
-    body: Annotated[CheckSingularitiesRequest, Body(openapi_examples=examples.named(_EXAMPLES))],
+    body: Annotated[CheckSingularitiesRequest, body_with(_EXAMPLES)],
     request: ApiRequest,
 ) -> CheckSingularitiesAnswer:
     """Judge conditions as a set, whatever their number, order, factors and signs.
@@ -66,7 +63,7 @@ async def check_singularities(
     """
     robot = await request.in_turn(partial(request.resources.robots.prepare, body))
     work = partial(_checked, body, robot, language_of(request))
-    return await request.resources.limiters[WorkKind.GRADING].run(work)
+    return await request.resources.grading.run(work)
 
 
 def _checked(

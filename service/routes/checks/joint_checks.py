@@ -5,9 +5,7 @@ from __future__ import annotations
 from functools import partial
 from typing import Annotated, Any
 
-from fastapi import Body
-
-from service.http.openapi import problems
+from service.http.openapi import body_with, problems
 from service.http.routing import ApiRequest, api_router
 from service.schemas import examples
 from service.schemas.checks.joint_answers import CheckInverseKinematicsAnswer, CheckInverseKinematicsRequest
@@ -38,7 +36,7 @@ _EXAMPLES: dict[str, Any] = {
     responses=problems(400, 413, 415, 422, 503),
 )
 async def check_inverse_kinematics(
-    body: Annotated[CheckInverseKinematicsRequest, Body(openapi_examples=examples.named(_EXAMPLES))],
+    body: Annotated[CheckInverseKinematicsRequest, body_with(_EXAMPLES)],
     request: ApiRequest,
 ) -> CheckInverseKinematicsAnswer:
     """Judge each row by forward kinematics, up to full turns, and the rows together by the complete set.

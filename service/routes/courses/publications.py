@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import partial
 from typing import Annotated
 
-from fastapi import Body, Response
+from fastapi import Response
 
 from courses.model import Role
 from courses.publications import publish
@@ -15,6 +15,7 @@ from exercises.authoring.trials import trial
 from kinematics.errors import Fault
 from service.course_callers import in_thread, json_response, signed_in
 from service.course_resources import now
+from service.http.openapi import body_with
 from service.http.problems import ForbiddenError
 from service.http.routing import ApiRequest, api_router
 from service.resources import resources_of
@@ -34,7 +35,7 @@ router = api_router("authoring")
     include_in_schema=False,  # like all that needs storage
 )
 async def publish_draft(
-    body: Annotated[wire.PublishRequest, Body(openapi_examples=examples.DRAFT)], request: ApiRequest
+    body: Annotated[wire.PublishRequest, body_with(examples.DRAFT)], request: ApiRequest
 ) -> Response:
     """Keep this version of the exercise under an address of its own, for good.
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import partial
 from typing import Annotated, Any
 
-from fastapi import Body, Response
+from fastapi import Response
 from pydantic import TypeAdapter
 
 from exercises.answers import parse
@@ -20,7 +20,7 @@ from exercises.authoring.trials import (
 from exercises.grader import grade
 from exercises.instance import generate
 from service.http.languages import language_of
-from service.http.openapi import problems, request_body
+from service.http.openapi import body_with, problems, request_body
 from service.http.problems import located
 from service.http.routing import JSON, ApiRequest, DirectRoute, api_router
 from service.http.validation import validated
@@ -63,7 +63,7 @@ _ANSWER: TypeAdapter[AnswerBase] = TypeAdapter(ExerciseAnswer)
     summary="Start an exercise",
 )
 async def start_draft(
-    body: Annotated[wire.StartRequest, Body(openapi_examples=examples.START)], request: ApiRequest
+    body: Annotated[wire.StartRequest, body_with(examples.START)], request: ApiRequest
 ) -> Response:
     """Start a draft from a catalogue robot, a DH table, drawn joint axes, an SCM chain or a URDF description.
 
@@ -81,7 +81,7 @@ async def start_draft(
     summary="A draft as students will see it",
 )
 async def preview_draft(
-    body: Annotated[wire.DraftRequest, Body(openapi_examples=examples.DRAFT)], request: ApiRequest
+    body: Annotated[wire.DraftRequest, body_with(examples.DRAFT)], request: ApiRequest
 ) -> Response:
     """Return the exercise with its figure, and what the policy leaves free for this robot.
 
@@ -102,7 +102,7 @@ async def preview_draft(
     summary="A round of a draft's self-test",
 )
 async def check_draft(
-    body: Annotated[wire.CheckRequest, Body(openapi_examples=examples.CHECK)], request: ApiRequest
+    body: Annotated[wire.CheckRequest, body_with(examples.CHECK)], request: ApiRequest
 ) -> Response:
     """Run `framewise exercises check` for the values of one seed, with some of the listed mistakes."""
     language = language_of(request)
@@ -118,7 +118,7 @@ async def check_draft(
     summary="Right answers that look different",
 )
 async def right_answers_of_draft(
-    body: Annotated[wire.RightAnswersRequest, Body(openapi_examples=examples.DRAFT)], request: ApiRequest
+    body: Annotated[wire.RightAnswersRequest, body_with(examples.DRAFT)], request: ApiRequest
 ) -> Response:
     """Return right tables with other frames, signs, zeros and conventions, as far as the policy allows."""
     return await _rehearsed(request, rehearsed_right, body.draft, body.count)
@@ -131,7 +131,7 @@ async def right_answers_of_draft(
     summary="The commonest wrong answers and their marks",
 )
 async def mistakes_of_draft(
-    body: Annotated[wire.DraftRequest, Body(openapi_examples=examples.DRAFT)], request: ApiRequest
+    body: Annotated[wire.DraftRequest, body_with(examples.DRAFT)], request: ApiRequest
 ) -> Response:
     """Return every misconception about the draft's robot, made in the key.
 
@@ -147,7 +147,7 @@ async def mistakes_of_draft(
     summary="Judge an answer to a draft",
 )
 async def grade_against_draft(
-    body: Annotated[wire.TryRequest, Body(openapi_examples=examples.TRY)], request: ApiRequest
+    body: Annotated[wire.TryRequest, body_with(examples.TRY)], request: ApiRequest
 ) -> Response:
     """Return the verdict that a student would get. Nothing is recorded."""
     language = language_of(request)
@@ -162,7 +162,7 @@ async def grade_against_draft(
             instance = generate(exercise_of(draft), answer.seed)
             return grade(instance, parse(instance, raw, limits), answer.help, answer.attempt)
 
-        report = await resources_of(request).limiters[WorkKind.GRADING].run(work)
+        report = await resources_of(request).grading.run(work)
     return _json(report_body(report, language), language)
 
 
@@ -173,7 +173,7 @@ async def grade_against_draft(
     summary="The folder of a draft",
 )
 async def folder_of_draft(
-    body: Annotated[wire.DraftRequest, Body(openapi_examples=examples.DRAFT)], request: ApiRequest
+    body: Annotated[wire.DraftRequest, body_with(examples.DRAFT)], request: ApiRequest
 ) -> Response:
     """Return the folder as a zip archive, the same bytes for the same draft."""
     draft = body.draft.draft()

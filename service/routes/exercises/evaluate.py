@@ -27,7 +27,6 @@ from service.schemas.exercises.evaluation import (
     EvaluationHealth,
 )
 from service.schemas.tables import Table
-from service.work.limiters import WorkKind
 
 router = APIRouter(tags=["evaluation"], include_in_schema=False)
 """µEd describes its calls itself; they are no part of our own document."""
@@ -109,7 +108,7 @@ async def evaluate_submission(request: Request, response: Response) -> Any:
         return _accepted(request, asked, asked.callback_url, language)
     work = partial(mued.evaluate, asked, language, resources_of(request).exercises)
     try:
-        feedback = await resources_of(request).limiters[WorkKind.GRADING].run(work)
+        feedback = await resources_of(request).grading.run(work)
     except mued.NotEvaluatedError as error:
         return _refused(error.fault.code, message=told_fault(error.fault, language))
     except ExerciseError as error:
@@ -129,7 +128,7 @@ async def evaluation_function(request: Request) -> Any:
     language = language_for(request.headers.get("accept-language"))
     command = request.headers.get("command") or "eval"
     work = partial(lambda_feedback.answered, command, body, language, resources_of(request).exercises)
-    answer = await resources_of(request).limiters[WorkKind.GRADING].run(work)
+    answer = await resources_of(request).grading.run(work)
     return JSONResponse(answer, headers={"Cache-Control": "no-store"})
 
 

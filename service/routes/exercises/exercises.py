@@ -200,7 +200,7 @@ async def _judged(request: ApiRequest) -> Report:
         instance = instance_of(library, exercise_id, seed_of(request, wire.seed))
         return grade(instance, parse(instance, raw, limits), resources.help_now(help_level), attempt)
 
-    return await resources.limiters[WorkKind.GRADING].run(work)
+    return await resources.grading.run(work)
 
 
 def seed_of(request: Request, asked: str | None = None) -> str | None:

@@ -30,7 +30,6 @@ from service.wire.exercises.many_grades import lines, members, verdicts
 from service.wire.exercises.ungraded import answer_refused
 from service.wire.exercises.verdicts import encoded, record_body
 from service.work.batches import BatchResponse
-from service.work.limiters import WorkKind
 
 router = api_router("exercises", route_class=DirectRoute)
 
@@ -77,7 +76,7 @@ async def _many(request: ApiRequest, body: dict[str, Any]) -> Response:
     wire: GradeManyRequest = validated(_MANY, body)
     found = verdicts(wire, request.settings.cell_limits, language_of(request))
     blocks = lines(found) if form == NDJSON else members(found)
-    slot = await request.resources.limiters[WorkKind.GRADING].acquire()
+    slot = await request.resources.grading.acquire()
     try:
         first = await slot.run(lambda: next(blocks, b""))  # a key that cannot be read is refused as a whole
     except BaseException:
@@ -112,4 +111,4 @@ async def _verdict(request: ApiRequest) -> Verdict:
     if right is not None:
         return right
     work = partial(grade, reference, submission, policy, wire.parameters, wire.help)
-    return await request.resources.limiters[WorkKind.GRADING].run(work)
+    return await request.resources.grading.run(work)

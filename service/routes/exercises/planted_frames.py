@@ -5,19 +5,15 @@ from __future__ import annotations
 from functools import partial
 from typing import Annotated, Any
 
-from fastapi import Body
-
 from kinematics.frames.assignment import assign_frames
 from kinematics.frames.wrong_frames import plantable_in_frames, right_handed
 from service.http.languages import language_of
-from service.http.openapi import problems
+from service.http.openapi import body_with, problems
 from service.http.routing import ApiRequest, api_router
-from service.schemas import examples
 from service.schemas.exercises.exercises import FigureFrame
 from service.schemas.exercises.planting import PlantFrameMistakeAnswer, PlantFrameMistakeRequest
 from service.schemas.spoken import option_name
 from service.wire.exercises.planted_choice import chosen_mistake
-from service.work.limiters import WorkKind
 
 router = api_router("exercises")
 
@@ -40,7 +36,7 @@ _EXAMPLES: dict[str, Any] = {
     responses=problems(400, 413, 415, 422, 503),
 )
 async def plant_frame_mistake(
-    body: Annotated[PlantFrameMistakeRequest, Body(openapi_examples=examples.named(_EXAMPLES))],
+    body: Annotated[PlantFrameMistakeRequest, body_with(_EXAMPLES)],
     request: ApiRequest,
 ) -> PlantFrameMistakeAnswer:
     """Return the frames by the procedure of the lecture, one of which breaks one rule of the convention.
@@ -48,7 +44,7 @@ async def plant_frame_mistake(
     The seed decides which frame it is and what is wrong with it.
     """
     work = partial(_planted, body, language_of(request))
-    return await request.resources.limiters[WorkKind.GRADING].run(work)
+    return await request.resources.grading.run(work)
 
 
 def _planted(body: PlantFrameMistakeRequest, language: str) -> PlantFrameMistakeAnswer:

@@ -5,14 +5,12 @@ from __future__ import annotations
 from functools import partial
 from typing import Annotated, Any
 
-from fastapi import Body
-
 from exercises.parts.cells.matrix_cells import write_matrix
 from exercises.parts.mistakes.planted_matrices import MATRIX_MISTAKES, PlantedMatrix, plantable_in
 from kinematics.cells import Limits, ReadTable, read_table
 from kinematics.symbolic import Matrix
 from service.http.languages import language_of
-from service.http.openapi import problems
+from service.http.openapi import body_with, problems
 from service.http.problems import located
 from service.http.routing import ApiRequest, api_router
 from service.schemas import examples
@@ -23,7 +21,6 @@ from service.schemas.exercises.planting import (
 )
 from service.schemas.spoken import option_name
 from service.wire.exercises.planted_choice import chosen_mistake
-from service.work.limiters import WorkKind
 
 router = api_router("exercises")
 
@@ -39,7 +36,7 @@ _EXAMPLES: dict[str, Any] = {
     responses=problems(400, 413, 415, 422, 503),
 )
 async def plant_matrix_mistake(
-    body: Annotated[PlantMatrixMistakeRequest, Body(openapi_examples=examples.named(_EXAMPLES))],
+    body: Annotated[PlantMatrixMistakeRequest, body_with(_EXAMPLES)],
     request: ApiRequest,
 ) -> PlantMatrixMistakeAnswer:
     """Plant a mistake of the catalogue, in the matrix of one row or in ⁰T_N, that makes it another function.
@@ -47,7 +44,7 @@ async def plant_matrix_mistake(
     The seed decides which one it is and where.
     """
     work = partial(_planted, body, request.settings.cell_limits, language_of(request))
-    return await request.resources.limiters[WorkKind.GRADING].run(work)
+    return await request.resources.grading.run(work)
 
 
 def _planted(body: PlantMatrixMistakeRequest, limits: Limits, language: str) -> PlantMatrixMistakeAnswer:

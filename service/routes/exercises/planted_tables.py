@@ -6,7 +6,6 @@ from functools import partial
 from typing import Annotated, Any
 
 import numpy as np
-from fastapi import Body
 
 from exercises.alternatives import other_tables
 from exercises.grading import Policy, ToolRule, grade
@@ -14,10 +13,9 @@ from exercises.parts.mistakes.compare_tables import true_reasons
 from exercises.parts.mistakes.planting import Planted, plantable
 from kinematics.cells import Limits, ReadTable, read_table
 from service.http.languages import language_of
-from service.http.openapi import problems
+from service.http.openapi import body_with, problems
 from service.http.problems import located
 from service.http.routing import ApiRequest, api_router
-from service.schemas import examples
 from service.schemas.exercises.planting import (
     ComparedTable,
     CompareTablesAnswer,
@@ -31,7 +29,6 @@ from service.schemas.spoken import option_name, spoken
 from service.schemas.tables import Table
 from service.wire.exercises.planted_choice import chosen_mistake
 from service.wire.kinematics.written_tables import TableWriter
-from service.work.limiters import WorkKind
 
 router = api_router("exercises")
 
@@ -59,7 +56,7 @@ _COMPARE = {"the axes of joints 2 and 3 reversed": {"first": _ELBOW, "second": _
     responses=problems(400, 413, 415, 422, 503),
 )
 async def plant_mistake(
-    body: Annotated[PlantMistakeRequest, Body(openapi_examples=examples.named(_PLANT))],
+    body: Annotated[PlantMistakeRequest, body_with(_PLANT)],
     request: ApiRequest,
 ) -> PlantMistakeAnswer:
     """Plant a mistake of the catalogue, in one row, that makes the table another robot or breaks its policy.
@@ -67,7 +64,7 @@ async def plant_mistake(
     What the frames leave free is no mistake and is never planted. The seed decides which one it is.
     """
     work = partial(_planted, body, request.settings.cell_limits, language_of(request))
-    return await request.resources.limiters[WorkKind.GRADING].run(work)
+    return await request.resources.grading.run(work)
 
 
 @router.post(
@@ -76,7 +73,7 @@ async def plant_mistake(
     responses=problems(400, 413, 415, 422, 503),
 )
 async def compare_tables(
-    body: Annotated[CompareTablesRequest, Body(openapi_examples=examples.named(_COMPARE))],
+    body: Annotated[CompareTablesRequest, body_with(_COMPARE)],
     request: ApiRequest,
 ) -> CompareTablesAnswer:
     """Return whether they are one robot, whichever way frames, zeros, directions and conventions were chosen.
@@ -85,7 +82,7 @@ async def compare_tables(
     policies see `/grade`.
     """
     work = partial(_compared, body, request.settings.cell_limits, language_of(request))
-    return await request.resources.limiters[WorkKind.GRADING].run(work)
+    return await request.resources.grading.run(work)
 
 
 @router.post(
@@ -94,7 +91,7 @@ async def compare_tables(
     responses=problems(400, 413, 415, 422, 503),
 )
 async def write_other_tables(
-    body: Annotated[OtherTablesRequest, Body(openapi_examples=examples.named(_OTHERS))],
+    body: Annotated[OtherTablesRequest, body_with(_OTHERS)],
     request: ApiRequest,
 ) -> OtherTablesAnswer:
     """Return tables of a given one's robot that keep a policy, with what differs in their frames.
@@ -102,7 +99,7 @@ async def write_other_tables(
     Each was judged against the given table by the checker before it was sent.
     """
     work = partial(_others, body, request.settings.cell_limits)
-    return await request.resources.limiters[WorkKind.GRADING].run(work)
+    return await request.resources.grading.run(work)
 
 
 def _planted(body: PlantMistakeRequest, limits: Limits, language: str) -> PlantMistakeAnswer:

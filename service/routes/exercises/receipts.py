@@ -8,7 +8,7 @@ from functools import partial
 from typing import TYPE_CHECKING, Annotated, Any
 
 import segno
-from fastapi import Body, Query, Request, Response
+from fastapi import Query, Request, Response
 from fastapi.responses import JSONResponse
 
 from exercises.answers import parse
@@ -21,14 +21,13 @@ from service.adapters.judging import told_fault
 from service.http.languages import language_of
 from service.http.link_context import LinkContext
 from service.http.link_guard import context_of
-from service.http.openapi import problems
+from service.http.openapi import body_with, problems
 from service.http.routing import api_router
 from service.messages import sentence
 from service.receipts.checking import CheckedReceipt, check_receipts, marks_of
 from service.receipts.receipt import PartScore, Receipt, answer_hash, issue
 from service.resources import AppResources
 from service.routes.exercises.exercises import Id, help_of, refuse_beyond, seed_of
-from service.schemas.examples import named
 from service.schemas.exercises import examples_grading
 from service.schemas.exercises.receipts import (
     IssuedReceipt,
@@ -47,10 +46,8 @@ if TYPE_CHECKING:
 
 router = api_router("receipts")
 
-_RECEIPT: dict[str, Any] = named(
-    {"a table": {"table": examples_grading.SCARA_BY_THE_BOOK, "name": "Ada Lovelace"}}
-)
-_VERIFY: dict[str, Any] = named({"a text that is no receipt": {"receipts": ["eyJhbGciOiJFZERTQSIsImtpZCI6"]}})
+_RECEIPT: dict[str, Any] = {"a table": {"table": examples_grading.SCARA_BY_THE_BOOK, "name": "Ada Lovelace"}}
+_VERIFY: dict[str, Any] = {"a text that is no receipt": {"receipts": ["eyJhbGciOiJFZERTQSIsImtpZCI6"]}}
 _CSV = "text/csv; charset=utf-8"
 _PDF = "application/pdf"
 _LETTERS = {"theta": "θ", "d": "d", "a": "a", "alpha": "α"}
@@ -67,7 +64,7 @@ _OUTSIDE = {"name", "seed", "help", "attempt"}
 async def issue_receipt(
     request: Request,
     exercise_id: Id,
-    body: Annotated[ReceiptRequest, Body(openapi_examples=_RECEIPT)],
+    body: Annotated[ReceiptRequest, body_with(_RECEIPT)],
     resources: AppResources,
 ) -> Any:
     """Return a compact JWS that says what an answer earned, for a student to hand to a lecturer.
@@ -97,7 +94,7 @@ async def issue_receipt(
 async def receipt_page(
     request: Request,
     exercise_id: Id,
-    body: Annotated[ReceiptRequest, Body(openapi_examples=_RECEIPT)],
+    body: Annotated[ReceiptRequest, body_with(_RECEIPT)],
     resources: AppResources,
 ) -> Response:
     """Return the same receipt on a page.
@@ -138,7 +135,7 @@ async def _issued(
             answer = parse(instance, body.raw(), resources.settings.cell_limits)
             return instance, grade(instance, answer, level, attempt)
 
-        instance, report = await resources.limiters[WorkKind.GRADING].run(work)
+        instance, report = await resources.grading.run(work)
     receipt = _receipt(request, instance, body, report)
     return issue(receipt, resources.receipt_keys), receipt
 
@@ -181,7 +178,7 @@ def _sheet(instance: Instance, receipt: Receipt, token: str, body: ReceiptReques
 )
 async def verify_receipts(
     request: Request,
-    body: Annotated[VerifyRequest, Body(openapi_examples=_VERIFY)],
+    body: Annotated[VerifyRequest, body_with(_VERIFY)],
     resources: AppResources,
     gradebook: Annotated[
         GradebookFormat | None, Query(alias="format", description="a gradebook file instead of JSON")
@@ -193,7 +190,7 @@ async def verify_receipts(
     """
     language = language_of(request)
     check = partial(check_receipts, body.receipts, resources.receipt_keys)
-    checked = await resources.limiters[WorkKind.GRADING].run(check)
+    checked = await resources.grading.run(check)
     if gradebook is not None:
         stream = io.StringIO()
         write_marks(marks_of(checked), stream, gradebook)

@@ -6,14 +6,13 @@ import time
 from typing import Annotated, Any
 from urllib.parse import urlencode
 
-from fastapi import Body, Request
+from fastapi import Request
 
 from service.http.link_context import QUERY, LinkContext, signed
-from service.http.openapi import problems
+from service.http.openapi import body_with, problems
 from service.http.routing import api_router
 from service.resources import AppResources
 from service.routes.exercises.exercises import Id
-from service.schemas.examples import named
 from service.schemas.exercises.signed_links import SignedLink, SignedLinkRequest
 from service.secret import installation_secret
 from service.wire.exercises.ungraded import known_exercise
@@ -21,9 +20,9 @@ from service.wire.exercises.ungraded import known_exercise
 router = api_router("exercises")
 
 _DAY = 24 * 3600
-_LINK: dict[str, Any] = named(
-    {"an exam": {"off": ["catalogue", "playground", "matrices", "trainer"], "help": "verdict", "attempts": 3}}
-)
+_LINK: dict[str, Any] = {
+    "an exam": {"off": ["catalogue", "playground", "matrices", "trainer"], "help": "verdict", "attempts": 3}
+}
 
 
 @router.post(
@@ -35,7 +34,7 @@ _LINK: dict[str, Any] = named(
 async def make_link(
     request: Request,
     exercise_id: Id,
-    body: Annotated[SignedLinkRequest, Body(openapi_examples=_LINK)],
+    body: Annotated[SignedLinkRequest, body_with(_LINK)],
     resources: AppResources,
 ) -> SignedLink:
     """Return the address of the exercise's page under settings that only restrict what its students may use.

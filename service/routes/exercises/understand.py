@@ -7,8 +7,7 @@ from dataclasses import replace
 from functools import lru_cache, partial
 from typing import Annotated, Any
 
-from fastapi import Body, Response
-from fastapi.openapi.models import Example
+from fastapi import Response
 
 from exercises.access import Tool
 from exercises.definition import Exercise
@@ -35,7 +34,7 @@ from kinematics.printing.text import TextWriter
 from kinematics.table import CELLS, VARIABLE_CELLS, DHRow, JointType, SymbolicRow
 from service.http.languages import language_for
 from service.http.link_guard import switched_off
-from service.http.openapi import problems
+from service.http.openapi import body_with, problems
 from service.http.problems import RequestError
 from service.http.routing import ApiRequest, OneRobotRoute, api_router
 from service.resources import resources_of
@@ -51,28 +50,24 @@ from service.wire.fault_pointers import fault_entries
 
 router = api_router("kinematics", route_class=OneRobotRoute)
 
-EXAMPLES: dict[str, Example] = {
+EXAMPLES: dict[str, Any] = {
     "a table with an empty cell and an open bracket": {
-        "value": {
-            "table": {
-                "convention": "modified",
-                "angle_unit": "deg",
-                "rows": [
-                    {"joint": "revolute", "alpha": 0, "a": "", "d": "L1", "theta": "θ1"},
-                    {"joint": "prismatic", "alpha": -90, "a": "2(L1", "d": "L2 - d2", "theta": 0},
-                ],
-            }
+        "table": {
+            "convention": "modified",
+            "angle_unit": "deg",
+            "rows": [
+                {"joint": "revolute", "alpha": 0, "a": "", "d": "L1", "theta": "θ1"},
+                {"joint": "prismatic", "alpha": -90, "a": "2(L1", "d": "L2 - d2", "theta": 0},
+            ],
         }
     },
     "a name that the exercise does not know": {
-        "value": {
-            "table": {
-                "convention": "modified",
-                "angle_unit": "deg",
-                "rows": [{"joint": "revolute", "alpha": 0, "a": "a9", "d": 0, "theta": "θ1"}],
-            },
-            "exercise": "scara",
-        }
+        "table": {
+            "convention": "modified",
+            "angle_unit": "deg",
+            "rows": [{"joint": "revolute", "alpha": 0, "a": "a9", "d": 0, "theta": "θ1"}],
+        },
+        "exercise": "scara",
     },
 }
 
@@ -88,7 +83,7 @@ WRITTEN = 512
     responses=problems(400, 413, 415, 422),
 )
 async def understand(
-    body: Annotated[UnderstandRequest, Body(openapi_examples=EXAMPLES)],
+    body: Annotated[UnderstandRequest, body_with(EXAMPLES)],
     request: ApiRequest,
     response: Response,
 ) -> UnderstandAnswer:

@@ -3,13 +3,10 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import Annotated
-
-from fastapi import Body
-from fastapi.openapi.models import Example
+from typing import Annotated, Any
 
 from service.http.languages import language_of
-from service.http.openapi import problems
+from service.http.openapi import body_with, problems
 from service.http.routing import ApiRequest, api_router
 from service.messages import sentence
 from service.schemas.kinematics.frame_assignment_models import (
@@ -27,27 +24,23 @@ _ELBOW = [
     {"joint": "revolute", "point": [0, 0, 0.4], "direction": [0, -1, 0]},
     {"joint": "revolute", "point": [0.5, 0, 0.4], "direction": [0, -1, 0]},
 ]
-_ASSIGN: dict[str, Example] = {
+_ASSIGN: dict[str, Any] = {
     "an elbow arm with a gripper": {
-        "value": {
-            "axes": _ELBOW,
-            "convention": "standard",
-            "angle_unit": "deg",
-            "tool": {"point": [0.9, 0, 0.4], "approach": [1, 0, 0], "jaws": [0, 1, 0]},
-        }
+        "axes": _ELBOW,
+        "convention": "standard",
+        "angle_unit": "deg",
+        "tool": {"point": [0.9, 0, 0.4], "approach": [1, 0, 0], "jaws": [0, 1, 0]},
     }
 }
-_CHECK: dict[str, Example] = {
+_CHECK: dict[str, Any] = {
     "two frames of three, one of them broken": {
-        "value": {
-            "axes": _ELBOW,
-            "convention": "modified",
-            "angle_unit": "deg",
-            "frames": [
-                {"origin": [0, 0, 0], "x": [1, 0, 0], "z": [0, 0, 1]},
-                {"origin": [0, 0, 0.4], "x": [0, 1, 0], "z": [0, 0, 1]},
-            ],
-        }
+        "axes": _ELBOW,
+        "convention": "modified",
+        "angle_unit": "deg",
+        "frames": [
+            {"origin": [0, 0, 0], "x": [1, 0, 0], "z": [0, 0, 1]},
+            {"origin": [0, 0, 0.4], "x": [0, 1, 0], "z": [0, 0, 1]},
+        ],
     }
 }
 
@@ -56,7 +49,7 @@ _CHECK: dict[str, Example] = {
     "/assign-frames", summary="Joint axes in, a DH table out", responses=problems(400, 413, 415, 422)
 )
 async def assign(
-    request: ApiRequest, body: Annotated[AssignFramesRequest, Body(openapi_examples=_ASSIGN)]
+    request: ApiRequest, body: Annotated[AssignFramesRequest, body_with(_ASSIGN)]
 ) -> AssignFramesAnswer:
     """Assign frames by the procedure of the lecture documents, each with its rule and its free choices.
 
@@ -72,7 +65,7 @@ async def assign(
     responses=problems(400, 413, 415, 422),
 )
 async def check(
-    request: ApiRequest, body: Annotated[CheckFramesRequest, Body(openapi_examples=_CHECK)]
+    request: ApiRequest, body: Annotated[CheckFramesRequest, body_with(_CHECK)]
 ) -> CheckFramesAnswer:
     """Return the rules that the chosen frames break, the choices there are, and the rows that follow."""
     return await request.in_turn(partial(checked, body, _speaker(language_of(request))))

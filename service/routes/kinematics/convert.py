@@ -5,9 +5,7 @@ from __future__ import annotations
 from functools import partial
 from typing import Annotated
 
-from fastapi import Body
-
-from service.http.openapi import problems
+from service.http.openapi import body_with, problems
 from service.http.routing import ApiRequest, OneRobotRoute, api_router
 from service.schemas import examples
 from service.schemas.kinematics.conversion import ConvertAnswer, ConvertRequest
@@ -20,7 +18,7 @@ router = api_router("kinematics", route_class=OneRobotRoute)
     "/convert", summary="From one description of a robot to another", responses=problems(400, 413, 415, 422)
 )
 async def convert(
-    body: Annotated[ConvertRequest, Body(openapi_examples=examples.named(examples.CONVERT))],
+    body: Annotated[ConvertRequest, body_with(examples.CONVERT)],
     request: ApiRequest,
 ) -> ConvertAnswer:
     """Return another description of the same robot, without loss.

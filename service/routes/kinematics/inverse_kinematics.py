@@ -5,9 +5,7 @@ from __future__ import annotations
 from functools import partial
 from typing import Annotated
 
-from fastapi import Body
-
-from service.http.openapi import problems
+from service.http.openapi import body_with, problems
 from service.http.routing import ApiRequest, BytesResponse, api_router
 from service.schemas import examples
 from service.schemas.kinematics.inverse_forms import (
@@ -65,7 +63,7 @@ _EXAMPLES = {
     responses=problems(400, 413, 415, 422, 503),
 )
 async def inverse_kinematics(
-    body: Annotated[InverseQuestion, Body(openapi_examples=examples.named(_EXAMPLES | SYMBOLIC_INVERSE))],
+    body: Annotated[InverseQuestion, body_with(_EXAMPLES | SYMBOLIC_INVERSE)],
     request: ApiRequest,
 ) -> InverseKinematicsAnswer | InverseKinematicsAnswers | BytesResponse:
     """Return all distinct solutions if the arm has a closed form, and otherwise those that a search finds.

@@ -4,17 +4,14 @@ from __future__ import annotations
 
 from typing import Annotated, Any
 
-from fastapi import Body
-
 from kinematics.chain import chain_of_table
 from kinematics.ellipsoids import Ellipsoid, VelocityEllipsoids, velocity_ellipsoids
 from kinematics.inverse.lengths import check_lengths
 from kinematics.rates import ROLL_PITCH_YAW, analytic_jacobian, jacobian_rate, joint_forces
 from kinematics.se3 import check_transform
-from service.http.openapi import problems
+from service.http.openapi import body_with, problems
 from service.http.routing import api_router
 from service.resources import AppResources
-from service.schemas import examples
 from service.schemas.kinematics.rates_request import RatesAnswer, RatesRequest
 from service.wire.fault_pointers import traced
 from service.wire.json_chunks import plain_lists
@@ -39,7 +36,7 @@ _EXAMPLES: dict[str, Any] = {
     responses=problems(400, 413, 415, 422),
 )
 async def rates(
-    body: Annotated[RatesRequest, Body(openapi_examples=examples.named(_EXAMPLES))],
+    body: Annotated[RatesRequest, body_with(_EXAMPLES)],
     resources: AppResources,
 ) -> RatesAnswer:
     """Return (v, ω) = J0 q̇, J0 q̈ + J̇0 q̇, the analytic Jacobian, τ = J0ᵀ (f, m) and ellipsoids.

@@ -3,13 +3,10 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import Annotated
-
-from fastapi import Body
-from fastapi.openapi.models import Example
+from typing import Annotated, Any
 
 from service.http.languages import language_of
-from service.http.openapi import problems
+from service.http.openapi import body_with, problems
 from service.http.routing import ApiRequest, api_router
 from service.messages import sentence
 from service.schemas.kinematics.rotations import (
@@ -23,37 +20,29 @@ from service.wire.kinematics.orientations import all_notations, checked_rotation
 router = api_router("kinematics")
 
 _QUARTER = [[0, -1, 0], [1, 0, 0], [0, 0, 1]]
-_ROTATIONS: dict[str, Example] = {
+_ROTATIONS: dict[str, Any] = {
     "roll, pitch and yaw": {
-        "value": {
-            "angle_unit": "deg",
-            "orientation": {"angles": [30, 45, -60], "axes": "XYZ", "turning": "fixed"},
-        }
+        "angle_unit": "deg",
+        "orientation": {"angles": [30, 45, -60], "axes": "XYZ", "turning": "fixed"},
     },
-    "gimbal lock": {"value": {"angle_unit": "deg", "orientation": {"angles": [20, 90, 10]}}},
-    "a reflection": {"value": {"orientation": {"matrix": [[1, 0, 0], [0, 1, 0], [0, 0, -1]]}}},
+    "gimbal lock": {"angle_unit": "deg", "orientation": {"angles": [20, 90, 10]}},
+    "a reflection": {"orientation": {"matrix": [[1, 0, 0], [0, 1, 0], [0, 0, -1]]}},
 }
-_CHECK: dict[str, Example] = {
+_CHECK: dict[str, Any] = {
     "the negative of a quaternion": {
-        "value": {
-            "expected": {"matrix": _QUARTER},
-            "answer": {"quaternion": [-0.7071, 0, 0, -0.7071]},
-        }
+        "expected": {"matrix": _QUARTER},
+        "answer": {"quaternion": [-0.7071, 0, 0, -0.7071]},
     },
     "both triples": {
-        "value": {
-            "angle_unit": "deg",
-            "expected": {"angles": [30, 60, -45], "axes": "ZYZ"},
-            "answer": {"triples": [[30, 60, -45], [210, -60, 135]], "axes": "ZYZ"},
-            "every": True,
-        }
+        "angle_unit": "deg",
+        "expected": {"angles": [30, 60, -45], "axes": "ZYZ"},
+        "answer": {"triples": [[30, 60, -45], [210, -60, 135]], "axes": "ZYZ"},
+        "every": True,
     },
     "fixed axes for current ones": {
-        "value": {
-            "angle_unit": "deg",
-            "expected": {"angles": [30, 45, -60]},
-            "answer": {"angles": [30, 45, -60], "turning": "fixed"},
-        }
+        "angle_unit": "deg",
+        "expected": {"angles": [30, 45, -60]},
+        "answer": {"angles": [30, 45, -60], "turning": "fixed"},
     },
 }
 
@@ -62,7 +51,7 @@ _CHECK: dict[str, Example] = {
     "/rotations", summary="One orientation in every notation", responses=problems(400, 413, 415, 422)
 )
 async def rotations(
-    request: ApiRequest, body: Annotated[RotationsRequest, Body(openapi_examples=_ROTATIONS)]
+    request: ApiRequest, body: Annotated[RotationsRequest, body_with(_ROTATIONS)]
 ) -> RotationsAnswer:
     """Return the matrix, quaternion, axis and angle, and both solutions for the angles of all 24 sequences.
 
@@ -78,7 +67,7 @@ async def rotations(
     responses=problems(400, 413, 415, 422),
 )
 async def check_rotation(
-    request: ApiRequest, body: Annotated[CheckRotationRequest, Body(openapi_examples=_CHECK)]
+    request: ApiRequest, body: Annotated[CheckRotationRequest, body_with(_CHECK)]
 ) -> CheckRotationAnswer:
     """Return whether an answer in any notation means the orientation, and what a wrong one looks like.
 

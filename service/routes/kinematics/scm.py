@@ -6,8 +6,6 @@ from collections.abc import Sequence
 from functools import partial
 from typing import Annotated, Any
 
-from fastapi import Body
-
 from kinematics.errors import Fault, JointValueError
 from kinematics.jacobian import JacobianFrame
 from kinematics.poses import pose_notations
@@ -24,7 +22,7 @@ from kinematics.scm import (
 )
 from kinematics.se3 import inverse_transform
 from kinematics.table import bind
-from service.http.openapi import problems
+from service.http.openapi import body_with, problems
 from service.http.routing import ApiRequest, BytesResponse, OneRobotRoute, api_router
 from service.schemas.kinematics import scm as wire
 from service.schemas.kinematics import scm_examples as examples
@@ -55,7 +53,7 @@ _REFUSALS = problems(400, 413, 415, 422, 503)
     summary="Direct kinematics of an SCM chain",
 )
 async def forward_kinematics(
-    body: Annotated[wire.ScmForwardKinematicsRequest, Body(openapi_examples=examples.FORWARD_KINEMATICS)],
+    body: Annotated[wire.ScmForwardKinematicsRequest, body_with(examples.FORWARD_KINEMATICS)],
     request: ApiRequest,
 ) -> wire.ScmForwardKinematicsAnswer | BytesResponse:
     """Return ⁰H_FT, every H_i and every frame: scm(manipulator, 0) of the toolbox.
@@ -83,7 +81,7 @@ async def forward_kinematics(
     summary="Inverse of the direct kinematics of an SCM chain",
 )
 async def inverse_of_transform(
-    body: Annotated[wire.ScmInverseTransformRequest, Body(openapi_examples=examples.INVERSE_TRANSFORM)],
+    body: Annotated[wire.ScmInverseTransformRequest, body_with(examples.INVERSE_TRANSFORM)],
     request: ApiRequest,
 ) -> wire.ScmInverseTransformAnswer | BytesResponse:
     """Return the pose of frame 0 in the tool: scm(manipulator, -1) of the toolbox.
@@ -105,7 +103,7 @@ async def inverse_of_transform(
     summary="J0 and Jn of an SCM chain",
 )
 async def jacobian(
-    body: Annotated[wire.ScmJacobianRequest, Body(openapi_examples=examples.JACOBIAN)], request: ApiRequest
+    body: Annotated[wire.ScmJacobianRequest, body_with(examples.JACOBIAN)], request: ApiRequest
 ) -> wire.ScmJacobianAnswer | BytesResponse:
     """Return J0 and Jn, by inspection (scm(manipulator, 1) and 2) or by differentiating the matrix (h2j).
 
@@ -141,7 +139,7 @@ async def jacobian(
     summary="Inverse kinematics of an SCM chain",
 )
 async def inverse_kinematics(
-    body: Annotated[wire.ScmInverseKinematicsRequest, Body(openapi_examples=examples.INVERSE_KINEMATICS)],
+    body: Annotated[wire.ScmInverseKinematicsRequest, body_with(examples.INVERSE_KINEMATICS)],
     request: ApiRequest,
 ) -> InverseKinematicsAnswer:
     """Return the joint values at which the tool reaches a pose: scm(manipulator, target, origin) and ik2q.
@@ -165,7 +163,7 @@ async def inverse_kinematics(
 
 @router.post("/scm/random-configuration", responses=_REFUSALS, summary="Random joint values for an SCM chain")
 async def random_configuration(
-    body: Annotated[wire.RandomConfigurationRequest, Body(openapi_examples=examples.RANDOM_CONFIGURATION)],
+    body: Annotated[wire.RandomConfigurationRequest, body_with(examples.RANDOM_CONFIGURATION)],
     request: ApiRequest,
 ) -> wire.RandomConfigurationAnswer:
     """Return joint values drawn evenly within limits: qrand of the toolbox."""
@@ -193,7 +191,7 @@ async def random_configuration(
     summary="Products of motions, compared",
 )
 async def products(
-    body: Annotated[ScmProductsRequest, Body(openapi_examples=examples.PRODUCTS)], request: ApiRequest
+    body: Annotated[ScmProductsRequest, body_with(examples.PRODUCTS)], request: ApiRequest
 ) -> BytesResponse:
     """Multiply motions and matrices: HRX … HTZ, GEO, SCZIP, S2D and H2J of the toolbox.
 

@@ -5,15 +5,13 @@ from __future__ import annotations
 from typing import Annotated, Any
 
 import numpy as np
-from fastapi import Body
 
 from kinematics.forward import end_poses
 from kinematics.inverse.lengths import check_lengths
 from kinematics.trajectory import joint_trajectory
-from service.http.openapi import problems
+from service.http.openapi import body_with, problems
 from service.http.routing import api_router
 from service.resources import AppResources
-from service.schemas import examples
 from service.schemas.kinematics.trajectory_request import TrajectoryAnswer, TrajectoryRequest
 from service.wire.fault_pointers import traced
 from service.wire.kinematics.joint_values import values_in_radians
@@ -37,7 +35,7 @@ _EXAMPLES: dict[str, Any] = {
     responses=problems(400, 413, 415, 422),
 )
 async def trajectory(
-    body: Annotated[TrajectoryRequest, Body(openapi_examples=examples.named(_EXAMPLES))],
+    body: Annotated[TrajectoryRequest, body_with(_EXAMPLES)],
     resources: AppResources,
 ) -> TrajectoryAnswer:
     """Return a motion from `start` to `end`, joints together: q(t) = start + s(t / duration) (end − start).

@@ -6,16 +6,13 @@ from dataclasses import replace
 from functools import partial
 from typing import Annotated, Any
 
-from fastapi import Body
-
 from kinematics.cells import Limits
 from kinematics.errors import Fault, KinematicsError, TableError
 from kinematics.inverse.lengths import check_lengths
 from kinematics.tree_structures import fault_in_tree, path_table, read_tree, tree_frames, tree_jacobian
-from service.http.openapi import problems
+from service.http.openapi import body_with, problems
 from service.http.problems import located
 from service.http.routing import ApiRequest, api_router
-from service.schemas import examples
 from service.schemas.kinematics.tree_request import TreeAnswer, TreeEnd, TreeRequest
 from service.wire.json_chunks import plain_lists
 from service.wire.kinematics.joint_values import values_in_radians
@@ -47,9 +44,7 @@ _EXAMPLES: dict[str, Any] = {
     summary="Frames, Jacobians and tables of an arm that branches",
     responses=problems(400, 413, 415, 422),
 )
-async def trees(
-    body: Annotated[TreeRequest, Body(openapi_examples=examples.named(_EXAMPLES))], request: ApiRequest
-) -> TreeAnswer:
+async def trees(body: Annotated[TreeRequest, body_with(_EXAMPLES)], request: ApiRequest) -> TreeAnswer:
     """Return the poses of all frames of a tree (Khalil, Kleinfinger), and each tip's Jacobian and table.
 
     Frame j follows frame i: iT_j = Rot_z(γ) Trans_z(b) Rot_x(α) Trans_x(a) Rot_z(θ) Trans_z(d). The path to a

@@ -5,12 +5,10 @@ from __future__ import annotations
 from functools import partial
 from typing import Annotated, Any
 
-from fastapi import Body
-
 from kinematics.inverse import ArmReach
 from kinematics.inverse.limits import JointLimits
 from kinematics.workspace import Radius, Workspace, check_reach, joint_spans, workspace
-from service.http.openapi import problems
+from service.http.openapi import body_with, problems
 from service.http.routing import ApiRequest, OneRobotRoute, api_router
 from service.schemas import examples
 from service.schemas.kinematics import workspace_request as wire
@@ -43,7 +41,7 @@ _EXAMPLES: dict[str, Any] = {
     responses=problems(400, 413, 415, 422, 503),
 )
 async def reach(
-    body: Annotated[wire.WorkspaceRequest, Body(openapi_examples=examples.named(_EXAMPLES))],
+    body: Annotated[wire.WorkspaceRequest, body_with(_EXAMPLES)],
     request: ApiRequest,
 ) -> wire.WorkspaceResponse:
     """Return the least and greatest distance of the end frame's origin, and the box that contains it.

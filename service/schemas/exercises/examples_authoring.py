@@ -7,7 +7,6 @@ from typing import Any
 
 from exercises.authoring.archive import archive_of_draft
 from exercises.authoring.draft import ExerciseDraft
-from service.schemas.examples import named
 
 DRAWING: dict[str, Any] = {
     "length_unit": "m",
@@ -61,28 +60,24 @@ IMPORT = {
         ).decode()
     }
 }
-START = named(
-    {
-        "a robot of the catalogue": {"id": "my-scara", "source": {"robot": "scara"}},
-        "drawn axes": {"id": "my-arm", "source": {"axes": DRAWING}},
+START = {
+    "a robot of the catalogue": {"id": "my-scara", "source": {"robot": "scara"}},
+    "drawn axes": {"id": "my-arm", "source": {"axes": DRAWING}},
+}
+DRAFT = {"two links": {"draft": TWO_LINKS}}
+CHECK = {"two links, the values of a seed": {"draft": TWO_LINKS, "seed": 1}}
+TRY = {
+    "a right table": {
+        "draft": TWO_LINKS,
+        "answer": {
+            "table": {
+                "convention": "standard",
+                "angle_unit": "deg",
+                "rows": [
+                    {"theta": "q1", "d": 0, "a": "L1", "alpha": 0},
+                    {"theta": "q2", "d": 0, "a": "L2", "alpha": 0},
+                ],
+            }
+        },
     }
-)
-DRAFT = named({"two links": {"draft": TWO_LINKS}})
-CHECK = named({"two links, the values of a seed": {"draft": TWO_LINKS, "seed": 1}})
-TRY = named(
-    {
-        "a right table": {
-            "draft": TWO_LINKS,
-            "answer": {
-                "table": {
-                    "convention": "standard",
-                    "angle_unit": "deg",
-                    "rows": [
-                        {"theta": "q1", "d": 0, "a": "L1", "alpha": 0},
-                        {"theta": "q2", "d": 0, "a": "L2", "alpha": 0},
-                    ],
-                }
-            },
-        }
-    }
-)
+}

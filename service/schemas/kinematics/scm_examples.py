@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from typing import Any
 
-from fastapi.openapi.models import Example
-
 STANFORD: dict[str, Any] = {
     "joints": [
         {"z": "L0", "a": "a1"},
@@ -28,54 +26,49 @@ SCARA: dict[str, Any] = {
     "final": [0, 0, "-L3", 0, 0, "pi"],
 }
 
-
-def _named(**requests: dict[str, Any]) -> dict[str, Example]:
-    return {name.replace("_", " "): Example(value=value) for name, value in requests.items()}
-
-
-FORWARD_KINEMATICS = _named(
-    Stanford_arm_in_numbers={
+FORWARD_KINEMATICS: dict[str, Any] = {
+    "Stanford arm in numbers": {
         "chain": STANFORD,
         "parameters": LENGTHS,
         "joints": [30, 60, 0.5, 0, 45, 90],
     },
-    SCARA_in_closed_form={"chain": SCARA, "formats": ["text", "latex"]},
-    a_robot_of_the_catalogue={"robot": "kr125", "joints": [0, -90, 90, 0, 45, 0]},
-)
-INVERSE_TRANSFORM = _named(
-    SCARA_in_closed_form={"chain": SCARA, "formats": ["text"], "notation": "full"},
-    a_robot_of_the_catalogue={"robot": "uw", "joints": [10, 20, 30]},
-)
-JACOBIAN = _named(
-    Stanford_arm_by_inspection={
+    "SCARA in closed form": {"chain": SCARA, "formats": ["text", "latex"]},
+    "a robot of the catalogue": {"robot": "kr125", "joints": [0, -90, 90, 0, 45, 0]},
+}
+INVERSE_TRANSFORM: dict[str, Any] = {
+    "SCARA in closed form": {"chain": SCARA, "formats": ["text"], "notation": "full"},
+    "a robot of the catalogue": {"robot": "uw", "joints": [10, 20, 30]},
+}
+JACOBIAN: dict[str, Any] = {
+    "Stanford arm by inspection": {
         "chain": STANFORD,
         "parameters": LENGTHS,
         "joints": [30, 60, 0.5, 0, 45, 90],
     },
-    two_links_by_differentiation={"robot": "twolink", "joints": [20, 40], "method": "differentiation"},
-    two_links_in_closed_form={"robot": "twolink", "formats": ["text"]},
-)
-INVERSE_KINEMATICS = _named(
-    two_links={"robot": "twolink", "target": [1, 1, 0, 90, 0, 0]},
-    PUMA_560_near_given_joints={
+    "two links by differentiation": {"robot": "twolink", "joints": [20, 40], "method": "differentiation"},
+    "two links in closed form": {"robot": "twolink", "formats": ["text"]},
+}
+INVERSE_KINEMATICS: dict[str, Any] = {
+    "two links": {"robot": "twolink", "target": [1, 1, 0, 90, 0, 0]},
+    "PUMA 560 near given joints": {
         "robot": "puma560",
         "target": [[1, 0, 0, 0.4], [0, 1, 0, -0.15005], [0, 0, 1, 0.3], [0, 0, 0, 1]],
         "start": [0, 45, -90, 0, 0, 0],
     },
-)
-RANDOM_CONFIGURATION = _named(
-    three_configurations={"chain": STANFORD, "parameters": LENGTHS, "count": 3, "seed": 1},
-    within_limits={"robot": "twolink", "limits": [[-90, 90], [0, 120]]},
-)
+}
+RANDOM_CONFIGURATION: dict[str, Any] = {
+    "three configurations": {"chain": STANFORD, "parameters": LENGTHS, "count": 3, "seed": 1},
+    "within limits": {"robot": "twolink", "limits": [[-90, 90], [0, 120]]},
+}
 
-PRODUCTS = _named(
-    a_shift_along_x_and_a_turn_about_x_commute={
+PRODUCTS: dict[str, Any] = {
+    "a shift along x and a turn about x commute": {
         "products": [[{"x": "X"}, {"c": "C"}], [{"c": "C"}, {"x": "X"}]],
     },
-    those_along_y_and_about_x_do_not={
+    "those along y and about x do not": {
         "products": [[{"y": "Y"}, {"c": "C"}], [{"c": "C"}, {"y": "Y"}]],
     },
-    a_matrix_of_ones_own_its_Jacobian_and_its_values={
+    "a matrix of ones own its Jacobian and its values": {
         "products": [
             [
                 [
@@ -94,8 +87,8 @@ PRODUCTS = _named(
         "angle_unit": "deg",
         "jacobian": True,
     },
-    two_frames_multiplied={
+    "two frames multiplied": {
         "products": [[[0.1, 0, 0.3, 90, 0, 0], [0, 0.2, 0, 0, 30, 0]]],
         "angle_unit": "deg",
     },
-)
+}

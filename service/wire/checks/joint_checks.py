@@ -37,7 +37,6 @@ from service.wire.fault_pointers import traced
 from service.wire.kinematics.inverse_solutions import TargetQuestion, answer_to
 from service.wire.kinematics.pose_matrices import pose_matrix
 from service.wire.kinematics.prepared_robots import PreparedRobot
-from service.work.limiters import WorkKind
 
 ROUNDED = 2e-3
 """How far a target may be from a rigid motion: three decimals."""
@@ -60,7 +59,7 @@ async def checked_joints(
         KinematicsError: a malformed table, pose, limits or row; every fault at its place.
         ServiceError: no place for a search, or it took too long.
     """
-    grading, language = api.resources.limiters[WorkKind.GRADING], language_of(api)
+    grading, language = api.resources.grading, language_of(api)
     asked = await grading.run(partial(_asked, request, robot, api.settings.cell_limits))
     if asked is None:
         return _refused(robot, language)
