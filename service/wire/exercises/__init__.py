@@ -3,5 +3,4 @@
 exercise_views, figure_files       exercises and their figures
 drafts                             what authors are shown
 verdicts, many_grades, ungraded    what is said of answers, and what is refused
-planted_choice                     planted mistakes
 """
