@@ -2,8 +2,7 @@
 
 kinematics                   robots, what is asked of them, and what is computed
 exercises                    exercises, and answers of students
-checks                       the `check-…` calls
 courses                      what students and lecturers are shown
-fault_pointers                  faults at their places in the request
+fault_pointers               faults at their places in the request
 answer_cache, json_chunks    kept, and written in pieces
 """

@@ -1,1 +1,1 @@
-"""Is somebody's answer right? The calls `/check-…`, one kind of answer a file."""
+"""Is somebody's answer right? The calls `/check-…`, one noun a file."""

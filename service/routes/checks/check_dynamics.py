@@ -24,7 +24,7 @@ from service.schemas.checks.dynamics_answers import (
 )
 from service.schemas.spoken import feedback_sentence
 from service.settings import Settings
-from service.wire.checks.answer_functions import read_row, roundings_of
+from service.wire.kinematics.answer_functions import read_row, roundings_of
 from service.wire.kinematics.dynamics import parameter_numbers, weighed
 
 router = api_router("kinematics")

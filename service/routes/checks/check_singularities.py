@@ -24,8 +24,8 @@ from service.http.routing import ApiRequest, api_router
 from service.schemas import examples
 from service.schemas.checks.singularity_answers import CheckSingularitiesAnswer, CheckSingularitiesRequest
 from service.schemas.spoken import feedback_sentence
-from service.wire.checks.answer_functions import check_count, form_values, known_functions
 from service.wire.fault_pointers import traced
+from service.wire.kinematics.answer_functions import check_count, form_values, known_functions
 from service.wire.kinematics.joint_values import in_request_units, values_in_radians
 from service.wire.kinematics.prepared_robots import PreparedRobot
 

@@ -15,8 +15,7 @@ from kinematics.errors import CellError, Fault, JointValueError, ParamValue
 from kinematics.expressions import Expression
 from kinematics.rotations.sequences import EulerSequence
 from service.http.problems import located
-from service.schemas.checks.jacobian_answers import CheckJacobianRequest
-from service.schemas.checks.jacobian_form_answers import CheckJacobianFormRequest
+from service.schemas.checks.jacobian_answers import CheckJacobianFormRequest, CheckJacobianRequest
 from service.schemas.kinematics.robot_question import RobotQuestion
 from service.wire.kinematics.prepared_robots import PreparedRobot, listed_robot
 

@@ -1,10 +1,10 @@
-"""Answers about inverse kinematics between the wire and the domain."""
+"""Joint values that somebody says reach a pose."""
 
 from __future__ import annotations
 
 from contextlib import suppress
 from functools import partial
-from typing import NamedTuple
+from typing import Annotated, Any, NamedTuple
 
 import numpy as np
 
@@ -23,8 +23,10 @@ from kinematics.inverse.goals import EXACT, LARGEST_TOLERANCE, LEAST_TOLERANCE, 
 from kinematics.se3 import check_transform, inverse_transform
 from kinematics.table import JointType
 from service.http.languages import language_of
+from service.http.openapi import body_with, problems
 from service.http.problems import located
-from service.http.routing import ApiRequest
+from service.http.routing import ApiRequest, api_router
+from service.schemas import examples
 from service.schemas.checks.joint_answers import (
     CheckInverseKinematicsAnswer,
     CheckInverseKinematicsRequest,
@@ -32,11 +34,29 @@ from service.schemas.checks.joint_answers import (
 )
 from service.schemas.kinematics.joints import domain_limits
 from service.schemas.spoken import spoken
-from service.wire.checks.answer_functions import check_count
 from service.wire.fault_pointers import traced
+from service.wire.kinematics.answer_functions import check_count
 from service.wire.kinematics.inverse_solutions import TargetQuestion, answer_to
 from service.wire.kinematics.pose_matrices import pose_matrix
 from service.wire.kinematics.prepared_robots import PreparedRobot
+
+router = api_router("kinematics")
+
+_EXAMPLES: dict[str, Any] = {
+    "two links, one of the two elbows": {
+        "table": examples.TWO_LINKS,
+        "parameters": {"L1": 0.5, "L2": 0.3},
+        "target": [[1, 0, 0, 0.5], [0, 1, 0, 0.3], [0, 0, 1, 0], [0, 0, 0, 1]],
+        "position_only": True,
+        "solutions": [[0, 1.5707963]],
+    },
+    "out of reach": {
+        "table": examples.TWO_LINKS,
+        "parameters": {"L1": 0.5, "L2": 0.3},
+        "target": [[1, 0, 0, 2], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]],
+        "claim": "out_of_reach",
+    },
+}
 
 ROUNDED = 2e-3
 """How far a target may be from a rigid motion: three decimals."""
@@ -50,51 +70,58 @@ class _Asked(NamedTuple):
     own: Certificate | None
 
 
-async def checked_joints(
-    request: CheckInverseKinematicsRequest, robot: PreparedRobot, api: ApiRequest
+@router.post(
+    "/check-inverse-kinematics",
+    summary="Do these joint values reach the pose, and are they all?",
+    responses=problems(400, 413, 415, 422, 503),
+)
+async def check_inverse_kinematics(
+    body: Annotated[CheckInverseKinematicsRequest, body_with(_EXAMPLES)],
+    request: ApiRequest,
 ) -> CheckInverseKinematicsAnswer:
-    """Return what is said of joint values for a pose.
+    """Judge each row by forward kinematics, up to full turns, and the rows together by the complete set.
 
-    Raises:
-        KinematicsError: a malformed table, pose, limits or row; every fault at its place.
-        ServiceError: no place for a search, or it took too long.
+    For a singular pose, the answer must give the combination of joint values that is fixed on the family.
+    With `own`, joint values and pose refer to the answerer's own table, and the certificate (σ, δ, B, E) of
+    that table converts them. Missing branches and wrong quadrants are named.
     """
-    grading, language = api.resources.grading, language_of(api)
-    asked = await grading.run(partial(_asked, request, robot, api.settings.cell_limits))
+    robot = await request.in_turn(partial(request.resources.robots.prepare, body))
+    grading, language = request.resources.grading, language_of(request)
+    asked = await grading.run(partial(_asked, body, robot, request.settings.cell_limits))
     if asked is None:
         return _refused(robot, language)
-    with traced(request):
-        found = await answer_to(asked.question, api.resources.workers)
-    return await grading.run(partial(_judged, request, robot, asked, found, language))
+    with traced(body):
+        found = await answer_to(asked.question, request.resources.workers)
+    return await grading.run(partial(_judged, body, robot, asked, found, language))
 
 
-def _asked(request: CheckInverseKinematicsRequest, robot: PreparedRobot, limits: Limits) -> _Asked | None:
+def _asked(body: CheckInverseKinematicsRequest, robot: PreparedRobot, limits: Limits) -> _Asked | None:
     """What is asked, and the answer; None if the answerer's own table is another robot."""
-    units = _units(request, robot)
+    units = _units(body, robot)
     target = check_transform(
-        pose_matrix(request.target, robot.angle, "target"), where=("target",), tolerance=ROUNDED
+        pose_matrix(body.target, robot.angle, "target"), where=("target",), tolerance=ROUNDED
     )
     off = float(np.abs(target[:3, :3].T @ target[:3, :3] - np.eye(3)).max())
     rounding = OF_ROUNDING * off if off > EXACT else rounding_of(target[:3, 3])
     exactness = min(max(rounding, LEAST_TOLERANCE), LARGEST_TOLERANCE)
     left, _, right = np.linalg.svd(target[:3, :3])
     target[:3, :3] = left @ right
-    own = None if request.own is None else _certificate(request, robot, limits)
-    if request.own is not None and own is None:
+    own = None if body.own is None else _certificate(body, robot, limits)
+    if body.own is not None and own is None:
         return None
     answer = JointAnswer(
-        claim=request.claim,
-        rows=tuple(_row(row, units, "solutions", i) for i, row in enumerate(request.solutions)),
+        claim=body.claim,
+        rows=tuple(_row(row, units, "solutions", i) for i, row in enumerate(body.solutions)),
         combinations=tuple(
-            _row(row, (1.0,) * len(units), "combinations", i) for i, row in enumerate(request.combinations)
+            _row(row, (1.0,) * len(units), "combinations", i) for i, row in enumerate(body.combinations)
         ),
     )
     if own is not None:
         answer = in_other_frames(answer, own.joint_signs, own.joint_offsets)
         target = inverse_transform(own.base) @ target @ inverse_transform(own.tool)
-    reach = ArmReach.POSITION if request.position_only else ArmReach.POSE
-    with traced(request):
-        ranges = domain_limits(request.limits, robot.joint_units)
+    reach = ArmReach.POSITION if body.position_only else ArmReach.POSE
+    with traced(body):
+        ranges = domain_limits(body.limits, robot.joint_units)
     question = TargetQuestion(
         table=robot.table, target=target, reach=reach, limits=ranges, tolerance=exactness
     )
@@ -102,7 +129,7 @@ def _asked(request: CheckInverseKinematicsRequest, robot: PreparedRobot, limits:
 
 
 def _judged(
-    request: CheckInverseKinematicsRequest,
+    body: CheckInverseKinematicsRequest,
     robot: PreparedRobot,
     asked: _Asked,
     solutions: InverseKinematics,
@@ -113,8 +140,8 @@ def _judged(
     question = joint_question(
         asking.solver(),
         asking.target,
-        every=request.every,
-        tolerance=request.tolerance,
+        every=body.every,
+        tolerance=body.tolerance,
         reach=asking.reach,
         found=solutions,
     )
@@ -140,13 +167,13 @@ def _judged(
 
 
 def _certificate(
-    request: CheckInverseKinematicsRequest, robot: PreparedRobot, limits: Limits
+    body: CheckInverseKinematicsRequest, robot: PreparedRobot, limits: Limits
 ) -> Certificate | None:
     """Return how the answerer's own table agrees with the robot; None if it is another one."""
-    assert request.own is not None
+    assert body.own is not None
     with located("own"):
-        read = in_length_unit(read_table(request.own.raw(), limits), robot.read.length_unit)
-        known = {name: value for name, value in request.parameters.items() if name in read.parameters}
+        read = in_length_unit(read_table(body.own.raw(), limits), robot.read.length_unit)
+        known = {name: value for name, value in body.parameters.items() if name in read.parameters}
         table = bind_parameters(read, known)
     policy = Policy(tool=ToolRule.FREE)
     with np.errstate(all="ignore"), suppress(np.linalg.LinAlgError):
@@ -173,13 +200,13 @@ def _refused(robot: PreparedRobot, language: str) -> CheckInverseKinematicsAnswe
     )
 
 
-def _units(request: CheckInverseKinematicsRequest, robot: PreparedRobot) -> tuple[float, ...]:
+def _units(body: CheckInverseKinematicsRequest, robot: PreparedRobot) -> tuple[float, ...]:
     """Return what one unit of each joint value is in [rad], or in the robot's length unit."""
-    if request.own is None:
+    if body.own is None:
         return robot.joint_units
-    ratio = float(request.own.length_unit.metres_per_unit / robot.read.length_unit.metres_per_unit)
+    ratio = float(body.own.length_unit.metres_per_unit / robot.read.length_unit.metres_per_unit)
     return tuple(
-        request.own.angle_unit.radians if kind is JointType.REVOLUTE else ratio
+        body.own.angle_unit.radians if kind is JointType.REVOLUTE else ratio
         for kind in robot.table.joint_types
     )
 

@@ -1,1 +1,0 @@
-"""What the calls `/check-…` read, and what they say."""
