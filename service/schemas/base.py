@@ -24,7 +24,7 @@ class Wire(BaseModel):
     """Base of all request and response models.
 
     Strict: `false` is no number and `"1"` is no integer. For an enumeration, write the field's type as
-    `Annotated[TheEnum, Field(strict=False)]`; for a sequence, use `list`.
+    `OneOf[TheEnum]`; for a sequence, use `list`.
     """
 
     model_config = ConfigDict(
@@ -48,6 +48,9 @@ validated in a millisecond whatever they are. What a list means usually sets a n
 
 _FEW, _MANY = CHOICE + "few", CHOICE + "many"
 _Item = TypeVar("_Item")
+
+OneOf: TypeAlias = Annotated[_Item, Field(strict=False)]
+"""An enumeration, given by its value."""
 
 
 def by_size(items: int, wide: int) -> Discriminator:

@@ -8,7 +8,7 @@ from pydantic import Field, WithJsonSchema
 
 from kinematics.cells import AngleUnit, LengthUnit, RawRow, RawTable
 from kinematics.table import Convention, JointType
-from service.schemas.base import LONGEST_LIST, Listed, Real, Wire
+from service.schemas.base import LONGEST_LIST, Listed, OneOf, Real, Wire
 
 Cell: TypeAlias = Annotated[
     Any,
@@ -25,7 +25,7 @@ Cell: TypeAlias = Annotated[
 class Row(Wire):
     """One row of a DH table."""
 
-    joint: Annotated[JointType, Field(strict=False)] | None = Field(
+    joint: OneOf[JointType] | None = Field(
         None, description="what varies; left out, it follows from the cell that holds the row's variable"
     )
     alpha: Cell = Field(description="link twist α_i, or α_{i-1} in a modified table")
@@ -37,14 +37,12 @@ class Row(Wire):
 class TableHead(Wire):
     """What a table says before its rows."""
 
-    convention: Annotated[Convention, Field(strict=False)] = Field(
-        description="standard (a_i, α_i) or modified (a_{i-1}, α_{i-1})"
-    )
-    angle_unit: Annotated[AngleUnit, Field(strict=False)] = Field(
+    convention: OneOf[Convention] = Field(description="standard (a_i, α_i) or modified (a_{i-1}, α_{i-1})")
+    angle_unit: OneOf[AngleUnit] = Field(
         AngleUnit.RAD,
         description="unit of every angle: table, joints, parameters and answer",
     )
-    length_unit: Annotated[LengthUnit, Field(strict=False)] = Field(
+    length_unit: OneOf[LengthUnit] = Field(
         LengthUnit.M,
         description="unit of every length: table, joints, parameters and answer",
     )
@@ -74,7 +72,7 @@ class Table(TableHead):
 class AnsweredRow(Row):
     """One row of a DH table in an answer: it says what varies."""
 
-    joint: Annotated[JointType, Field(strict=False)] = Field(description="what varies")
+    joint: OneOf[JointType] = Field(description="what varies")
 
 
 class AnsweredTable(TableHead):

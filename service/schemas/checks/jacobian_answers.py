@@ -10,7 +10,7 @@ from kinematics.answers.jacobian_answers import JacobianMistake
 from kinematics.answers.screw_answers import ScrewOrder
 from kinematics.jacobian import JacobianFrame
 from kinematics.symbolic import ProofStatus
-from service.schemas.base import Real, Wire
+from service.schemas.base import OneOf, Real, Wire
 from service.schemas.choices import forbidding, together
 from service.schemas.kinematics.rates_request import Vector6
 from service.schemas.kinematics.robot_question import NO_ROBOT, RobotQuestion
@@ -31,10 +31,10 @@ class JacobianCheck(RobotQuestion):
         together("joint_forces", without=["wrench"]),
     )
 
-    order: Annotated[ScrewOrder, Field(strict=False)] = Field(
+    order: OneOf[ScrewOrder] = Field(
         ScrewOrder.LINEAR_FIRST, description="which rows of the Jacobian stand first"
     )
-    frame: Annotated[JacobianFrame, Field(strict=False)] = Field(
+    frame: OneOf[JacobianFrame] = Field(
         JacobianFrame.BASE, description="in whose axes Jacobian and wrench are: frame 0 or the last frame"
     )
     angles: RatesOfAngles | None = Field(

@@ -8,7 +8,7 @@ from pydantic import Field
 
 from kinematics.answers.joint_questions import USUAL_TOLERANCE
 from kinematics.answers.joint_verdicts import JointClaim
-from service.schemas.base import Matrix4, Real, Wire
+from service.schemas.base import Matrix4, OneOf, Real, Wire
 from service.schemas.kinematics.joints import JointRanges
 from service.schemas.kinematics.pose_input import PoseInput
 from service.schemas.kinematics.robot_question import RobotQuestion
@@ -22,7 +22,7 @@ class CheckInverseKinematicsRequest(RobotQuestion):
     """A robot, a pose, and the joint values that somebody says reach it."""
 
     target: PoseInput = Field(description="the pose of the last frame in frame 0")
-    claim: Annotated[JointClaim, Field(strict=False)] = Field(
+    claim: OneOf[JointClaim] = Field(
         JointClaim.FINITE,
         description="finite or infinite (many solutions), out_of_reach or joint_limits (none)",
     )

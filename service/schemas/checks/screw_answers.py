@@ -7,7 +7,7 @@ from typing import Annotated
 from pydantic import Field
 
 from kinematics.answers.screw_answers import ScrewFrame, ScrewMistake, ScrewOrder
-from service.schemas.base import Matrix4, Real, Wire
+from service.schemas.base import Matrix4, OneOf, Real, Wire
 from service.schemas.exercises.verdicts import PolicyModel
 from service.schemas.kinematics.pose_input import PoseInput
 from service.schemas.kinematics.robot_question import RobotQuestion
@@ -25,12 +25,10 @@ class CheckScrewsRequest(RobotQuestion):
     home: PoseInput = Field(
         description="M, the pose of the last frame where all joint variables are zero, in the table's units"
     )
-    frame: Annotated[ScrewFrame, Field(strict=False)] = Field(
+    frame: OneOf[ScrewFrame] = Field(
         ScrewFrame.SPACE, description="screws in the fixed frame, or in the tool's at the zero position"
     )
-    order: Annotated[ScrewOrder, Field(strict=False)] = Field(
-        ScrewOrder.LINEAR_FIRST, description="which half of a row stands first"
-    )
+    order: OneOf[ScrewOrder] = Field(ScrewOrder.LINEAR_FIRST, description="which half of a row stands first")
     policy: PolicyModel = PolicyModel()
 
 

@@ -9,7 +9,7 @@ from pydantic import Field
 from kinematics.answers.singularity_answers import ConditionStatus
 from kinematics.symbolic import ProofStatus
 from kinematics.symbolic.determinants import MotionRows
-from service.schemas.base import Real, Wire
+from service.schemas.base import OneOf, Real, Wire
 from service.schemas.choices import forbidding, together
 from service.schemas.kinematics.robot_question import NO_ROBOT, RobotQuestion
 from service.schemas.tables import Cell, Units
@@ -22,7 +22,7 @@ class CheckSingularitiesRequest(RobotQuestion):
         *NO_ROBOT, together(without=["conditions", "lost"]), together("lost", without=["joints"])
     )
 
-    motion: Annotated[MotionRows, Field(strict=False)] = Field(
+    motion: OneOf[MotionRows] = Field(
         MotionRows.TWIST, description="which rows of the Jacobian count: all, or those of the velocity"
     )
     conditions: Annotated[list[Cell], Field(max_length=16)] | None = Field(

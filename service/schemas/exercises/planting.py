@@ -10,7 +10,7 @@ from exercises.parts.mistakes.compare_tables import ComparisonReason
 from exercises.parts.mistakes.planted_matrices import MatrixKind
 from exercises.parts.mistakes.planting import PLANTABLE
 from kinematics.table import Convention
-from service.schemas.base import WHOLE, Wire
+from service.schemas.base import WHOLE, OneOf, Wire
 from service.schemas.exercises.exercises import FigureFrame, Seed
 from service.schemas.exercises.verdicts import PolicyModel
 from service.schemas.kinematics.frame_assignment_models import AxisModel
@@ -50,9 +50,7 @@ class PlantMatrixMistakeRequest(Wire):
     """A right table, in one of whose matrices a mistake is wanted."""
 
     table: Table = Field(description="a right table")
-    matrix: Annotated[MatrixKind, Field(strict=False)] = Field(
-        MatrixKind.LINK, description="the matrix of one of its rows, or ⁰T_N"
-    )
+    matrix: OneOf[MatrixKind] = Field(MatrixKind.LINK, description="the matrix of one of its rows, or ⁰T_N")
     seed: Seed = Field(None, description="names a student or a try: the same seed plants the same mistake")
 
 
@@ -78,7 +76,7 @@ class PlantFrameMistakeRequest(Wire):
     """A robot by its joint axes, in one of whose frames a mistake is wanted."""
 
     axes: list[AxisModel] = Field(min_length=1, max_length=64, description="the joint axes, base first")
-    convention: Annotated[Convention, Field(strict=False)]
+    convention: OneOf[Convention]
     seed: Seed = Field(None, description="names a student or a try: the same seed plants the same mistake")
 
 

@@ -8,13 +8,13 @@ from pydantic import Field
 
 from exercises.access import Tool
 from exercises.instance import SEED_CHARACTERS
-from service.schemas.base import WHOLE, Wire
+from service.schemas.base import WHOLE, OneOf, Wire
 from service.schemas.exercises.verdicts import Help
 
 MOST_DAYS = 3660
 """Ten years: longer than any course."""
 
-Switched = Annotated[Tool, Field(strict=False)]
+Switched = OneOf[Tool]
 
 
 class SignedLinkRequest(Wire):

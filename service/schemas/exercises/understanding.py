@@ -8,7 +8,7 @@ from pydantic import Field, WithJsonSchema
 
 from kinematics.cells import ParameterKind
 from kinematics.table import JointType
-from service.schemas.base import LONGEST_LIST, FaultEntry, Listed, Matrix4, Real, Wire
+from service.schemas.base import LONGEST_LIST, FaultEntry, Listed, Matrix4, OneOf, Real, Wire
 from service.schemas.tables import Row, Table
 
 MOST_MATRICES = 66
@@ -71,7 +71,7 @@ class Meaning(Wire):
 class UnderstoodRow(Wire):
     """What was understood of a row; a cell that cannot be read is left out."""
 
-    joint: Annotated[JointType, Field(strict=False)]
+    joint: OneOf[JointType]
     sign: int = Field(description="+1, or -1 where the joint variable enters reversed")
     variable: str | None = Field(description="the row's joint variable; null in a fixed row")
     alpha: Meaning | None = None

@@ -17,7 +17,7 @@ from exercises.grading import (
     Verdict,
     ZeroRule,
 )
-from service.schemas.base import Wire
+from service.schemas.base import OneOf, Wire
 from service.schemas.derived import model_of
 
 Help = Annotated[
@@ -41,19 +41,11 @@ class ToleranceModel(Wire):
 class PolicyModel(Wire):
     """What a table is held to, beyond being the same mechanism."""
 
-    convention: Annotated[ConventionRule, Field(strict=False)] = Field(
-        ConventionRule.ANY, description="convention of the submission"
-    )
-    base: Annotated[BaseRule, Field(strict=False)] = Field(
-        BaseRule.FREE, description="where frame 0 must lie"
-    )
-    tool: Annotated[ToolRule, Field(strict=False)] = Field(
-        ToolRule.FREE, description="where frame N must lie"
-    )
-    zero: Annotated[ZeroRule, Field(strict=False)] = Field(
-        ZeroRule.FREE, description="where the joint variables are zero"
-    )
-    direction: Annotated[DirectionRule, Field(strict=False)] = Field(
+    convention: OneOf[ConventionRule] = Field(ConventionRule.ANY, description="convention of the submission")
+    base: OneOf[BaseRule] = Field(BaseRule.FREE, description="where frame 0 must lie")
+    tool: OneOf[ToolRule] = Field(ToolRule.FREE, description="where frame N must lie")
+    zero: OneOf[ZeroRule] = Field(ZeroRule.FREE, description="where the joint variables are zero")
+    direction: OneOf[DirectionRule] = Field(
         DirectionRule.FREE, description="which way the joint variables count"
     )
     tolerance: ToleranceModel = ToleranceModel()

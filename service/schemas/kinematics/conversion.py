@@ -12,7 +12,7 @@ from kinematics.cells import AngleUnit, LengthUnit
 from kinematics.table import JointType
 from kinematics.urdf import MAX_CHARACTERS
 from service.http.validation import CHOICE
-from service.schemas.base import GivenMatrix4, Real, Vector3, Wire
+from service.schemas.base import GivenMatrix4, OneOf, Real, Vector3, Wire
 from service.schemas.choices import forbidding, not_one_of, together
 from service.schemas.kinematics.joints import JointRanges, Range
 from service.schemas.kinematics.pose_input import (
@@ -42,7 +42,7 @@ class Target(StrEnum):
 class GivenScrew(Wire):
     """A joint's motion: the velocity field of a unit joint rate."""
 
-    joint: Annotated[JointType | None, Field(strict=False)] = Field(
+    joint: OneOf[JointType | None] = Field(
         None, description="its type, which follows from ω and may be left out"
     )
     linear: Vector3 = Field(
@@ -60,9 +60,7 @@ class ScrewProduct(Wire):
         min_length=1, max_length=64, description="S_1 … S_n at q = 0, in the axes of the world"
     )
     home: PoseInput = Field(description="the pose of the end frame at q = 0")
-    length_unit: Annotated[LengthUnit, Field(strict=False)] = Field(
-        LengthUnit.M, description="unit of every length"
-    )
+    length_unit: OneOf[LengthUnit] = Field(LengthUnit.M, description="unit of every length")
 
 
 _CELLS = CHOICE + "cells"
@@ -115,7 +113,7 @@ class ConvertRequest(Wire):
         together("name", to=_NO_URDF),
     )
 
-    to: Annotated[Target, Field(strict=False)] = Field(
+    to: OneOf[Target] = Field(
         description="standard, modified: a DH table; poe: a product of exponentials; scm: an SCM chain; "
         "urdf: a URDF description"
     )
@@ -142,7 +140,7 @@ class ConvertRequest(Wire):
     )
     base: NamedPose | None = Field(None, description="what stands before a table, a listed robot or a chain")
     tool: NamedPose | None = Field(None, description="what stands behind a table, a listed robot or a chain")
-    angle_unit: Annotated[AngleUnit | None, Field(strict=False)] = Field(
+    angle_unit: OneOf[AngleUnit | None] = Field(
         None,
         description="of a URDF or a product: the unit of angles in the answer, and in a `home` that is "
         "written as [X, Y, Z, A, B, C]; rad if left out",
@@ -164,7 +162,7 @@ class ConvertRequest(Wire):
         "none; left out, those of the source if it has any",
     )
     parameters: Parameters | None = None
-    verify: Annotated[Verification | None, Field(strict=False)] = Field(
+    verify: OneOf[Verification | None] = Field(
         None,
         description="of an SCM chain: strict (if left out) refuses one that does not pass the document's "
         "input check; off takes it all the same, with fixed rows",

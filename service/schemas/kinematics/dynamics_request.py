@@ -10,7 +10,7 @@ from pydantic_core import PydanticCustomError
 
 from kinematics.dynamics.reading import RawBody
 from kinematics.printing import Notation
-from service.schemas.base import LONGEST_LIST, Listed, Real, Wire
+from service.schemas.base import LONGEST_LIST, Listed, OneOf, Real, Wire
 from service.schemas.examples import TWO_LINKS
 from service.schemas.kinematics.robot_question import RobotQuestion
 from service.schemas.kinematics.symbolic_request import (
@@ -89,16 +89,14 @@ class SymbolicDynamicsRequest(WeighedRobot):
 
     form: Literal["symbolic"] = Field(description="the word symbolic: closed forms, and no joint values")
     parameters: SomeParameters = Field(default_factory=dict)
-    parts: list[Annotated[EquationPart, Field(strict=False)]] = Field(
+    parts: list[OneOf[EquationPart]] = Field(
         default_factory=lambda: [EquationPart.M, EquationPart.C, EquationPart.G],
         min_length=1,
         max_length=LONGEST_LIST,
         description="what is wanted; M, C and g if left out",
     )
     formats: Formats = Field(default_factory=lambda: list(STANDARD_FORMATS))
-    notation: Annotated[Notation, Field(strict=False)] = Field(
-        Notation.FULL, description="full: cos(q2 + q3); short: c23"
-    )
+    notation: OneOf[Notation] = Field(Notation.FULL, description="full: cos(q2 + q3); short: c23")
 
 
 class DynamicsAnswer(Units):

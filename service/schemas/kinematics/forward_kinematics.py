@@ -7,7 +7,7 @@ from typing import Annotated, TypeAlias
 
 from pydantic import Field
 
-from service.schemas.base import LONGEST_LIST, WHOLE, Matrix4, Real, Vector3, Wire
+from service.schemas.base import LONGEST_LIST, WHOLE, Matrix4, OneOf, Real, Vector3, Wire
 from service.schemas.kinematics.joints import Joints
 from service.schemas.kinematics.pose_input import PoseInput
 from service.schemas.kinematics.robot_question import RobotQuestion
@@ -53,7 +53,7 @@ class ForwardKinematicsQuestion(RobotQuestion):
     base: PoseInput | None = Field(None, description="pose of frame 0 in the world; the identity if left out")
     tool: PoseInput | None = Field(None, description="pose of the tool in frame N; the identity if left out")
     inverse: bool = Field(False, description="whether the inverse of the transform is wanted as well")
-    parts: list[Annotated[PoseQuantity, Field(strict=False)]] | None = Field(
+    parts: list[OneOf[PoseQuantity]] | None = Field(
         None,
         max_length=LONGEST_LIST,
         min_length=1,

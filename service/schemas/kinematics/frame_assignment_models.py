@@ -16,7 +16,7 @@ from kinematics.frames.rules import FramePart, RuleCode, Severity
 from kinematics.frames.trainer import ChosenFrame
 from kinematics.table import Convention, JointType
 from service.http.validation import CHOICE
-from service.schemas.base import LONGEST_LIST, Coordinates, Matrix4, Real, Vector3, Wire
+from service.schemas.base import LONGEST_LIST, Coordinates, Matrix4, OneOf, Real, Vector3, Wire
 from service.schemas.kinematics.pose_input import PoseInput
 from service.schemas.tables import AnsweredTable, Units
 
@@ -65,17 +65,15 @@ class AxesQuestion(Wire):
     """A robot by its joint axes, and the convention of the wanted table."""
 
     axes: list[AxisModel] = Field(min_length=1, max_length=64, description="the joint axes, base first")
-    convention: Annotated[Convention, Field(strict=False)]
+    convention: OneOf[Convention]
     base: PoseInput | None = Field(
         None, description="a pose wanted as frame 0, in the coordinates of the axes"
     )
     tool: Tool | None = Field(None, description="the tool's pose at zero, or the gripper")
-    angle_unit: Annotated[AngleUnit, Field(strict=False)] = Field(
+    angle_unit: OneOf[AngleUnit] = Field(
         AngleUnit.RAD, description="unit of the angles of the table, and of those of base and tool"
     )
-    length_unit: Annotated[LengthUnit, Field(strict=False)] = Field(
-        LengthUnit.M, description="unit of all lengths"
-    )
+    length_unit: OneOf[LengthUnit] = Field(LengthUnit.M, description="unit of all lengths")
 
 
 class AssignFramesRequest(AxesQuestion):
@@ -87,15 +85,15 @@ class AssignFramesRequest(AxesQuestion):
         le=MAX_PARALLEL_TOLERANCE,
         description="tilt [rad] below which two axes are taken as parallel, with a warning",
     )
-    near_parallel: Annotated[NearParallel, Field(strict=False)] = Field(
+    near_parallel: OneOf[NearParallel] = Field(
         NearParallel.PARALLEL, description="what becomes of nearly parallel axes"
     )
-    lengths: Annotated[LengthSigns, Field(strict=False)] = Field(
+    lengths: OneOf[LengthSigns] = Field(
         LengthSigns.POSITIVE,
         description="signed: x may point back along a common normal, and the length is negative, where that "
         "spares an offset of a joint, as makers write their tables",
     )
-    intersecting: Annotated[CrossProduct, Field(strict=False)] = Field(
+    intersecting: OneOf[CrossProduct] = Field(
         CrossProduct.FEWEST,
         description="where x points if axes z and z' intersect: forward along z × z', backward along z' × z, "
         "or where fewest joint angles are left",
@@ -137,12 +135,10 @@ class Chosen(Wire):
     x: Coordinates | None = None
     y: Coordinates | None = Field(None, description="follows from z and x: left out, or z × x beside both")
     z: Coordinates | None = None
-    rule: Annotated[Rule, Field(strict=False)] | None = Field(
+    rule: OneOf[Rule] | None = Field(
         None, description="as /assign-frames tells it; frames are judged without it"
     )
-    free: list[Annotated[Freedom, Field(strict=False)]] | None = Field(
-        None, max_length=LONGEST_LIST, description="likewise"
-    )
+    free: list[OneOf[Freedom]] | None = Field(None, max_length=LONGEST_LIST, description="likewise")
 
     def frame(self) -> ChosenFrame:
         """Return the frame as the domain knows it."""

@@ -10,7 +10,7 @@ from kinematics.inverse_forms import ConditionKind, InverseQuantity, InverseReac
 from kinematics.printing import Notation
 from kinematics.printing.formats import EquationFormat
 from service.http.validation import CHOICE
-from service.schemas.base import LONGEST_LIST, Wire
+from service.schemas.base import LONGEST_LIST, OneOf, Wire
 from service.schemas.kinematics.inverse_kinematics import NumericInverseKinematicsRequest
 from service.schemas.kinematics.pose_input import PoseInput
 from service.schemas.kinematics.robot_question import RobotQuestion
@@ -25,15 +25,13 @@ class SymbolicInverseRequest(RobotQuestion):
     parameters: SomeParameters = Field(default_factory=dict)
     base: PoseInput | None = Field(None, description="pose of frame 0 in the world; the identity if left out")
     tool: PoseInput | None = Field(None, description="pose of the tool in frame N; the identity if left out")
-    formats: list[Annotated[EquationFormat, Field(strict=False)]] = Field(
+    formats: list[OneOf[EquationFormat]] = Field(
         default_factory=lambda: [EquationFormat.LATEX, EquationFormat.TEXT],
         min_length=1,
         max_length=LONGEST_LIST,
         description="how equations are written; latex and text if left out",
     )
-    notation: Annotated[Notation, Field(strict=False)] = Field(
-        Notation.FULL, description="full: cos(q2 + q3); short: c23"
-    )
+    notation: OneOf[Notation] = Field(Notation.FULL, description="full: cos(q2 + q3); short: c23")
 
 
 def _form(body: Any) -> str:

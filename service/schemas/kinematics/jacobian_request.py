@@ -7,7 +7,7 @@ from typing import Annotated, TypeAlias
 from pydantic import Field
 
 from kinematics.jacobian import JacobianFrame
-from service.schemas.base import Real, Wire
+from service.schemas.base import OneOf, Real, Wire
 from service.schemas.kinematics.joints import Joints
 from service.schemas.kinematics.pose_input import PoseInput
 from service.schemas.kinematics.robot_question import NumericForm, RobotQuestion
@@ -24,7 +24,7 @@ class JacobianQuestion(RobotQuestion):
 
     base: PoseInput | None = Field(None, description="pose of frame 0 in the world; the identity if left out")
     tool: PoseInput | None = Field(None, description="pose of the tool in frame N; the identity if left out")
-    frame: Annotated[JacobianFrame, Field(strict=False)] | None = Field(
+    frame: OneOf[JacobianFrame] | None = Field(
         None, description="base for J0 alone, end for Jn alone; both if left out"
     )
     form: NumericForm = Field("numeric", description="the word symbolic asks for closed forms instead")

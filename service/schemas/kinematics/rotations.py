@@ -12,7 +12,7 @@ from kinematics.errors import PoseError
 from kinematics.rotations.orientation_answers import USUAL_TOLERANCE, ComponentOrder, RotationMistake
 from kinematics.rotations.properties import RotationProperty
 from kinematics.rotations.sequences import Combination, EulerSequence, Turning
-from service.schemas.base import Real, Vector3, Wire
+from service.schemas.base import OneOf, Real, Vector3, Wire
 from service.schemas.choices import forbidding, not_one_of, together
 
 Matrix3Rows = Annotated[list[Vector3], Field(min_length=3, max_length=3)]
@@ -42,7 +42,7 @@ class RatesOfAngles(Wire):
     """The angles of an analytic Jacobian."""
 
     axes: EulerAxes
-    turning: Annotated[Turning, Field(strict=False)] = Field(
+    turning: OneOf[Turning] = Field(
         Turning.CURRENT, description="the angles turn about current or about fixed axes"
     )
 
@@ -66,14 +66,14 @@ class OrientationModel(Wire):
 
     matrix: Matrix3Rows | None = Field(None, description="3×3, row by row")
     quaternion: Quaternion4 | None = Field(None, description="of any length but zero")
-    component_order: Annotated[ComponentOrder, Field(strict=False)] = Field(
+    component_order: OneOf[ComponentOrder] = Field(
         ComponentOrder.SCALAR_FIRST, description="where the scalar of the quaternion stands"
     )
     axis: Vector3 | None = Field(None, description="beside an angle; of any length but zero")
     angle: Real | None = Field(None, description="about the axis")
     angles: Vector3 | None = Field(None, description="about the axes, in their order")
     axes: EulerAxes = Field("ZYX", description="of the angles; neighbours differ")
-    turning: Annotated[Turning, Field(strict=False)] = Field(
+    turning: OneOf[Turning] = Field(
         Turning.CURRENT, description="the angles turn about current or about fixed axes"
     )
 
@@ -82,9 +82,7 @@ class RotationsRequest(Wire):
     """An orientation that is wanted in all notations."""
 
     orientation: OrientationModel = Field(description="in one notation")
-    angle_unit: Annotated[AngleUnit, Field(strict=False)] = Field(
-        AngleUnit.RAD, description="unit of all angles"
-    )
+    angle_unit: OneOf[AngleUnit] = Field(AngleUnit.RAD, description="unit of all angles")
     tolerance: Annotated[Real, Field(gt=0, le=0.1)] = Field(
         1e-6, description="how far a matrix may be from a rotation"
     )
@@ -94,9 +92,7 @@ class FamilyModel(Wire):
     """All triples of a locked orientation: a middle angle, and what is fixed of the other two."""
 
     middle: Real
-    combination: Annotated[Combination, Field(strict=False)] = Field(
-        description="first + last, or first − last"
-    )
+    combination: OneOf[Combination] = Field(description="first + last, or first − last")
     value: Real = Field(description="of it")
 
 
@@ -139,9 +135,7 @@ class CheckRotationRequest(Wire):
     expected: OrientationModel = Field(description="the orientation that is meant")
     answer: OrientationAnswerModel = Field(description="what is judged")
     every: bool = Field(False, description="all triples are asked, not one")
-    angle_unit: Annotated[AngleUnit, Field(strict=False)] = Field(
-        AngleUnit.RAD, description="unit of all angles"
-    )
+    angle_unit: OneOf[AngleUnit] = Field(AngleUnit.RAD, description="unit of all angles")
     tolerance: Annotated[Real, Field(gt=0, le=0.1)] = Field(
         USUAL_TOLERANCE, description="largest error of an entry of a matrix, or of the rotation [rad]"
     )

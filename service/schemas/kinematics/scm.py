@@ -11,7 +11,7 @@ from pydantic_core import PydanticCustomError
 from kinematics.cells import AngleUnit, LengthUnit
 from kinematics.printing import Format, Notation
 from kinematics.scm import RawChain
-from service.schemas.base import LONGEST_LIST, WHOLE, Matrix4, Real, Vector3, Wire
+from service.schemas.base import LONGEST_LIST, WHOLE, Matrix4, OneOf, Real, Vector3, Wire
 from service.schemas.choices import forbidding, not_one_of
 from service.schemas.kinematics.forward_kinematics import Orientation
 from service.schemas.kinematics.pose_input import PoseInput
@@ -79,10 +79,10 @@ class ScmChainModel(Wire):
     )
     final: SixEntries = Field(default_factory=PlacementModel, description="the Final Transformation")
     tool: SixEntries = Field(default_factory=PlacementModel, description="the tool")
-    angle_unit: Annotated[AngleUnit, Field(strict=False)] = Field(
+    angle_unit: OneOf[AngleUnit] = Field(
         AngleUnit.RAD, description="unit of every angle: chain, joints, parameters and answer"
     )
-    length_unit: Annotated[LengthUnit, Field(strict=False)] = Field(
+    length_unit: OneOf[LengthUnit] = Field(
         LengthUnit.M, description="unit of every length: chain, joints, parameters and answer"
     )
 
@@ -133,7 +133,7 @@ class ChainQuestion(Wire):
     chain: ScmChainModel | None = Field(None, description="the arm as an SCM chain")
     robot: str | None = Field(None, max_length=64, description="or the id of a robot of the catalogue")
     parameters: Parameters = Field(default_factory=dict)
-    verify: Annotated[Verification, Field(strict=False)] = Field(
+    verify: OneOf[Verification] = Field(
         Verification.STRICT, description="strict refuses a chain that breaks the method's rules; off does not"
     )
 
@@ -156,13 +156,13 @@ class ClosedFormQuestion(ChainQuestion):
     """
 
     joints: ScmJoints | None = Field(None, description="q_1 … q_n; left out, the answer is in closed form")
-    formats: list[Annotated[Format, Field(strict=False)]] | None = Field(
+    formats: list[OneOf[Format]] | None = Field(
         None,
         max_length=LONGEST_LIST,
         min_length=1,
         description="of the closed form; text and latex if left out",
     )
-    notation: Annotated[Notation, Field(strict=False)] = Field(
+    notation: OneOf[Notation] = Field(
         Notation.SHORT, description="of the closed form: short writes c23 (SCZIP), full cos(q2 + q3)"
     )
 
@@ -178,7 +178,7 @@ class ScmInverseTransformRequest(ClosedFormQuestion):
 class ScmJacobianRequest(ClosedFormQuestion):
     """A chain, and joint values."""
 
-    method: Annotated[JacobianMethod, Field(strict=False)] = Field(
+    method: OneOf[JacobianMethod] = Field(
         JacobianMethod.INSPECTION,
         description="inspection (eq. 3.22, 3.23) or differentiation (eq. 3.24, H2J)",
     )

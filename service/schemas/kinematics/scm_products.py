@@ -11,7 +11,7 @@ from kinematics.printing import Format, Notation
 from kinematics.scm.products import LARGEST_VARIABLE, RawFactor
 from kinematics.symbolic import ProofStatus
 from service.http.validation import CHOICE
-from service.schemas.base import LONGEST_LIST, Matrix4, Real, Wire
+from service.schemas.base import LONGEST_LIST, Matrix4, OneOf, Real, Wire
 from service.schemas.kinematics.scm import ENTRIES, ListedPlacement, PlacementModel, SixEntries
 from service.schemas.kinematics.symbolic_request import SomeParameters, WrittenJacobians, WrittenMatrix
 from service.schemas.tables import Units
@@ -67,10 +67,10 @@ class ScmProductsRequest(Wire):
         max_length=LARGEST_VARIABLE,
         description="names of the joint variables, as in h2j(H, [a1 a2 d3]); q1, q2, … if left out",
     )
-    angle_unit: Annotated[AngleUnit, Field(strict=False)] = Field(
+    angle_unit: OneOf[AngleUnit] = Field(
         AngleUnit.RAD, description="unit of every angle: motions, joints, parameters and answer"
     )
-    length_unit: Annotated[LengthUnit, Field(strict=False)] = Field(
+    length_unit: OneOf[LengthUnit] = Field(
         LengthUnit.M, description="unit of every length: motions, joints, parameters and answer"
     )
     parameters: SomeParameters = Field(default_factory=dict)
@@ -80,10 +80,10 @@ class ScmProductsRequest(Wire):
         description="values of the joint variables, for the products in numbers (S2D)",
     )
     jacobian: bool = Field(False, description="whether J0 and Jn of every product are wanted (H2J)")
-    formats: list[Annotated[Format, Field(strict=False)]] | None = Field(
+    formats: list[OneOf[Format]] | None = Field(
         None, max_length=LONGEST_LIST, min_length=1, description="text and latex if left out"
     )
-    notation: Annotated[Notation, Field(strict=False)] = Field(
+    notation: OneOf[Notation] = Field(
         Notation.SHORT, description="short writes c23 (SCZIP), full cos(q2 + q3)"
     )
 
@@ -123,7 +123,7 @@ class ScmProductsAnswer(Units):
     )
     parameters: list[str] = Field(description="the parameters that are left")
     products: list[ScmProduct] = Field(description="in the order of the request")
-    equal_to_first: list[Annotated[ProofStatus, Field(strict=False)]] = Field(
+    equal_to_first: list[OneOf[ProofStatus]] = Field(
         description="whether each product is the first one for all values: proved, refuted or undecided"
     )
     symbols: dict[str, str] | None = Field(None, description="what the short names stand for")

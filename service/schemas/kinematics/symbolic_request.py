@@ -8,7 +8,7 @@ from pydantic import ConfigDict, Field, RootModel
 
 from kinematics.jacobian import JacobianFrame
 from kinematics.printing import SOURCES, Format, Notation
-from service.schemas.base import LONGEST_LIST, Real, Wire
+from service.schemas.base import LONGEST_LIST, OneOf, Real, Wire
 from service.schemas.examples import PUMA_560, TWO_LINKS
 from service.schemas.kinematics.jacobian_request import JacobianAnswer, NumericJacobianRequest
 from service.schemas.kinematics.pose_input import PoseInput
@@ -21,7 +21,7 @@ STANDARD_FORMATS = (Format.LATEX, Format.TEXT)
 STANDARD_PARTS = (FormPart.LINKS, FormPart.FRAMES, FormPart.TRANSFORM)
 
 Formats: TypeAlias = Annotated[
-    list[Annotated[Format, Field(strict=False)]],
+    list[OneOf[Format]],
     Field(
         min_length=1,
         max_length=LONGEST_LIST,
@@ -44,15 +44,13 @@ class WritingQuestion(RobotQuestion):
     base: PoseInput | None = Field(None, description="pose of frame 0 in the world; the identity if left out")
     tool: PoseInput | None = Field(None, description="pose of the tool in frame N; the identity if left out")
     formats: Formats = Field(default_factory=lambda: list(STANDARD_FORMATS))
-    notation: Annotated[Notation, Field(strict=False)] = Field(
-        Notation.FULL, description="full: cos(q2 + q3); short: c23"
-    )
+    notation: OneOf[Notation] = Field(Notation.FULL, description="full: cos(q2 + q3); short: c23")
 
 
 class SymbolicRequest(WritingQuestion):
     """A robot whose closed form is wanted."""
 
-    parts: list[Annotated[FormPart, Field(strict=False)]] | None = Field(
+    parts: list[OneOf[FormPart]] | None = Field(
         None,
         max_length=LONGEST_LIST,
         min_length=1,
@@ -73,7 +71,7 @@ class SymbolicJacobianRequest(WritingQuestion):
     """A robot whose Jacobians are wanted in closed form: no joint values."""
 
     form: Literal["symbolic"] = Field(description="the word symbolic: closed forms, and no joint values")
-    frame: Annotated[JacobianFrame, Field(strict=False)] | None = Field(
+    frame: OneOf[JacobianFrame] | None = Field(
         None, description="base for J0 alone, end for Jn alone; both if left out"
     )
     angles: RatesOfAngles | None = Field(

@@ -7,7 +7,7 @@ from typing import Annotated
 from pydantic import Field
 
 from kinematics.trajectory import TimeScaling
-from service.schemas.base import WHOLE, Real, Vector3
+from service.schemas.base import WHOLE, OneOf, Real, Vector3
 from service.schemas.kinematics.robot_question import RobotQuestion
 from service.schemas.tables import Units
 
@@ -26,7 +26,7 @@ class TrajectoryRequest(RobotQuestion):
     samples: Annotated[int, Field(ge=2, le=MOST_INSTANTS), WHOLE] = Field(
         101, description="number of instants, evenly spaced, both ends included"
     )
-    scaling: Annotated[TimeScaling, Field(strict=False)] = Field(
+    scaling: OneOf[TimeScaling] = Field(
         TimeScaling.QUINTIC,
         description="cubic: at rest at both ends; quintic: without acceleration there, too",
     )

@@ -9,7 +9,7 @@ from pydantic import Field
 from kinematics.cells import AngleUnit, LengthUnit, RawRow
 from kinematics.table import JointType
 from kinematics.tree_structures import RawTreeRow
-from service.schemas.base import LONGEST_LIST, WHOLE, Matrix4, Real, Whole, Wire
+from service.schemas.base import LONGEST_LIST, WHOLE, Matrix4, OneOf, Real, Whole, Wire
 from service.schemas.kinematics.jacobian_request import Matrix6
 from service.schemas.tables import AnsweredTable, Cell, Parameters, Units
 
@@ -25,7 +25,7 @@ class TreeRowModel(Wire):
     )
     gamma: Cell = Field(0, description="γ_j: angle from x_i to the common normal of z_i and z_j, about z_i")
     b: Cell = Field(0, description="b_j: distance along z_i to that common normal")
-    joint: Annotated[JointType, Field(strict=False)] | None = Field(
+    joint: OneOf[JointType] | None = Field(
         None, description="what varies; left out, it follows from the cell that holds the row's variable"
     )
     alpha: Cell = Field(description="α_j: angle from z_i to z_j, about the common normal")
@@ -40,10 +40,10 @@ class Tree(Wire):
     rows: list[TreeRowModel] = Field(
         min_length=1, max_length=MOST_ROWS, description="frames 1 … n, each after the one that it follows"
     )
-    angle_unit: Annotated[AngleUnit, Field(strict=False)] = Field(
+    angle_unit: OneOf[AngleUnit] = Field(
         AngleUnit.RAD, description="unit of every angle: rows, joints, parameters and answer"
     )
-    length_unit: Annotated[LengthUnit, Field(strict=False)] = Field(
+    length_unit: OneOf[LengthUnit] = Field(
         LengthUnit.M, description="unit of every length: rows, joints, parameters and answer"
     )
 
