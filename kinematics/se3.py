@@ -14,7 +14,7 @@ exponentials in `kinematics.screws`.
 from __future__ import annotations
 
 import math
-from typing import Any, TypeAlias
+from typing import Any, TypeAlias, TypeVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -28,6 +28,7 @@ Transform: TypeAlias = NDArray[np.float64]
 Scalar: TypeAlias = Any
 """A number of any kind that knows + - *: a float, an integer, or a symbol of a recorded computation."""
 Scalars: TypeAlias = tuple[Scalar, Scalar, Scalar]
+_Real = TypeVar("_Real", int, float)
 Vector: TypeAlias = tuple[float, float, float]
 Motion: TypeAlias = tuple[
     float, float, float, float, float, float, float, float, float, float, float, float
@@ -48,9 +49,14 @@ _NO_DIRECTION = 1e-12
 """The sine below which two unit vectors name no common perpendicular: some 4000 roundings of 2e-16."""
 
 
-def dot(u: Vector, v: Vector) -> float:
+def dot(u: tuple[_Real, _Real, _Real], v: tuple[_Real, _Real, _Real]) -> _Real:
     """Return the scalar product u · v."""
     return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]
+
+
+def opposite(v: tuple[_Real, _Real, _Real]) -> tuple[_Real, _Real, _Real]:
+    """Return -v."""
+    return -v[0], -v[1], -v[2]
 
 
 def cross(u: Scalars, v: Scalars) -> Scalars:

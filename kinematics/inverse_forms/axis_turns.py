@@ -25,16 +25,7 @@ from kinematics.inverse_forms.formulas import (
     product_with,
     times,
 )
-from kinematics.inverse_forms.signed_axes import (
-    Axis,
-    SignedJoint,
-    Vector,
-    along,
-    circular,
-    cross,
-    dot,
-    signed,
-)
+from kinematics.inverse_forms.signed_axes import Axis, SignedJoint, Vector, along, circular, signed
 from kinematics.inverse_forms.steps import (
     InverseDerivation,
     InverseQuantity,
@@ -43,6 +34,7 @@ from kinematics.inverse_forms.steps import (
     determined,
     fulfilled,
 )
+from kinematics.se3 import cross, dot
 
 Writing: TypeAlias = Callable[..., Expression]
 """Writes down an angle with its conditions and its branch sign, and returns what stands for it."""

@@ -40,7 +40,6 @@ from kinematics.inverse_forms.signed_axes import (
     Vector,
     along,
     circular,
-    cross,
     minus,
     plus,
     scaled,
@@ -60,6 +59,7 @@ from kinematics.inverse_forms.steps import (
     fulfilled,
     reachable,
 )
+from kinematics.se3 import cross
 from kinematics.table import SymbolicTable, table_parameters
 
 MOST_JOINTS = 6

@@ -8,7 +8,8 @@ from itertools import pairwise
 
 from kinematics.expressions import ZERO, Expression, add, negate
 from kinematics.inverse_forms.planar_joints import JointPlane
-from kinematics.inverse_forms.signed_axes import Axis, SignedArm, SignedJoint, Vector, cross, dot, opposite
+from kinematics.inverse_forms.signed_axes import Axis, SignedArm, SignedJoint, Vector
+from kinematics.se3 import cross, dot, opposite
 
 LONGEST_TAIL = 3
 _UNIT: tuple[Axis, ...] = ((1, 0, 0), (0, 1, 0), (0, 0, 1))

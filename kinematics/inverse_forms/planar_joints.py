@@ -23,22 +23,14 @@ from kinematics.inverse_forms.formulas import (
     square,
     times,
 )
-from kinematics.inverse_forms.signed_axes import (
-    Axis,
-    SignedJoint,
-    Vector,
-    along,
-    circular,
-    cross,
-    dot,
-    signed,
-)
+from kinematics.inverse_forms.signed_axes import Axis, SignedJoint, Vector, along, circular, signed
 from kinematics.inverse_forms.steps import (
     InverseDerivation,
     InverseQuantity,
     determined,
     reachable,
 )
+from kinematics.se3 import cross, dot
 
 Point: TypeAlias = tuple[Expression, Expression]
 

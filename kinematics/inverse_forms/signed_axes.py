@@ -26,6 +26,7 @@ from kinematics.expressions import (
     negate,
     pi_fraction,
 )
+from kinematics.se3 import cross, dot, opposite
 from kinematics.symbolic.motions import Motion, motions_of
 from kinematics.table import SymbolicTable
 
@@ -168,22 +169,6 @@ class _Walker:
 
 def _oblique(row: int, cell: str) -> TableError:
     return TableError(Fault.at("inverse_form_unknown", "rows", row, cell))
-
-
-def opposite(axis: Axis) -> Axis:
-    """Return the axis the other way round."""
-    return -axis[0], -axis[1], -axis[2]
-
-
-def dot(one: Axis, other: Axis) -> int:
-    """Return the cosine of the angle between two axes: 1, 0 or -1."""
-    return sum(a * b for a, b in zip(one, other, strict=True))
-
-
-def cross(one: Axis, other: Axis) -> Axis:
-    """Return the vector product of two axes."""
-    (a, b, c), (d, e, f) = one, other
-    return b * f - c * e, c * d - a * f, a * e - b * d
 
 
 def along(axis: Axis, v: Sequence[Expression]) -> Expression:

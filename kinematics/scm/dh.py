@@ -28,7 +28,7 @@ from kinematics.expressions import (
 )
 from kinematics.scm.chain import Placement, ScmChain, verify
 from kinematics.scm.rows import appended, constant_row, joined, shift_rows, turn_rows
-from kinematics.se3 import cross
+from kinematics.se3 import cross, dot, opposite
 from kinematics.table import Convention, DHTable, JointType, SymbolicRow, SymbolicTable
 
 Direction: TypeAlias = tuple[int, int, int]
@@ -103,7 +103,7 @@ def _turned(u: Direction, quarters: tuple[int, int, int]) -> Direction:
     """Rot_z(A) Rot_y(B) Rot_x(C) u, the angles in quarter turns."""
     for axis, count in zip((_X, _Y, _Z), reversed(quarters), strict=True):
         for _ in range(count % 4):
-            along = _dot(u, axis)
+            along = dot(u, axis)
             turned = cross(axis, u)
             u = turned[0] + along * axis[0], turned[1] + along * axis[1], turned[2] + along * axis[2]
     return u
@@ -111,21 +111,21 @@ def _turned(u: Direction, quarters: tuple[int, int, int]) -> Direction:
 
 def _frame_on_axis(here: _Frame, point: Point, z: Direction) -> _Frame:
     """A frame on the axis through `point` along `z`, its x on the common normal with the previous axis."""
-    if abs(_dot(here.z, z)) == 1:
+    if abs(dot(here.z, z)) == 1:
         return _Frame(origin=point, x=here.x, z=z)
     x = cross(here.z, z)
     shift = add((_along(point, x), negate(_along(here.origin, x))))
-    turned_back = shift == ZERO and _dot(x, here.x) < 0
-    return _Frame(origin=point, x=_opposite(x) if turned_back or _starts_negative(shift) else x, z=z)
+    turned_back = shift == ZERO and dot(x, here.x) < 0
+    return _Frame(origin=point, x=opposite(x) if turned_back or _starts_negative(shift) else x, z=z)
 
 
 def _links(here: _Frame, there: _Frame) -> list[SymbolicRow]:
     """Rows whose product is the pose of `there` in `here`; all but the last may be motions along z only."""
     offset = tuple(add((there.origin[k], negate(here.origin[k]))) for k in range(3))
     p: Point = (offset[0], offset[1], offset[2])
-    if abs(_dot(here.z, there.z)) == 1:
+    if abs(dot(here.z, there.z)) == 1:
         return _parallel_links(here, there, p)
-    normal = there.x if _dot(there.x, here.z) == 0 else cross(here.z, there.z)
+    normal = there.x if dot(there.x, here.z) == 0 else cross(here.z, there.z)
     return [
         constant_row(theta=_angle(here.x, normal, here.z), d=_along(p, here.z)),
         constant_row(
@@ -163,13 +163,9 @@ def _along(p: Point, direction: Direction) -> Expression:
 
 def _angle(start: Direction, end: Direction, about: Direction) -> Expression:
     """Angle from `start` to `end` about `about`, both perpendicular to it: a multiple of π/2."""
-    cosine, sine = _dot(start, end), _dot(cross(start, end), about)
+    cosine, sine = dot(start, end), dot(cross(start, end), about)
     quarter_turns = {(1, 0): 0, (0, 1): 1, (-1, 0): 2, (0, -1): -1}[(cosine, sine)]
     return pi_times(Fraction(quarter_turns, 2))
-
-
-def _opposite(u: Direction) -> Direction:
-    return -u[0], -u[1], -u[2]
 
 
 def _starts_negative(expression: Expression) -> bool:
@@ -177,7 +173,3 @@ def _starts_negative(expression: Expression) -> bool:
         case Number(value) | Product((Number(value), *_)) | Sum((Product((Number(value), *_)), *_)):
             return value < 0
     return False
-
-
-def _dot(u: Direction, v: Direction) -> int:
-    return u[0] * v[0] + u[1] * v[1] + u[2] * v[2]
