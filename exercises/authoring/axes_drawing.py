@@ -18,15 +18,7 @@ from numpy.typing import NDArray
 
 from exercises.reading import Reader
 from kinematics.errors import KinematicsError
-from kinematics.expressions import (
-    Expression,
-    Number,
-    Parameter,
-    add,
-    evaluate,
-    multiply,
-    parameters_in,
-)
+from kinematics.expressions import Expression, Number, Parameter, add, evaluate, multiply, parameters_in
 from kinematics.frames.assignment import assign_frames
 from kinematics.frames.axes import JointAxis
 from kinematics.table import Convention, JointType, NumericTable

@@ -12,14 +12,7 @@ from exercises.answers import RawAnswer
 from exercises.consistency import values_in_radians
 from exercises.definition import Exercise
 from exercises.errors import AnswerError
-from exercises.grading import (
-    BaseRule,
-    DirectionRule,
-    Policy,
-    ToolRule,
-    Verdict,
-    ZeroRule,
-)
+from exercises.grading import BaseRule, DirectionRule, Policy, ToolRule, Verdict, ZeroRule
 from exercises.instance import Instance, generate
 from exercises.parts.protocol import TABLE
 from exercises.selftest.answers import judged_answer, other_frames

@@ -26,17 +26,7 @@ from kinematics.equivalence import Certificate, Policy
 from kinematics.equivalence.decision import WORK_OF_ACCEPTANCE, certify
 from kinematics.equivalence.meter import Meter, WorkExhaustedError
 from kinematics.equivalence.reference import prepared
-from kinematics.se3 import (
-    ORIGIN,
-    Floats,
-    Transform,
-    cross,
-    from_matrix,
-    inverse_transform,
-    norm,
-    scale,
-    unit,
-)
+from kinematics.se3 import ORIGIN, Floats, Transform, cross, from_matrix, inverse_transform, norm, scale, unit
 from kinematics.table import JointType, NumericTable
 
 UNIT = 0.01

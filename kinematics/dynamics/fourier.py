@@ -13,14 +13,7 @@ from functools import lru_cache
 from math import lcm
 from typing import NamedTuple, TypeAlias
 
-from kinematics.expressions import (
-    JointVariable,
-    Number,
-    Parameter,
-    add,
-    multiply,
-    power,
-)
+from kinematics.expressions import JointVariable, Number, Parameter, add, multiply, power
 from kinematics.symbolic.angles import Angle, angle_of, cosine_and_sine
 from kinematics.symbolic.canonical import real_part, symbol_expression
 from kinematics.symbolic.elements import Form, Monomial, RingSymbol, Terms, order_text

@@ -20,11 +20,7 @@ from itertools import pairwise
 from typing import TypeAlias
 
 from kinematics.expressions import ONE, Expression, Function, JointVariable, add, negate, number, pi_times
-from kinematics.inverse_forms.formulas import (
-    atan2,
-    product_with,
-    times,
-)
+from kinematics.inverse_forms.formulas import atan2, product_with, times
 from kinematics.inverse_forms.signed_axes import Axis, SignedJoint, Vector, along, circular, signed
 from kinematics.inverse_forms.steps import (
     InverseDerivation,

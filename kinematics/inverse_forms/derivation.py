@@ -24,13 +24,7 @@ from kinematics.errors import Fault, TableError
 from kinematics.expressions import ZERO, Expression, Function, Parameter, add, negate
 from kinematics.inverse.solve import MAX_JOINTS
 from kinematics.inverse_forms.axis_turns import Turn, turn_of_joint, write_turns
-from kinematics.inverse_forms.formulas import (
-    atan2,
-    less_angle,
-    root,
-    square,
-    times,
-)
+from kinematics.inverse_forms.formulas import atan2, less_angle, root, square, times
 from kinematics.inverse_forms.parts import Parts, partitions
 from kinematics.inverse_forms.planar_joints import circular_root, place_point, place_pose
 from kinematics.inverse_forms.signed_axes import (

@@ -8,17 +8,7 @@ from itertools import chain
 
 from kinematics.dh import MotionKind
 from kinematics.errors import Fault, TableError
-from kinematics.expressions import (
-    ONE,
-    ZERO,
-    Expression,
-    Function,
-    Parameter,
-    add,
-    multiply,
-    negate,
-    walk,
-)
+from kinematics.expressions import ONE, ZERO, Expression, Function, Parameter, add, multiply, negate, walk
 from kinematics.inverse_forms.derivation import inverse_form
 from kinematics.inverse_forms.signed_axes import Vector, circular
 from kinematics.inverse_forms.steps import InverseForm, InverseQuantity, InverseStep

@@ -14,22 +14,9 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 from kinematics.expressions import ONE, ZERO, Expression, Function, Sum, add, negate
-from kinematics.inverse_forms.formulas import (
-    atan2,
-    halved,
-    less_angle,
-    over,
-    root,
-    square,
-    times,
-)
+from kinematics.inverse_forms.formulas import atan2, halved, less_angle, over, root, square, times
 from kinematics.inverse_forms.signed_axes import Axis, SignedJoint, Vector, along, circular, signed
-from kinematics.inverse_forms.steps import (
-    InverseDerivation,
-    InverseQuantity,
-    determined,
-    reachable,
-)
+from kinematics.inverse_forms.steps import InverseDerivation, InverseQuantity, determined, reachable
 from kinematics.se3 import cross, dot
 
 Point: TypeAlias = tuple[Expression, Expression]

@@ -13,17 +13,7 @@ from functools import lru_cache
 from itertools import chain, islice
 from typing import NamedTuple
 
-from kinematics.expressions import (
-    Call,
-    Expression,
-    Function,
-    JointVariable,
-    Number,
-    Pi,
-    Power,
-    Product,
-    Sum,
-)
+from kinematics.expressions import Call, Expression, Function, JointVariable, Number, Pi, Power, Product, Sum
 from kinematics.printing.numbers import decimal_text, fraction_as_decimal
 from kinematics.symbolic.size import bottom_up, children, operations_of
 

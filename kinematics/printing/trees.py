@@ -4,16 +4,7 @@ from __future__ import annotations
 
 from typing import Any, TypeAlias
 
-from kinematics.expressions import (
-    Call,
-    JointVariable,
-    Number,
-    Parameter,
-    Pi,
-    Power,
-    Product,
-    Sum,
-)
+from kinematics.expressions import Call, JointVariable, Number, Parameter, Pi, Power, Product, Sum
 from kinematics.printing.ledger import Ledger
 from kinematics.printing.notation import Names
 from kinematics.printing.numbers import decimal_text

@@ -26,13 +26,7 @@ from kinematics.rotations.matrices import (
     transposed,
 )
 from kinematics.rotations.properties import RotationProperty, failed_properties
-from kinematics.rotations.sequences import (
-    Combination,
-    EulerSequence,
-    GimbalFamily,
-    Turning,
-    euler_solutions,
-)
+from kinematics.rotations.sequences import Combination, EulerSequence, GimbalFamily, Turning, euler_solutions
 
 USUAL_TOLERANCE = 0.005
 """[rad] what three decimals of a matrix or a quaternion, and a tenth of a degree, stay within."""

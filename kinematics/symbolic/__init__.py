@@ -27,13 +27,7 @@ Beside them:
 All work on the expression trees of `kinematics.expressions`. The method is explained in docs/symbolic.md.
 """
 
-from kinematics.symbolic.canonical import (
-    Canonical,
-    ProofStatus,
-    canonical,
-    compare,
-    same_function,
-)
+from kinematics.symbolic.canonical import Canonical, ProofStatus, canonical, compare, same_function
 from kinematics.symbolic.closed_form import ClosedForm, Workings, closed_form, inverse, jacobian
 from kinematics.symbolic.identity import Proof, prove_identity
 from kinematics.symbolic.interchange import from_sympy, to_sympy

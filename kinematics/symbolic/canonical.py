@@ -7,17 +7,7 @@ from enum import StrEnum
 from fractions import Fraction
 from typing import TypeAlias, cast
 
-from kinematics.expressions import (
-    Expression,
-    Function,
-    Number,
-    add,
-    call,
-    multiply,
-    number,
-    pi_times,
-    power,
-)
+from kinematics.expressions import Expression, Function, Number, add, call, multiply, number, pi_times, power
 from kinematics.symbolic.angles import angle_of, cosine_and_sine
 from kinematics.symbolic.elements import Form, Monomial, RingSymbol
 from kinematics.symbolic.form_reader import FormReader

@@ -11,18 +11,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass, field, fields
 from fractions import Fraction
 
-from kinematics.expressions import (
-    ZERO,
-    Call,
-    Expression,
-    Function,
-    Number,
-    Power,
-    Product,
-    Sum,
-    call,
-    number,
-)
+from kinematics.expressions import ZERO, Call, Expression, Function, Number, Power, Product, Sum, call, number
 from kinematics.symbolic.angles import Angle, cosine_and_sine
 from kinematics.symbolic.roots import square_free
 from kinematics.symbolic.terms import (

@@ -9,18 +9,7 @@ import math
 from fractions import Fraction
 from itertools import chain as in_turn
 
-from kinematics.expressions import (
-    Call,
-    Expression,
-    Function,
-    Power,
-    Product,
-    Sum,
-    add,
-    call,
-    multiply,
-    power,
-)
+from kinematics.expressions import Call, Expression, Function, Power, Product, Sum, add, call, multiply, power
 
 
 def cleared(expression: Expression) -> Expression:

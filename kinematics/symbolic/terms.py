@@ -6,14 +6,7 @@ from enum import IntEnum, auto
 from fractions import Fraction
 from typing import TypeAlias
 
-from kinematics.expressions import (
-    Call,
-    Expression,
-    Function,
-    JointVariable,
-    Number,
-    joint_variables_in,
-)
+from kinematics.expressions import Call, Expression, Function, JointVariable, Number, joint_variables_in
 
 Rational: TypeAlias = int | Fraction
 Term: TypeAlias = tuple[Rational, tuple[int, ...]]

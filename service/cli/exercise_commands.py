@@ -10,12 +10,7 @@ from exercises.authoring.archive import draft_of_archive
 from exercises.authoring.draft import exercise_of_draft
 from exercises.authoring.named_tables import ExerciseSource
 from exercises.authoring.scaffold import scaffold
-from exercises.authoring.sources import (
-    from_axes_file,
-    from_robot,
-    from_table_file,
-    from_urdf_file,
-)
+from exercises.authoring.sources import from_axes_file, from_robot, from_table_file, from_urdf_file
 from exercises.consistency import FILE
 from exercises.definition import Exercise
 from exercises.instance import generate

@@ -17,13 +17,7 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 from kinematics.errors import Fault
 from service.http.api_keys import PREFIX, ApiKey, KeyFile, KeyScope
 from service.http.cost_window import CostWindow
-from service.http.problems import (
-    ForbiddenError,
-    RateError,
-    RequestPart,
-    ServiceError,
-    UnauthorizedError,
-)
+from service.http.problems import ForbiddenError, RateError, RequestPart, ServiceError, UnauthorizedError
 from service.settings import Settings
 from service.work.fair_queue import Name, Proven, current_client, proven
 

@@ -15,16 +15,7 @@ from exercises.parts.cells.symbolic_matrix import SymbolicMatrix
 from exercises.parts.context import Context
 from kinematics.cells import ParameterKind
 from kinematics.errors import ParameterError
-from kinematics.expressions import (
-    Expression,
-    Number,
-    Power,
-    Product,
-    Sum,
-    evaluate,
-    parameters_in,
-    walk,
-)
+from kinematics.expressions import Expression, Number, Power, Product, Sum, evaluate, parameters_in, walk
 from kinematics.table import JointType
 
 STEP = 0.049

@@ -25,16 +25,7 @@ from exercises.parts.cells.number_cells import number_of
 from exercises.parts.context import Context
 from exercises.parts.forward.figure_frames import figure_axes, key_frames, lengths_in_frame
 from exercises.parts.protocol import Length, PartType, Reading
-from exercises.parts.report import (
-    Credit,
-    Disclosure,
-    Fact,
-    PartReport,
-    fact,
-    judged,
-    share_earned,
-    told_from,
-)
+from exercises.parts.report import Credit, Disclosure, Fact, PartReport, fact, judged, share_earned, told_from
 from exercises.parts.task import PartTask
 from kinematics.cells import Cell, ReadTable
 from kinematics.cells.meaning import Position

@@ -17,11 +17,7 @@ from exercises.instance import Instance
 from exercises.parts.cells.exactness import roundings
 from exercises.parts.cells.matrix_cells import read_row, write_matrix
 from exercises.parts.context import Context
-from exercises.parts.definition_keys import (
-    COMPONENTS,
-    KeyShape,
-    joint_names,
-)
+from exercises.parts.definition_keys import COMPONENTS, KeyShape, joint_names
 from exercises.parts.given_table import given_table
 from exercises.parts.motion.jacobian_cells import (
     JacobianAsk,
@@ -42,12 +38,7 @@ from exercises.parts.task import GivenNumbers, PartTask
 from exercises.reading import Reader
 from kinematics.answers.form_samples import FormRobot
 from kinematics.answers.jacobian_answers import JacobianMistake, JacobianVerdict
-from kinematics.answers.jacobian_forms import (
-    force_form,
-    jacobian_form,
-    judge_force_form,
-    judge_jacobian_form,
-)
+from kinematics.answers.jacobian_forms import force_form, jacobian_form, judge_force_form, judge_jacobian_form
 from kinematics.answers.left_open import Rounded
 from kinematics.answers.screw_answers import ScrewOrder
 from kinematics.cells import Cell, ParameterKind, ReadTable

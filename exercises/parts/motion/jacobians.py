@@ -28,13 +28,7 @@ from exercises.parts.definition_keys import (
 )
 from exercises.parts.forward.pose import joints_at
 from exercises.parts.given_table import given_table
-from exercises.parts.joint_draws import (
-    drawn_joints,
-    in_radians,
-    joint_labels,
-    key_numbers,
-    read_joints,
-)
+from exercises.parts.joint_draws import drawn_joints, in_radians, joint_labels, key_numbers, read_joints
 from exercises.parts.motion.jacobian_cells import (
     JacobianAsk,
     JacobianCells,

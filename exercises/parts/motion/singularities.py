@@ -27,11 +27,7 @@ from exercises.reading import Reader
 from kinematics.answers.left_open import Rounded
 from kinematics.answers.lost_motions import lost_motion_is_right, lost_motions_at
 from kinematics.answers.singular_arms import SingularArm, arm_of
-from kinematics.answers.singularity_answers import (
-    ConditionStatus,
-    is_sine_for_cosine,
-    judge_singularities,
-)
+from kinematics.answers.singularity_answers import ConditionStatus, is_sine_for_cosine, judge_singularities
 from kinematics.cells import Cell
 from kinematics.cells.meaning import Position
 from kinematics.errors import Fault, FormSizeError

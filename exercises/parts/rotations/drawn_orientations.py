@@ -13,10 +13,7 @@ from kinematics.cells import AngleUnit
 from kinematics.errors import PoseError
 from kinematics.keys import ValueKind
 from kinematics.rotations.matrices import Triple
-from kinematics.rotations.sequences import (
-    EulerSequence,
-    Turning,
-)
+from kinematics.rotations.sequences import EulerSequence, Turning
 
 
 def drawn_triple(

@@ -59,12 +59,7 @@ from kinematics.rotations.orientation_answers import (
     judge_quaternion,
     judge_triples,
 )
-from kinematics.rotations.sequences import (
-    Combination,
-    EulerSequence,
-    GimbalFamily,
-    euler_solutions,
-)
+from kinematics.rotations.sequences import Combination, EulerSequence, GimbalFamily, euler_solutions
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -9,13 +9,8 @@ from typing import Annotated
 from exercises.parts.protocol import Length
 from kinematics.cells import Cell
 from kinematics.rotations.matrices import Matrix3, Triple
-from kinematics.rotations.orientation_answers import (
-    ComponentOrder,
-)
-from kinematics.rotations.sequences import (
-    Combination,
-    GimbalFamily,
-)
+from kinematics.rotations.orientation_answers import ComponentOrder
+from kinematics.rotations.sequences import Combination, GimbalFamily
 
 CellRow3 = tuple[Cell, Cell, Cell]
 

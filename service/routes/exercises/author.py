@@ -10,13 +10,7 @@ from pydantic import TypeAdapter
 
 from exercises.answers import parse
 from exercises.authoring.archive import LARGEST_ARCHIVE, archive_of_draft, draft_of_archive
-from exercises.authoring.trials import (
-    new_draft,
-    rehearsed_mistakes,
-    rehearsed_right,
-    self_test,
-    trial,
-)
+from exercises.authoring.trials import new_draft, rehearsed_mistakes, rehearsed_right, self_test, trial
 from exercises.grader import grade
 from exercises.instance import generate
 from service.http.languages import language_of

@@ -33,12 +33,7 @@ from service.schemas.exercises.exercises import (
     GradedModel,
 )
 from service.web.responses import IMMUTABLE, packed_response, text_response
-from service.wire.exercises.exercise_views import (
-    attempts_of,
-    exercise_list,
-    exercise_view,
-    instance_of,
-)
+from service.wire.exercises.exercise_views import attempts_of, exercise_list, exercise_view, instance_of
 from service.wire.exercises.figure_files import figure_address, figure_path, known_figure, packed_figure
 from service.wire.exercises.ungraded import answer_refused, known_exercise
 from service.wire.exercises.verdicts import encoded, report_body

@@ -14,10 +14,7 @@ from service.schemas.kinematics.inverse_forms import (
     SymbolicInverseAnswer,
     SymbolicInverseRequest,
 )
-from service.schemas.kinematics.inverse_kinematics import (
-    InverseKinematicsAnswer,
-    InverseKinematicsAnswers,
-)
+from service.schemas.kinematics.inverse_kinematics import InverseKinematicsAnswer, InverseKinematicsAnswers
 from service.wire.fault_pointers import traced
 from service.wire.kinematics.inverse_forms import inverse_form_task, written_inverse
 from service.wire.kinematics.inverse_solutions import solved, solved_each

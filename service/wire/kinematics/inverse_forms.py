@@ -9,22 +9,11 @@ from typing import Any
 
 from kinematics.errors import Fault, FormSizeError
 from kinematics.expressions import Expression, JointVariable, Parameter, walk
-from kinematics.inverse_forms import (
-    InverseCondition,
-    InverseForm,
-    InverseStep,
-    SingularCase,
-)
+from kinematics.inverse_forms import InverseCondition, InverseForm, InverseStep, SingularCase
 from kinematics.inverse_forms.derivation import MOST_JOINTS
 from kinematics.inverse_forms.outer_frames import inverse_form_in_world
 from kinematics.printing import LIMIT, Notation
-from kinematics.printing.equation_lists import (
-    MISFIT,
-    EquationPrinter,
-    NamedValue,
-    source_of,
-    symbols_of,
-)
+from kinematics.printing.equation_lists import MISFIT, EquationPrinter, NamedValue, source_of, symbols_of
 from kinematics.printing.formats import EquationFormat
 from kinematics.printing.notation import Names
 from kinematics.symbolic import count_operations

@@ -7,12 +7,7 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 from kinematics.cells import Limits, ParameterKind
-from kinematics.errors import (
-    DescriptionError,
-    Fault,
-    ParameterError,
-    PoseError,
-)
+from kinematics.errors import DescriptionError, Fault, ParameterError, PoseError
 from kinematics.expressions import Expression
 from kinematics.jacobian import JacobianFrame
 from kinematics.poses import pose_notations

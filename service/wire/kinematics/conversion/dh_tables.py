@@ -26,13 +26,7 @@ from service.wire.json_chunks import plain_lists
 from service.wire.kinematics.conversion.described import RobotDescription
 from service.wire.kinematics.conversion.named_poses import with_names, x_screw, x_screw_entries
 from service.wire.kinematics.prepared_robots import listed_robot, robot_of
-from service.wire.kinematics.written_tables import (
-    CELL_KINDS,
-    Spellings,
-    TableWriter,
-    WireCell,
-    numeric_row,
-)
+from service.wire.kinematics.written_tables import CELL_KINDS, Spellings, TableWriter, WireCell, numeric_row
 
 Matrix = list[list[WireCell]]
 Entries: TypeAlias = tuple[tuple[Expression, ...], ...]
