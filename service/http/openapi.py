@@ -83,7 +83,10 @@ NPY_QUERY: dict[str, Any] = {
 
 
 def problems(*statuses: int) -> dict[int | str, dict[str, Any]]:
-    """Return what OpenAPI says of a route's refusals: `responses` of the route."""
+    """Return what OpenAPI says of a route's refusals, `responses` of the route.
+
+    Those that every call with a body or with parameters can make are added to all of them.
+    """
     return {
         status: {
             "description": DESCRIPTIONS[status],

@@ -30,14 +30,9 @@ from service.wire.kinematics.dynamics import parameter_numbers, weighed
 router = api_router("kinematics")
 
 
-@router.post(
-    "/check-dynamics",
-    summary="Are these M, C and g those of the robot?",
-    responses=problems(400, 413, 415, 422, 503),
-)
+@router.post("/check-dynamics", summary="Are these M, C and g those of the robot?", responses=problems(503))
 async def check_dynamics(
-    body: Annotated[CheckDynamicsRequest, body_with(CHECK_DYNAMICS)],
-    request: ApiRequest,
+    body: Annotated[CheckDynamicsRequest, body_with(CHECK_DYNAMICS)], request: ApiRequest
 ) -> CheckDynamicsAnswer:
     """Judge M and g entry by entry, and C by C q̇: every C with the right C q̇ is right.
 

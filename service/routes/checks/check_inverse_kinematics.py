@@ -73,11 +73,10 @@ class _Asked(NamedTuple):
 @router.post(
     "/check-inverse-kinematics",
     summary="Do these joint values reach the pose, and are they all?",
-    responses=problems(400, 413, 415, 422, 503),
+    responses=problems(503),
 )
 async def check_inverse_kinematics(
-    body: Annotated[CheckInverseKinematicsRequest, body_with(_EXAMPLES)],
-    request: ApiRequest,
+    body: Annotated[CheckInverseKinematicsRequest, body_with(_EXAMPLES)], request: ApiRequest
 ) -> CheckInverseKinematicsAnswer:
     """Judge each row by forward kinematics, up to full turns, and the rows together by the complete set.
 

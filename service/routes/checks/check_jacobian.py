@@ -78,14 +78,9 @@ _IN_CLOSED_FORM: dict[str, Any] = {
 }
 
 
-@router.post(
-    "/check-jacobian",
-    summary="Are this Jacobian and these joint forces those of the table?",
-    responses=problems(400, 413, 415, 422),
-)
+@router.post("/check-jacobian", summary="Are this Jacobian and these joint forces those of the table?")
 async def check_jacobian(
-    body: Annotated[CheckJacobianRequest, body_with(_IN_NUMBERS)],
-    request: ApiRequest,
+    body: Annotated[CheckJacobianRequest, body_with(_IN_NUMBERS)], request: ApiRequest
 ) -> CheckJacobianAnswer:
     """Return the Jacobian of the last frame's origin, in either order of the rows, and τ = Jᵀ (f, m).
 
@@ -100,11 +95,10 @@ async def check_jacobian(
 @router.post(
     "/check-jacobian-form",
     summary="Are this Jacobian and these joint forces, as functions, those of the table?",
-    responses=problems(400, 413, 415, 422, 503),
+    responses=problems(503),
 )
 async def check_jacobian_form(
-    body: Annotated[CheckJacobianFormRequest, body_with(_IN_CLOSED_FORM)],
-    request: ApiRequest,
+    body: Annotated[CheckJacobianFormRequest, body_with(_IN_CLOSED_FORM)], request: ApiRequest
 ) -> CheckJacobianFormAnswer:
     """Return the Jacobian of the last frame's origin and τ = Jᵀ (f, m), as functions of q1 … qn.
 

@@ -35,13 +35,10 @@ _EXAMPLES: dict[str, Any] = {
 
 
 @router.post(
-    "/check-screws",
-    summary="Are these screws and this home pose the robot?",
-    responses=problems(400, 413, 415, 422, 503),
+    "/check-screws", summary="Are these screws and this home pose the robot?", responses=problems(503)
 )
 async def check_screws(
-    body: Annotated[CheckScrewsRequest, body_with(_EXAMPLES)],
-    request: ApiRequest,
+    body: Annotated[CheckScrewsRequest, body_with(_EXAMPLES)], request: ApiRequest
 ) -> CheckScrewsAnswer:
     """Judge screws: either sense of an axis, any point on it, any zero, space or body, any prismatic length.
 

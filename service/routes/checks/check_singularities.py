@@ -46,11 +46,10 @@ _EXAMPLES: dict[str, Any] = {
 @router.post(
     "/check-singularities",
     summary="Is the arm singular just where these conditions hold?",
-    responses=problems(400, 413, 415, 422, 503),
+    responses=problems(503),
 )
 async def check_singularities(
-    body: Annotated[CheckSingularitiesRequest, body_with(_EXAMPLES)],
-    request: ApiRequest,
+    body: Annotated[CheckSingularitiesRequest, body_with(_EXAMPLES)], request: ApiRequest
 ) -> CheckSingularitiesAnswer:
     """Judge conditions as a set, whatever their number, order, factors and signs.
 

@@ -43,7 +43,6 @@ ZIP = "application/zip"
 _BINARY: dict[int | str, dict[str, Any]] = {
     200: {"content": {ZIP: {"schema": {"type": "string", "format": "binary"}}}}
 }
-_REFUSALS = problems(400, 413, 415, 422, 503)
 LARGEST_BODY = 2 * LARGEST_ARCHIVE
 """Of an archive in base64, with what is around it."""
 _IMPORT = TypeAdapter(wire.ImportRequest)
@@ -51,10 +50,7 @@ _ANSWER: TypeAdapter[AnswerBase] = TypeAdapter(ExerciseAnswer)
 
 
 @router.post(
-    "/author/start",
-    response_model=wire.StartAnswer,
-    responses=_REFUSALS,
-    summary="Start an exercise",
+    "/author/start", response_model=wire.StartAnswer, responses=problems(503), summary="Start an exercise"
 )
 async def start_draft(
     body: Annotated[wire.StartRequest, body_with(examples.START)], request: ApiRequest
@@ -71,7 +67,7 @@ async def start_draft(
 @router.post(
     "/author/preview",
     response_model=wire.PreviewAnswer,
-    responses=_REFUSALS,
+    responses=problems(503),
     summary="A draft as students will see it",
 )
 async def preview_draft(
@@ -92,7 +88,7 @@ async def preview_draft(
 @router.post(
     "/author/check",
     response_model=wire.SelfTestAnswer,
-    responses=_REFUSALS,
+    responses=problems(503),
     summary="A round of a draft's self-test",
 )
 async def check_draft(
@@ -108,7 +104,7 @@ async def check_draft(
 @router.post(
     "/author/right-answers",
     response_model=wire.RehearsalAnswer,
-    responses=_REFUSALS,
+    responses=problems(503),
     summary="Right answers that look different",
 )
 async def right_answers_of_draft(
@@ -121,7 +117,7 @@ async def right_answers_of_draft(
 @router.post(
     "/author/mistakes",
     response_model=wire.RehearsalAnswer,
-    responses=_REFUSALS,
+    responses=problems(503),
     summary="The commonest wrong answers and their marks",
 )
 async def mistakes_of_draft(
@@ -135,10 +131,7 @@ async def mistakes_of_draft(
 
 
 @router.post(
-    "/author/grade",
-    response_model=GradedModel,
-    responses=_REFUSALS,
-    summary="Judge an answer to a draft",
+    "/author/grade", response_model=GradedModel, responses=problems(503), summary="Judge an answer to a draft"
 )
 async def grade_against_draft(
     body: Annotated[wire.TryRequest, body_with(examples.TRY)], request: ApiRequest
@@ -162,7 +155,7 @@ async def grade_against_draft(
 
 @router.post(
     "/author/folder.zip",
-    responses={**_BINARY, **_REFUSALS},
+    responses={**_BINARY, **problems(503)},
     response_class=Response,
     summary="The folder of a draft",
 )
@@ -184,7 +177,7 @@ async def folder_of_draft(
 @direct.post(
     "/author/import",
     response_model=wire.DraftAnswer,
-    responses=_REFUSALS,
+    responses=problems(503),
     openapi_extra=request_body(wire.ImportRequest, examples.IMPORT),
     summary="The draft in a folder",
 )

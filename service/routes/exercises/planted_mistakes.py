@@ -35,7 +35,6 @@ from service.wire.kinematics.written_tables import TableWriter
 
 Way = TypeVar("Way")
 router = api_router("exercises")
-_REFUSALS = problems(400, 413, 415, 422, 503)
 
 _ELBOW: dict[str, Any] = {
     "convention": "standard",
@@ -71,13 +70,10 @@ _IN_FRAMES: dict[str, Any] = {
 
 
 @router.post(
-    "/plant-mistake",
-    summary="A right table in, a table with one mistake out",
-    responses=_REFUSALS,
+    "/plant-mistake", summary="A right table in, a table with one mistake out", responses=problems(503)
 )
 async def plant_mistake(
-    body: Annotated[wire.PlantMistakeRequest, body_with(_IN_TABLE)],
-    request: ApiRequest,
+    body: Annotated[wire.PlantMistakeRequest, body_with(_IN_TABLE)], request: ApiRequest
 ) -> wire.PlantMistakeAnswer:
     """Plant a mistake of the catalogue, in one row, that makes the table another robot or breaks its policy.
 
@@ -90,11 +86,10 @@ async def plant_mistake(
 @router.post(
     "/plant-matrix-mistake",
     summary="A right table in, one of its matrices with a mistake out",
-    responses=_REFUSALS,
+    responses=problems(503),
 )
 async def plant_matrix_mistake(
-    body: Annotated[wire.PlantMatrixMistakeRequest, body_with(_IN_MATRIX)],
-    request: ApiRequest,
+    body: Annotated[wire.PlantMatrixMistakeRequest, body_with(_IN_MATRIX)], request: ApiRequest
 ) -> wire.PlantMatrixMistakeAnswer:
     """Plant a mistake of the catalogue, in the matrix of one row or in ⁰T_N, that makes it another function.
 
@@ -105,13 +100,10 @@ async def plant_matrix_mistake(
 
 
 @router.post(
-    "/plant-frame-mistake",
-    summary="Joint axes in, frames with a mistake out",
-    responses=_REFUSALS,
+    "/plant-frame-mistake", summary="Joint axes in, frames with a mistake out", responses=problems(503)
 )
 async def plant_frame_mistake(
-    body: Annotated[wire.PlantFrameMistakeRequest, body_with(_IN_FRAMES)],
-    request: ApiRequest,
+    body: Annotated[wire.PlantFrameMistakeRequest, body_with(_IN_FRAMES)], request: ApiRequest
 ) -> wire.PlantFrameMistakeAnswer:
     """Return the frames by the procedure of the lecture, one of which breaks one rule of the convention.
 
@@ -122,13 +114,10 @@ async def plant_frame_mistake(
 
 
 @router.post(
-    "/compare-tables",
-    summary="Do two tables describe the same robot, and why?",
-    responses=_REFUSALS,
+    "/compare-tables", summary="Do two tables describe the same robot, and why?", responses=problems(503)
 )
 async def compare_tables(
-    body: Annotated[wire.CompareTablesRequest, body_with(_COMPARE)],
-    request: ApiRequest,
+    body: Annotated[wire.CompareTablesRequest, body_with(_COMPARE)], request: ApiRequest
 ) -> wire.CompareTablesAnswer:
     """Return whether they are one robot, whichever way frames, zeros, directions and conventions were chosen.
 
@@ -139,14 +128,9 @@ async def compare_tables(
     return await request.resources.grading.run(work)
 
 
-@router.post(
-    "/other-tables",
-    summary="Other tables of the same robot",
-    responses=_REFUSALS,
-)
+@router.post("/other-tables", summary="Other tables of the same robot", responses=problems(503))
 async def write_other_tables(
-    body: Annotated[wire.OtherTablesRequest, body_with(_OTHERS)],
-    request: ApiRequest,
+    body: Annotated[wire.OtherTablesRequest, body_with(_OTHERS)], request: ApiRequest
 ) -> wire.OtherTablesAnswer:
     """Return tables of a given one's robot that keep a policy, with what differs in their frames.
 

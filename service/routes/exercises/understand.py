@@ -34,7 +34,7 @@ from kinematics.printing.text import TextWriter
 from kinematics.table import CELLS, VARIABLE_CELLS, DHRow, JointType, SymbolicRow
 from service.http.languages import language_for
 from service.http.link_guard import switched_off
-from service.http.openapi import body_with, problems
+from service.http.openapi import body_with
 from service.http.problems import RequestError
 from service.http.routing import ApiRequest, OneRobotRoute, api_router
 from service.resources import resources_of
@@ -77,15 +77,9 @@ WRITTEN = 512
 """Entries that are kept as written, each as long as a cell may be."""
 
 
-@router.post(
-    "/understand",
-    summary="What a table means, cell by cell, while it is being typed",
-    responses=problems(400, 413, 415, 422),
-)
+@router.post("/understand", summary="What a table means, cell by cell, while it is being typed")
 async def understand(
-    body: Annotated[UnderstandRequest, body_with(EXAMPLES)],
-    request: ApiRequest,
-    response: Response,
+    body: Annotated[UnderstandRequest, body_with(EXAMPLES)], request: ApiRequest, response: Response
 ) -> UnderstandAnswer:
     """Return the meaning of every readable cell, the link matrix of every row with numbers, and the faults.
 

@@ -6,7 +6,7 @@ from functools import partial
 from typing import Annotated, Any
 
 from service.http.languages import language_of
-from service.http.openapi import body_with, problems
+from service.http.openapi import body_with
 from service.http.routing import ApiRequest, api_router
 from service.messages import sentence
 from service.schemas.kinematics.frame_assignment_models import (
@@ -45,9 +45,7 @@ _CHECK: dict[str, Any] = {
 }
 
 
-@router.post(
-    "/assign-frames", summary="Joint axes in, a DH table out", responses=problems(400, 413, 415, 422)
-)
+@router.post("/assign-frames", summary="Joint axes in, a DH table out")
 async def assign(
     request: ApiRequest, body: Annotated[AssignFramesRequest, body_with(_ASSIGN)]
 ) -> AssignFramesAnswer:
@@ -59,11 +57,7 @@ async def assign(
     return await request.in_turn(partial(assigned, body, _speaker(language_of(request))))
 
 
-@router.post(
-    "/check-frames",
-    summary="A student's frames, judged rule by rule",
-    responses=problems(400, 413, 415, 422),
-)
+@router.post("/check-frames", summary="A student's frames, judged rule by rule")
 async def check(
     request: ApiRequest, body: Annotated[CheckFramesRequest, body_with(_CHECK)]
 ) -> CheckFramesAnswer:

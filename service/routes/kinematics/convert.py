@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import partial
 from typing import Annotated
 
-from service.http.openapi import body_with, problems
+from service.http.openapi import body_with
 from service.http.routing import ApiRequest, OneRobotRoute, api_router
 from service.schemas import examples
 from service.schemas.kinematics.conversion import ConvertAnswer, ConvertRequest
@@ -14,12 +14,9 @@ from service.wire.kinematics.conversion import converted
 router = api_router("kinematics", route_class=OneRobotRoute)
 
 
-@router.post(
-    "/convert", summary="From one description of a robot to another", responses=problems(400, 413, 415, 422)
-)
+@router.post("/convert", summary="From one description of a robot to another")
 async def convert(
-    body: Annotated[ConvertRequest, body_with(examples.CONVERT)],
-    request: ApiRequest,
+    body: Annotated[ConvertRequest, body_with(examples.CONVERT)], request: ApiRequest
 ) -> ConvertAnswer:
     """Return another description of the same robot, without loss.
 

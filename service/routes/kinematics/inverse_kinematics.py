@@ -57,11 +57,10 @@ _EXAMPLES = {
     summary="A pose to the joint values that reach it",
     response_model=InverseKinematicsAnswer | InverseKinematicsAnswers | SymbolicInverseAnswer,
     response_model_exclude_none=True,
-    responses=problems(400, 413, 415, 422, 503),
+    responses=problems(503),
 )
 async def inverse_kinematics(
-    body: Annotated[InverseQuestion, body_with(_EXAMPLES | SYMBOLIC_INVERSE)],
-    request: ApiRequest,
+    body: Annotated[InverseQuestion, body_with(_EXAMPLES | SYMBOLIC_INVERSE)], request: ApiRequest
 ) -> InverseKinematicsAnswer | InverseKinematicsAnswers | BytesResponse:
     """Return all distinct solutions if the arm has a closed form, and otherwise those that a search finds.
 

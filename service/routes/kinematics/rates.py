@@ -9,7 +9,7 @@ from kinematics.ellipsoids import Ellipsoid, VelocityEllipsoids, velocity_ellips
 from kinematics.inverse.lengths import check_lengths
 from kinematics.rates import ROLL_PITCH_YAW, analytic_jacobian, jacobian_rate, joint_forces
 from kinematics.se3 import check_transform
-from service.http.openapi import body_with, problems
+from service.http.openapi import body_with
 from service.http.routing import api_router
 from service.resources import AppResources
 from service.schemas.kinematics.rates_request import RatesAnswer, RatesRequest
@@ -30,15 +30,8 @@ _EXAMPLES: dict[str, Any] = {
 }
 
 
-@router.post(
-    "/rates",
-    summary="Velocities, accelerations and forces at one configuration",
-    responses=problems(400, 413, 415, 422),
-)
-async def rates(
-    body: Annotated[RatesRequest, body_with(_EXAMPLES)],
-    resources: AppResources,
-) -> RatesAnswer:
+@router.post("/rates", summary="Velocities, accelerations and forces at one configuration")
+async def rates(body: Annotated[RatesRequest, body_with(_EXAMPLES)], resources: AppResources) -> RatesAnswer:
     """Return (v, ω) = J0 q̇, J0 q̈ + J̇0 q̇, the analytic Jacobian, τ = J0ᵀ (f, m) and ellipsoids.
 
     Results that need missing `rates`, `accelerations` or `wrench` are null. Lengths are in the table's unit.

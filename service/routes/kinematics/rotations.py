@@ -6,7 +6,7 @@ from functools import partial
 from typing import Annotated, Any
 
 from service.http.languages import language_of
-from service.http.openapi import body_with, problems
+from service.http.openapi import body_with
 from service.http.routing import ApiRequest, api_router
 from service.messages import sentence
 from service.schemas.kinematics.rotations import (
@@ -47,9 +47,7 @@ _CHECK: dict[str, Any] = {
 }
 
 
-@router.post(
-    "/rotations", summary="One orientation in every notation", responses=problems(400, 413, 415, 422)
-)
+@router.post("/rotations", summary="One orientation in every notation")
 async def rotations(
     request: ApiRequest, body: Annotated[RotationsRequest, body_with(_ROTATIONS)]
 ) -> RotationsAnswer:
@@ -61,11 +59,7 @@ async def rotations(
     return await request.in_turn(partial(all_notations, body))
 
 
-@router.post(
-    "/check-rotation",
-    summary="Does an answer mean this orientation?",
-    responses=problems(400, 413, 415, 422),
-)
+@router.post("/check-rotation", summary="Does an answer mean this orientation?")
 async def check_rotation(
     request: ApiRequest, body: Annotated[CheckRotationRequest, body_with(_CHECK)]
 ) -> CheckRotationAnswer:

@@ -42,14 +42,12 @@ from service.work.workers import Lane
 
 router = api_router("scm", route_class=OneRobotRoute)
 
-_REFUSALS = problems(400, 413, 415, 422, 503)
-
 
 @router.post(
     "/scm/forward-kinematics",
     response_model=wire.ScmForwardKinematicsAnswer,
     response_model_exclude_none=True,
-    responses=_REFUSALS,
+    responses=problems(503),
     summary="Direct kinematics of an SCM chain",
 )
 async def forward_kinematics(
@@ -77,7 +75,7 @@ async def forward_kinematics(
     "/scm/inverse-transform",
     response_model=wire.ScmInverseTransformAnswer,
     response_model_exclude_none=True,
-    responses=_REFUSALS,
+    responses=problems(503),
     summary="Inverse of the direct kinematics of an SCM chain",
 )
 async def inverse_of_transform(
@@ -99,7 +97,7 @@ async def inverse_of_transform(
     "/scm/jacobian",
     response_model=wire.ScmJacobianAnswer,
     response_model_exclude_none=True,
-    responses=_REFUSALS,
+    responses=problems(503),
     summary="J0 and Jn of an SCM chain",
 )
 async def jacobian(
@@ -135,7 +133,7 @@ async def jacobian(
 @router.post(
     "/scm/inverse-kinematics",
     response_model_exclude_none=True,
-    responses=_REFUSALS,
+    responses=problems(503),
     summary="Inverse kinematics of an SCM chain",
 )
 async def inverse_kinematics(
@@ -161,7 +159,9 @@ async def inverse_kinematics(
     return InverseKinematicsAnswer(**prepared.units, **target_answer(found, prepared))
 
 
-@router.post("/scm/random-configuration", responses=_REFUSALS, summary="Random joint values for an SCM chain")
+@router.post(
+    "/scm/random-configuration", responses=problems(503), summary="Random joint values for an SCM chain"
+)
 async def random_configuration(
     body: Annotated[wire.RandomConfigurationRequest, body_with(examples.RANDOM_CONFIGURATION)],
     request: ApiRequest,
@@ -187,7 +187,7 @@ async def random_configuration(
     "/scm/products",
     response_model=ScmProductsAnswer,
     response_model_exclude_none=True,
-    responses=_REFUSALS,
+    responses=problems(503),
     summary="Products of motions, compared",
 )
 async def products(

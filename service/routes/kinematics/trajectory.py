@@ -9,7 +9,7 @@ import numpy as np
 from kinematics.forward import end_poses
 from kinematics.inverse.lengths import check_lengths
 from kinematics.trajectory import joint_trajectory
-from service.http.openapi import body_with, problems
+from service.http.openapi import body_with
 from service.http.routing import api_router
 from service.resources import AppResources
 from service.schemas.kinematics.trajectory_request import TrajectoryAnswer, TrajectoryRequest
@@ -29,14 +29,9 @@ _EXAMPLES: dict[str, Any] = {
 }
 
 
-@router.post(
-    "/trajectory",
-    summary="Joint trajectory between two configurations",
-    responses=problems(400, 413, 415, 422),
-)
+@router.post("/trajectory", summary="Joint trajectory between two configurations")
 async def trajectory(
-    body: Annotated[TrajectoryRequest, body_with(_EXAMPLES)],
-    resources: AppResources,
+    body: Annotated[TrajectoryRequest, body_with(_EXAMPLES)], resources: AppResources
 ) -> TrajectoryAnswer:
     """Return a motion from `start` to `end`, joints together: q(t) = start + s(t / duration) (end − start).
 

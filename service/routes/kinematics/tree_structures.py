@@ -10,7 +10,7 @@ from kinematics.cells import Limits
 from kinematics.errors import Fault, KinematicsError, TableError
 from kinematics.inverse.lengths import check_lengths
 from kinematics.tree_structures import fault_in_tree, path_table, read_tree, tree_frames, tree_jacobian
-from service.http.openapi import body_with, problems
+from service.http.openapi import body_with
 from service.http.problems import located
 from service.http.routing import ApiRequest, api_router
 from service.schemas.kinematics.tree_request import TreeAnswer, TreeEnd, TreeRequest
@@ -39,11 +39,7 @@ _EXAMPLES: dict[str, Any] = {
 }
 
 
-@router.post(
-    "/trees",
-    summary="Frames, Jacobians and tables of an arm that branches",
-    responses=problems(400, 413, 415, 422),
-)
+@router.post("/trees", summary="Frames, Jacobians and tables of an arm that branches")
 async def trees(body: Annotated[TreeRequest, body_with(_EXAMPLES)], request: ApiRequest) -> TreeAnswer:
     """Return the poses of all frames of a tree (Khalil, Kleinfinger), and each tip's Jacobian and table.
 

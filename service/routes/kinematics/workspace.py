@@ -38,11 +38,10 @@ _EXAMPLES: dict[str, Any] = {
     "/workspace",
     summary="Radii, box and points of the workspace",
     response_model_exclude_none=True,
-    responses=problems(400, 413, 415, 422, 503),
+    responses=problems(503),
 )
 async def reach(
-    body: Annotated[wire.WorkspaceRequest, body_with(_EXAMPLES)],
-    request: ApiRequest,
+    body: Annotated[wire.WorkspaceRequest, body_with(_EXAMPLES)], request: ApiRequest
 ) -> wire.WorkspaceResponse:
     """Return the least and greatest distance of the end frame's origin, and the box that contains it.
 
