@@ -64,8 +64,6 @@ class DefinitionKey:
     options: tuple[str, ...] = ()
 
 
-COMPONENTS = ("fx", "fy", "fz", "mx", "my", "mz")
-"""Of a force and a moment at the tool."""
 TOLERANCE = DefinitionKey(name="tolerance", shape=KeyShape.NUMBER)
 
 

@@ -10,6 +10,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.cells import ParameterKind
 from kinematics.chain import Chain, chain_of_table, size_of
 from kinematics.expressions import Expression
 from kinematics.expressions.arrays import values_at
@@ -55,6 +56,26 @@ class FormRobot(ValuedRobot):
     """
 
     lengths: frozenset[str]
+
+
+COMPONENTS = ("fx", "fy", "fz", "mx", "my", "mz")
+"""Of a force and a moment at the tool."""
+
+
+def loaded_robot(
+    table: SymbolicTable, values: Mapping[str, float], kinds: Mapping[str, ParameterKind]
+) -> FormRobot:
+    """Return a robot with a force and a moment at its tool, whose components are names, too.
+
+    Args:
+        table: the robot's.
+        values: of every other name, and of those components that mean something else in the table.
+        kinds: of the names; one that is not among them is a length.
+    """
+    lengths = {name for name in values if kinds.get(name, ParameterKind.LENGTH) is ParameterKind.LENGTH}
+    loads = {name: 7.0 + 3.0 * i for i, name in enumerate(COMPONENTS)}
+    moments = set(COMPONENTS[3:]) - values.keys()
+    return FormRobot(table=table, values={**loads, **values}, lengths=frozenset(lengths | moments))
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

@@ -14,20 +14,13 @@ import numpy as np
 from exercises.definition import Part
 from exercises.grading import Feedback, Finding, HelpLevel
 from exercises.parts.context import Context
-from exercises.parts.definition_keys import (
-    COMPONENTS,
-    TOLERANCE,
-    DefinitionKey,
-    KeyShape,
-    choice,
-    choices,
-    sequence_keys,
-)
+from exercises.parts.definition_keys import TOLERANCE, DefinitionKey, KeyShape, choice, choices, sequence_keys
 from exercises.parts.protocol import TABLE, Length, PartType, Reading, RobotFacts
 from exercises.parts.report import Credit, Disclosure, Fact, PartReport, fact, judged, share_earned, told_from
 from exercises.parts.rotations.drawn_orientations import read_sequence
 from exercises.parts.task import FieldShape, FormField, choice_field
 from exercises.reading import Reader
+from kinematics.answers.form_samples import COMPONENTS
 from kinematics.answers.jacobian_answers import JacobianMistake, JacobianVerdict
 from kinematics.answers.screw_answers import ScrewOrder
 from kinematics.cells import Cell

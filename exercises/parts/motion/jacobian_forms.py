@@ -17,7 +17,7 @@ from exercises.instance import Instance
 from exercises.parts.cells.exactness import roundings
 from exercises.parts.cells.matrix_cells import read_row, write_matrix
 from exercises.parts.context import Context
-from exercises.parts.definition_keys import COMPONENTS, KeyShape, joint_names
+from exercises.parts.definition_keys import KeyShape, joint_names
 from exercises.parts.given_table import given_table
 from exercises.parts.motion.jacobian_cells import (
     JacobianAsk,
@@ -36,12 +36,12 @@ from exercises.parts.motion.jacobian_cells import (
 from exercises.parts.protocol import TABLE, Reading, RobotFacts
 from exercises.parts.task import GivenNumbers, PartTask
 from exercises.reading import Reader
-from kinematics.answers.form_samples import FormRobot
+from kinematics.answers.form_samples import COMPONENTS, FormRobot, loaded_robot
 from kinematics.answers.jacobian_answers import JacobianMistake, JacobianVerdict
 from kinematics.answers.jacobian_forms import force_form, jacobian_form, judge_force_form, judge_jacobian_form
 from kinematics.answers.left_open import Rounded
 from kinematics.answers.screw_answers import ScrewOrder
-from kinematics.cells import Cell, ParameterKind, ReadTable
+from kinematics.cells import Cell, ReadTable
 from kinematics.errors import Fault, JointValueError
 from kinematics.expressions import ZERO, Expression, Number, Parameter, parameters_in
 from kinematics.jacobian import JacobianFrame
@@ -212,12 +212,7 @@ def _robot(context: Context, answer: JacobianForm) -> FormRobot:
     entries = [entry for row in answer.jacobian or () for entry in row] + list(answer.forces or ())
     names = frozenset[str](read.parameters).union(*map(parameters_in, entries))
     values = context.values(names - set(COMPONENTS))
-    kinds = {**context.reference.parameters, **read.parameters}
-    lengths = {name for name in values if kinds.get(name, ParameterKind.LENGTH) is ParameterKind.LENGTH}
-    loads = {name: 7.0 + 3.0 * i for i, name in enumerate(COMPONENTS)}
-    return FormRobot(
-        table=read.table, values={**loads, **values}, lengths=frozenset(lengths) | set(COMPONENTS[3:])
-    )
+    return loaded_robot(read.table, values, {**context.reference.parameters, **read.parameters})
 
 
 PART = JacobianFormType()

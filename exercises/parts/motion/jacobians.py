@@ -18,7 +18,6 @@ from exercises.instance import Instance
 from exercises.parts.cells.number_cells import on_paper, read_numbers_of
 from exercises.parts.context import Context
 from exercises.parts.definition_keys import (
-    COMPONENTS,
     DefinitionKey,
     KeyShape,
     Start,
@@ -46,6 +45,7 @@ from exercises.parts.motion.jacobian_cells import (
 from exercises.parts.protocol import TABLE, Reading, RobotFacts
 from exercises.parts.task import GivenNumbers, PartTask
 from exercises.reading import Reader
+from kinematics.answers.form_samples import COMPONENTS
 from kinematics.answers.jacobian_answers import (
     JacobianMistake,
     JacobianVerdict,

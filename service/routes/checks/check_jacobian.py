@@ -8,12 +8,10 @@ from typing import Annotated, Any
 
 import numpy as np
 
-from exercises.parts.definition_keys import COMPONENTS
-from kinematics.answers.form_samples import FormRobot
+from kinematics.answers.form_samples import COMPONENTS, loaded_robot
 from kinematics.answers.jacobian_answers import JacobianMistake, judge_forces, judge_jacobian
 from kinematics.answers.jacobian_forms import judge_force_form, judge_jacobian_form
 from kinematics.answers.screw_answers import ScrewOrder
-from kinematics.cells import ParameterKind
 from kinematics.chain import chain_of_table
 from kinematics.inverse.lengths import check_lengths
 from kinematics.symbolic import ProofStatus
@@ -151,25 +149,20 @@ def _checked_form(
     body: CheckJacobianFormRequest, robot: PreparedRobot, language: str
 ) -> CheckJacobianFormAnswer:
     angles = angles_of_jacobian(body)
-    values, kinds = form_values(body, robot), robot.read.parameters
-    named = {**{name: 7.0 + 3.0 * i for i, name in enumerate(COMPONENTS)}, **values}
-    lengths = {name for name in values if kinds.get(name, ParameterKind.LENGTH) is ParameterKind.LENGTH}
-    form = FormRobot(
-        table=robot.read.table,
-        values=named,
-        lengths=frozenset(lengths) | (set(COMPONENTS[3:]) - values.keys()),
-    )
+    form = loaded_robot(robot.read.table, form_values(body, robot), robot.read.parameters)
     n = len(robot.joint_units)
     proofs: set[ProofStatus] = set()
     mistakes: list[tuple[str, JacobianMistake, int | None]] = []
     entries, forces, correct = None, None, True
     if body.jacobian is not None:
-        rows = [read_row(row, n, robot.read, named, ("jacobian", i)) for i, row in enumerate(body.jacobian)]
+        rows = [
+            read_row(row, n, robot.read, form.values, ("jacobian", i)) for i, row in enumerate(body.jacobian)
+        ]
         rounded = roundings_of(
             itertools.chain.from_iterable(body.jacobian),
             itertools.chain.from_iterable(rows),
             robot.read,
-            named,
+            form.values,
             COMPONENTS,
         )
         if body.order is ScrewOrder.ANGULAR_FIRST:
@@ -179,9 +172,9 @@ def _checked_form(
         proofs.add(found.proof)
         mistakes += [("jacobian", mistake, joint) for mistake, joint in found.mistakes]
     if body.joint_forces is not None and body.wrench is not None:
-        given = read_row(body.joint_forces, n, robot.read, named, ("joint_forces",))
-        wrench = read_row(body.wrench, 6, robot.read, named, ("wrench",), variables=False)
-        rounded = roundings_of(body.joint_forces, given, robot.read, named, COMPONENTS)
+        given = read_row(body.joint_forces, n, robot.read, form.values, ("joint_forces",))
+        wrench = read_row(body.wrench, 6, robot.read, form.values, ("wrench",), variables=False)
+        rounded = roundings_of(body.joint_forces, given, robot.read, form.values, COMPONENTS)
         right, proof, mistake = judge_force_form(form, given, wrench, body.frame, body.tolerance, rounded)
         forces, correct = list(right), correct and all(right)
         proofs.add(proof)
