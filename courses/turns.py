@@ -42,6 +42,7 @@ class Turns:
         Raises:
             OSError: it cannot be opened.
         """
+        file.touch(mode=0o600)  # whoever could read it could keep all writers waiting
         self._file = file.open("a")
         self._patience = patience
         self._threads = threading.Lock()

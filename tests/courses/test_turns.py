@@ -83,6 +83,10 @@ def test_a_process_that_waits_comes_before_one_that_has_just_written(turns: Turn
                 assert heard(other) == "given back"
 
 
+def test_nobody_else_can_lock(turns: Turns, tmp_path: Path) -> None:
+    assert (tmp_path / "turns").stat().st_mode & 0o077 == 0
+
+
 def test_what_a_killed_process_held_is_free(turns: Turns, tmp_path: Path) -> None:
     with other_process(tmp_path / "turns") as other:
         told(other)
