@@ -9,6 +9,7 @@ fitting, joint_places  values and places that fit
 last_row       the row that leads to the frame which is asked for
 sieve          edits that are seen to fail, without measuring
 trials         all edits at once
+certainty      edits that are seen to mend the table, without a search
 repairs        the smallest edits that mend the table
 accused        which of them explain an answer: the likeliest, and what is as good
 in_common      what equally small ones share

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 from itertools import islice
 
 from exercises.grading.edits.cell_edits import any_cell
+from exercises.grading.edits.certainty import surely_right
 from exercises.grading.edits.changes import Change, Extent, after
 from exercises.grading.edits.fitting import MOST_SIGNS
 from exercises.grading.edits.misconceptions import RANKS
@@ -131,30 +132,40 @@ def _likelihood(change: Change, table: NumericTable) -> tuple[float, bool, int]:
 
 
 def _helping(work: Work, changes: Iterable[Change], effort: Effort) -> Iterator[Change]:
-    """The changes that make the table right at every draw; each place of an edit once."""
-    told: set[tuple[str, int | None, str | None]] = set()
-    for change in changes:
-        place = (change.code, change.row, change.cell)
-        if place in told:
-            continue
-        if _is_right(work, work, (change,), effort):
-            told.add(place)
-            yield change
+    """The single changes that make the table right."""
+    for (change,) in _mending(work, ((work, (change,)) for change in changes), effort):
+        yield change
+
+
+def _mending(
+    work: Work, edits: Iterator[tuple[Work, tuple[Change, ...]]], effort: Effort
+) -> Iterator[tuple[Change, ...]]:
+    """Of edits, each with the table that its last is made in, those that mend the table; each place once."""
+    told: set[frozenset[tuple[str, int | None, str | None]]] = set()
+    while some := list(islice(edits, MOST_REPAIRS)):
+        seen = surely_right(work, [changes for _, changes in some])
+        for (edited, changes), sure in zip(some, seen, strict=True):
+            places = frozenset((change.code, change.row, change.cell) for change in changes)
+            if places not in told and (sure or _is_right(work, edited, changes, effort)):
+                told.add(places)
+                yield changes
 
 
 def _is_right(work: Work, edited: Work, changes: Sequence[Change], effort: Effort) -> bool:
     """Whether edits make a table right at every draw, the last one made in what the others led to."""
-    if work.draw or len(work.references) == 1:
+    draws = work.draws_at_hand
+    if len(draws) == 1:
         return edited.accepts(changes[-1], effort)
-    if effort is Effort.PLAIN and work.accepts_alike(changes, effort):
+    if effort is Effort.PLAIN and work.accepts_alike(changes, effort, draws):
         return True
     return edited.accepts(changes[-1], effort) and _at_other_draws(work, changes, effort)
 
 
 def _at_other_draws(work: Work, changes: Sequence[Change], effort: Effort) -> bool:
-    if work.accepts_alike(changes, effort, first=1):
+    others = work.draws_at_hand[1:]
+    if work.accepts_alike(changes, effort, others):
         return True
-    return all(_mends(work.at(draw), changes, effort) for draw in range(1, len(work.references)))
+    return all(_mends(work.at(draw), changes, effort) for draw in others)
 
 
 def _mends(work: Work, changes: Sequence[Change], effort: Effort) -> bool:
@@ -170,19 +181,20 @@ def _mends(work: Work, changes: Sequence[Change], effort: Effort) -> bool:
 
 def _pairs(work: Work, first: Sequence[Trial]) -> Iterator[Repaired]:
     """Two edits: one of the first, then each that might finish."""
-    told: set[frozenset[tuple[str, int | None, str | None]]] = set()
+    for changes in _mending(work, _pairs_to_try(work, first), Effort.PLAIN):
+        shown = (changes[0], after(*changes))
+        yield Repaired(tuple(sorted(shown, key=lambda c: -1 if c.row is None else c.row)))
+
+
+def _pairs_to_try(work: Work, first: Sequence[Trial]) -> Iterator[tuple[Work, tuple[Change, Change]]]:
+    """The same before they are judged, and the table that the second edit is made in."""
     together = max(MOST_ROWS_TOGETHER // len(work.table.rows), 1)
     for start in range(0, len(first), together):
         some = first[start : start + together]
         halves = _halves(work, some, keeping=True)
         for trial, half, rest in zip(some, halves, finishing(halves), strict=True):
             for other in rest:
-                changes = (trial.change, other)
-                places = frozenset((c.code, c.row, c.cell) for c in changes)
-                if places not in told and _is_right(work, half, changes, Effort.PLAIN):
-                    told.add(places)
-                    shown = (trial.change, after(*changes))
-                    yield Repaired(tuple(sorted(shown, key=lambda c: -1 if c.row is None else c.row)))
+                yield half, (trial.change, other)
 
 
 def _halves(work: Work, trials: Iterable[Trial], *, keeping: bool = False) -> list[Work]:

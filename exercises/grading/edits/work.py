@@ -206,22 +206,38 @@ class Work:
         """Return whether an edit makes the table right, at this draw."""
         return self._are_right((self.reference,), (change.of(self.table),), effort)
 
-    def accepts_alike(self, changes: Sequence[Change], effort: Effort, *, first: int = 0) -> bool:
-        """Whether the same edits, one after the other, make the table right at all draws from the first on.
+    @property
+    def draws_at_hand(self) -> range:
+        """The draws at which edits of the table are known to be the same: all, or where it is another one."""
+        return range(len(self.references)) if not self.draw else range(self.draw, self.draw + 1)
 
-        False says nothing where it is not seen what they are at another draw.
+    def made_alike(self, changes: Sequence[Change], draws: range) -> list[NumericTable] | None:
+        """Return what the same edits, one after the other, lead to at some draws.
+
+        None where it is not seen what they are at another draw.
         """
         here = list(accumulate(changes, lambda table, change: change.of(table), initial=self.table))
         tables = []
-        for draw in range(first, len(self.references)):
+        for draw in draws:
+            if draw == self.draw:
+                tables.append(here[-1])
+                continue
             table, keys = self.comparison.meant[draw], (self.reference.table, self.references[draw].table)
             for change, mine in zip(changes, here, strict=False):
-                alike = change if draw == self.draw else _alike(change, (mine, table), keys)
+                alike = _alike(change, (mine, table), keys)
                 if alike is None:
-                    return False
+                    return None
                 table = alike.of(table)
             tables.append(table)
-        return self._are_right(self.references[first:], tables, effort)
+        return tables
+
+    def accepts_alike(self, changes: Sequence[Change], effort: Effort, draws: range) -> bool:
+        """Whether the same edits, one after the other, make the table right at some draws.
+
+        False says nothing where it is not seen what they are at another draw.
+        """
+        tables = self.made_alike(changes, draws)
+        return tables is not None and self._are_right([self.references[k] for k in draws], tables, effort)
 
     def _are_right(
         self, references: Sequence[Reference], tables: Sequence[NumericTable], effort: Effort
