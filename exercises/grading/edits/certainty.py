@@ -27,8 +27,8 @@ from kinematics.equivalence.row_measures import EXACTLY, measured_of_tables
 from kinematics.se3 import cross, norm
 from kinematics.table import Convention, NumericTable
 
-# A share of what `EXACT` allows, by the square of the number of joints: angles add up from joint to joint, and
-# so do the displacements at their levers.
+# A share of what `EXACT` allows, by the square of the number of joints: angles add up from joint to joint,
+# and so do the displacements at their levers.
 SHARE = 1.0 / 8.0
 # A sine: flatter axes that are not parallel lever up the errors of the arithmetic.
 STEEP = 1e-3
