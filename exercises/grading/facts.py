@@ -266,8 +266,9 @@ def least_cost(shapes: tuple[Shape, ...], axes: int, costs: Floats, fixed: tuple
     if fixed:
         steps[:, 1, fixed] = np.inf
     best = steps[0, :, 0]
-    for i in range(1, axes):
-        best = np.minimum(best[0] + steps[0, :, i], best[1] + steps[1, :, i])
+    for step in steps.transpose(2, 0, 1, 3)[1:]:
+        turned_or_not = best[:, None] + step
+        best = np.minimum(turned_or_not[0], turned_or_not[1])
     least = np.minimum(best[0], best[1])
     if free or held:
         least += costs[:, free].min(axis=0).sum(axis=0) + costs[0, held].sum(axis=0)

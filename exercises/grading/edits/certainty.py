@@ -55,7 +55,7 @@ def surely_right(work: Work, edits: Sequence[Sequence[Change]]) -> list[bool]:
         return sure
     work.meter.charge(per_batch(len(tables), len(tables[0].rows), len(known.shapes)))
     found = measured_of_tables(known.shapes, tables, [(k, ()) for k in range(len(tables))], policy)
-    values, slacks = (np.tile(one, len(made)) for one in (known.values, known.slacks))
+    values, slacks = (np.hstack([one] * len(made)) for one in (known.values, known.slacks))
     fits = np.array(Invariants(known.shapes, values, slacks).fits(found))
     right = fits[0].all(axis=0)
     if not right.all():
