@@ -46,7 +46,6 @@ class Form:
 
 ZERO_FORM = Form({})
 ONE_FORM = Form({0: 1})
-MINUS_ONE_FORM = Form({0: -1})
 IMAGINARY_UNIT = Form({6: 1})
 
 

@@ -22,7 +22,6 @@ from kinematics.expressions import (
 )
 from kinematics.symbolic.elements import (
     IMAGINARY_UNIT,
-    MINUS_ONE_FORM,
     ONE_FORM,
     UNIT,
     ZERO_FORM,
@@ -300,5 +299,5 @@ def _twelfths(steps: int) -> tuple[Form, Form]:
 
 
 def _shared(form: Form) -> Form:
-    """The form, or the very object that 0, 1 or -1 is known by."""
-    return next((known for known in (ZERO_FORM, ONE_FORM, MINUS_ONE_FORM) if known == form), form)
+    """The form, or the very object that 0 or 1 is known by."""
+    return next((known for known in (ZERO_FORM, ONE_FORM) if known == form), form)

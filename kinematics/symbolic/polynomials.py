@@ -25,7 +25,6 @@ from kinematics.expressions import (
     Power,
     Product,
     Sum,
-    multiply,
 )
 
 Rational: TypeAlias = int | Fraction
@@ -68,7 +67,6 @@ class PolynomialReader:
     _names: dict[Symbol, int] = field(default_factory=dict)
     _angles: dict[Symbol, int] = field(default_factory=dict)
     _pairs: dict[Expression, tuple[Polynomial, Polynomial]] = field(default_factory=dict)
-    _joints: dict[tuple[int, int, int], tuple[Polynomial, Polynomial]] = field(default_factory=dict)
     _end: int = 0
     _beyond: int = 0
     _spent: int = 0
@@ -80,7 +78,6 @@ class PolynomialReader:
             dict(self._names),
             dict(self._angles),
             dict(self._pairs),
-            dict(self._joints),
             self._end,
             self._beyond,
         )
@@ -183,14 +180,6 @@ class PolynomialReader:
 
     def _pair(self, angle: Expression) -> tuple[Polynomial, Polynomial]:
         """Return cosine and sine of an angle."""
-        # most angles are a joint's, or half of it: their trees need no hash
-        if type(angle) is JointVariable:
-            return self._joints.get((angle.index, 1, 1)) or self._of_joint(angle, Fraction(1))
-        if type(angle) is Product:
-            weight, symbol = angle.factors[0], angle.factors[-1]
-            if type(weight) is Number and type(symbol) is JointVariable and len(angle.factors) == 2:
-                part = symbol.index, weight.value.numerator, weight.value.denominator
-                return self._joints.get(part) or self._of_joint(symbol, weight.value)
         known = self._pairs.get(angle)
         if known is None:
             found = ONE, _NOTHING
@@ -198,11 +187,6 @@ class PolynomialReader:
                 found = self._turned(found, self._term(term))
             known = self._pairs[angle] = found
         return known
-
-    def _of_joint(self, joint: JointVariable, weight: Fraction) -> tuple[Polynomial, Polynomial]:
-        found = self._term(multiply((Number(weight), joint)))
-        self._joints[joint.index, weight.numerator, weight.denominator] = found
-        return found
 
     def _term(self, term: Expression) -> tuple[Polynomial, Polynomial]:
         match term:

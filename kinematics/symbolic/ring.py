@@ -32,9 +32,6 @@ from kinematics.symbolic.elements import (
 from kinematics.symbolic.key_layout import HALF_TURN, ORDER, QUARTER_TURN, ROOT_BITS, ROOT_MASK, KeyLayout
 from kinematics.symbolic.roots import basis_steps
 
-_QUARTERS = {(0, 1): 0, (QUARTER_TURN, 1): 1, (0, -1): 2, (QUARTER_TURN, -1): 3}
-"""Quarter turns of a term that is a root of unity: its key and its coefficient."""
-
 
 @dataclass(slots=True)
 class Ring:
@@ -136,17 +133,12 @@ class Ring:
         """
         if not (x.coefficients or y.coefficients):
             return x, y
-        if self.is_term(circle[0]):
-            (term,) = circle[0].coefficients.items()
-            match _QUARTERS.get(term):
-                case 0:
-                    return x, y
-                case 1:
-                    return self.scale(y, -1), x
-                case 2:
-                    return self.scale(x, -1), self.scale(y, -1)
-                case 3:
-                    return y, self.scale(x, -1)
+        if circle[0] == circle[1]:  # 1 or -1
+            return self.multiply(circle[0], x), self.multiply(circle[0], y)
+        if circle[0] == IMAGINARY_UNIT:  # right angles are the usual ones
+            return self.scale(y, -1), x
+        if circle[1] == IMAGINARY_UNIT:
+            return y, self.scale(x, -1)
         across = self.multiply(IMAGINARY_UNIT, y)
         forward = self.multiply(circle[0], self.add(x, across))
         backward = self.multiply(circle[1], self.add(x, across, -1))

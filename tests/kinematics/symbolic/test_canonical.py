@@ -16,6 +16,7 @@ from kinematics.expressions import (
     Function,
     JointVariable,
     Parameter,
+    Power,
     add,
     call,
     evaluate,
@@ -32,6 +33,7 @@ from kinematics.symbolic import (
     compare,
     same_function,
 )
+from kinematics.symbolic.form_reader import FormReader
 from kinematics.symbolic.roots import LARGEST_PRIME, basis_terms, square_free, square_root_of_prime
 from tests.conftest import EXPLORE
 from tests.kinematics.symbolic.pairs import equal_pair, unequal_pair
@@ -182,6 +184,12 @@ def test_rational_angles_are_independent_of_each_other_and_of_lengths() -> None:
     mixed = multiply((pi_times(1), cos(number("0.3"))))
     assert not canonical(mixed).exact
     assert compare(mixed, L1) is ProofStatus.UNDECIDED
+
+
+def test_to_the_power_of_nothing_everything_is_one() -> None:
+    reader = FormReader()
+    assert reader.form(Power(add((L1, L2)), Fraction(0))) == reader.form(ONE)
+    assert reader.ring.complete
 
 
 def test_relations_of_large_primes_are_not_used_and_that_is_said() -> None:

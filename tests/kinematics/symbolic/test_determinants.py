@@ -193,10 +193,15 @@ def test_a_factor_that_no_tangent_of_a_half_angle_shows_is_found() -> None:
 
 
 def test_one_dimension_less_than_joints_is_looked_for_next() -> None:
-    """Two joints on one axis and a third across it: two of the three motions are independent."""
-    rows = (row(), row(a=Parameter("L1"), alpha=pi_times(Fraction(1, 2))), row())
+    """Two joints on one axis and a third askew of it: two of the three motions are independent."""
+    rows = (row(), row(a=Parameter("L1"), alpha=Parameter("alpha")), row())
     table = DHTable(convention=Convention.STANDARD, rows=rows)
     minor, only = largest_minor(table, TWIST)
     assert not only
-    found = [evaluate(minor.expression(), {"L1": each}, [0.5, 0.6, 0.7]) for each in (0.1, 0.3)]
-    assert abs(found[0]) in (pytest.approx(1.0), pytest.approx(0.1))
+    for values in {"L1": 0.1, "alpha": 0.4}, {"L1": 0.3, "alpha": -0.9}:
+        found = abs(evaluate(minor.expression(), values, [0.5, 0.6, 0.7]))
+        motions = abs(chain_of_table(bind(table, values)).jacobian([0.5, 0.6, 0.7]))
+        assert found in (
+            pytest.approx(values["L1"] * abs(trig(values["alpha"]))) for trig in (np.cos, np.sin)
+        )
+        assert np.linalg.matrix_rank(motions) == 2
