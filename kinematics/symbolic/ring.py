@@ -133,8 +133,6 @@ class Ring:
         """
         if not (x.coefficients or y.coefficients):
             return x, y
-        if circle[0] == circle[1]:  # 1 or -1
-            return self.multiply(circle[0], x), self.multiply(circle[0], y)
         if circle[0] == IMAGINARY_UNIT:  # right angles are the usual ones
             return self.scale(y, -1), x
         if circle[1] == IMAGINARY_UNIT:
