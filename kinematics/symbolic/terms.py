@@ -71,7 +71,8 @@ def _shared_factors(a: Nested) -> tuple[int, ...]:
 
 def _shared_weight(a: Nested) -> Rational:
     """The number that every term has up to sign; negative if all terms are."""
-    size = abs(a[0][0])
+    first = a[0][0]
+    size = max(first, -first)
     if any(abs(weight) != size for weight, _ in a):
         size = 1
     return size if any(weight > 0 for weight, _ in a) else -size
