@@ -51,10 +51,9 @@ class KeyField:
 
     def exponent(self, key: int) -> int:
         """Return the exponent that a key holds here, in units."""
-        low = key & ((1 << self.shift) - 1)
         # exponents in lower places may be negative together: they have then borrowed from this one
-        upper = (key >> self.shift) + (low >> (self.shift - 1))
-        return _signed(upper, self.width)
+        borrowed = key >> (self.shift - 1) & 1
+        return _signed((key >> self.shift) + borrowed, self.width)
 
 
 @dataclass(slots=True)

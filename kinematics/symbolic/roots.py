@@ -62,7 +62,7 @@ def square_root_of_prime(prime: int) -> tuple[tuple[Fraction, int], ...]:
         return ((Fraction(1, 8), 1), (Fraction(7, 8), 1))
     quarter = Fraction(1 - prime % 4, 8)  # back if p ≡ 3, else none
     squares = {k * k % prime for k in range(1, prime)}
-    return tuple(((Fraction(k, prime) + quarter) % 1, 1 if k in squares else -1) for k in range(1, prime))
+    return tuple((Fraction(k, prime) + quarter, 1 if k in squares else -1) for k in range(1, prime))
 
 
 def square_free(number: int) -> tuple[int, tuple[int, ...], bool]:

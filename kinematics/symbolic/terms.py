@@ -99,9 +99,7 @@ def stripped(a: Nested) -> tuple[Rational, tuple[int, ...], Nested]:
     """Return what all terms share, a number and factors, and the sum that is left."""
     weight = _shared_weight(a)
     shared = _shared_factors(a)
-    if weight == -1:
-        a = tuple((-w, f) for w, f in a)
-    elif weight != 1:
+    if weight != 1:
         a = tuple((quotient(w, weight), f) for w, f in a)
     if shared:
         a = tuple((w, _without(f, shared)) for w, f in a)

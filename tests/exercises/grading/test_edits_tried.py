@@ -426,6 +426,7 @@ def test_the_frame_of_the_tool_shows_the_whole_row_that_is_missing() -> None:
     assert change.table is not None
     assert rows(change.table) == "r0.1 r0.4 p0 f0.05"
     assert change.table.rows[3].d == pytest.approx(0.2)
+    assert (change.row, dict(change.params)) == (3, {"place": 4, "after": 3})
 
 
 def test_names_are_taken_for_one_another_if_they_are_of_one_kind() -> None:

@@ -9,6 +9,7 @@ from fractions import Fraction
 import pytest
 
 from exercises.grading import BaseRule, Policy, ToolRule, grade
+from exercises.grading.judging.certificate_report import in_unit
 from exercises.grading.judging.typed import COARSEST_ANGLE, half_steps, meant
 from exercises.instance import generate
 from exercises.written_table import written_table
@@ -361,3 +362,10 @@ def test_beside_names_a_rounded_length_stands_for_the_number_of_the_key() -> Non
     for wrong in ("1.001*L2", "L2 + 0.001"):
         answer = read("standard", [(0, "L1", 0.333, "q1"), (0, wrong, 0, "q2")])
         assert not grade(key, answer, Policy(), values).correct
+
+
+def test_an_offset_is_in_the_unit_of_its_joint() -> None:
+    turning, sliding = JointType.REVOLUTE, JointType.PRISMATIC
+    assert in_unit(math.pi, turning, AngleUnit.DEG) == 180.0
+    assert in_unit(math.pi, turning, AngleUnit.RAD) == math.pi
+    assert in_unit(0.3, sliding, AngleUnit.DEG) == in_unit(0.3, sliding, AngleUnit.RAD) == 0.3

@@ -9,7 +9,7 @@ import numpy as np
 
 from exercises.grading import grade
 from exercises.grading.across_prismatic import across_prismatic
-from exercises.grading.facts import Facts, fixed_ends
+from exercises.grading.facts import Facts, fixed_ends, fixed_signs
 from kinematics.chain import Axis, chain_of_table
 from kinematics.equivalence import BaseRule, Policy, ToolRule
 from kinematics.equivalence.invariants import axes_of, invariants_of
@@ -115,3 +115,15 @@ def test_a_row_of_zeros_may_be_a_joint_whose_variable_was_forgotten() -> None:
     answer = read("standard", [("pi/2", 0.3, 0.2, "q1"), (0, 0, 0, 0), ("pi/2", 0.1, 0.2, "q2")])
     verdict = grade(key, answer, FREE)
     assert [(edit.code, edit.row) for edit in verdict.repairs[0].edits] == [("joint_fixed", 2)]
+
+
+def test_a_sign_is_fixed_where_no_axis_that_it_depends_on_may_be_turned() -> None:
+    """An offset depends on the direction of the axes that it runs along, all else on that of both ends."""
+    shapes = invariants_of(prepared(LIFTS), FREE).shapes
+    everything = tuple(range(LIFTS.n_joints + 2))
+    for shape in shapes:
+        along = shape.axes[1:2] if shape.measure is Measure.OFFSET else shape.axes[:2]
+        assert fixed_signs((shape,), tuple(along)) == [0]
+        for axis in along:
+            assert fixed_signs((shape,), tuple(other for other in everything if other != axis)) == []
+    assert fixed_signs(shapes, everything) == list(range(len(shapes)))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from exercises.grading import Edit, HelpLevel, Repair
-from exercises.grading.edits.accused import own_table_first
+from exercises.grading.edits.accused import _is_of_the_key, own_table_first
 from exercises.grading.edits.changes import Change, Extent
 from exercises.grading.edits.in_common import in_common
 from exercises.grading.edits.own_table import is_own_table
@@ -73,3 +73,15 @@ def test_several_repairs_are_announced_once() -> None:
     codes = [entry.code for entry in verdict.feedback]
     assert codes == ["not_equivalent", "joint_count_wrong", "one_of_these", "row_missing", "row_missing"]
     assert in_common(verdict.repairs) is not None
+
+
+@pytest.mark.parametrize(
+    ("length", "of_the_key"), [(0.4, True), (-0.4, True), (0.4035, True), (0.4045, False), (0.395, False)]
+)
+def test_a_length_is_one_of_the_key_within_a_per_cent(length: float, of_the_key: bool) -> None:
+    key = standard((R, 0, 0.4, 0.1, 0), (R, 0, 30.0, 0, 0))
+    for scale in 1.0, 100.0:
+        scaled = changed(key, 0, a=0.4 * scale)
+        change = Change("a_value", Extent.CELL, 1, "a", ((1, "a", length * scale),))
+        assert _is_of_the_key(change, scaled) is of_the_key
+    assert not _is_of_the_key(Change("alpha_value", Extent.CELL, 1, "alpha", ((1, "alpha", 0.4),)), key)

@@ -97,3 +97,17 @@ def test_one_row_too_many_and_one_missing_are_put_right_one_after_the_other() ->
     twice = (Change("row_missing", Extent.ROW, 1), Change("row_missing", Extent.ROW, 1))
     types = (JointType.REVOLUTE, JointType.REVOLUTE, JointType.PRISMATIC)
     assert with_joints_mended(key, twice, types).joint_types == types
+
+
+def test_what_is_put_right_stands_in_the_rows_of_the_answer() -> None:
+    """With a row too many in front of it a joint stands one row earlier then; a new row is one of zeros."""
+    table = standard((R, 0, 0.1, 0, 0), (R, 0, 0.2, 0, 0), (R, 0, 0.3, 0, 0))
+    wanted = (JointType.REVOLUTE, JointType.PRISMATIC)
+    changes = (Change("row_extra", Extent.ROW, 0), Change("joint_type", Extent.ROW, 2))
+    mended = with_joints_mended(table, changes, wanted)
+    assert [(row.joint, row.a) for row in mended.rows] == [(wanted[0], 0.2), (wanted[1], 0.3)]
+    both = (Change("row_extra", Extent.ROW, 0), Change("row_extra", Extent.ROW, 2))
+    assert [row.a for row in with_joints_mended(table, both, wanted).rows] == [0.2]
+    longer = with_joints_mended(table, (Change("row_missing", Extent.ROW, 1),), (wanted[1],) * 4)
+    assert longer.rows[1] == DHRow(joint=JointType.PRISMATIC, theta=0.0, d=0.0, a=0.0, alpha=0.0)
+    assert [row.a for row in longer.rows] == [0.1, 0.0, 0.2, 0.3]

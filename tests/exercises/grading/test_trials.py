@@ -7,7 +7,7 @@ from dataclasses import replace
 import pytest
 
 from exercises.grading import Policy, ToolRule, ZeroRule
-from exercises.grading.edits.changes import Change, Extent
+from exercises.grading.edits.changes import Change, Extent, TableSlip
 from exercises.grading.edits.trials import UNCHANGED, Trial, _Batch, _fits, finishing_reaches
 from exercises.grading.edits.work import ANYTHING, EVERYWHERE, _alike
 from exercises.grading.explanation import work_on
@@ -82,3 +82,29 @@ def test_an_entry_of_the_answer_is_first_what_it_is_itself_at_another_draw() -> 
     taken = _alike(Change("a_value", Extent.CELL, 0, "a", ((0, "a", 0.2),)), own, keys)
     assert taken is not None
     assert taken.cells == ((0, "a", pytest.approx(0.6)),)
+
+
+def test_a_length_that_is_near_to_no_entry_is_not_taken_for_one() -> None:
+    rows: Rows = [("pi/2", 1e-4, 0, "q1"), (0, 0.3, 0, "q2")]
+    tables = work(read("standard", rows), FIXED, read("standard", rows)).table
+    near = Change("a_value", Extent.CELL, 1, "a", ((1, "a", 1.0002e-4),))
+    assert _alike(near, (tables, tables), (tables, tables)) is None
+    assert _alike(near._replace(cells=((1, "a", 1e-4),)), (tables, tables), (tables, tables)) is not None
+
+
+@pytest.mark.parametrize(
+    ("of", "places"),
+    [
+        ({"only": TableSlip(0, None, "rows_swapped")}, set()),
+        ({"only": TableSlip(0, "a")}, {(0, "a")}),
+        ({"lacking": frozenset({"a", "alpha"})}, set()),
+        ({"lacking": frozenset({"a"})}, {(row, "a") for row in range(4)}),
+    ],
+    ids=str,
+)
+def test_values_are_sought_for_the_cells_that_a_slip_may_be_in(
+    of: dict[str, object], places: set[tuple[int, str]]
+) -> None:
+    """Not for what one cell cannot mend: a slip of another kind, or entries missing from two columns."""
+    on = replace(work(read("standard", with_cells(ARM, (2, 1, 0.3)))), **of)  # type: ignore[arg-type]
+    assert set(_fits([on])[0]) == places

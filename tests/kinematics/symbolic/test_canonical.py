@@ -186,6 +186,12 @@ def test_rational_angles_are_independent_of_each_other_and_of_lengths() -> None:
     assert compare(mixed, L1) is ProofStatus.UNDECIDED
 
 
+def test_a_root_that_is_not_surely_free_of_squares_is_not_claimed() -> None:
+    """Two primes beyond those that are tried may be one twice, for all that is known."""
+    for radicand, status in (10007 * 10009, ProofStatus.UNDECIDED), (10007**2, ProofStatus.REFUTED):
+        assert compare(root(radicand), number(10008)) is status
+
+
 def test_to_the_power_of_nothing_everything_is_one() -> None:
     reader = FormReader()
     assert reader.form(Power(add((L1, L2)), Fraction(0))) == reader.form(ONE)

@@ -20,7 +20,10 @@ from kinematics.expressions import (
     number,
     pi_times,
 )
+from kinematics.symbolic import determinants
 from kinematics.symbolic.determinants import MotionRows, largest_minor, minor_factors
+from kinematics.symbolic.elements import Form
+from kinematics.symbolic.ring import Ring
 from kinematics.table import Convention, DHTable, JointType, SymbolicTable, bind
 from tests.kinematics.symbolic.tables import row
 
@@ -192,11 +195,20 @@ def test_a_factor_that_no_tangent_of_a_half_angle_shows_is_found() -> None:
     assert min(at[0.0]) > 1e-3
 
 
-def test_one_dimension_less_than_joints_is_looked_for_next() -> None:
+def test_one_dimension_less_than_joints_is_looked_for_next(monkeypatch: pytest.MonkeyPatch) -> None:
     """Two joints on one axis and a third askew of it: two of the three motions are independent."""
     rows = (row(), row(a=Parameter("L1"), alpha=Parameter("alpha")), row())
     table = DHTable(convention=Convention.STANDARD, rows=rows)
+    sizes = []
+
+    def counted(ring: Ring, columns: determinants.Columns) -> Form:
+        sizes.append(len(columns))
+        return determinant(ring, columns)
+
+    determinant = determinants._determinant
+    monkeypatch.setattr(determinants, "_determinant", counted)
     minor, only = largest_minor(table, TWIST)
+    assert list(dict.fromkeys(sizes)) == [3, 2]
     assert not only
     for values in {"L1": 0.1, "alpha": 0.4}, {"L1": 0.3, "alpha": -0.9}:
         found = abs(evaluate(minor.expression(), values, [0.5, 0.6, 0.7]))

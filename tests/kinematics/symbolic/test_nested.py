@@ -120,3 +120,11 @@ def test_a_sum_is_written_with_the_sign_that_most_terms_have_or_the_first(
     arena = Arena()
     names = [arena.read(Parameter(f"L{i}"))[0][1] for i in range(len(signs))]
     assert leads_negative(tuple(zip(signs, names, strict=True))) is negative
+
+
+def test_what_cancels_once_its_parentheses_are_opened_is_nothing_times_anything() -> None:
+    arena = Arena()
+    whole, cosine = arena.read(add((L, c1))), arena.read(c1)
+    cancelling = arena.sum((arena.term(whole),), arena.negative(whole))
+    assert cancelling
+    assert arena.product(cancelling, cosine) == NOTHING == arena.product(cosine, cancelling)
