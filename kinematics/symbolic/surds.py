@@ -108,7 +108,7 @@ def _conjugate(ring: Ring, terms: Terms, unit: int, flips: dict[RingSymbol, int]
     for monomial, weight in terms.items():
         for symbol, _ in monomial.exponents:
             weight *= flips[symbol]
-        rotated = {Monomial(monomial.turn * unit % 1, monomial.exponents): weight}
+        rotated = {Monomial(monomial.turn * unit, monomial.exponents): weight}
         total = ring.add(total, ring.form(rotated))
     return total
 

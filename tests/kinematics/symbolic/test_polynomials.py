@@ -173,3 +173,11 @@ def test_degrees_are_those_in_joint_variables():
     assert reader.degrees(reader.read(d3)) == {d3: 1}
     whole = multiply((power(d3, 2), L, add((sin(q1), number(1))), add((cos(q1, q2), d3))))
     assert reader.degrees(reader.read(whole)) == {d3: 3, q1: 2, q2: 1}
+
+
+@pytest.mark.parametrize("symbol", [L, d3], ids=str)
+def test_a_power_of_a_name_is_read_up_to_half_of_its_field(symbol):
+    reader = PolynomialReader()
+    highest = [reader.read(power(symbol, 64))] * 31 + [reader.read(power(symbol, 63))]
+    assert reader.product(highest) is not None
+    assert reader.product([*highest, reader.read(symbol)]) is None

@@ -154,6 +154,7 @@ def test_an_exponent_is_let_in_up_to_the_room_that_its_place_has() -> None:
     ring = Ring()
     length = ring.symbol(LENGTH)
     room = ring._keys.place(LENGTH).room
+    assert room == 2 * 2**20  # of the forty bits beyond the exponent's own, half let products grow
     assert ring.exponents(next(iter(ring.power(length, room).coefficients))) == [(0, room)]
     with pytest.raises(FormSizeError):
         ring.power(length, room + 1)
