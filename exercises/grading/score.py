@@ -31,6 +31,7 @@ from kinematics.equivalence.decision import convention_fits, is_certified
 from kinematics.equivalence.meter import Meter
 from kinematics.equivalence.reference import prepared
 from kinematics.equivalence.search import Effort
+from kinematics.se3 import angle_between
 from kinematics.table import Convention, JointType, NumericTable
 
 HIGHEST_PARTIAL = 0.95
@@ -169,7 +170,8 @@ def _has_one_other_twist(work: Work) -> bool:
     between = (
         range(before, behind) if table.convention is Convention.STANDARD else range(before + 1, behind + 1)
     )
-    angle = float(np.arccos(np.clip(theirs[other[0]], -1.0, 1.0)))
+    # by its cosine, an axis parallel to the one before it would be turned by the root of a rounding error
+    angle = angle_between(answer.axes[other[0]].direction, answer.axes[other[0] + 1].direction)
     others = [
         _twisted(table, row, alpha)
         for row in between

@@ -277,6 +277,18 @@ KINDS = {
 OTHER = {R: P, P: R}
 
 
+def test_axes_made_parallel_are_not_nearly_so_beside_a_slider() -> None:
+    """Nearly parallel, they might have any distance: the slider would carry them far enough."""
+    key = read("standard", [(-30, 0.3, "q1", 0), (60, 0, 0.8, "q2"), (-90, -0.1, 0.2, "q3")], "deg")
+    own = read("standard", [(-30, 0.3, "q1", 0), (0, 0.4, 0.4, "q2"), (-90, -0.1, 0.2, "q3")], "deg")
+    redrawn = [(180, 0.7, "q1", 180), (-150, 0.4, 0.33, "q2 - 90"), (0, -0.4, -0.73, "q3")]
+    scores = {
+        grade(key, answer, Policy(tool=ToolRule.FREE)).score
+        for answer in (own, read("modified", redrawn, "deg"))
+    }
+    assert scores == {0.25}
+
+
 @pytest.mark.parametrize(("key", "of"), KINDS.values(), ids=KINDS.keys())
 def test_another_type_of_joint_costs_twice_a_twist_and_at_most_half(key: NumericTable, of: int) -> None:
     for row, given in enumerate(key.rows, start=1):
