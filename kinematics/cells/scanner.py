@@ -83,6 +83,7 @@ _NAME = re.compile(f"([A-Za-z]+|[{''.join(GREEK)}])([0-9]*)((?:{_SUBSCRIPT})*)")
 _INDEX = re.compile(f"([0-9]*)((?: *(?:{_SUBSCRIPT}))*)")
 _SEGMENT = re.compile(_SUBSCRIPT)
 _COMMAND = re.compile(r"\\([A-Za-z]+|.?)", re.DOTALL)
+_MATH = re.compile(r"\$(.*)\$|\\\((.*)\\\)", re.DOTALL)
 _RATE = re.compile(rf"\\dot *(?:\{{ *(?:q|\\theta|θ) *\}}|q|\\theta|θ)([0-9]*)((?: *(?:{_SUBSCRIPT}))*)")
 _DOTTED = re.compile(rf"[qθ]{DOT_ABOVE}([0-9]*)((?: *(?:{_SUBSCRIPT}))*)")
 _FROM_DEGREES = re.compile(r"(?:radians|deg2rad)(?= *\()")
@@ -103,7 +104,7 @@ def scan(text: str, limits: Limits = DEFAULT) -> list[Token]:
     """
     if len(text) > limits.cell_characters:
         raise CellRefusal("cell_too_long", length=len(text), limit=limits.cell_characters)
-    plain = _without_dollars(_translated(text))
+    plain = _without_math_marks(_translated(text))
     tokens: list[Token] = []
     position = 0
     bars = iter(_ABSOLUTE if plain.count("|") == 2 else ())
@@ -332,10 +333,10 @@ def _past_empty_call(plain: str, end: int) -> int:
     return match.end() if match else end
 
 
-def _without_dollars(plain: str) -> str:
+def _without_math_marks(plain: str) -> str:
     stripped = plain.strip(" ")
-    while len(stripped) >= 2 and stripped[0] == stripped[-1] == "$":
-        stripped = stripped[1:-1]
+    while wrapped := _MATH.fullmatch(stripped):
+        stripped = wrapped[1] or wrapped[2] or ""
     first = plain.find(stripped) if stripped else len(plain)
     inner = stripped.find("$")
     if inner >= 0:

@@ -12,7 +12,7 @@ from lark import Token
 
 _VARIABLE = re.compile(r"(?:q|Q|theta|Theta|d)[0-9]{1,4}")
 _NUMBERLESS = re.compile(r"q|Q|theta|Theta|d")
-_ANGLE_VARIABLE = re.compile(r"(?:q|Q|theta|Theta)[0-9]{1,4}")
+_ANGLE_VARIABLE = re.compile(r"(?:q|Q|theta|Theta)[0-9]{0,4}")
 _RAISED_STAR = (("POW", "STAR"), ("POW", "LBRACE", "STAR", "RBRACE"))
 _CALL = ("LPAR", "NAME", "RPAR")
 _INDEX = ("LPAR", "NUMBER", "RPAR")
@@ -39,7 +39,8 @@ def _unmarked(name: Token, tokens: list[Token], position: int) -> tuple[Token, i
         index = tokens[position + 1]
         if index.isdecimal():
             name, position = Token("NAME", f"{name}{int(index)}", column=name.column), position + 3
-    if not _VARIABLE.fullmatch(name):
+    # θ* and θ(t) only lack a number, which is told later of θ itself
+    if not _VARIABLE.fullmatch(name) and not _ANGLE_VARIABLE.fullmatch(name):
         return name, position
     if _types(tokens, position, 3) == _CALL and tokens[position + 1] == "t":
         position += 3

@@ -68,6 +68,9 @@ def test_a_slider_is_marked_in_the_same_ways(cell):
         ("q1**", "cell_incomplete"),
         ("q1*L1", "variable_in_product"),
         ("q1*2", "variable_scaled"),
+        ("θ*", "variable_without_number"),
+        ("\\theta^* + 90", "variable_without_number"),
+        ("q(t)", "variable_without_number"),
     ],
 )
 def test_what_only_looks_like_a_mark_is_refused_as_before(cell, code):

@@ -41,6 +41,8 @@ ANGLE, LENGTH = ParameterKind.ANGLE, ParameterKind.LENGTH
         ("\\vartheta_1", "q1"),
         ("\\theta _1", "q1"),
         ("$\\theta_1$", "q1"),
+        ("\\(\\theta_1 + 90\\)", "q1 + 90"),
+        ("$\\( q1 \\)$", "q1"),
         ("$$-\\frac{\\pi}{2}$$", "-pi/2"),
         ("\\theta_1 + \\frac{\\pi}{2}", "q1+pi/2"),
         ("\\dfrac{3\\pi}{4}", "3*pi/4"),
