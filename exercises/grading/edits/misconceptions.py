@@ -155,7 +155,6 @@ CATALOGUE: tuple[Misconception, ...] = (
         changes=parameters_swapped,
         hint="names_throughout",
         beforehand=True,
-        sizes=LENGTHS,
     ),
     Misconception(code="cell_length_unit", changes=length_in_other_unit, cells=("a", "d"), sizes=LENGTHS),
     Misconception(

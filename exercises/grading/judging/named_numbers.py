@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import replace
 from itertools import islice, product
 
 from exercises.grading.judging.name_values import Values
-from exercises.grading.judging.typed import SAME, Place, half_steps
+from exercises.grading.judging.typed import ANGLES, SAME, Place, half_steps
 from kinematics.cells import ParameterKind, ReadTable
-from kinematics.expressions import Expression, Number, Parameter, negate
+from kinematics.expressions import Expression, Number, Parameter, negate, pi_fraction
 from kinematics.table import DHTable
 
 MOST_NAMED = 16
@@ -21,43 +22,62 @@ NAMED = 0.02
 def with_names(submission: ReadTable, values: Values) -> Iterator[ReadTable]:
     """Yield the answer with names for the numbers that are values of names.
 
-    Where two names have one value, a number may stand for either of them.
+    Where two names have one value, a number may stand for either of them. An angle may also be a number of
+    the key, and the value of a name by chance.
     """
-    fits = _names_meant(submission, values)
-    if not fits:
-        return
-    for chosen in islice(product(*fits.values()), MOST_NAMED):
+    lengths = _names_meant(submission, values, ParameterKind.LENGTH)
+    angles = {
+        (i, cell): [*fits, ("", getattr(submission.table.rows[i], cell))]
+        for (i, cell), fits in _names_meant(submission, values, ParameterKind.ANGLE).items()
+    }
+    ways = (
+        (meant, chosen)
+        for meant in ((lengths, angles, {**lengths, **angles}) if angles else (lengths,))
+        for chosen in product(*meant.values())
+    )
+    for meant, chosen in islice(ways, MOST_NAMED):
+        found = {name: values.kinds[name] for name, _ in chosen if name}
+        if not found:
+            continue
         rows = list(submission.table.rows)
-        for (i, cell), (_, name) in zip(fits, chosen, strict=True):
-            rows[i] = replace(rows[i], **{cell: name})  # type: ignore[arg-type]
+        for (i, cell), (_, entry) in zip(meant, chosen, strict=True):
+            rows[i] = replace(rows[i], **{cell: entry})
         table = DHTable(convention=submission.table.convention, rows=tuple(rows))
-        found = {name: ParameterKind.LENGTH for name, _ in chosen}
         yield replace(submission, table=table, parameters={**submission.parameters, **found})
 
 
-def _names_meant(submission: ReadTable, values: Values) -> dict[Place, list[tuple[str, Expression]]]:
-    """The names that numbers of the answer may stand for, with the sign that makes them agree."""
-    steps = half_steps(submission.table, submission.angle_unit, submission.last_places)
-    lengths = {
-        name: float(value)
-        for name, value in values.given.items()
-        if values.kinds[name] is ParameterKind.LENGTH and value
+def _names_meant(
+    submission: ReadTable, values: Values, kind: ParameterKind
+) -> dict[Place, list[tuple[str, Expression]]]:
+    """The names that lengths or angles of the answer may stand for, with the sign that makes them agree."""
+    known = {
+        name: float(value) for name, value in values.given.items() if values.kinds[name] is kind and value
     }
+    if not known:
+        return {}
+    steps = half_steps(submission.table, submission.angle_unit, submission.last_places)
     found: dict[Place, list[tuple[str, Expression]]] = {}
     for i, row in enumerate(submission.table.rows):
-        for cell in ("a", "d"):
-            entry = getattr(row, cell)
-            if not isinstance(entry, Number) or not entry.value:
+        for cell in ANGLES if kind is ParameterKind.ANGLE else ("a", "d"):
+            here, step = _value(getattr(row, cell)), steps.get((i, cell), 0.0)
+            if not here:
                 continue
-            here, step = float(entry.value), steps.get((i, cell), 0.0)
-            fits = [name for name, value in lengths.items() if _is_meant(abs(here), abs(value), 0.0)]
-            fits = fits or [name for name, value in lengths.items() if _is_meant(abs(here), abs(value), step)]
-            if len({lengths[name] for name in fits}) == 1:
+            fits = [name for name, value in known.items() if _is_meant(abs(here), abs(value), 0.0)]
+            fits = fits or [name for name, value in known.items() if _is_meant(abs(here), abs(value), step)]
+            if len({known[name] for name in fits}) == 1:
                 found[i, cell] = [
-                    (name, Parameter(name) if (here > 0) == (lengths[name] > 0) else negate(Parameter(name)))
+                    (name, Parameter(name) if (here > 0) == (known[name] > 0) else negate(Parameter(name)))
                     for name in fits
                 ]
     return found
+
+
+def _value(entry: Expression) -> float:
+    """The value of a number or a multiple of π; 0 of anything else."""
+    if isinstance(entry, Number):
+        return float(entry.value)
+    turns = pi_fraction(entry)
+    return 0.0 if turns is None else float(turns) * math.pi
 
 
 def _is_meant(typed: float, value: float, step: float) -> bool:
