@@ -94,8 +94,8 @@ def _prepared(
     check_lengths(table)
     if not 1 <= table.n_joints <= MAX_JOINTS:
         raise TableError(Fault.at("inverse_joint_count", "rows", count=table.n_joints, limit=MAX_JOINTS))
-    ends = [None if T is None else np.frombuffer(T).reshape(4, 4) for T in (base, tool)]
-    arm = arm_of(table, *ends, reach)
+    T_w_0, T_n_t = (None if T is None else np.frombuffer(T).reshape(4, 4) for T in (base, tool))
+    arm = arm_of(table, T_w_0, T_n_t, reach)
     closed_form = closed_form_of(arm)
     clear = clear_wrist_of(arm, closed_form) if isinstance(closed_form, WristArm) else None
     return arm, closed_form, clear, locked_arms_of(arm)
