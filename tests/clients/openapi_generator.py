@@ -69,7 +69,7 @@ def compile_types(folder: Path) -> list[str]:
         ["node", COMPILER, *options, folder / "index.ts"], stdout=subprocess.PIPE, text=True, check=False
     )
     print("OpenAPI Generator's TypeScript client", "does not compile" if found.returncode else "compiles")
-    return found.stdout.splitlines()
+    return found.stdout.splitlines() or ["the compiler did not run"] * bool(found.returncode)
 
 
 def main(environment: Path) -> int:
