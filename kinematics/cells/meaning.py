@@ -107,7 +107,7 @@ def interpret(
     """
     interpreter = _Interpreter(angle_unit=angle_unit, limits=limits, variable_of=variable_of)
     value = interpreter.value(node, position)
-    _refuse_out_of_range(value.expression, node, limits)
+    _refuse_out_of_range(value.expression, node, limits, 180 if interpreter.in_degrees else 1)
     expression = interpreter.angle(value) if position is Position.ANGLE else value.expression
     if not parameters_in(expression) and not joint_variables_in(expression):
         try:
@@ -275,10 +275,11 @@ def _refuse_size(value: Fraction, node: Node, limits: Limits) -> None:
         raise CellRefusal("number_too_long", column=node.column, limit=_RESULT_DIGITS)
 
 
-def _refuse_out_of_range(expression: Expression, node: Node, limits: Limits) -> None:
+def _refuse_out_of_range(expression: Expression, node: Node, limits: Limits, per_half_turn: int = 1) -> None:
     for part in walk(expression):
         if isinstance(part, Number):
-            _refuse_size(part.value, node, limits)
+            small = abs(part.value) < 1  # a part of π, where degrees have been converted
+            _refuse_size(part.value * per_half_turn if small else part.value, node, limits)
 
 
 def _refuse_power(base: Expression, degree: Fraction, node: Node, limits: Limits) -> None:

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from kinematics.cells import AngleUnit, ParameterKind, read_cell
+from kinematics.cells import AngleUnit, ParameterKind, RawRow, RawTable, read_cell, read_table
 from kinematics.errors import CellError, ParameterError
 from kinematics.expressions import (
     Call,
@@ -23,6 +23,7 @@ from kinematics.expressions import (
     Sum,
     evaluate,
 )
+from kinematics.table import Convention
 from tests.conftest import EXPLORE
 
 NAMES = {"L1": 0.7, "a2": 1.9, "beta": 0.4}
@@ -193,6 +194,11 @@ def test_the_smallest_doubles_are_read_as_programs_write_them(written):
         assert evaluate(read_cell(cell, ParameterKind.ANGLE)) == value
         in_degrees = evaluate(read_cell(cell, ParameterKind.ANGLE, angle_unit=AngleUnit.DEG))
         assert in_degrees == pytest.approx(math.radians(value), abs=5e-324)
+    row = RawRow(theta=f"q1 + {written}".replace("+ -", "- "), d=0, a=0, alpha=0)
+    offset = read_table(
+        RawTable(convention=Convention.STANDARD, angle_unit=AngleUnit.DEG, rows=(row,))
+    ).table.rows[0]
+    assert evaluate(offset.theta) == pytest.approx(math.radians(value), abs=5e-324)
 
 
 @given(value=st.floats(allow_nan=False, allow_infinity=False).filter(lambda x: abs(x) <= 1e15))
