@@ -4,12 +4,16 @@ Where every twist and every constant turn is a multiple of π/2, an axis has the
 its points have coordinates that are sums of the table's lengths. Any other constant turn about a joint's own
 axis is an offset of that joint. About a parallel axis it is an offset of the joint before, and the way
 between the two is turned back: Trans(v) Rot_z(β) = Rot_z(β) Trans(Rot_z(-β) v).
+
+Tables that a program computed have twists such as 1.2e-16 and offsets such as 5.5e-17: rounding, not an arm.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from fractions import Fraction
 from typing import TypeAlias
 
 from kinematics.dh import MotionKind
@@ -25,6 +29,7 @@ from kinematics.expressions import (
     multiply,
     negate,
     pi_fraction,
+    rational_value,
 )
 from kinematics.se3 import cross, dot, opposite
 from kinematics.symbolic.motions import Motion, motions_of
@@ -35,6 +40,14 @@ Axis: TypeAlias = tuple[int, int, int]
 """One of ±x, ±y, ±z."""
 
 _X, _Y, _Z = (1, 0, 0), (0, 1, 0), (0, 0, 1)
+
+_SHIFTS = (MotionKind.SHIFT_X, MotionKind.SHIFT_Z)
+
+_ROUNDED_ANGLE = 5e-15
+"""As far [rad] as π with fifteen digits is off."""
+
+_ROUNDED_LENGTH = Fraction(1, 10**15)
+"""Lengths below this part of the largest, or of 1 where some are parameters, are zero."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -88,12 +101,32 @@ def signed_arm_of(table: SymbolicTable, tip: Vector = (ZERO, ZERO, ZERO)) -> Sig
             angles.
     """
     walker = _Walker()
-    for i, row in enumerate(motions_of(table)):
+    rows = motions_of(table)
+    least = _ROUNDED_LENGTH * _largest_length([motion for row in rows for motion in row])
+    for i, row in enumerate(rows):
         for motion in row:
-            walker.take(motion, i)
+            value = rational_value(motion.amount)
+            if motion.joint or motion.kind not in _SHIFTS or value is None or abs(value) > least:
+                walker.take(motion, i)
     walker.turn_back()
     x, y, z = (along(axis, tip) for axis in zip(*walker.columns, strict=True))
     return SignedArm(joints=tuple(walker.joints), end=plus(walker.point, (x, y, z)), columns=walker.columns)
+
+
+def _largest_length(motions: Sequence[Motion]) -> Fraction:
+    lengths = [rational_value(m.amount) for m in motions if m.kind in _SHIFTS and not m.joint]
+    largest = max((abs(length) for length in lengths if length is not None), default=Fraction(0))
+    return largest if None not in lengths else max(largest, Fraction(1))
+
+
+def _quarter_turns(angle: Expression) -> int | None:
+    """How many right angles an angle is, or None if it is something else."""
+    turns, number = pi_fraction(angle), rational_value(angle)
+    if turns is None and number is None:
+        return None
+    quarters = 2.0 * float(turns) if turns is not None else float(number or 0) / (0.5 * math.pi)
+    nearest = round(quarters)
+    return nearest % 4 if abs(quarters - nearest) * 0.5 * math.pi <= _ROUNDED_ANGLE else None
 
 
 class _Walker:
@@ -145,8 +178,7 @@ class _Walker:
         self._ahead = ZERO
 
     def _turn(self, motion: Motion, row: int) -> None:
-        turns = pi_fraction(motion.amount)
-        quarters = None if turns is None or (2 * turns).denominator != 1 else int(2 * turns) % 4
+        quarters = _quarter_turns(motion.amount)
         x, y, z = self.columns
         if motion.kind is MotionKind.TURN_X:
             self._on_axis = False

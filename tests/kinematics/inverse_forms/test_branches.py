@@ -302,6 +302,33 @@ def test_the_cell_that_leaves_axes_oblique_is_named(rows, where):
     assert [(each.code, each.where) for each in refused.value.faults] == [("inverse_form_unknown", where)]
 
 
+@pytest.mark.parametrize("right", [math.pi / 2, 1.570796326794896, 1.57079632679490, 1.570796326794898])
+@pytest.mark.parametrize("noise", ["-1.3e-33", "6.1e-17", "5e-324"])
+@pytest.mark.parametrize("lengths", [("L1", "L2"), ("0.43", "0.5")])
+def test_rounding_in_a_computed_table_does_not_tilt_or_part_its_axes(right, noise, lengths):
+    a, d = lengths
+    rows = [
+        (right, noise, "0.3", "q1"),
+        (noise, a, noise, "q2 - 1.2e-16"),
+        (-right, noise, 0.1, "q3"),
+        (right, noise, d, "q4"),
+        (-right, 0, noise, "q5"),
+        (noise, noise, 0.2, f"q6 + {right}"),
+    ]
+    raw = [RawRow(theta=theta, d=d, a=a, alpha=alpha) for alpha, a, d, theta in rows]
+    read = read_table(RawTable(convention=STANDARD, angle_unit=AngleUnit.RAD, rows=tuple(raw)))
+    given = dict.fromkeys(read.parameters, 0.45)
+    values = parameter_values(read.parameters, read.angle_unit, given)
+    branches_reach(read.table, bind_parameters(read, given), values)
+
+
+def test_a_twist_that_is_more_than_rounding_is_not_a_right_angle():
+    rows = [(90, 0, 0, "q1"), (1e-11, 0.4, 0, "q2"), (0, 0.3, 0, "q3")]
+    with pytest.raises(TableError) as refused:
+        inverse_form(table_of(STANDARD, *rows).table)
+    assert refused.value.faults[0].where == ("rows", 1, "alpha")
+
+
 @pytest.mark.parametrize("name", IDLE)
 def test_where_a_joint_does_nothing_there_is_no_form_and_no_division_by_zero(name):
     with pytest.raises(TableError) as refused:
