@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 
 from kinematics.inverse.arm import Arm, ArmReach, Array
 from kinematics.inverse.distinct import differences
-from kinematics.inverse.goals import LARGEST_TOLERANCE, Goal, read_goal
+from kinematics.inverse.goals import LARGEST_TOLERANCE, ROUNDING, Goal, read_goal
 from kinematics.inverse.limits import within_limits
 from kinematics.inverse.methods.closed_form import InverseClosedForm, candidates_beside, closed_form_of
 from kinematics.inverse.methods.locked import LockedArms, locked_arms_of
@@ -104,7 +104,11 @@ class Solver:
 
     def goal(self, target: ArrayLike, tolerance: float | None, where: tuple[str | int, ...]) -> Goal:
         """Return a target made ready; arguments and refusals are those of `read_goal`."""
-        return self._measured(read_goal(target, tolerance, where, self.arm.size))
+        goal = read_goal(target, tolerance, where, self.arm.size)
+        measured, size = self._measured(goal), self.arm.size
+        if tolerance is None or measured is goal:
+            return measured
+        return measured._replace(tolerance=min(max(tolerance, ROUNDING * size), LARGEST_TOLERANCE * size))
 
     def _measured(self, goal: Goal) -> Goal:
         """The same goal, its tolerance a part of the arm's size where the arm is small beside tolerances."""

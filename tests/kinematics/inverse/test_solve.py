@@ -476,6 +476,11 @@ def test_an_arm_smaller_than_a_tolerance_has_its_elbow_up_and_down(size):
     batch = solve_many(solver, poses)
     assert batch.complete.all()
     assert len(batch.joints) == 6
+    near = poses[0].copy()
+    near[:3, 3] *= 0.8 * size * (1.0 + 1e-5) / np.linalg.norm(near[:3, 3])
+    assert solver.solve(near).reason is UnreachableReason.OUT_OF_REACH
+    assert solver.solve(near, 1e-4 * size).tolerance == pytest.approx(1e-4 * size)
+    assert len(solver.solve(near, 1e-4 * size).solutions) == 1
     far = poses[0].copy()
     far[:3, 3] *= 3.0 * size / np.linalg.norm(far[:3, 3])
     assert solver.solve(far).nearest.position_error == pytest.approx(2.2 * size)
