@@ -81,3 +81,20 @@ export function numberIn(text) {
   const value = Number(plainText.replace(/^([+-]?\d*),(\d+)$/, "$1.$2"));
   return plainText !== "" && Number.isFinite(value) ? value : null;
 }
+
+/** A number, a root, or a fraction of either: 1/2, √2/2, -sqrt(3)/2, 1/√2. @param {string} text @returns {number | null} */
+export function fractionIn(text) {
+  const [above, below = "1", ...more] = text.split("/").map((each) => rootIn(each));
+  if (typeof above !== "number" || below === null || more.length) return null;
+  const value = above / Number(below);
+  return Number.isFinite(value) ? value : null;
+}
+
+/** @param {string} text @returns {number | null} */
+function rootIn(text) {
+  const match = /^\s*([+\-−]?)\s*([\d.,]*)\s*[*·]?\s*(?:√|sqrt)\s*\(?\s*([\d.,]+)\s*\)?\s*$/i.exec(text);
+  if (!match) return numberIn(text);
+  const [factor, inner] = [match[2] ? numberIn(match[2]) : 1, numberIn(match[3])];
+  if (factor === null || inner === null) return null;
+  return (/[-−]/.test(match[1]) ? -1 : 1) * factor * Math.sqrt(inner);
+}

@@ -193,25 +193,35 @@ def test_the_workspace_is_asked_for_once_however_the_joints_move(open_page: Open
     assert asked.count("workspace") == 1
 
 
-def test_a_pose_to_reach_without_a_number_is_told_at_its_cell(open_page: OpenPage) -> None:
+def test_a_pose_to_reach_without_a_number_is_told_at_its_cell(open_page: OpenPage, watch: Watch) -> None:
     """It was “target[0][3]” must be a number; the present pose, or a number, takes it away."""
+    watch.allow("422")
     page = open_page("/playground")
     shown_robot(page)
     opened(page, "Inverse kinematics")
     tool = page.locator("details.tool", has_text="Inverse kinematics")
     cell = tool.get_by_label("row 1, position")
     expect(cell).not_to_have_value("0")
-    cell.fill("1/2")
+    cell.fill("a half")
     tool.get_by_label("row 3, z axis").fill("")
     page.get_by_role("button", name="Solve").click()
     expect(tool.get_by_role("alert").get_by_role("listitem")).to_have_text(
-        ["row 1, position: Write a number, such as 0.5.", "row 3, z axis: Write a number, such as 0.5."]
+        [
+            f"{place}: Write a number, such as 0.5, 1/2 or √2/2."
+            for place in ("row 1, position", "row 3, z axis")
+        ]
     )
     expect(cell).to_have_attribute("aria-invalid", "true")
     page.get_by_role("button", name="Use the current pose").click()
     page.get_by_role("button", name="Solve").click()
     expect(page.locator(".solutions")).to_be_visible()
     expect(tool.locator("[aria-invalid=true]")).to_have_count(0)
+    cell.fill("√2/4")
+    page.get_by_role("button", name="Solve").click()
+    expect(page.locator(".solutions")).to_be_visible()
+    tool.get_by_label("row 1, x axis").fill("2")
+    page.get_by_role("button", name="Solve").click()
+    expect(tool.get_by_role("alert")).to_contain_text("each must have the length 1")
 
 
 def test_limits_and_durations_that_do_not_hold_are_explained(open_page: OpenPage) -> None:

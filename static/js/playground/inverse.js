@@ -1,12 +1,12 @@
 /** Inverse kinematics: a pose to reach, every set of joint values that reaches it, and a look at each. */
 
-import { Latest } from "../api.js";
+import { Latest, Problem } from "../api.js";
 import { dataTable } from "../data-table.js";
 import { el, fill } from "../dom.js";
 import { named, t } from "../i18n.js";
-import { plain, shown } from "../numbers.js";
+import { fractionIn, plain, shown } from "../numbers.js";
 import { problemNotice } from "../problem.js";
-import { Cells, cellValue } from "./cells.js";
+import { Cells } from "./cells.js";
 import { asked, sameRobot } from "./tool.js";
 
 const ROWS = [0, 1, 2];
@@ -81,12 +81,12 @@ export function inverseTool(api, { pose, show, shade, found: tell }) {
   const isNumeric = () => {
     const faults = target.rows.flatMap((cells, row) =>
       columns
-        .filter(({ name }) => typeof cellValue(cells[name]) !== "number")
+        .filter(({ name }) => fractionIn(cells[name]) === null)
         .map(({ name, label }) => ({ row, name, text: t("form-row-cell", { row: row + 1, name: label }) })),
     );
     target.mark(faults);
     if (faults.length) {
-      const lines = faults.map(({ text }) => el("li", { text: named(text, t("playground-number-needed")) }));
+      const lines = faults.map(({ text }) => el("li", { text: named(text, t("playground-target-number")) }));
       fill(answer, el("div", { class: "notice notice-problem", role: "alert" }, el("ul", {}, lines)));
       know([]);
     }
@@ -108,7 +108,12 @@ export function inverseTool(api, { pose, show, shade, found: tell }) {
       fill(answer, ...report(found.value, show, ghosts));
       know(found.value.solutions.map((/** @type {any} */ { joints }) => joints));
     } catch (error) {
-      fill(answer, problemNotice(error));
+      fill(
+        answer,
+        isSkew(error)
+          ? el("p", { class: "notice notice-problem", role: "alert", text: t("playground-target-skew") })
+          : problemNotice(error),
+      );
       know([]);
     }
     solve.removeAttribute("aria-disabled");
@@ -173,6 +178,11 @@ function report(found, show, ghosts) {
   ];
 }
 
+/** Whether a pose is refused for its axes: what else the service says of them is about requests. @param {unknown} error */
+function isSkew(error) {
+  return error instanceof Problem && error.code === "pose_not_orthonormal";
+}
+
 const identity = () => [
   [1, 0, 0, 0],
   [0, 1, 0, 0],
@@ -187,5 +197,8 @@ function poseRows(pose) {
 
 /** @param {any} rows */
 function matrixOf(rows) {
-  return [...rows.map((/** @type {any} */ { x, y, z, p }) => [x, y, z, p].map(cellValue)), [0, 0, 0, 1]];
+  return [
+    ...rows.map((/** @type {any} */ { x, y, z, p }) => [x, y, z, p].map((text) => fractionIn(text))),
+    [0, 0, 0, 1],
+  ];
 }

@@ -1,6 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { asPoints, pointsTold } from "../../../static/js/numbers.js";
+import { asPoints, fractionIn, pointsTold } from "../../../static/js/numbers.js";
 
 test("points read the same, earned or worked out again from the share of all points", () => {
   for (let total = 1; total <= 100; total += 1) {
@@ -37,4 +37,15 @@ test("dates are written in the order of the texts' English, day before month, an
   };
   assert.equal(await written("en", "dates-en"), "22 Nov 2026, 16:00");
   assert.equal(await written("fr", "dates-fr"), "22 nov. 2026, 16:00");
+});
+
+test("a pose's numbers may be roots and fractions, as books print them", () => {
+  const root = Math.SQRT1_2;
+  for (const text of ["√2/2", "sqrt(2)/2", " 1 / √2", "0,5√2", "0.5*sqrt(2)", "√0.5"])
+    assert.ok(Math.abs((fractionIn(text) ?? 0) - root) < 1e-15, text);
+  assert.equal(fractionIn("1/2"), 0.5);
+  assert.equal(fractionIn("\u2212√(9)/4"), -0.75);
+  assert.equal(fractionIn("-1.5e-3"), -0.0015);
+  for (const text of ["", "x", "1/", "/2", "1/0", "1/2/3", "√", "√-1", "2 3", "√2√3"])
+    assert.equal(fractionIn(text), null, text);
 });
