@@ -40,16 +40,18 @@ def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
     parser.add_argument("--exercise", help="the exercise; otherwise each file names it")
     parser.add_argument("--for", dest="host", choices=tuple(HOSTS), help="speak an autograder's protocol")
     parser.add_argument("--points", type=float, help="what the assignment is worth, with --for")
-    parser.add_argument("--format", choices=(*GradebookFormat, _JSON), default=GradebookFormat.CSV)
+    parser.add_argument("--format", choices=(*map(str, GradebookFormat), _JSON), default=GradebookFormat.CSV)
     parser.add_argument("--output", type=Path, help="file of marks; standard output, if it is not named")
     parser.add_argument("--jobs", type=count, help="processes (all cores)")
     parser.add_argument(
         "--per-student", action="store_true", help="the student's name is the seed of the values"
     )
-    parser.add_argument("--tell", choices=tuple(HelpLevel), help="less help than the exercise allows")
-    parser.add_argument("--convention", choices=tuple(Convention), default=Convention.STANDARD)
-    parser.add_argument("--angle-unit", choices=tuple(AngleUnit), default=AngleUnit.RAD)
-    parser.add_argument("--length-unit", choices=tuple(LengthUnit), default=LengthUnit.M)
+    parser.add_argument(
+        "--tell", choices=tuple(map(str, HelpLevel)), help="less help than the exercise allows"
+    )
+    parser.add_argument("--convention", choices=tuple(map(str, Convention)), default=Convention.STANDARD)
+    parser.add_argument("--angle-unit", choices=tuple(map(str, AngleUnit)), default=AngleUnit.RAD)
+    parser.add_argument("--length-unit", choices=tuple(map(str, LengthUnit)), default=LengthUnit.M)
     parser.set_defaults(run=_grade)
 
 

@@ -31,7 +31,7 @@ def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
     verified.add_argument(
         "--csv", nargs="?", type=Path, const=Path("-"), help="gradebook file; standard output, if not named"
     )
-    verified.add_argument("--format", choices=tuple(GradebookFormat), default=GradebookFormat.CSV)
+    verified.add_argument("--format", choices=tuple(map(str, GradebookFormat)), default=GradebookFormat.CSV)
     verified.set_defaults(run=_verify)
 
     renewed = commands.add_parser("rotate", help="put a new signing key into a file of keys")

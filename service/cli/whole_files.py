@@ -19,7 +19,12 @@ def replacing(file: Path) -> Iterator[TextIO]:
     whole = file.resolve()
     unfinished = whole.with_name(f"{whole.name}.part")
     try:
-        with unfinished.open("w", encoding="utf-8", newline="") as stream:
+        stream = unfinished.open("w", encoding="utf-8", newline="")
+    except OSError as error:
+        error.filename = str(file)  # the name that somebody typed
+        raise
+    try:
+        with stream:
             if whole.exists():
                 shutil.copymode(whole, unfinished)
             yield stream

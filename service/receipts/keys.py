@@ -122,9 +122,12 @@ def rotate(path: Path, retire: Sequence[str] = ()) -> ReceiptKeys:
     keys = (_key(Ed25519PrivateKey.generate()), *(key for key in old if key.kid not in retire))
     document = {"keys": [key.as_dict(private=True) for key in keys]}
     draft = path.with_name(f"{path.name}.{os.getpid()}.{time.monotonic_ns()}")
-    with os.fdopen(
-        os.open(draft, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600), "w", encoding="utf-8"
-    ) as file:
+    try:
+        descriptor = os.open(draft, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
+    except OSError as error:
+        error.filename = str(path)  # the name that somebody typed
+        raise
+    with os.fdopen(descriptor, "w", encoding="utf-8") as file:
         json.dump(document, file, indent=2)
     draft.replace(path)
     return ReceiptKeys(keys=keys)

@@ -148,10 +148,12 @@ def test_a_file_that_cannot_be_used_is_named(
     arguments: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     (tmp_path / "a.csv").write_text(RIGHT)
-    assert main([argument.replace("{}", str(tmp_path)) for argument in arguments]) == 2
+    """By the name that was typed, not by that of a file beside it."""
+    typed = [argument.replace("{}", str(tmp_path)) for argument in arguments]
+    assert main(typed) == 2
     told = capsys.readouterr().err
     assert "file_unusable" in told
-    assert str(tmp_path) in told
+    assert any(f": {word} cannot" in told for word in typed)
 
 
 @pytest.mark.parametrize("text", ["{", "[]x", '[{"id": 1}]', '{"keys": [{}]}', '{"keys": []}', "5"])
@@ -352,3 +354,11 @@ def test_the_packages_are_the_command(package: str) -> None:
     asked = [sys.executable, "-m", package, "--version"]
     told = subprocess.run(asked, capture_output=True, text=True, check=True, timeout=120)
     assert told.stdout == f"framewise {__version__}\n"
+
+
+def test_values_to_choose_from_are_listed_as_they_are_typed(capsys: pytest.CaptureFixture[str]) -> None:
+    """They were `<AngleUnit.RAD: 'rad'>`."""
+    for option in ("--tell", "--convention", "--angle-unit", "--length-unit", "--format"):
+        with pytest.raises(SystemExit):
+            main(["grade", "class.csv", option, "none"])
+        assert "<" not in capsys.readouterr().err.rpartition("invalid choice")[2]
