@@ -311,6 +311,9 @@ def test_robots_are_on_paper_what_they_are_on_the_screen(open_page: OpenPage) ->
     page.emulate_media(media="print")
     expect(scene.locator(".scene-paper > *").first).to_be_visible()
     expect(scene.locator("canvas")).to_be_hidden()
+    convention = page.locator(".editor-bar fieldset").first.locator("label")  # without it a table says little
+    expect(convention.filter(has=page.locator(":checked"))).to_be_visible()
+    expect(convention.filter(has=page.locator(":not(:checked)"))).to_be_hidden()
     page.emulate_media(media="screen")
     page.evaluate("dispatchEvent(new Event('afterprint'))")
     expect(scene.locator(".scene-paper")).to_have_count(0)

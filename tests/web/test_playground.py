@@ -266,6 +266,22 @@ def test_what_was_found_for_another_table_goes(open_page: OpenPage) -> None:
     expect(page.locator(".solutions")).to_have_count(0)
 
 
+def test_the_playground_on_paper_says_what_its_numbers_are_of(open_page: OpenPage) -> None:
+    """On wide paper the robot stood beside the middle of the text; convention and values were left out."""
+    page = open_page("/playground")
+    shown_robot(page)
+    page.emulate_media(media="print")
+    robot, table = page.locator("#robot-card"), page.locator("#table-card")
+    expect(table.locator("label", has_text="standard")).to_be_visible()
+    expect(table.locator("label", has_text="modified")).to_be_hidden()
+    expect(robot.locator(".parameter-fields")).to_be_visible()
+    expect(page.locator("#sources-card")).to_be_hidden()
+    boxes = [place.bounding_box() for place in (table, robot)]
+    assert boxes[0]
+    assert boxes[1]
+    assert boxes[0]["y"] + boxes[0]["height"] <= boxes[1]["y"]
+
+
 def test_a_link_holds_the_whole_robot(open_page: OpenPage) -> None:
     page = open_page("/playground", permissions=["clipboard-read", "clipboard-write"])
     shown_robot(page)

@@ -20,11 +20,11 @@ export class Bar {
     this.choices = el("div", { class: "row" });
     this.element = el(
       "div",
-      { class: "editor-bar no-print" },
+      { class: "editor-bar" },
       this.choices,
       el(
         "div",
-        { class: "editor-steps" },
+        { class: "editor-steps no-print" },
         el("button", { type: "button", class: "quiet small", onclick: actions.clear, text: t("form-new") }),
         this.undo,
         this.redo,
@@ -74,7 +74,7 @@ export class Bar {
         "select",
         {
           name: `${this.id}-length-unit`,
-          class: "editor-length",
+          class: "editor-length no-print",
           "aria-label": t("form-length-unit"),
           onchange: (event) => set.lengthUnit(event.target.value),
         },
@@ -84,7 +84,11 @@ export class Bar {
     fill(
       this.choices,
       this.#choice("convention", t("form-convention"), conventions, set.convention),
-      el("a", { class: "term small", href: `${pageAddress("lesson")}#conventions`, text: t("form-convention-what") }),
+      el("a", {
+        class: "term small no-print",
+        href: `${pageAddress("lesson")}#conventions`,
+        text: t("form-convention-what"),
+      }),
       this.#choice("angle-unit", t("form-angle-unit"), angles, set.angleUnit),
       this.length,
     );
