@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 from collections.abc import Callable, Iterator
 
@@ -112,6 +113,34 @@ def test_a_list_that_was_cut_says_so_and_no_score_is_rounded_up(
     page.locator("#link dl button").first.click()
     behind = page.locator("#link", has_text="The latest 200 are listed here.")
     expect(behind.get_by_role("cell", name="99.6 %").first).to_be_visible()
+
+
+def test_what_concerns_every_student_is_asked_before_and_told_after(
+    page: Page, browser: Browser, lms: Lms, service: str
+) -> None:
+    """One press showed a class in an open exam its results, for good; extra time seemed not to be given."""
+    settings = {"mode": "exam", "closes": "2099-01-01T12:00:00Z", "parts": ["table"]}
+    where = {"resource": f"open-{page.viewport_size}", "context": "open"}
+    link = {**where, "custom": {"exercise": "puma560", "settings": json.dumps(settings)}}
+    browser.launch("ann", hint(**link))
+    assert browser.api("POST", "session/attempts", WRONG).json()["shown"] == "receipt"
+    number = browser.api("GET", "session").json()["attempts"][-1]["number"]
+    arrived(page, lms, "tina", hint([TEACHER], **link))
+    release = page.get_by_role("button", name="Release feedback")
+    release.click()
+    expect(page.locator("#link")).to_contain_text("This cannot be taken back.")
+    assert browser.api("GET", f"session/attempts/{number}").json()["report"] is None
+    page.get_by_role("button", name="Release to everyone").click()
+    expect(page.locator("#link")).to_contain_text("Students can now see what was found")
+    expect(release).to_have_count(0)
+    assert browser.api("GET", f"session/attempts/{number}").json()["report"] is not None
+    page.locator("#class").get_by_role("button", name=re.compile("begun")).last.click()
+    page.get_by_label("Extra time").fill("-5")
+    page.get_by_role("button", name="Give").click()
+    expect(page.locator("#link .badge.good")).to_have_count(0)
+    page.get_by_label("Extra time").fill("15")
+    page.get_by_role("button", name="Give").click()
+    expect(page.locator("#link .badge.good")).to_have_text("Saved.")
 
 
 def test_a_wrong_attempt_is_shown_as_it_was_typed_beside_the_figure(

@@ -43,7 +43,7 @@ export class LinkView {
       const found = await this.api.get(this.#path("statistics"));
       const numbers = link.exercise ? [this.#numbers(found), this.#mistakes(found), this.#unexplained(found)] : [];
       const rules = this.#rules(settings, await this.#choice(settings));
-      fill(body, numbers, this.behind, rules, link.exercise ? this.#work() : null);
+      fill(body, numbers, this.behind, rules, link.exercise ? this.#work(settings) : null);
     } catch (error) {
       fill(body, problemNotice(error));
     }
@@ -218,17 +218,25 @@ export class LinkView {
   /** @param {any} student */
   #allowance(student) {
     const given = student.links[this.link.id] ?? { extra_seconds: 0, extra_attempts: 0 };
-    const minutes = el("input", { type: "number", min: 0, max: 527040, value: given.extra_seconds / 60 });
-    const attempts = el("input", { type: "number", min: 0, max: 1000, value: given.extra_attempts });
+    const minutes = el("input", {
+      type: "number",
+      required: true,
+      min: 0,
+      max: 527040,
+      value: given.extra_seconds / 60,
+    });
+    const attempts = el("input", { type: "number", required: true, min: 0, max: 1000, value: given.extra_attempts });
     const said = el("div", { role: "status" });
     const give = telling(said, async () => {
+      fill(said);
+      if (![minutes, attempts].every((/** @type {any} */ field) => field.reportValidity())) return;
       const value = (/** @type {any} */ field) => Number(field.value);
       await this.api.post(this.#path("allowances"), {
         person: student.key,
         extra_minutes: value(minutes),
         extra_attempts: value(attempts),
       });
-      announce(t("lecturer-saved"));
+      fill(said, el("span", { class: "badge good", text: t("lecturer-saved") }));
       await this.act.changed();
     });
     return el(
@@ -261,6 +269,9 @@ export class LinkView {
         this.link.exercise = chosen.exercise;
         await this.act.changed();
         await this.show(this.link);
+        fill(this.behind, el("p", { class: "notice notice-good", text: t("lecturer-saved") }));
+        announce(t("lecturer-saved"));
+        this.behind.scrollIntoView({ block: "nearest" });
       } catch (error) {
         fill(said, problemNotice(error));
       }
@@ -275,12 +286,26 @@ export class LinkView {
     );
   }
 
-  #work() {
+  /** @param {any} settings */
+  #work({ mode, feedback }) {
     const said = el("div", { class: "stack", role: "status" });
-    const release = async () => {
+    const { link } = this;
+    const release = telling(said, async () => {
       await this.api.post(this.#path("release"), {});
+      link.released = true;
+      releasing.remove();
       fill(said, el("p", { text: t("lecturer-released") }));
-    };
+    });
+    const askFirst = async () =>
+      fill(
+        said,
+        el("p", { class: "notice notice-warn", text: t("lecturer-release-sure") }),
+        el(
+          "div",
+          {},
+          el("button", { type: "button", class: "primary", onclick: release, text: t("lecturer-release-now") }),
+        ),
+      );
     const preview = async () => {
       const { exercise, code } = await this.api.post(this.#path("preview"), {});
       const address = `${pageAddress(`exercises/${exercise}`)}#session=${code}`;
@@ -311,14 +336,17 @@ export class LinkView {
     };
     /** @param {string} text @param {() => Promise<void>} work */
     const button = (text, work) => el("button", { type: "button", onclick: telling(said, work), text });
+    const releasing = button(t("lecturer-release"), askFirst);
+    const isWithheld = !link.released && (mode === "exam" || feedback !== "at_once");
     return el(
       "section",
       { class: "stack" },
+      link.released ? el("p", { class: "hint", text: t("lecturer-released") }) : null,
       el(
         "p",
         { class: "row" },
         button(t("lecturer-preview"), preview),
-        button(t("lecturer-release"), release),
+        isWithheld ? releasing : null,
         button(t("lecturer-regrade-counted"), () => regrade("counted")),
         button(t("lecturer-regrade-all"), () => regrade("all")),
         button("CSV", () => this.#download("csv")),
@@ -338,7 +366,7 @@ export class LinkView {
     const address = URL.createObjectURL(await answer.blob());
     const anchor = /** @type {HTMLAnchorElement} */ (el("a", { href: address, download: `attempts.${form}` }));
     anchor.click();
-    URL.revokeObjectURL(address);
+    setTimeout(() => URL.revokeObjectURL(address), 10_000);
   }
 }
 
