@@ -337,3 +337,13 @@ def test_a_person_reads_a_page(forger: Forger, keys: KeyServer) -> None:
     answer = forger.post({"id_token": "x", "state": begun["state"]}, Accept="text/html")
     assert answer.status_code == 401
     assert 'data-step="window"' in answer.text
+
+
+def test_a_person_who_opens_the_address_of_launches_is_told_what_it_is_for(forger: Forger) -> None:
+    """A bookmark of it, or an administrator's try, was answered with a problem document."""
+    address = f"{forger.service}/lti/launch"
+    page = forger.client.get(address, headers={"Accept": "text/html", "Accept-Language": "fr"})
+    assert (page.status_code, page.headers["allow"]) == (405, "OPTIONS, POST")
+    assert "Ouvrez l’exercice depuis votre cours" in page.text
+    told = forger.client.get(address)
+    assert (told.status_code, told.json()["code"]) == (405, "method_not_allowed")

@@ -26,3 +26,4 @@ session-handed-in = entregado
 session-attempts-kept = Se guardan en su curso.
 session-attempts-latest = Aquí aparecen los últimos { $count }.
 session-ended = Su sesión ha terminado: las respuestas que dé aquí no cuentan. Vuelva a abrir el ejercicio desde su curso; lo que escribió allí sigue allí.
+session-launch-by-hand = Las plataformas de aprendizaje envían aquí a los estudiantes; por sí sola, esta dirección no muestra nada. Abra el ejercicio desde su curso.

@@ -26,3 +26,4 @@ session-handed-in = entregue
 session-attempts-kept = Ficam guardadas na sua disciplina.
 session-attempts-latest = Aqui estão as últimas { $count }.
 session-ended = A sua sessão terminou: as respostas que der aqui não contam. Volte a abrir o exercício a partir da sua disciplina; o que lá escreveu continua lá.
+session-launch-by-hand = As plataformas de aprendizagem enviam os estudantes para aqui; por si só, este endereço não mostra nada. Abra o exercício a partir da sua disciplina.

@@ -29,14 +29,15 @@ from courses.sessions import session_of
 from kinematics.errors import Fault
 from service.course_resources import CourseResources, now
 from service.http.forms import form_of, own_root
-from service.http.problems import ServiceError
+from service.http.problems import MethodError, ServiceError
 from service.lti.fetching import http_address, origin_of
 from service.lti.launch import Expected, Launch, read_launch
 from service.lti.launch_errors import LaunchError, LoginError
 from service.lti.login import LOGIN, Login, LoginRequest, login_of, nonce_of, read_login, redirection
-from service.messages import languages
+from service.messages import languages, sentence
 from service.resources import resources_of
 from service.web.launch_page import answered, launch_page, refused, step
+from service.web.responses import page_language
 from service.wire.courses.lti_custom import arrival_of
 from service.wire.courses.session_views import seed_of
 
@@ -66,6 +67,21 @@ async def launch(request: Request) -> Response:
     except ServiceError as error:
         return refused(request, error)
     return await answered(request, partial(_launch, request, given))
+
+
+@router.get("/lti/launch")
+async def launch_by_hand(request: Request) -> Response:
+    """Say to a person that learning platforms open this address, and to a program that it takes POST."""
+    resources_of(request).with_courses()
+    allowed = ("OPTIONS", "POST")
+    headers = {"Allow": ", ".join(allowed)}
+    if "text/html" not in request.headers.get("accept", ""):
+        fault = Fault.at("method_not_allowed", method=request.method, allowed=allowed)
+        raise MethodError(fault, headers=headers)
+    text = sentence(page_language(request), "session-launch-by-hand") or ""
+    page = launch_page(request, step("refused", text=text), status=405)
+    page.headers.update(headers)
+    return page
 
 
 @router.post("/lti/confirm")
