@@ -116,3 +116,9 @@ class Robot:
     chain: ScmDescription | None
     reference: ReferencePose
     weights: LinkWeights | None = None
+
+    @property
+    def chain_values(self) -> dict[str, float]:
+        """The value of every parameter of the SCM chain, in the table's units."""
+        named = {} if self.chain is None else self.chain.parameters
+        return {name: self.parameters[known] for name, known in named.items()}

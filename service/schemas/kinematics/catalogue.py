@@ -8,7 +8,6 @@ from typing import Annotated, Self
 from pydantic import Field
 
 from kinematics.catalogue import Robot as CatalogueRobot
-from kinematics.catalogue import ScmDescription
 from service.schemas.base import Real, Wire
 from service.schemas.kinematics.scm import ScmChainModel
 from service.schemas.tables import AnsweredRow, AnsweredTable
@@ -83,7 +82,9 @@ class RobotModel(Wire):
             },
             limits=[list(pair) for pair in robot.limits] if robot.limits else None,
             limits_source=robot.limits_source,
-            scm=_scm_form(robot, robot.chain) if robot.chain else None,
+            scm=None
+            if robot.chain is None
+            else ScmForm(chain=ScmChainModel.from_record(robot.chain.raw), parameters=robot.chain_values),
         )
 
 
@@ -91,10 +92,3 @@ class RobotList(Wire):
     """The catalogue."""
 
     robots: list[RobotModel]
-
-
-def _scm_form(robot: CatalogueRobot, chain: ScmDescription) -> ScmForm:
-    return ScmForm(
-        chain=ScmChainModel.from_record(chain.raw),
-        parameters={name: robot.parameters[known] for name, known in chain.parameters.items()},
-    )

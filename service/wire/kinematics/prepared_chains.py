@@ -10,11 +10,10 @@ from typing import Any
 from kinematics.cells import Limits, parameter_values
 from kinematics.errors import DescriptionError, KinematicsError
 from kinematics.scm import ReadChain, ScmChain, check_values, read_chain, verify, with_values
-from kinematics.table import JointType
 from service.http.problems import cause
 from service.schemas.kinematics.scm import ChainQuestion, ScmChainModel, Verification
 from service.wire.kinematics.exact_values import exact_values
-from service.wire.kinematics.prepared_robots import listed_robot
+from service.wire.kinematics.prepared_robots import joint_units, listed_robot
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -44,7 +43,7 @@ class PreparedChain:
     @property
     def joint_units(self) -> tuple[float, ...]:
         """For joint 1 … n what one unit of the request is in [rad], or in the chain's length unit."""
-        return tuple(self.angle if row.joint is JointType.REVOLUTE else 1.0 for row in self.chain.rows)
+        return joint_units([row.joint for row in self.chain.rows], self.angle)
 
 
 def prepared_structure(question: ChainQuestion, limits: Limits) -> ReadChain:
@@ -55,7 +54,9 @@ def prepared_structure(question: ChainQuestion, limits: Limits) -> ReadChain:
         RequestError: the catalogue has no such robot.
     """
     if question.chain is None:
-        return _listed(str(question.robot)).read
+        listed = listed_robot(str(question.robot)).chain
+        assert listed is not None  # every file has one: tests/kinematics/catalogue
+        return listed.read
     with in_chain("chain", question.chain):
         read = read_chain(question.chain.raw(), limits)
         faults = verify(read.chain) if question.verify is Verification.STRICT else ()
@@ -101,21 +102,8 @@ def prepared_chain(question: ChainQuestion, limits: Limits) -> PreparedChain:
     read = prepared_structure(question, limits)
     given = dict(question.parameters)
     if question.chain is None:
-        given = {**_listed(str(question.robot)).values, **given}
+        given = {**listed_robot(str(question.robot)).chain_values, **given}
     values = parameter_values(read.parameters, read.angle_unit, given)
     with in_chain("chain", question.chain):
         check_values(read.chain, values)
     return PreparedChain(read=read, values=values, angle=read.angle_unit.radians)
-
-
-@dataclass(frozen=True, kw_only=True, slots=True)
-class _Listed:
-    read: ReadChain
-    values: Mapping[str, float]
-
-
-def _listed(robot_id: str) -> _Listed:
-    robot = listed_robot(robot_id)
-    assert robot.chain is not None  # every file has one: tests/kinematics/catalogue
-    values = {name: robot.parameters[known] for name, known in robot.chain.parameters.items()}
-    return _Listed(read=robot.chain.read, values=values)
