@@ -48,6 +48,13 @@ _SECRET_ADDRESSES = {
     "database_url": (_DATABASE, "postgresql://user:password@host/database"),
     "traces": (_COLLECTOR, "http://collector:4318/v1/traces"),
 }
+_LISTS = {
+    "frame_ancestors": (_ANCESTOR, "'self', 'none' or an origin such as https://a.example"),
+    "cors_origins": (_ORIGIN, "*, null, or an origin such as https://a.example"),
+    "lti_trusted_origins": (_PLATFORM, "an origin such as https://lms.example"),
+    "callback_hosts": (_CALLED, "a host such as lms.example, or lms.example:8443"),
+}
+"""What each entry of these lists must be, as a pattern and in words."""
 LONGEST_DAYS = 36_500
 """A hundred years: what is kept longer is kept for ever."""
 
@@ -252,15 +259,7 @@ class Settings(BaseSettings):
         framed = set(self.frame_ancestors) - {"'self'", "'none'"}
         return tuple(dict.fromkeys((*self.cors_origins, *(("null",) if framed else ()))))
 
-    @field_validator(
-        "exercise_folders",
-        "trusted_proxies",
-        "frame_ancestors",
-        "cors_origins",
-        "callback_hosts",
-        "lti_trusted_origins",
-        mode="before",
-    )
+    @field_validator("exercise_folders", "trusted_proxies", *_LISTS, mode="before")
     @classmethod
     def _split(cls, value: object) -> object:
         return tuple(value.replace(",", " ").split()) if isinstance(value, str) else value
@@ -296,34 +295,15 @@ class Settings(BaseSettings):
             ip_network(entry)  # says what is wrong, such as bits outside the mask
         return value
 
-    @field_validator("frame_ancestors")
+    @field_validator(*_LISTS)
     @classmethod
-    def _sources(cls, value: tuple[str, ...]) -> tuple[str, ...]:
-        if "'none'" in value and len(value) > 1:
+    def _each_matching(cls, value: tuple[str, ...], info: ValidationInfo) -> tuple[str, ...]:
+        pattern, wanted = _LISTS[str(info.field_name)]
+        for one in value:
+            _matching(pattern, one, wanted)
+        if "'none'" in value and len(value) > 1:  # only an ancestor may be none
             raise ValueError("'none' stands alone")
-        return tuple(
-            _matching(_ANCESTOR, one, "'self', 'none' or an origin such as https://a.example")
-            for one in value
-        )
-
-    @field_validator("cors_origins")
-    @classmethod
-    def _origins(cls, value: tuple[str, ...]) -> tuple[str, ...]:
-        return tuple(
-            _matching(_ORIGIN, one, "*, null, or an origin such as https://a.example") for one in value
-        )
-
-    @field_validator("lti_trusted_origins")
-    @classmethod
-    def _platforms(cls, value: tuple[str, ...]) -> tuple[str, ...]:
-        return tuple(_matching(_PLATFORM, one, "an origin such as https://lms.example") for one in value)
-
-    @field_validator("callback_hosts")
-    @classmethod
-    def _called(cls, value: tuple[str, ...]) -> tuple[str, ...]:
-        return tuple(
-            _matching(_CALLED, one, "a host such as lms.example, or lms.example:8443") for one in value
-        )
+        return value
 
     @field_validator("database_url", "traces")
     @classmethod
