@@ -59,7 +59,7 @@ def opposite(v: tuple[_Real, _Real, _Real]) -> tuple[_Real, _Real, _Real]:
     return -v[0], -v[1], -v[2]
 
 
-def cross(u: Scalars, v: Scalars) -> Scalars:
+def cross(u: tuple[_Real, _Real, _Real], v: tuple[_Real, _Real, _Real]) -> tuple[_Real, _Real, _Real]:
     """Return the vector product u × v."""
     return u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]
 
