@@ -69,7 +69,9 @@ def cross_arrays(u: Floats, v: Floats) -> Floats:
 
     On small arrays several times faster than numpy.cross.
     """
-    x, y, z = cross((u[..., 0], u[..., 1], u[..., 2]), (v[..., 0], v[..., 1], v[..., 2]))
+    left: Scalars = (u[..., 0], u[..., 1], u[..., 2])
+    right: Scalars = (v[..., 0], v[..., 1], v[..., 2])
+    x, y, z = cross(left, right)
     w = np.empty((*x.shape, 3))
     w[..., 0], w[..., 1], w[..., 2] = x, y, z
     return w

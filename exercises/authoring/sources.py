@@ -60,13 +60,21 @@ def _refuse(faults: Sequence[Fault]) -> NoReturn:
     raise DefinitionError(faults)
 
 
-def from_table_file(path: Path) -> ExerciseSource:
-    """Return a table in JSON (as the API takes it) or TOML; see `from_table`.
+def keys_of(path: Path) -> Reader:
+    """Return what reads the keys of a file in JSON (a table as the API takes it) or TOML.
 
     Raises:
-        DefinitionError: the file cannot be read; every fault with its key.
+        DefinitionError: the file cannot be read.
     """
-    return from_table(Reader(_document(path), (path.name,), []))
+    try:
+        text = path.read_text(encoding=ENCODING)
+        document = json.loads(text) if path.suffix == ".json" else tomllib.loads(text)
+    except (OSError, ValueError, RecursionError) as error:
+        reason = getattr(error, "strerror", None) or str(error)
+        raise DefinitionError(_unreadable(path, reason)) from error
+    if not isinstance(document, dict):
+        raise DefinitionError(_unreadable(path, "it holds no table of keys"))
+    return Reader(document, (path.name,), [])
 
 
 def from_table(reader: Reader) -> ExerciseSource:
@@ -102,15 +110,6 @@ def from_robot(robot_id: str) -> ExerciseSource:
         raise DefinitionError(Fault.at("exercise_robot_unknown", "robot", robot=robot_id[:100], known=known))
     found = catalogue.robot(robot_id)
     return ExerciseSource(table=found.raw, values=dict(found.parameters), robot=robot_id)
-
-
-def from_axes_file(path: Path) -> ExerciseSource:
-    """Return the joint axes in JSON or TOML; see `from_axes`.
-
-    Raises:
-        DefinitionError: the file cannot be read; every fault with its key.
-    """
-    return from_axes(Reader(_document(path), (path.name,), []))
 
 
 def from_axes(reader: Reader) -> ExerciseSource:
@@ -203,18 +202,6 @@ def _six(reader: Reader) -> dict[str, Cell]:
                 found[name] = value
     reader.finish()
     return found
-
-
-def _document(path: Path) -> dict[str, Any]:
-    try:
-        text = path.read_text(encoding=ENCODING)
-        document = json.loads(text) if path.suffix == ".json" else tomllib.loads(text)
-    except (OSError, ValueError, RecursionError) as error:
-        reason = getattr(error, "strerror", None) or str(error)
-        raise DefinitionError(_unreadable(path, reason)) from error
-    if not isinstance(document, dict):
-        raise DefinitionError(_unreadable(path, "it holds no table of keys"))
-    return document
 
 
 def _unreadable(path: Path, reason: str) -> Fault:

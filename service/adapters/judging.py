@@ -48,18 +48,18 @@ class JudgedAnswer:
     @property
     def codes(self) -> tuple[str, ...]:
         """Codes of what was found, most important first; repairs by the codes of their edits."""
-        found = [entry["code"] for entry in self.body["feedback"]]
-        found += [edit["code"] for repair in self.body["repairs"][:1] for edit in repair["edits"]]
-        for part in self.body["parts"].values():
-            found += [entry["code"] for entry in part["feedback"]]
-        return tuple(dict.fromkeys(found))
+        return self._told("code")
 
     def sentences(self) -> tuple[str, ...]:
         """Return what a student is told, in the language of the call."""
-        told = [entry["message"] for entry in self.body["feedback"]]
-        told += [edit["message"] for repair in self.body["repairs"][:1] for edit in repair["edits"]]
+        return self._told("message")
+
+    def _told(self, member: str) -> tuple[str, ...]:
+        """A member of all feedback: on the table, its first repair and the other parts."""
+        told = [entry[member] for entry in self.body["feedback"]]
+        told += [edit[member] for repair in self.body["repairs"][:1] for edit in repair["edits"]]
         for part in self.body["parts"].values():
-            told += [entry["message"] for entry in part["feedback"]]
+            told += [entry[member] for entry in part["feedback"]]
         return tuple(dict.fromkeys(told))
 
 

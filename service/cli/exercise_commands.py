@@ -10,7 +10,7 @@ from exercises.authoring.archive import draft_of_archive
 from exercises.authoring.draft import exercise_of_draft
 from exercises.authoring.named_tables import ExerciseSource
 from exercises.authoring.scaffold import scaffold
-from exercises.authoring.sources import from_axes_file, from_robot, from_table_file, from_urdf_file
+from exercises.authoring.sources import from_axes, from_robot, from_table, from_urdf_file, keys_of
 from exercises.consistency import FILE
 from exercises.definition import Exercise
 from exercises.instance import generate
@@ -116,8 +116,8 @@ def _source(options: argparse.Namespace) -> ExerciseSource:
     if options.robot:
         return from_robot(options.robot)
     if options.table:
-        return from_table_file(options.table)
-    return from_axes_file(options.axes) if options.axes else from_urdf_file(options.urdf)
+        return from_table(keys_of(options.table))
+    return from_axes(keys_of(options.axes)) if options.axes else from_urdf_file(options.urdf)
 
 
 def _library() -> Library:
