@@ -16,7 +16,7 @@ from typing import ClassVar
 
 from exercises.definition import Exercise, Part
 from exercises.draws import Picker
-from exercises.grading import Feedback, Finding, HelpLevel, Policy, Verdict, grade
+from exercises.grading import Feedback, Finding, HelpLevel, Verdict, grade
 from exercises.instance import Instance
 from exercises.parts.context import Context
 from exercises.parts.given_table import given_table
@@ -26,7 +26,7 @@ from exercises.parts.report import Credit, PartReport, fact, judged, told_from
 from exercises.parts.task import PartTask, choice_field
 from exercises.selftest.variants import some_lengths, variant
 from kinematics.cells import ReadTable
-from kinematics.equivalence import ToolRule
+from kinematics.equivalence.decision import mechanism_only
 from kinematics.errors import Fault
 
 VARIANTS = 64
@@ -159,11 +159,6 @@ class CompareTablesType(PartType[Part, ComparisonCells, ComparisonCells]):
         yield "tables_reason_missing", replace(right, reason=None)
 
 
-def free_policy(policy: Policy) -> Policy:
-    """Return the policy under which two tables are the same robot: its tolerance, and nothing fixed."""
-    return Policy(tool=ToolRule.FREE, tolerance=policy.tolerance)
-
-
 def true_reasons(verdict: Verdict) -> frozenset[ComparisonReason]:
     """Return every reason that a verdict bears out."""
     if verdict.correct:
@@ -181,7 +176,7 @@ def true_reasons(verdict: Verdict) -> frozenset[ComparisonReason]:
 
 def _verdict(context: Context) -> Verdict:
     second: ReadTable = context.instance.drawn[CompareTablesType.kind]
-    return grade(context.reference, second, free_policy(context.policy), context.parameters)
+    return grade(context.reference, second, mechanism_only(context.policy), context.parameters)
 
 
 @lru_cache(maxsize=1024)
@@ -190,7 +185,7 @@ def _variant(exercise: Exercise, number: int) -> ReadTable:
     usual = {parameter.name: float(parameter.value) for parameter in exercise.parameters}
     longest = max(usual.values(), default=1.0)
     lengths = some_lengths(exercise.reference.table, longest / 4)
-    policy = free_policy(exercise.policy)
+    policy = mechanism_only(exercise.policy)
     for trial in range(20):
         rng = Random(f"{exercise.id} {number} {trial}")  # noqa: S311 - the same frames for a number, for ever
         table = variant(exercise.reference.table, policy, lengths, rng)
@@ -206,7 +201,7 @@ def _spoilt(exercise: Exercise, number: int) -> tuple[ReadTable, ...]:
     """Return the ways to spoil a variant."""
     usual = {parameter.name: float(parameter.value) for parameter in exercise.parameters}
     read = _variant(exercise, number)
-    policy = free_policy(exercise.policy)
+    policy = mechanism_only(exercise.policy)
     return tuple(found.table for code in PLANTABLE for found in plantable(read, code, policy, usual))
 
 

@@ -13,20 +13,12 @@ from typing import Any, ClassVar
 
 from exercises.definition import Exercise
 from exercises.draws import Picker
-from exercises.grading import is_accepted
+from exercises.grading import grade, is_accepted
 from exercises.instance import Instance
 from exercises.parts.context import Context
 from exercises.parts.given_table import columns_of, given_table
 from exercises.parts.mistakes.found_mistakes import FoundStep, MistakePart, MistakeType, MistakeWords
-from exercises.parts.mistakes.planting import (
-    PLANTABLE,
-    REPAIRS,
-    Planted,
-    as_given,
-    explanations,
-    planted,
-    usable,
-)
+from exercises.parts.mistakes.planting import PLANTABLE, REPAIRS, Planted, as_given, planted, usable
 from exercises.parts.protocol import Reading
 from exercises.parts.report import PartReport
 from exercises.parts.task import FieldShape, FormField, PartTask, choice_field
@@ -123,7 +115,7 @@ class FindMistakeType(MistakeType[MistakePart, FoundMistakeCells, FoundMistake])
         key, policy, values = context.reference, as_given(context.policy), context.parameters
         pairs = {(found.row, found.code)}
         if answer.row not in (None, found.row) or answer.name not in (None, found.code):
-            verdict = explanations(found, key, policy, values)
+            verdict = grade(key, found.table, policy, values)
             single = [repair.edits[0] for repair in verdict.repairs if len(repair.edits) == 1]
             pairs |= {(edit.row - 1, REPAIRS.get(edit.code, "")) for edit in single if edit.row is not None}
         mended = answer.mended is not None and (

@@ -12,7 +12,7 @@ import numpy as np
 
 from exercises.definition import Exercise
 from exercises.draws import Picker
-from exercises.grading import ConventionRule, Policy, Verdict, grade, is_accepted
+from exercises.grading import ConventionRule, Policy, is_accepted
 from exercises.reading import Reader
 from exercises.selftest.mistakes import MISTAKES
 from kinematics.cells import ReadTable
@@ -124,8 +124,3 @@ def as_given(policy: Policy) -> Policy:
 def usable(exercise: Exercise, codes: Sequence[str]) -> bool:
     """Return whether some of the mistakes can be planted in an exercise's key."""
     return any(_ways(exercise, code) for code in codes)
-
-
-def explanations(found: Planted, key: ReadTable, policy: Policy, parameters: Mapping[str, float]) -> Verdict:
-    """Return what the grader says of a planted table: every single repair that would do."""
-    return grade(key, found.table, as_given(policy), parameters)

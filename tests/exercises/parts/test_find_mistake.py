@@ -15,13 +15,13 @@ from exercises.parts.mistakes.compare_tables import (
     ComparisonCells,
     ComparisonReason,
     SameRobot,
-    free_policy,
     true_reasons,
 )
 from exercises.parts.mistakes.find_mistake import PART, FoundMistakeCells
 from exercises.parts.mistakes.planting import PLANTABLE, Planted
 from exercises.selftest.answers import context_of
 from kinematics.cells import AngleUnit, LengthUnit, RawRow, RawTable, read_table
+from kinematics.equivalence.decision import mechanism_only
 from kinematics.table import Convention, JointType
 from service.messages import sentence
 from tests.exercises.answering import codes, part
@@ -161,7 +161,7 @@ def test_reasons_across_conventions_name_reversed_axes_and_moved_ends_too() -> N
         )
     )
     verdict = grade_table(
-        found.reference, second, free_policy(found.policy), {"L0": 0.4, "L1": 0.15, "L2": 0.1}
+        found.reference, second, mechanism_only(found.policy), {"L0": 0.4, "L1": 0.15, "L2": 0.1}
     )
     assert verdict.correct
     assert true_reasons(verdict) == set(SAME)
