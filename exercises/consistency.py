@@ -45,11 +45,7 @@ def values_in_radians(
 
 def _figure_faults(exercise: Exercise) -> list[Fault]:
     """What keeps the figure from being drawn, as it is and as it is drawn."""
-    values = values_in_radians(
-        {parameter.name: float(parameter.value) for parameter in exercise.parameters},
-        exercise.reference.parameters,
-        exercise.angle_unit,
-    )
+    values = values_in_radians(exercise.usual_values, exercise.reference.parameters, exercise.angle_unit)
     unknown = [name for name in exercise.figure.lengths if name not in values]
     if unknown:
         return [Fault.at("parameter_unused", FILE, "figure", "lengths", name, name=name) for name in unknown]

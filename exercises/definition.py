@@ -132,6 +132,11 @@ class Exercise:
         """Return the part of a kind, if it is asked."""
         return next((part for part in self.parts if part.kind == kind), None)
 
+    @property
+    def usual_values(self) -> dict[str, float]:
+        """Value of every dimension where no seed is given [the exercise's unit]."""
+        return {parameter.name: float(parameter.value) for parameter in self.parameters}
+
     @cached_property
     def points(self) -> Fraction:
         """What all parts together are worth."""

@@ -36,7 +36,7 @@ from exercises.parts.context import Context
 from exercises.parts.definition_keys import TOLERANCE, DefinitionKey, Start, joint_keys, usual_joints
 from exercises.parts.following import ENOUGH
 from exercises.parts.forward.transform import transform_is_robot
-from exercises.parts.joint_draws import drawn_joints, read_joints
+from exercises.parts.joint_draws import drawn_joints, in_radians, read_joints
 from exercises.parts.protocol import TABLE, PartType, Reading, RobotFacts
 from exercises.parts.report import Credit, PartReport, judged, told_from
 from exercises.parts.task import PartTask
@@ -182,14 +182,9 @@ class PosePartType(PartType[PosePart, CellMatrix, Matrices]):
 def joints_at(context: Context, drawn: Sequence[Fraction]) -> list[float]:
     """Return joint values of the exercise in [rad] and in the student's length unit."""
     exercise = context.instance.exercise
-    degrees = exercise.angle_unit is AngleUnit.DEG
     return [
-        float(value) * context.unit_ratio
-        if joint_type is JointType.PRISMATIC
-        else math.radians(float(value))
-        if degrees
-        else float(value)
-        for value, joint_type in zip(drawn, exercise.reference.table.joint_types, strict=True)
+        value * context.unit_ratio if kind is JointType.PRISMATIC else value
+        for value, kind in zip(in_radians(exercise, drawn), exercise.reference.table.joint_types, strict=True)
     ]
 
 

@@ -182,7 +182,7 @@ def _verdict(context: Context) -> Verdict:
 @lru_cache(maxsize=1024)
 def _variant(exercise: Exercise, number: int) -> ReadTable:
     """Return the key as somebody with other frames would have written it; the same one for a number."""
-    usual = {parameter.name: float(parameter.value) for parameter in exercise.parameters}
+    usual = exercise.usual_values
     longest = max(usual.values(), default=1.0)
     lengths = some_lengths(exercise.reference.table, longest / 4)
     policy = mechanism_only(exercise.policy)
@@ -199,7 +199,7 @@ def _variant(exercise: Exercise, number: int) -> ReadTable:
 @lru_cache(maxsize=1024)
 def _spoilt(exercise: Exercise, number: int) -> tuple[ReadTable, ...]:
     """Return the ways to spoil a variant."""
-    usual = {parameter.name: float(parameter.value) for parameter in exercise.parameters}
+    usual = exercise.usual_values
     read = _variant(exercise, number)
     policy = mechanism_only(exercise.policy)
     return tuple(found.table for code in PLANTABLE for found in plantable(read, code, policy, usual))

@@ -112,8 +112,7 @@ def _refused(read: ReadTable, table: ReadTable, policy: Policy, parameters: Mapp
 
 @lru_cache(maxsize=256)
 def _ways(exercise: Exercise, code: str) -> tuple[Planted, ...]:
-    usual = {parameter.name: float(parameter.value) for parameter in exercise.parameters}
-    return tuple(plantable(exercise.reference, code, exercise.policy, usual))
+    return tuple(plantable(exercise.reference, code, exercise.policy, exercise.usual_values))
 
 
 def as_given(policy: Policy) -> Policy:

@@ -128,8 +128,7 @@ class SingularitiesType(PartType[SingularitiesPart, SingularityCells, Singularit
             return
         if not only or not joint_variables_in(minor.expression()):
             yield Fault.at("singularities_no_families", "motion")
-        usual = {parameter.name: float(parameter.value) for parameter in exercise.parameters}
-        arm = _arm(part, exercise, usual)
+        arm = _arm(part, exercise, exercise.usual_values)
         if part.joints is not None and not lost_motions_at(arm, in_radians(exercise, part.joints)):
             yield Fault.at("not_singular", "joints")
 
