@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 
 from exercises.definition import Exercise
 from exercises.errors import DefinitionError
@@ -12,7 +11,7 @@ from exercises.figures.specification import FigureSpecification
 from exercises.needs import unmet_needs
 from exercises.parts.registry import part_type
 from exercises.statements import names_in
-from kinematics.cells import AngleUnit, ParameterKind
+from kinematics.cells import parameters_in_radians
 from kinematics.cells.variables import variable_index
 from kinematics.errors import Fault
 
@@ -29,23 +28,9 @@ def inconsistencies(exercise: Exercise) -> Iterator[Fault]:
         yield Fault.at("need_unmet", FILE, "needs", i, name=exercise.needs[i])
 
 
-def values_in_radians(
-    parameters: Mapping[str, float], kinds: Mapping[str, ParameterKind], angle_unit: AngleUnit
-) -> dict[str, float]:
-    """Return parameter values as the kinematics takes them.
-
-    Angles in [rad], lengths in the exercise's unit.
-    """
-    degrees = angle_unit is AngleUnit.DEG
-    return {
-        name: math.radians(value) if degrees and kinds.get(name) is ParameterKind.ANGLE else value
-        for name, value in parameters.items()
-    }
-
-
 def _figure_faults(exercise: Exercise) -> list[Fault]:
     """What keeps the figure from being drawn, as it is and as it is drawn."""
-    values = values_in_radians(exercise.usual_values, exercise.reference.parameters, exercise.angle_unit)
+    values = parameters_in_radians(exercise.usual_values, exercise.reference.parameters, exercise.angle_unit)
     unknown = [name for name in exercise.figure.lengths if name not in values]
     if unknown:
         return [Fault.at("parameter_unused", FILE, "figure", "lengths", name, name=name) for name in unknown]

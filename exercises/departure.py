@@ -19,7 +19,7 @@ from itertools import takewhile
 
 import numpy as np
 
-from exercises.drawings import key_pose, true_scene, values
+from exercises.drawings import key_pose, true_scene
 from exercises.errors import DefinitionError
 from exercises.figures.geometry import FigureJointAxis
 from exercises.grading import Finding, Verdict
@@ -87,7 +87,7 @@ def departure_of(instance: Instance, read: ReadTable, verdict: Verdict) -> Depar
     if verdict.correct:
         return None
     try:
-        given = values(instance)
+        given = instance.values
         key = bind(exercise.reference.table, given)
         answer = bind(in_length_unit(read, exercise.length_unit).table, given)
         pose, axes = key_pose(instance), true_scene(instance).axes

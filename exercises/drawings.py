@@ -6,7 +6,6 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
-from exercises.consistency import values_in_radians
 from exercises.definition import Exercise
 from exercises.figures.description import Sentence, describe
 from exercises.figures.dimension_layout import DimensionLayout, dimension_layout
@@ -55,7 +54,7 @@ def _scene(instance: Instance, *, drawn: bool) -> Scene:
     return build_scene(
         exercise.figure,
         exercise.reference.table,
-        values(instance),
+        instance.values,
         signed_axes=_shows_signs(exercise),
         drawn=drawn,
     )
@@ -77,7 +76,7 @@ def figure_drawing(instance: Instance, note: str = "", frames: Sequence[DrawnFra
 
 def drawn_values(instance: Instance) -> dict[str, float]:
     """Return the values with which the robot is drawn: the student's, or those the figure fixes for all."""
-    return {**values(instance), **instance.exercise.figure.lengths}
+    return {**instance.values, **instance.exercise.figure.lengths}
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -177,7 +176,7 @@ def key_pose(instance: Instance) -> KeyPose:
     figure, table = exercise.figure, exercise.reference.table
     types = table.joint_types
     posture = figure.posture or (0.0,) * len(types)
-    frames = frames_in_figure(figure, table, values(instance))
+    frames = frames_in_figure(figure, table, instance.values)
     metres = float(exercise.length_unit.metres_per_unit)
     return KeyPose(
         base=tuple(tuple(row) for row in rotation_rpy(*figure.upright).tolist()),
@@ -201,9 +200,3 @@ def _drawn_scene(instance: Instance) -> Scene:
 def _shows_signs(exercise: Exercise) -> bool:
     """Whether the policy fixes what the figure then shows: the positive sense of the joint variables."""
     return exercise.policy.direction is DirectionRule.FIGURE or exercise.policy.zero is ZeroRule.FIGURE
-
-
-def values(instance: Instance) -> Mapping[str, float]:
-    """Return the student's values as the kinematics takes them."""
-    exercise = instance.exercise
-    return values_in_radians(instance.parameters, exercise.reference.parameters, exercise.angle_unit)

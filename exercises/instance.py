@@ -15,6 +15,7 @@ from exercises.definition import DrawnParameter, Exercise
 from exercises.draws import Picker, pick
 from exercises.errors import AnswerError
 from exercises.parts.registry import part_type
+from kinematics.cells import parameters_in_radians
 from kinematics.errors import Fault
 
 SEED_CHARACTERS = 200
@@ -44,6 +45,12 @@ class Instance:
     def parameters(self) -> dict[str, float]:
         """Value of every dimension [the exercise's unit]."""
         return {name: float(value) for name, value in self.exact.items()}
+
+    @property
+    def values(self) -> dict[str, float]:
+        """The same as the kinematics takes it: angles in [rad]."""
+        exercise = self.exercise
+        return parameters_in_radians(self.parameters, exercise.reference.parameters, exercise.angle_unit)
 
 
 def cached_instance(exercise: Exercise, seed: str | None) -> Instance:

@@ -11,7 +11,7 @@ from exercises.authoring.scaffold import RobotName, name_of_catalogue, started
 from exercises.authoring.sources import read_source
 from exercises.consistency import FILE
 from exercises.definition import Exercise
-from exercises.drawings import figure_drawing, values
+from exercises.drawings import figure_drawing
 from exercises.errors import DefinitionError
 from exercises.instance import Instance, generate
 from exercises.needs import unneeded_dimensions
@@ -70,7 +70,7 @@ def trial(draft: ExerciseDraft) -> PolicyAdmission:
     exercise = _read(draft)
     instance = _drawn(exercise)
     unneeded_dimensions(exercise)
-    return policy_admission(exercise, values(instance))
+    return policy_admission(exercise, instance.values)
 
 
 def self_test(draft: ExerciseDraft, seed: int | None) -> Findings:

@@ -17,7 +17,7 @@ from exercises.parts.joint_draws import key_numbers, key_size
 from exercises.parts.protocol import Answer
 from exercises.parts.report import Credit
 from exercises.parts.samples import Points, Samples
-from kinematics.cells import AngleUnit, LengthUnit, ParameterKind, ReadTable
+from kinematics.cells import AngleUnit, LengthUnit, ParameterKind, ReadTable, parameters_in_radians
 from kinematics.dh import link_transforms
 from kinematics.errors import ParameterError
 from kinematics.forward import ForwardKinematics, forward_kinematics
@@ -110,7 +110,7 @@ class Context:
     @cached_property
     def reference_values(self) -> dict[str, float]:
         """Value of every parameter of the key, lengths in the exercise's unit, angles in [rad]."""
-        return self._in_radians(self.parameters)
+        return parameters_in_radians(self.parameters, self._kinds, self.reference.angle_unit)
 
     @cached_property
     def unit_ratio(self) -> float:
@@ -278,13 +278,6 @@ class Context:
     @cached_property
     def _kinds(self) -> dict[str, ParameterKind]:
         return {**(self.own.parameters if self.own else {}), **self.reference.parameters}
-
-    def _in_radians(self, parameters: Mapping[str, float]) -> dict[str, float]:
-        degrees = self.reference.angle_unit is AngleUnit.DEG
-        return {
-            name: math.radians(value) if degrees and self._is_angle(name) else value
-            for name, value in parameters.items()
-        }
 
 
 def _column(joints: NDArray[np.float64], joint: int | None) -> NDArray[np.float64]:

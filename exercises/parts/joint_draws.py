@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from enum import StrEnum
 from fractions import Fraction
@@ -10,14 +9,12 @@ from functools import lru_cache
 
 import numpy as np
 
-from exercises.consistency import values_in_radians
 from exercises.definition import Exercise
 from exercises.draws import Draw, Picker, read_draw
 from exercises.instance import Instance
 from exercises.parts.definition_keys import joint_names
 from exercises.parts.protocol import RobotFacts
 from exercises.reading import Reader
-from kinematics.cells import AngleUnit
 from kinematics.chain import chain_of_table, size_of
 from kinematics.forward import forward_kinematics
 from kinematics.se3 import Transform
@@ -85,9 +82,9 @@ def drawn_joints(
 
 def in_radians(exercise: Exercise, joints: Sequence[Fraction]) -> list[float]:
     """Return joint values of the exercise in [rad] and in its length unit."""
-    degrees = exercise.angle_unit is AngleUnit.DEG
+    unit = exercise.angle_unit
     return [
-        math.radians(float(value)) if degrees and kind is JointType.REVOLUTE else float(value)
+        unit.in_radians(float(value)) if kind is JointType.REVOLUTE else float(value)
         for value, kind in zip(joints, exercise.reference.table.joint_types, strict=True)
     ]
 
@@ -105,9 +102,7 @@ def key_size(instance: Instance) -> float:
 @lru_cache(maxsize=CACHED_KEYS)
 def key_numbers(instance: Instance) -> NumericTable:
     """Return the key with the student's values; lengths in the exercise's unit."""
-    exercise = instance.exercise
-    values = values_in_radians(instance.parameters, exercise.reference.parameters, exercise.angle_unit)
-    return bind(exercise.reference.table, values)
+    return bind(instance.exercise.reference.table, instance.values)
 
 
 def key_frames(instance: Instance, joints: Sequence[Fraction]) -> list[Transform]:

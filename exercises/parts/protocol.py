@@ -8,7 +8,6 @@ exercises derives the wire schema and its documentation from it.
 
 from __future__ import annotations
 
-import math
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -25,7 +24,7 @@ from exercises.parts.definition_keys import DefinitionKey, Start
 from exercises.parts.report import Disclosure, PartReport, shown
 from exercises.parts.task import PartTask
 from exercises.reading import Reader
-from kinematics.cells import AngleUnit, LengthUnit, Limits, ParameterKind, ReadTable
+from kinematics.cells import AngleUnit, LengthUnit, Limits, ParameterKind, ReadTable, parameters_in_radians
 from kinematics.errors import CellError, Fault, KinematicsError
 from kinematics.expressions import Expression
 from kinematics.table import JointType, bind
@@ -175,11 +174,9 @@ class Reading:
         own = self.keep(part, lambda: without_aliases(read, exercise))
         if own is None:
             return None
-        kinds, values = exercise.reference.parameters, values_in_unit(self.instance, own.length_unit)
-        in_degrees = exercise.angle_unit is AngleUnit.DEG
-        for name, kind in kinds.items():
-            if kind is ParameterKind.ANGLE and in_degrees:
-                values[name] = math.radians(values[name])
+        values = parameters_in_radians(
+            values_in_unit(self.instance, own.length_unit), exercise.reference.parameters, exercise.angle_unit
+        )
         return None if self.keep(part, lambda: bind(own.table, values)) is None else own
 
     def own_names(

@@ -8,7 +8,6 @@ from types import MappingProxyType
 
 from exercises.answers import Answer, RawAnswer, parse
 from exercises.definition import Exercise
-from exercises.drawings import values
 from exercises.errors import AnswerError
 from exercises.grader import Report, grade
 from exercises.instance import Instance, generate
@@ -41,7 +40,7 @@ def context_of(instance: Instance, read: ReadTable) -> Context:
 def other_frames(instance: Instance, rng: Random) -> ReadTable:
     """Return the key as somebody with other frames would have written it."""
     exercise = instance.exercise
-    usual = size_of(chain_of_table(bind(exercise.reference.table, values(instance)))) / 4
+    usual = size_of(chain_of_table(bind(exercise.reference.table, instance.values))) / 4
     lengths = some_lengths(exercise.reference.table, usual)
     # A number that happens to be a dimension's value would be taken for the dimension.
     told_apart = tuple(entry for entry in lengths if not _is_value(entry, instance))

@@ -13,7 +13,7 @@ import numpy as np
 
 from exercises.answers import RawAnswer
 from exercises.definition import Exercise
-from exercises.drawings import figure_drawing, true_scene, values
+from exercises.drawings import figure_drawing, true_scene
 from exercises.draws import is_alike
 from exercises.errors import DefinitionError
 from exercises.grading import HelpLevel, Verdict
@@ -30,7 +30,14 @@ from exercises.selftest.mistakes import MISTAKES
 from exercises.selftest.robustness import check_robustness
 from exercises.selftest.variants import key_as_asked
 from exercises.written_table import written_table
-from kinematics.cells import AngleUnit, ParameterKind, RawRow, RawTable, ReadTable, in_length_unit
+from kinematics.cells import (
+    ParameterKind,
+    RawRow,
+    RawTable,
+    ReadTable,
+    in_length_unit,
+    parameters_in_radians,
+)
 from kinematics.chain import chain_of_table, size_of
 from kinematics.forward import forward_kinematics
 from kinematics.se3 import Transform
@@ -90,7 +97,7 @@ def check_values(
 
 def _check_earnings(findings: Findings, exercise: Exercise) -> None:
     """There is something to describe, and a wrong table may earn a part of the marks."""
-    key = bind(exercise.reference.table, values(generate(exercise)))
+    key = bind(exercise.reference.table, generate(exercise).values)
     if not key.n_joints:
         findings.warn("no_joints")
     elif not marks_to_earn(key, exercise.policy, exercise.weights):
@@ -126,8 +133,7 @@ def _check_drawn(findings: Findings, instance: Instance) -> None:
     """A student's own values leave the structure as it is, and the figure can be drawn."""
     exercise = instance.exercise
     usual, own = (
-        schematic_of(bind(exercise.reference.table, values(which)))
-        for which in (generate(exercise), instance)
+        schematic_of(bind(exercise.reference.table, which.values)) for which in (generate(exercise), instance)
     )
     findings.expect("structure", usual == own, seed=instance.seed)
     try:
@@ -262,16 +268,12 @@ def certificate_holds(instance: Instance, read: ReadTable, verdict: Verdict, rng
     assert certificate is not None
     exercise = instance.exercise
     reference = in_length_unit(exercise.reference, read.length_unit)
-    degrees = read.angle_unit is AngleUnit.DEG
-    kinds = {**read.parameters, **reference.parameters}
-    given = {
-        name: math.radians(value) if degrees and kinds[name] is ParameterKind.ANGLE else value
-        for name, value in {**values_in_unit(instance, read.length_unit), **certificate.parameters}.items()
-    }
+    known = {**values_in_unit(instance, read.length_unit), **certificate.parameters}
+    given = parameters_in_radians(known, {**read.parameters, **reference.parameters}, read.angle_unit)
     ours, theirs = bind(reference.table, given), bind(read.table, given)
     size = size_of(chain_of_table(ours)) or 1.0
     offsets = [
-        math.radians(value) if degrees and joint_type is JointType.REVOLUTE else value
+        read.angle_unit.in_radians(value) if joint_type is JointType.REVOLUTE else value
         for value, joint_type in zip(certificate.joint_offsets, ours.joint_types, strict=True)
     ]
     tolerance = exercise.policy.tolerance

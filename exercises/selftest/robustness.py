@@ -9,7 +9,6 @@ from itertools import islice
 from random import Random
 
 from exercises.answers import RawAnswer
-from exercises.consistency import values_in_radians
 from exercises.definition import Exercise
 from exercises.errors import AnswerError
 from exercises.grading import BaseRule, DirectionRule, Policy, ToolRule, Verdict, ZeroRule
@@ -20,7 +19,7 @@ from exercises.selftest.findings import Findings
 from exercises.selftest.mistakes import MISTAKES
 from exercises.selftest.variants import key_as_asked
 from exercises.written_table import written_table
-from kinematics.cells import ParameterKind, RawTable, ReadTable
+from kinematics.cells import ParameterKind, RawTable, ReadTable, parameters_in_radians
 from kinematics.errors import KinematicsError
 from kinematics.expressions import Expression, Number, evaluate, pi_fraction, pi_times
 from kinematics.table import CELLS, DHRow, DHTable
@@ -78,7 +77,7 @@ def rounded(instance: Instance, read: ReadTable) -> ReadTable | None:
 
     Right angles and their like stay exact: nobody rounds 90.
     """
-    values = values_in_radians(instance.parameters, read.parameters, read.angle_unit)
+    values = parameters_in_radians(instance.parameters, read.parameters, read.angle_unit)
 
     def number(cell: Expression) -> Expression:
         turns = pi_fraction(cell)

@@ -22,7 +22,7 @@ suggestions      what somebody may have meant
 binding          from a read table to numbers
 """
 
-from kinematics.cells.binding import bind_parameters, in_length_unit, parameter_values
+from kinematics.cells.binding import bind_parameters, in_length_unit, parameter_values, parameters_in_radians
 from kinematics.cells.entries import read_cell
 from kinematics.cells.limits import DEFAULT, Limits
 from kinematics.cells.scanner import canonical_name
@@ -46,6 +46,7 @@ __all__ = [
     "in_length_unit",
     "nearest_name",
     "parameter_values",
+    "parameters_in_radians",
     "rate_in_marks",
     "read_cell",
     "read_table",

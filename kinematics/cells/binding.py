@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import replace
 from fractions import Fraction
 
@@ -64,7 +64,17 @@ def parameter_values(
     )
     if faults:
         raise ParameterError(faults)
-    return dict(_in_radians(kinds, angle_unit, values))
+    return parameters_in_radians({name: float(values[name]) for name in kinds}, kinds, angle_unit)
+
+
+def parameters_in_radians(
+    values: Mapping[str, float], kinds: Mapping[str, ParameterKind], angle_unit: AngleUnit
+) -> dict[str, float]:
+    """Return values of parameters as the kinematics takes them: angles in [rad], lengths as they are."""
+    return {
+        name: angle_unit.in_radians(value) if kinds.get(name) is ParameterKind.ANGLE else value
+        for name, value in values.items()
+    }
 
 
 def in_length_unit(read: ReadTable, unit: LengthUnit) -> ReadTable:
@@ -124,11 +134,3 @@ def _is_finite(value: object) -> bool:
         return math.isfinite(value)
     except OverflowError:  # an integer beyond every double
         return False
-
-
-def _in_radians(
-    kinds: Mapping[str, ParameterKind], angle_unit: AngleUnit, values: Mapping[str, float]
-) -> Iterator[tuple[str, float]]:
-    for name, kind in kinds.items():
-        in_degrees = kind is ParameterKind.ANGLE and angle_unit is AngleUnit.DEG
-        yield name, math.radians(values[name]) if in_degrees else float(values[name])

@@ -23,6 +23,14 @@ class AngleUnit(StrEnum):
         """One unit [rad]."""
         return math.radians(1.0) if self is AngleUnit.DEG else 1.0
 
+    def in_radians(self, angle: float) -> float:
+        """Return an angle of this unit in [rad]."""
+        return math.radians(angle) if self is AngleUnit.DEG else angle
+
+    def from_radians(self, angle: float) -> float:
+        """Return an angle [rad] in this unit."""
+        return math.degrees(angle) if self is AngleUnit.DEG else angle
+
 
 class LengthUnit(StrEnum):
     """Unit of the lengths of a table."""

@@ -8,7 +8,6 @@ from functools import partial
 
 import numpy as np
 
-from exercises.consistency import values_in_radians
 from exercises.instance import Instance
 from exercises.names import in_own_names
 from exercises.parts.protocol import Reading
@@ -57,9 +56,8 @@ def number_of(
     except CellRefusal as refusal:
         raise CellError(refusal.at(*where)) from None
     expression = in_own_names(meaning.expression, exercise, where, idle=meaning.idle, is_constant=True)
-    values = values_in_radians(instance.parameters, exercise.reference.parameters, exercise.angle_unit)
     try:
-        value = evaluate(expression, values)
+        value = evaluate(expression, instance.values)
     except KinematicsError:
         value = math.nan
     if not math.isfinite(value):

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Sequence
 
-from exercises.drawings import true_scene, values
+from exercises.drawings import true_scene
 from exercises.figures.points import Points
 from exercises.instance import Instance
 from kinematics.frames.assignment import assign_frames
@@ -31,7 +31,7 @@ def key_frames(instance: Instance) -> list[DrawnFrame]:
     if len(reference.rows) > reference.n_joints:
         assigned = assign_frames(figure_axes(instance), reference.convention)
         return [right_handed(frame.origin, frame.x, frame.z) for frame in assigned.frames]
-    points = Points(instance.exercise.figure, reference, values(instance))
+    points = Points(instance.exercise.figure, reference, instance.values)
     found = []
     for pose in points.frames:
         x, _, z, origin = (_vector(column) for column in pose[:3].T.tolist())

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
@@ -117,9 +116,9 @@ def workspace_of(context: Context, part: WorkspacePart) -> Reach:
     else:
         first = chain_of_table(table).axes[0]
         origin, axis = np.array(first.point), np.array(first.direction)
-    degrees = context.reference.angle_unit is AngleUnit.DEG
+    unit = context.reference.angle_unit
     limits = [
-        None if limit is None else _interval(limit, degrees and joint_type is JointType.REVOLUTE)
+        None if limit is None else _interval(limit, unit if joint_type is JointType.REVOLUTE else None)
         for limit, joint_type in zip(part.limits, table.joint_types, strict=True)
     ]
     free = [
@@ -276,9 +275,9 @@ def _what_is_off(answer: WorkspaceAnswer, key: Reach, context: Context, limit: f
     return None
 
 
-def _interval(limit: tuple[Fraction, Fraction], degrees: bool) -> tuple[float, float]:
-    low, high = (float(value) for value in limit)
-    return (math.radians(low), math.radians(high)) if degrees else (low, high)
+def _interval(limit: tuple[Fraction, Fraction], unit: AngleUnit | None) -> tuple[float, float]:
+    low, high = (float(value) if unit is None else unit.in_radians(float(value)) for value in limit)
+    return low, high
 
 
 def _radius(cell: Cell, name: str, reading: Reading) -> float:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Annotated
@@ -12,7 +11,7 @@ from exercises.instance import Instance
 from exercises.parts.cells.number_cells import DECIMALS
 from exercises.parts.protocol import Length
 from kinematics.answers.joint_verdicts import JointAnswer, JointClaim, JointVerdict, RowVerdict
-from kinematics.cells import AngleUnit, Cell
+from kinematics.cells import Cell
 from kinematics.table import JointType
 
 MOST_ROWS = 20
@@ -48,11 +47,11 @@ def kept_combination(direction: tuple[float, ...]) -> tuple[float, ...] | None:
 
 def written_answer(answer: JointAnswer, instance: Instance) -> JointAnswerCells:
     """Return an answer in the exercise's units, rounded as on paper."""
-    degrees = instance.exercise.angle_unit is AngleUnit.DEG
+    unit = instance.exercise.angle_unit
     types = instance.exercise.reference.table.joint_types
     rows = tuple(
         tuple(
-            round(math.degrees(value) if degrees and kind is JointType.REVOLUTE else value, DECIMALS)
+            round(unit.from_radians(value) if kind is JointType.REVOLUTE else value, DECIMALS)
             for value, kind in zip(row, types, strict=True)
         )
         for row in answer.rows

@@ -38,7 +38,6 @@ from exercises.reading import Reader
 from kinematics.answers.joint_answers import in_other_frames, judge_joints
 from kinematics.answers.joint_questions import USUAL_TOLERANCE
 from kinematics.answers.joint_verdicts import Branch, JointAnswer, JointClaim, JointMistake
-from kinematics.cells import AngleUnit
 from kinematics.cells.meaning import Position
 from kinematics.errors import Fault
 from kinematics.inverse import ArmReach
@@ -214,7 +213,7 @@ class InverseKinematicsType(PartType[InverseKinematicsPart, JointAnswerCells, Jo
         turning = [
             i for i, kind in enumerate(context.reference.table.joint_types) if kind is JointType.REVOLUTE
         ]
-        half = 180 if context.instance.exercise.angle_unit is AngleUnit.DEG else math.pi
+        half = context.instance.exercise.angle_unit.from_radians(math.pi)
         off = (*first[: turning[0]], float(first[turning[0]]) + half, *first[turning[0] + 1 :])
         yield "joints_quadrant", replace(right, solutions=(off, *right.solutions[1:]))
         if part.every and len(right.solutions) > 1 and right.claim is JointClaim.FINITE:
@@ -230,13 +229,8 @@ def _certified(context: Context) -> tuple[tuple[int, ...], tuple[float, ...]] | 
     certificate = None if verdict is None else verdict.certificate
     if certificate is None:
         return None
-    degrees = context.angle_unit is AngleUnit.DEG
     offsets = tuple(
-        offset / context.unit_ratio
-        if kind is JointType.PRISMATIC
-        else math.radians(offset)
-        if degrees
-        else offset
+        offset / context.unit_ratio if kind is JointType.PRISMATIC else context.angle_unit.in_radians(offset)
         for offset, kind in zip(certificate.joint_offsets, context.reference.table.joint_types, strict=True)
     )
     return certificate.joint_signs, offsets

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from fractions import Fraction
 
 from exercises.definition import Exercise
 from exercises.draws import Draw, Picker
 from exercises.reading import Reader
-from kinematics.cells import AngleUnit
 from kinematics.errors import PoseError
 from kinematics.keys import ValueKind
 from kinematics.rotations.matrices import Triple
@@ -32,12 +30,11 @@ def drawn_triple(
         ways: from where each is drawn.
         name: what is drawn.
     """
-    degrees = exercise.angle_unit is AngleUnit.DEG
     drawn = (
         float(picker.value(value, way, f"{name} {i}"))
         for i, (value, way) in enumerate(zip(usual, ways, strict=True), 1)
     )
-    first, middle, last = (math.radians(value) if degrees else value for value in drawn)
+    first, middle, last = map(exercise.angle_unit.in_radians, drawn)
     return first, middle, last
 
 

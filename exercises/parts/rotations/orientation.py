@@ -7,7 +7,6 @@ asked. Each notation that is asked earns marks of its own.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
@@ -42,7 +41,7 @@ from exercises.parts.rotations.orientation_cells import (
 )
 from exercises.parts.task import FieldShape, FormField, GivenNumbers, PartTask, choice_field
 from exercises.reading import Reader
-from kinematics.cells import AngleUnit, Cell
+from kinematics.cells import Cell
 from kinematics.cells.meaning import Position
 from kinematics.poses import axis_angle_from_transform, quaternion_from_transform
 from kinematics.rotations.matrices import Matrix3, Triple, as_transform, matrix3
@@ -282,7 +281,7 @@ def _fields(part: OrientationPart, unit: str) -> Iterator[FormField]:
 
 def _given(part: OrientationPart, instance: Instance, unit: str) -> GivenNumbers:
     drawn: Triple = instance.drawn[part.kind]
-    degrees = instance.exercise.angle_unit is AngleUnit.DEG
+    in_unit = instance.exercise.angle_unit.from_radians
     rotation = part.sequence.matrix(drawn)
     pose = as_transform(rotation)
     if part.given is OrientationNotation.MATRIX:
@@ -293,9 +292,9 @@ def _given(part: OrientationPart, instance: Instance, unit: str) -> GivenNumbers
         return GivenNumbers(name="quaternion", labels=("w", "x", "y", "z"), rows=rows)
     if part.given is OrientationNotation.AXIS_ANGLE:
         axis, angle = axis_angle_from_transform(pose)
-        rows = (_rounded((*axis, math.degrees(angle) if degrees else angle)),)
+        rows = (_rounded((*axis, in_unit(angle))),)
         return GivenNumbers(name="axis_angle", labels=("x", "y", "z", f"θ [{unit}]"), rows=rows)
-    rows = (_rounded([math.degrees(angle) if degrees else angle for angle in drawn]),)
+    rows = (_rounded([in_unit(angle) for angle in drawn]),)
     labels = tuple(f"{name} ({axis}) [{unit}]" for name, axis in zip("αβγ", part.sequence.axes, strict=True))
     return GivenNumbers(name="angles", labels=labels, rows=rows)
 
@@ -342,11 +341,11 @@ def _judged_angles(
 
 def _written(part: OrientationPart, rotation: Matrix3, instance: Instance) -> OrientationCells:
     """Return an orientation in the notations that are asked, rounded as on paper."""
-    degrees = instance.exercise.angle_unit is AngleUnit.DEG
+    in_unit = instance.exercise.angle_unit.from_radians
     pose = as_transform(rotation)
 
     def typed(*angles: float) -> list[float]:
-        return [round(math.degrees(angle) if degrees else angle, DECIMALS) for angle in angles]
+        return [round(in_unit(angle), DECIMALS) for angle in angles]
 
     written = OrientationCells()
     for notation in part.ask:

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Collection, Iterable, Sequence
 from typing import Any
 
 from exercises.parts.cells.exactness import roundings
 from exercises.parts.cells.matrix_cells import read_functions
 from kinematics.answers.left_open import Rounded
-from kinematics.cells import AngleUnit, ParameterKind, ReadTable, nearest_name, rate_in_marks
+from kinematics.cells import ReadTable, nearest_name, parameters_in_radians, rate_in_marks
 from kinematics.cells.meaning import CellMeaning
 from kinematics.errors import CellError, Fault, JointValueError, ParamValue
 from kinematics.expressions import Expression
@@ -162,9 +161,4 @@ def form_values(question: RobotQuestion, robot: PreparedRobot) -> dict[str, floa
     values = dict(question.parameters)
     if question.robot is not None:
         values = {**listed_robot(question.robot).parameters, **values}
-    degrees = robot.read.angle_unit is AngleUnit.DEG
-    kinds = robot.read.parameters
-    return {
-        name: math.radians(value) if degrees and kinds.get(name) is ParameterKind.ANGLE else value
-        for name, value in values.items()
-    }
+    return parameters_in_radians(values, robot.read.parameters, robot.read.angle_unit)

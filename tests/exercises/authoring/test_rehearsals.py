@@ -12,7 +12,6 @@ import pytest
 from exercises.answers import RawAnswer
 from exercises.authoring.admission import CHOICES, policy_admission
 from exercises.definition import Exercise
-from exercises.drawings import values
 from exercises.errors import DefinitionError
 from exercises.grading import BaseRule, ConventionRule, DirectionRule, HelpLevel, Policy, ToolRule, ZeroRule
 from exercises.instance import generate
@@ -105,7 +104,7 @@ STRICT = {
 
 def test_a_free_policy_admits_every_choice_and_the_strictest_the_key_alone() -> None:
     found = packaged().exercise("puma560")
-    known = values(generate(found))
+    known = generate(found).values
     free = policy_admission(replace(found, policy=FREE), known)
     assert free.admitted == free.choices == 2 ** len(CHOICES)
     assert set(free.free) == set(CHOICES)
@@ -118,7 +117,7 @@ def test_a_free_policy_admits_every_choice_and_the_strictest_the_key_alone() -> 
 @pytest.mark.parametrize("exercise_id", ["puma560", "stanford"])
 def test_each_rule_takes_choices_away_and_names_what_it_fixes(exercise_id: str, rule: str) -> None:
     found = packaged().exercise(exercise_id)
-    known = values(generate(found))
+    known = generate(found).values
     held = replace(FREE, **{rule: STRICT[rule]})  # type: ignore[arg-type]
     admitted = policy_admission(replace(found, policy=held), known)
     assert 0 < admitted.admitted < admitted.choices

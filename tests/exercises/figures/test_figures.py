@@ -119,14 +119,13 @@ def test_geometry_is_true_and_in_metres(exercise_id: str) -> None:
 @pytest.mark.parametrize("exercise_id", ALL)
 def test_axes_are_those_of_the_reference(exercise_id: str) -> None:
     """The figure's axes, turned back by the key's base, are the axes of the key at the figure's posture."""
-    from exercises.drawings import values
     from kinematics.chain import chain_of_table, joint_motions
     from kinematics.table import bind
 
     instance = generate(exercise(exercise_id), "5")
     found = instance.exercise
     scene, key = true_scene(instance), key_pose(instance)
-    chain = chain_of_table(bind(found.reference.table, values(instance)))
+    chain = chain_of_table(bind(found.reference.table, instance.values))
     posture = np.array(found.figure.posture or [0.0] * len(chain.axes))
     motions = joint_motions(chain, posture[:, None])[:, 0]
     pose = np.array(key.base)
