@@ -38,11 +38,15 @@ class SolutionsAsked(StrEnum):
     ONE = "one"
 
 
+def told_units(exercise: Exercise) -> tuple[str, ...]:
+    """Return for each joint the unit in which its values are told."""
+    units = {JointType.REVOLUTE: exercise.angle_unit.sign, JointType.PRISMATIC: exercise.length_unit.value}
+    return tuple(units[kind] for kind in exercise.reference.table.joint_types)
+
+
 def joint_labels(exercise: Exercise) -> tuple[str, ...]:
     """Return what columns of joint values are called: their names and units."""
-    types = exercise.reference.table.joint_types
-    units = {JointType.REVOLUTE: exercise.angle_unit.sign, JointType.PRISMATIC: exercise.length_unit.value}
-    return tuple(f"{name} [{units[kind]}]" for name, kind in zip(joint_names(len(types)), types, strict=True))
+    return tuple(f"q{i} [{unit}]" for i, unit in enumerate(told_units(exercise), 1))
 
 
 def read_joints(

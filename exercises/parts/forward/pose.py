@@ -36,12 +36,11 @@ from exercises.parts.context import Context
 from exercises.parts.definition_keys import TOLERANCE, DefinitionKey, Start, joint_keys, usual_joints
 from exercises.parts.following import ENOUGH
 from exercises.parts.forward.transform import transform_is_robot
-from exercises.parts.joint_draws import drawn_joints, in_radians, read_joints
+from exercises.parts.joint_draws import drawn_joints, in_radians, read_joints, told_units
 from exercises.parts.protocol import TABLE, PartType, Reading, RobotFacts
 from exercises.parts.report import Credit, PartReport, judged, told_from
 from exercises.parts.task import PartTask
 from exercises.reading import Reader
-from kinematics.cells import AngleUnit
 from kinematics.equivalence import Tolerance
 from kinematics.errors import ParameterError
 from kinematics.forward import forward_kinematics
@@ -127,12 +126,9 @@ class PosePartType(PartType[PosePart, CellMatrix, Matrices]):
         """Ask for the pose at the student's joint values."""
         found = instance.exercise
         drawn: tuple[Fraction, ...] = instance.drawn[self.kind]
-        units = {
-            JointType.REVOLUTE: "°" if found.angle_unit is AngleUnit.DEG else " rad",
-            JointType.PRISMATIC: f" {found.length_unit.value}",
-        }
-        joints = zip(drawn, found.reference.table.joint_types, strict=True)
-        text = ", ".join(f"q{i} = {float(value):g}{units[kind]}" for i, (value, kind) in enumerate(joints, 1))
+        units = (unit if unit == "°" else f" {unit}" for unit in told_units(found))
+        joints = zip(drawn, units, strict=True)
+        text = ", ".join(f"q{i} = {float(value):g}{unit}" for i, (value, unit) in enumerate(joints, 1))
         return PartTask(
             message="task-pose",
             values={"joints": text, "unit": found.length_unit.value},

@@ -18,7 +18,7 @@ from exercises.parts.cells.number_cells import DECIMALS, read_numbers_of
 from exercises.parts.context import Context
 from exercises.parts.definition_keys import DefinitionKey, Start, choice, joint_keys
 from exercises.parts.given_table import given_table
-from exercises.parts.joint_draws import drawn_joints, in_radians, read_joints
+from exercises.parts.joint_draws import drawn_joints, in_radians, joint_labels, read_joints, told_units
 from exercises.parts.motion.conditions import read_conditions
 from exercises.parts.protocol import TABLE, Length, PartType, Reading, RobotFacts
 from exercises.parts.report import Credit, Fact, PartReport, fact, judged, told_from
@@ -34,7 +34,6 @@ from kinematics.errors import Fault, FormSizeError
 from kinematics.expressions import Expression, joint_variables_in
 from kinematics.printing import Format, MatrixPrinter, Notation, Purpose
 from kinematics.symbolic.determinants import MotionRows, largest_minor
-from kinematics.table import JointType
 
 MOST = 16
 """Conditions in one answer; the arms of the documents have five families."""
@@ -148,10 +147,9 @@ class SingularitiesType(PartType[SingularitiesPart, SingularityCells, Singularit
             FormField(name="conditions", shape=FieldShape.LIST, labels=("g(q) = 0",), rows=MOST),
         ]
         if part.joints is not None:
-            labels = tuple(f"q{i} [{unit}]" for i, unit in enumerate(_units(exercise), 1))
             drawn: tuple[Fraction, ...] = instance.drawn[self.kind]
             row = tuple(float(value) for value in drawn)
-            numbers.append(GivenNumbers(name="configuration", labels=labels, rows=(row,)))
+            numbers.append(GivenNumbers(name="configuration", labels=joint_labels(exercise), rows=(row,)))
             form.append(FormField(name="lost", shape=FieldShape.VECTOR, labels=_labels(part)))
         return PartTask(
             message="task-singularities",
@@ -201,7 +199,7 @@ class SingularitiesType(PartType[SingularitiesPart, SingularityCells, Singularit
         arm = _arm(part, context.instance.exercise, context.reference_values)
         facts: list[Fact] = []
         feedback: list[Feedback] = []
-        score = _conditions(arm, answer, facts, feedback, _units(context.instance.exercise))
+        score = _conditions(arm, answer, facts, feedback, told_units(context.instance.exercise))
         if part.joints is not None:
             drawn: tuple[Fraction, ...] = context.instance.drawn[self.kind]
             joints = in_radians(context.instance.exercise, drawn)
@@ -247,13 +245,6 @@ def _arm(part: SingularitiesPart, exercise: Exercise, values: dict[str, float]) 
 def _labels(part: SingularitiesPart) -> tuple[str, ...]:
     translation = ("vx", "vy", "vz")
     return translation if part.rows is MotionRows.TRANSLATION else (*translation, "ωx", "ωy", "ωz")
-
-
-def _units(exercise: Exercise) -> tuple[str, ...]:
-    """Return for each joint the unit in which its values are told."""
-    angle = exercise.angle_unit.sign
-    types = exercise.reference.table.joint_types
-    return tuple(exercise.length_unit.value if kind is JointType.PRISMATIC else angle for kind in types)
 
 
 def _configuration(joints: Sequence[float], units: Sequence[str]) -> str:
