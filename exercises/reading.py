@@ -62,6 +62,10 @@ class Reader(KeyReader):
         x, y, z = (float(entry) for entry in entries)
         return x, y, z
 
+    def named_numbers(self) -> dict[str, float]:
+        """Return a number for each key, which is the name of a dimension."""
+        return {self.name(name): self.number(name) for name in self.values}
+
     def name(self, text: str, *where: str | int) -> str:
         """Return a dimension's name in its one spelling."""
         name = canonical_name(text)

@@ -73,7 +73,7 @@ def link_transforms(rows: Sequence[NumericRow], convention: Convention, q: Seque
     counts, joint = [len(values) for values in q], np.concatenate(q)
     motions: list[ElementaryMotion] = []
     for cell in MOTIONS[convention]:
-        kind, numbers = _KINDS[cell], [float(getattr(row, cell)) for row in rows]
+        kind, numbers = CELL_MOTIONS[cell], [float(getattr(row, cell)) for row in rows]
         if any(numbers):
             motions.append(ElementaryMotion(kind, *_spread(kind, numbers, counts)))
         if cell == VARIABLE_CELLS.get(rows[0].joint):
@@ -146,12 +146,13 @@ class ElementaryMotion(NamedTuple):
     sign: int = 1
 
 
-_KINDS = {
+CELL_MOTIONS = {
     "theta": MotionKind.TURN_Z,
     "d": MotionKind.SHIFT_Z,
     "a": MotionKind.SHIFT_X,
     "alpha": MotionKind.TURN_X,
 }
+"""What each cell of a row does."""
 
 
 def turn_z(v: Scalars, c: Scalar, s: Scalar) -> Scalars:
@@ -184,7 +185,7 @@ def link_motions(
     motions: list[ElementaryMotion] = []
     holds_variable = VARIABLE_CELLS.get(row.joint)
     for cell in MOTIONS[convention]:
-        kind, value = _KINDS[cell], float(getattr(row, cell))
+        kind, value = CELL_MOTIONS[cell], float(getattr(row, cell))
         if not math.isfinite(value):
             faults.append(Fault.at("entry_not_finite", *where, cell, cell=cell))
         elif value:

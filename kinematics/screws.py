@@ -31,7 +31,7 @@ from kinematics.frames.axes import JointAxis
 from kinematics.frames.parallels import NearParallel
 from kinematics.joint_values import one_configuration
 from kinematics.poses import Vector3
-from kinematics.se3 import Transform, Vector, check_transform, cross
+from kinematics.se3 import Transform, Vector, check_transform, cross, skew
 from kinematics.table import Convention, JointType, NumericTable
 
 UNIT_TOLERANCE = 1e-9
@@ -166,11 +166,11 @@ def exponential(screw: Screw, q: float) -> Transform:
     v, w = np.array(screw.linear) * q, np.array(screw.angular) * q
     angle = math.hypot(*w.tolist())
     first, second, third = _coefficients(angle)
-    skew = _skew(w)
-    square = skew @ skew
+    W = skew(w)
+    square = W @ W
     pose = np.eye(4)
-    pose[:3, :3] += first * skew + second * square
-    pose[:3, 3] = v + second * (skew @ v) + third * (square @ v)
+    pose[:3, :3] += first * W + second * square
+    pose[:3, 3] = v + second * (W @ v) + third * (square @ v)
     return pose
 
 
@@ -181,11 +181,6 @@ def _coefficients(angle: float) -> tuple[float, float, float]:
         return 1.0 - square / 6, 0.5 - square / 24, 1 / 6 - square / 120
     half = math.sin(angle / 2) / angle
     return math.sin(angle) / angle, 2.0 * half * half, (angle - math.sin(angle)) / angle**3
-
-
-def _skew(w: Transform) -> Transform:
-    x, y, z = w.tolist()
-    return np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
 
 
 def _clean(vector: Vector) -> Vector3:

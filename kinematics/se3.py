@@ -77,6 +77,12 @@ def cross_arrays(u: Floats, v: Floats) -> Floats:
     return w
 
 
+def skew(v: Floats) -> Floats:
+    """Return [v]×, (3, 3): its product with a vector u is v × u."""
+    x, y, z = v.tolist()
+    return np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
+
+
 def plus(u: Vector, v: Vector) -> Vector:
     """Return u + v."""
     return u[0] + v[0], u[1] + v[1], u[2] + v[2]

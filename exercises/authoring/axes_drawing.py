@@ -94,8 +94,7 @@ class AxesDrawing:
 
 def read_drawing(reader: Reader) -> AxesDrawing:
     """Return the drawing that a document describes; faults go to the reader."""
-    given = reader.table("lengths")
-    lengths = {given.name(name): given.number(name) for name in given.values}
+    lengths = reader.table("lengths").named_numbers()
     entries = list(reader.entries("axes"))
     if not entries:
         reader.missing("axes")

@@ -85,8 +85,7 @@ def from_table(reader: Reader) -> ExerciseSource:
     Raises:
         DefinitionError: every fault with its key.
     """
-    given = reader.table("parameters")
-    parameters = {given.name(name): given.number(name) for name in given.values}
+    parameters = reader.table("parameters").named_numbers()
     raw = read_raw_table(reader)
     reader.finish()
     read = reader.guarded(lambda: read_table(raw)) if raw is not None else None
@@ -138,8 +137,7 @@ def from_scm(reader: Reader) -> ExerciseSource:
     Raises:
         DefinitionError: every fault with its key.
     """
-    given = reader.table("parameters")
-    parameters = {given.name(name): given.number(name) for name in given.values}
+    parameters = reader.table("parameters").named_numbers()
     raw = RawChain(
         joints=tuple(_six(entry) for entry in reader.entries("joints")),
         final=_six(reader.table("final")),

@@ -30,14 +30,7 @@ from exercises.selftest.mistakes import MISTAKES
 from exercises.selftest.robustness import check_robustness
 from exercises.selftest.variants import key_as_asked
 from exercises.written_table import written_table
-from kinematics.cells import (
-    ParameterKind,
-    RawRow,
-    RawTable,
-    ReadTable,
-    in_length_unit,
-    parameters_in_radians,
-)
+from kinematics.cells import ParameterKind, RawRow, RawTable, ReadTable, in_length_unit, parameters_in_radians
 from kinematics.chain import chain_of_table, size_of
 from kinematics.forward import forward_kinematics
 from kinematics.se3 import Transform

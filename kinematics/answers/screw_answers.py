@@ -26,7 +26,18 @@ from kinematics.equivalence import Certificate, Policy
 from kinematics.equivalence.decision import WORK_OF_ACCEPTANCE, certify
 from kinematics.equivalence.meter import Meter, WorkExhaustedError
 from kinematics.equivalence.reference import prepared
-from kinematics.se3 import ORIGIN, Floats, Transform, cross, from_matrix, inverse_transform, norm, scale, unit
+from kinematics.se3 import (
+    ORIGIN,
+    Floats,
+    Transform,
+    cross,
+    from_matrix,
+    inverse_transform,
+    norm,
+    scale,
+    skew,
+    unit,
+)
 from kinematics.table import JointType, NumericTable
 
 UNIT = 0.01
@@ -150,10 +161,10 @@ def screw_chain(answer: ScrewAnswer) -> Chain:
 
 def adjoint(pose: Transform) -> Floats:
     """Return Ad_T, (6, 6), of twists (v, ω): v' = R v + p × R ω, ω' = R ω."""
-    rotation, (x, y, z) = pose[:3, :3], pose[:3, 3]
+    rotation = pose[:3, :3]
     result = np.zeros((6, 6))
     result[:3, :3] = result[3:, 3:] = rotation
-    result[:3, 3:] = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]]) @ rotation
+    result[:3, 3:] = skew(pose[:3, 3]) @ rotation
     return result
 
 

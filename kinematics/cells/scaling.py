@@ -18,6 +18,7 @@ from kinematics.expressions import (
     Sum,
     add,
     multiply,
+    terms_of,
 )
 
 Kinds = Mapping[str, ParameterKind]
@@ -33,7 +34,7 @@ def scaled_cell(expression: Expression, kind: ParameterKind, kinds: Kinds, ratio
         ratio: old units in a new one, 1000 from millimetres to metres.
     """
     weight = 1 / ratio if kind is ParameterKind.LENGTH else Fraction(1)
-    terms = expression.terms if isinstance(expression, Sum) else (expression,)
+    terms = terms_of(expression)
     return add(_scaled_term(term, weight, kinds, ratio) for term in terms)
 
 

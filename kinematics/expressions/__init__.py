@@ -29,6 +29,8 @@ from kinematics.expressions.trees import (
     pi_times,
     power,
     rational_value,
+    split_weight,
+    terms_of,
 )
 from kinematics.expressions.values import evaluate, joint_variables_in, parameters_in, walk
 
@@ -59,5 +61,7 @@ __all__ = [
     "pi_times",
     "power",
     "rational_value",
+    "split_weight",
+    "terms_of",
     "walk",
 ]

@@ -141,7 +141,7 @@ def add(terms: Iterable[Expression]) -> Expression:
             if type(term) is Number:
                 constant = term.value if constant is None else constant + term.value
                 continue
-            weight, rest = _split_weight(term)
+            weight, rest = split_weight(term)
             known = merged.get(rest)
             merged[rest] = (weight, term) if known is None else (known[0] + weight, None)
     kept = [
@@ -219,7 +219,13 @@ def call(function: Function, *arguments: Expression) -> Expression:
     return Call(function, arguments)
 
 
-def _split_weight(term: Expression) -> tuple[Fraction, Expression]:
+def terms_of(expression: Expression) -> tuple[Expression, ...]:
+    """Return the terms of a sum; anything else is the one term."""
+    return expression.terms if isinstance(expression, Sum) else (expression,)
+
+
+def split_weight(term: Expression) -> tuple[Fraction, Expression]:
+    """Return the number before a term, and the term without it."""
     if type(term) is Product and type(term.factors[0]) is Number:
         rest = term.factors[1:]
         return term.factors[0].value, rest[0] if len(rest) == 1 else Product(rest)

@@ -18,6 +18,7 @@ from kinematics.expressions import (
     multiply,
     negate,
     power,
+    terms_of,
 )
 from kinematics.inverse_forms.signed_axes import Axis, Vector, along
 
@@ -81,7 +82,7 @@ arm completely makes 1 - K² zero, and rounding may make it -2e-16. Further belo
 
 def rounding_of(radicand: Expression) -> Expression:
     """Return by how much rounding may leave a radicand below 0; nothing if nothing is subtracted in it."""
-    terms = radicand.terms if isinstance(radicand, Sum) else (radicand,)
+    terms = terms_of(radicand)
     subtracted = add(positive(term) for term in terms if positive(term) != term)
     return multiply((Number(ROUNDING), subtracted))
 

@@ -11,7 +11,7 @@ from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 
-from kinematics.expressions import MINUS_ONE, Call, Expression, Function, JointVariable, Product, Sum
+from kinematics.expressions import MINUS_ONE, Call, Expression, Function, JointVariable, Product, terms_of
 
 _LAST_DIGIT = 9
 """Beyond it, the indices of a sum of joints (θ₁₂) need something between them."""
@@ -100,7 +100,7 @@ def short_name(node: Expression, *, separated: bool = False) -> ShortName | None
         return None
     (angle,) = node.arguments
     joints = []
-    for term in angle.terms if isinstance(angle, Sum) else (angle,):
+    for term in terms_of(angle):
         sign = 1
         if isinstance(term, Product) and len(term.factors) == 2 and term.factors[0] == MINUS_ONE:
             sign, term = -1, term.factors[1]

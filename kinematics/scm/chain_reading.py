@@ -19,9 +19,9 @@ from kinematics.expressions import (
     JointVariable,
     Number,
     Product,
-    Sum,
     add,
     joint_variables_in,
+    terms_of,
 )
 from kinematics.scm.chain import ChainRow, Entry, Placement, ScmChain
 
@@ -191,17 +191,13 @@ class _ChainReader:
         self.faults.append(Fault.at(code, *where, **params))
 
 
-def _terms(expression: Expression) -> tuple[Expression, ...]:
-    return expression.terms if isinstance(expression, Sum) else (expression,)
-
-
 def _without_variable(expression: Expression) -> Expression:
-    return add(term for term in _terms(expression) if not joint_variables_in(term))
+    return add(term for term in terms_of(expression) if not joint_variables_in(term))
 
 
 def _variable_sign(expression: Expression) -> int | None:
     """+1 or -1 where the variable enters as ±q + constant, None where it enters otherwise."""
-    moving = [term for term in _terms(expression) if joint_variables_in(term)]
+    moving = [term for term in terms_of(expression) if joint_variables_in(term)]
     match moving:
         case [JointVariable()]:
             return 1

@@ -15,14 +15,14 @@ from kinematics.expressions import (
     Function,
     JointVariable,
     Number,
-    Product,
-    Sum,
     add,
     call,
     multiply,
     number,
     pi_fraction,
     pi_times,
+    split_weight,
+    terms_of,
 )
 from kinematics.symbolic.form_reader import FormReader
 
@@ -129,7 +129,7 @@ def angle_of(expression: Expression) -> Angle:
     """Return an expression as an angle."""
     half_turns = radians = Fraction(0)
     weights: dict[Expression, Fraction] = {}
-    for term in expression.terms if isinstance(expression, Sum) else (expression,):
+    for term in terms_of(expression):
         term = _exact_arc(term)
         turns = pi_fraction(term)
         if turns is not None:
@@ -137,7 +137,7 @@ def angle_of(expression: Expression) -> Angle:
         elif isinstance(term, Number):
             radians += term.value
         else:
-            weight, part = _split(term)
+            weight, part = split_weight(term)
             weights[part] = weights.get(part, Fraction(0)) + weight
     parts = sorted(((part, weight) for part, weight in weights.items() if weight), key=_place)
     return Angle(_wrapped(half_turns), radians, tuple(parts))
@@ -193,16 +193,9 @@ def _place(item: tuple[Expression, Fraction]) -> float:
     return part.index if isinstance(part, JointVariable) else inf
 
 
-def _split(term: Expression) -> tuple[Fraction, Expression]:
-    if isinstance(term, Product) and isinstance(term.factors[0], Number):
-        rest = term.factors[1:]
-        return term.factors[0].value, rest[0] if len(rest) == 1 else Product(rest)
-    return Fraction(1), term
-
-
 def _exact_arc(term: Expression) -> Expression:
     """asin(1/2) is π/6; an arc of something that is no multiple of π/12 stays what it is."""
-    weight, part = _split(term)
+    weight, part = split_weight(term)
     if isinstance(part, Call) and part.function in _ARCS:
         turns = FormReader().half_turns(part)
         if turns is not None:

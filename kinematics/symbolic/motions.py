@@ -4,16 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from kinematics.dh import MOTIONS, MotionKind
+from kinematics.dh import CELL_MOTIONS, MOTIONS, MotionKind
 from kinematics.expressions import ZERO, Expression
 from kinematics.table import VARIABLE_CELLS, Convention, JointType, SymbolicRow, SymbolicTable
-
-_KINDS = {
-    "theta": MotionKind.TURN_Z,
-    "d": MotionKind.SHIFT_Z,
-    "a": MotionKind.SHIFT_X,
-    "alpha": MotionKind.TURN_X,
-}
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,7 +42,7 @@ def _row_motions(row: SymbolicRow, convention: Convention, joint: int) -> list[M
     for cell in MOTIONS[convention]:
         amount = getattr(row, cell)
         if amount != ZERO:
-            motions.append(Motion(_KINDS[cell], amount))
+            motions.append(Motion(CELL_MOTIONS[cell], amount))
         if cell == holds_variable:
-            motions.append(Motion(_KINDS[cell], joint=joint, sign=row.sign))
+            motions.append(Motion(CELL_MOTIONS[cell], joint=joint, sign=row.sign))
     return motions

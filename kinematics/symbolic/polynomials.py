@@ -25,6 +25,7 @@ from kinematics.expressions import (
     Power,
     Product,
     Sum,
+    terms_of,
 )
 
 Rational: TypeAlias = int | Fraction
@@ -183,7 +184,7 @@ class PolynomialReader:
         known = self._pairs.get(angle)
         if known is None:
             found = ONE, _NOTHING
-            for term in angle.terms if isinstance(angle, Sum) else (angle,):
+            for term in terms_of(angle):
                 found = self._turned(found, self._term(term))
             known = self._pairs[angle] = found
         return known

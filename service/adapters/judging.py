@@ -16,9 +16,9 @@ from exercises.grader import grade
 from exercises.library import Library, packaged
 from kinematics.cells import DEFAULT, Limits
 from kinematics.errors import Fault, KinematicsError
-from service.http.problems import ServiceError
+from service.http.problems import ServiceError, fault_sentence
 from service.http.validation import validated
-from service.messages import DEFAULT_LANGUAGE, sentence
+from service.messages import DEFAULT_LANGUAGE
 from service.schemas.exercises.exercises import AnswerBase, ExerciseAnswer
 from service.wire.exercises.exercise_views import instance_of
 from service.wire.exercises.verdicts import encoded, report_body
@@ -80,7 +80,7 @@ class NotGraded:
 
 def told_fault(fault: Fault, language: str) -> str:
     """Return the sentence of a fault, behind its place."""
-    text = sentence(language, f"error-{fault.code}", fault.params) or str(fault)
+    text = fault_sentence(fault, language)
     place = ", ".join(str(step + 1 if isinstance(step, int) else step) for step in fault.where)
     return f"{place}: {text}" if place else text
 

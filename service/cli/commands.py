@@ -12,8 +12,8 @@ from typing import Protocol
 from exercises.errors import ExerciseError
 from kinematics.errors import Fault, KinematicsError
 from service import __version__
-from service.http.problems import ServiceError
-from service.messages import DEFAULT_LANGUAGE, languages, sentence
+from service.http.problems import ServiceError, fault_sentence
+from service.messages import DEFAULT_LANGUAGE, languages
 
 
 class Command(Protocol):
@@ -82,7 +82,7 @@ def fault_line(fault: Fault, language: str) -> str:
     path = [str(step) for step in fault.where]
     files = next((i + 1 for i, step in enumerate(path) if "." in step), 0)
     place = ": ".join(part for part in ("/".join(path[:files]), ".".join(path[files:])) if part)
-    text = sentence(language, f"error-{fault.code}", fault.params) or str(fault)
+    text = fault_sentence(fault, language)
     return f"{place}: {text} [{fault.code}]" if place else f"{text} [{fault.code}]"
 
 

@@ -184,6 +184,11 @@ STATUS: dict[type[Exception], int] = {
 INTERNAL = 500
 
 
+def fault_sentence(fault: Fault, language: str) -> str:
+    """Return what is wrong, in a language."""
+    return sentence(language, f"error-{fault.code}", fault.params) or str(fault)
+
+
 def status_of(error: Exception) -> int:
     """Return the HTTP status of an error: that of its nearest ancestor in `STATUS`, 500 if there is none."""
     return next((STATUS[kind] for kind in type(error).__mro__ if kind in STATUS), INTERNAL)
@@ -271,7 +276,7 @@ class Problem:
         entry: dict[str, object] = {
             "code": fault.code,
             "pointer": json_pointer(fault.where) if self.part is RequestPart.BODY else "",
-            "detail": sentence(language, f"error-{fault.code}", fault.params) or str(fault),
+            "detail": fault_sentence(fault, language),
             "params": {name: _writable(value) for name, value in fault.params.items()},
         }
         if self.part is not RequestPart.BODY:

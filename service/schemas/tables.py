@@ -20,6 +20,8 @@ Cell: TypeAlias = Annotated[
     ),
 ]
 """Checked by the cell grammar, which says of every cell at once what is wrong with it."""
+SHORT_CELL = {"anyOf": [{"type": "number"}, {"type": "string", "minLength": 1, "maxLength": 200}]}
+"""How the documentation of the API describes an entry of a matrix or of a placement."""
 
 
 class Row(Wire):

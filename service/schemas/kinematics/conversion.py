@@ -26,7 +26,7 @@ from service.schemas.kinematics.pose_input import (
     notation_of,
 )
 from service.schemas.kinematics.scm import ScmChainModel, Verification
-from service.schemas.tables import AnsweredRow, AnsweredTable, Parameters, Table, Units
+from service.schemas.tables import SHORT_CELL, AnsweredRow, AnsweredTable, Parameters, Table, Units
 
 
 class Target(StrEnum):
@@ -64,7 +64,6 @@ class ScrewProduct(Wire):
 
 
 _CELLS = CHOICE + "cells"
-_CELL = {"anyOf": [{"type": "number"}, {"type": "string", "minLength": 1, "maxLength": 200}]}
 _FourCells = Annotated[list[Any], Field(min_length=4, max_length=4)]
 _FOUR = {"minItems": 4, "maxItems": 4}
 
@@ -88,7 +87,7 @@ NamedPose: TypeAlias = Annotated[
             "[w, x, y, z]",
             "anyOf": [
                 *POSE_SHAPES,
-                {"type": "array", "items": {"type": "array", "items": _CELL, **_FOUR}, **_FOUR},
+                {"type": "array", "items": {"type": "array", "items": SHORT_CELL, **_FOUR}, **_FOUR},
             ],
         }
     ),

@@ -15,7 +15,7 @@ from service.schemas.base import LONGEST_LIST, WHOLE, Matrix4, OneOf, Real, Vect
 from service.schemas.choices import forbidding, not_one_of
 from service.schemas.kinematics.forward_kinematics import Orientation
 from service.schemas.kinematics.pose_input import PoseInput
-from service.schemas.tables import Cell, Parameters, Units
+from service.schemas.tables import SHORT_CELL, Cell, Parameters, Units
 
 ENTRIES = ("x", "y", "z", "a", "b", "c")
 
@@ -48,7 +48,6 @@ def placement_by_name(value: Any) -> Any:
     return value
 
 
-_CELL = {"anyOf": [{"type": "number"}, {"type": "string", "minLength": 1, "maxLength": 200}]}
 SixEntries: TypeAlias = Annotated[
     PlacementModel,
     BeforeValidator(placement_by_name),
@@ -59,10 +58,10 @@ SixEntries: TypeAlias = Annotated[
             "anyOf": [
                 {
                     "type": "object",
-                    "properties": dict.fromkeys(ENTRIES, _CELL),
+                    "properties": dict.fromkeys(ENTRIES, SHORT_CELL),
                     "additionalProperties": False,
                 },
-                {"type": "array", "items": _CELL, "minItems": 6, "maxItems": 6},
+                {"type": "array", "items": SHORT_CELL, "minItems": 6, "maxItems": 6},
             ],
         }
     ),

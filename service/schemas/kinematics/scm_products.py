@@ -14,13 +14,12 @@ from service.http.validation import CHOICE
 from service.schemas.base import LONGEST_LIST, Matrix4, OneOf, Real, Wire
 from service.schemas.kinematics.scm import ENTRIES, ListedPlacement, PlacementModel, SixEntries
 from service.schemas.kinematics.symbolic_request import SomeParameters, WrittenJacobians, WrittenMatrix
-from service.schemas.tables import Units
+from service.schemas.tables import SHORT_CELL, Units
 
 MOST_PRODUCTS = 8
 MOST_FACTORS = 32
 """Products in a request and factors in each; all of them are multiplied in symbols."""
-_CELL = {"anyOf": [{"type": "number"}, {"type": "string", "minLength": 1, "maxLength": 200}]}
-_ROW = {"type": "array", "items": _CELL, "minItems": 4, "maxItems": 4}
+_ROW = {"type": "array", "items": SHORT_CELL, "minItems": 4, "maxItems": 4}
 
 
 _MATRIX, _PLACEMENT = CHOICE + "matrix", CHOICE + "placement"
@@ -41,10 +40,10 @@ MotionFactor: TypeAlias = Annotated[
             "anyOf": [
                 {
                     "type": "object",
-                    "properties": dict.fromkeys(ENTRIES, _CELL),
+                    "properties": dict.fromkeys(ENTRIES, SHORT_CELL),
                     "additionalProperties": False,
                 },
-                {"type": "array", "items": _CELL, "minItems": 6, "maxItems": 6},
+                {"type": "array", "items": SHORT_CELL, "minItems": 6, "maxItems": 6},
                 {"type": "array", "items": _ROW, "minItems": 4, "maxItems": 4},
             ],
         }
