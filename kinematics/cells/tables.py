@@ -142,6 +142,11 @@ class ReadTable:
         """Length of its cells, typed or not, at least `SHORTEST` each."""
         return max(self.typed_length, SHORTEST * len(CELLS) * len(self.table.rows))
 
+    @property
+    def joint_names(self) -> tuple[str, ...]:
+        """What the joint variables are called, typed or not."""
+        return self.variables or tuple(f"q{joint}" for joint in range(1, self.table.n_joints + 1))
+
     def _repr_html_(self) -> str:
         from kinematics.printing.table_markup import table_html  # a notebook asks, and nobody else
 

@@ -58,6 +58,10 @@ class RuleCode(StrEnum):
     LAST_NOT_SIMPLEST = "last_not_simplest"
 
 
+BINDING = tuple(RuleCode)[: tuple(RuleCode).index(RuleCode.Z_REVERSED)]
+"""The rules that are no advice: a frame that breaks one is wrong."""
+
+
 @dataclass(frozen=True, kw_only=True, slots=True)
 class FrameFinding:
     """One rule that a frame breaks, or one piece of advice.

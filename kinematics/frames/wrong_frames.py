@@ -11,17 +11,14 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from kinematics.frames.axes import JointAxis
-from kinematics.frames.rules import ANGLE_TOLERANCE, FrameFinding, RuleCode, Severity
+from kinematics.frames.rules import ANGLE_TOLERANCE, BINDING, FrameFinding, Severity
 from kinematics.frames.trainer import ChosenFrame, rules_and_table
 from kinematics.se3 import Vector, along, cross, dot, norm, scale, subtract, unit
 from kinematics.table import Convention
 
 LEFT_HANDED = "y_left_handed"
 """The y of a frame is not z × x."""
-FRAME_MISTAKES: tuple[str, ...] = (
-    *(code.value for code in list(RuleCode)[: list(RuleCode).index(RuleCode.Z_REVERSED)]),
-    LEFT_HANDED,
-)
+FRAME_MISTAKES: tuple[str, ...] = (*(code.value for code in BINDING), LEFT_HANDED)
 """What may be wrong with a frame, by name."""
 TILT = math.radians(30.0)
 """[rad] By how much a direction is turned that is to be wrong and still look like one that was meant."""

@@ -31,7 +31,7 @@ from kinematics.cells import Cell, ReadTable
 from kinematics.cells.meaning import Position
 from kinematics.expressions import Number, pi_times
 from kinematics.frames.axes import JointAxis, read_direction, read_point
-from kinematics.frames.rules import FrameFinding, RuleCode
+from kinematics.frames.rules import BINDING, FrameFinding
 from kinematics.frames.trainer import ChosenFrame, rules_and_table
 from kinematics.table import Convention, DHRow, DHTable, NumericTable
 
@@ -84,8 +84,7 @@ class FramesPart(PartType[Part, FramesCells, ByName[FramesAnswer]]):
     disclosures: ClassVar = {
         **told_from(HelpLevel.ROW, "frame_wrong", "frame_missing"),
         **{
-            f"frame_{rule.value}": Disclosure(level=HelpLevel.KIND, instead="frame_wrong")
-            for rule in list(RuleCode)[: list(RuleCode).index(RuleCode.Z_REVERSED)]
+            f"frame_{rule.value}": Disclosure(level=HelpLevel.KIND, instead="frame_wrong") for rule in BINDING
         },
         **told_from(HelpLevel.REPAIR, "frames_other_convention"),
         **told_from(HelpLevel.ROW, "frames_not_as_asked"),

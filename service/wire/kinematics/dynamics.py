@@ -192,19 +192,18 @@ def dynamics_task(question: SymbolicDynamicsRequest, settings: Settings) -> Dyna
     entries = [entry for link in links for _, entry in link.entries()]
     used = set().union(*map(parameters_in, (*entries, x, y, z, *_cells(table))))
     parameters = [name for name in kinds if name in used]
-    variables = read.variables or tuple(f"q{joint}" for joint in range(1, table.n_joints + 1))
     return DynamicsTask(
         table=table,
         links=links,
         gravity=(x, y, z),
-        variables=tuple(variables),
+        variables=read.joint_names,
         parts=tuple(dict.fromkeys(question.parts)),
         formats=tuple(dict.fromkeys(question.formats)),
         notation=question.notation,
         head={
             "angle_unit": read.angle_unit.value,
             "length_unit": read.length_unit.value,
-            "variables": list(variables),
+            "variables": list(read.joint_names),
             "parameters": parameters,
             "rates": rates,
             "notation": question.notation.value,

@@ -48,10 +48,9 @@ def exact_question(question: WritingQuestion | SymbolicInverseRequest, settings:
     for name, matrix in (("base", base), ("tool", tool)):
         if matrix is not None:
             check_transform(matrix, where=(name,))
-    variables = read.variables or tuple(f"q{joint}" for joint in range(1, table.n_joints + 1))
     return {
         "table": table,
-        "variables": variables,
+        "variables": read.joint_names,
         "formats": tuple(dict.fromkeys(question.formats)),
         "notation": question.notation,
         "base": None if base is None else exact_pose(base),
@@ -59,7 +58,7 @@ def exact_question(question: WritingQuestion | SymbolicInverseRequest, settings:
         "head": {
             "angle_unit": read.angle_unit.value,
             "length_unit": read.length_unit.value,
-            "variables": list(variables),
+            "variables": list(read.joint_names),
             "parameters": list(table_parameters(table)),
             "notation": question.notation.value,
         },
