@@ -100,7 +100,7 @@ def test_a_length_that_is_near_to_no_entry_is_not_taken_for_one() -> None:
         ({"lacking": frozenset({"a", "alpha"})}, set()),
         ({"lacking": frozenset({"a"})}, {(row, "a") for row in range(4)}),
     ],
-    ids=str,
+    ids=("two rows exchanged", "a cell", "an angle and a length missing", "a length missing"),
 )
 def test_values_are_sought_for_the_cells_that_a_slip_may_be_in(
     of: dict[str, object], places: set[tuple[int, str]]
