@@ -142,10 +142,11 @@ def _mending(
 ) -> Iterator[tuple[Change, ...]]:
     """Of edits, each with the table that its last is made in, those that mend the table; each place once."""
     told: set[frozenset[tuple[str, int | None, str | None]]] = set()
-    while some := list(islice(edits, MOST_REPAIRS)):
-        seen = surely_right(work, [changes for _, changes in some])
-        for (edited, changes), sure in zip(some, seen, strict=True):
-            places = frozenset((change.code, change.row, change.cell) for change in changes)
+    placed = ((frozenset((one.code, one.row, one.cell) for one in edit[1]), *edit) for edit in edits)
+    untold = (edit for edit in placed if edit[0] not in told)
+    while some := list(islice(untold, MOST_REPAIRS)):
+        seen = surely_right(work, [changes for *_, changes in some])
+        for (places, edited, changes), sure in zip(some, seen, strict=True):
             if places not in told and (sure or _is_right(work, edited, changes, effort)):
                 told.add(places)
                 yield changes
