@@ -105,7 +105,12 @@ def document(drawing: SvgDrawing, *, title: str, description: str, language: str
         description: the same in full, for those who do not see it.
         language: language of title and description.
     """
-    left, top, width, height = drawing.box
+    return opening(drawing.box, title=title, description=description, language=language) + rest(drawing)
+
+
+def opening(box: tuple[float, float, float, float], *, title: str, description: str, language: str) -> str:
+    """Return how `document` begins: all words that tell of the figure, and nothing that is drawn."""
+    left, top, width, height = box
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" class="framewise-figure" role="img"'
         f" lang={quoteattr(language)}"
@@ -114,8 +119,12 @@ def document(drawing: SvgDrawing, *, title: str, description: str, language: str
         f' fill="none" stroke-linecap="round" stroke-linejoin="round" font-family="{FONT}">'
         f'<title id="figure-title">{escape(title)}</title>'
         f'<desc id="figure-description">{escape(description)}</desc>'
-        f"<style>{STYLE}</style>{drawing.elements}</svg>"
     )
+
+
+def rest(drawing: SvgDrawing) -> str:
+    """Return what follows in `document` after the opening."""
+    return f"<style>{STYLE}</style>{drawing.elements}</svg>"
 
 
 def _attributes(attributes: dict[str, str | float]) -> str:

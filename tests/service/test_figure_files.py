@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import zlib
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
@@ -150,3 +151,14 @@ def test_a_database_that_is_gone_costs_time_alone(tmp_path: Path) -> None:
     figures.keep("a" * 40, b"svg")
     figures.write_down()
     assert figures.known("a" * 40) == b"svg"
+
+
+@pytest.mark.parametrize("language", ["en", "uk"])
+def test_a_figure_put_together_from_parts_is_one_gzip_file(language: str) -> None:
+    """Browsers read the first member of a gzip file and nothing after it."""
+    figures, instance = SharedAnswers("figure", None), generate(packaged().exercise("puma560"), "somebody")
+    reading = zlib.decompressobj(zlib.MAX_WBITS + 16)
+    file = reading.decompress(figure_files.packed_figure(figures, instance, language))
+    assert reading.eof
+    assert not reading.unused_data
+    assert file == figure_files.figure_file(instance, language)

@@ -7,8 +7,9 @@ What is drawn is shared more widely than that: by all whose figures differ in wo
 
 from __future__ import annotations
 
-import gzip
 import hashlib
+import struct
+import zlib
 from functools import lru_cache
 from urllib.parse import urlencode
 
@@ -16,7 +17,7 @@ import orjson
 
 from exercises.definition import Exercise
 from exercises.drawings import drawn_values, figure_drawing
-from exercises.figures.svg import SvgDrawing, document
+from exercises.figures.svg import document, opening, rest
 from exercises.instance import Instance
 from exercises.parts.mistakes.frame_mistake import frames_shown
 from service.messages import sentence
@@ -29,7 +30,11 @@ CACHED_DIGESTS = 256
 CACHED_ADDRESSES = 2048
 """Addresses of figures in the cache: the page, the exercise and the figure itself each ask for it."""
 LEVEL = 4
-"""Level of gzip: the higher ones take twice as long and save three bytes in a hundred."""
+"""Level of compression: the higher ones take twice as long and save three bytes in a hundred."""
+_RAW = -zlib.MAX_WBITS
+"""Has zlib write neither header nor checksum."""
+_GZIP = b"\x1f\x8b\x08\0\0\0\0\0\0\xff"
+"""The header of a gzip file (RFC 1952 §2.3): deflated, without a name and a time."""
 
 
 def figure_address(figures: SharedAnswers, instance: Instance, language: str) -> str:
@@ -108,33 +113,47 @@ def draw_ahead(figures: SharedAnswers, instance: Instance, language: str) -> boo
 
 
 def _drawn(figures: SharedAnswers, address: str, instance: Instance, language: str) -> bytes:
-    """Return what is drawn, packed: as some process has drawn it, else drawn now."""
+    """Return what is drawn: a line with its box, and all that follows on a file's opening, deflated.
+
+    It is as some process has drawn it, else drawn now.
+    """
     drawn = figures.stored(address)
     if drawn is None:
         drawing = figure_drawing(instance, _note(language), frames_shown(instance))
-        drawn = gzip.compress(orjson.dumps((drawing.box, drawing.elements)), LEVEL, mtime=0)
+        drawn = orjson.dumps(drawing.box) + b"\n" + _deflated(rest(drawing).encode(), zlib.Z_FINISH)
         figures.keep(address, drawn)
     return drawn
 
 
 def figure_file(instance: Instance, language: str) -> bytes:
     """Draw the figure as an SVG file."""
-    return _file(figure_drawing(instance, _note(language), frames_shown(instance)), instance, language)
+    drawing = figure_drawing(instance, _note(language), frames_shown(instance))
+    return document(drawing, **_words(instance, language)).encode()
 
 
 def _told(figures: SharedAnswers, address: str, drawn: bytes, instance: Instance, language: str) -> bytes:
     """What is drawn, as a file with its words, gzipped; this process keeps it."""
-    box, elements = orjson.loads(gzip.decompress(drawn))
-    file = _file(SvgDrawing(box=tuple(box), elements=elements), instance, language)
-    packed = gzip.compress(file, LEVEL, mtime=0)
+    box, _, deflated = drawn.partition(b"\n")
+    packed = _gzipped(opening(tuple(orjson.loads(box)), **_words(instance, language)).encode(), deflated)
     figures.remember(address, packed)
     return packed
 
 
-def _file(drawing: SvgDrawing, instance: Instance, language: str) -> bytes:
+def _words(instance: Instance, language: str) -> dict[str, str]:
     title = sentence(language, "figure-title", {"title": instance.exercise.title(language)}) or ""
-    description = figure_description(instance, language)
-    return document(drawing, title=title, description=description, language=language).encode()
+    return {"title": title, "description": figure_description(instance, language), "language": language}
+
+
+def _deflated(data: bytes, flush: int) -> bytes:
+    packing = zlib.compressobj(LEVEL, zlib.DEFLATED, _RAW)
+    return packing.compress(data) + packing.flush(flush)
+
+
+def _gzipped(begin: bytes, deflated: bytes) -> bytes:
+    """One gzip file of what begins it and what has been deflated before: that is not done again."""
+    end = zlib.decompress(deflated, _RAW)
+    checks = struct.pack("<II", zlib.crc32(end, zlib.crc32(begin)), len(begin) + len(end))
+    return _GZIP + _deflated(begin, zlib.Z_SYNC_FLUSH) + deflated + checks
 
 
 def _note(language: str) -> str:
