@@ -19,6 +19,7 @@ from collections import OrderedDict
 from collections.abc import Callable
 from contextvars import ContextVar
 from dataclasses import dataclass, field
+from functools import partial
 from heapq import heappop, heappush, heapreplace
 from typing import Literal, TypeAlias, TypeVar
 
@@ -58,7 +59,7 @@ def proven(who: Proven) -> None:
 class _Waiting:
     client: Client
     loop: asyncio.AbstractEventLoop
-    granted: asyncio.Future[None] = field(init=False)
+    granted: asyncio.Future[bool] = field(init=False)
     left: bool = False
 
     def __post_init__(self) -> None:
@@ -66,13 +67,13 @@ class _Waiting:
 
     def grant(self) -> None:
         if self.loop is asyncio.get_running_loop():
-            self._set()
+            self.answer(granted=True)
         else:
-            self.loop.call_soon_threadsafe(self._set)
+            self.loop.call_soon_threadsafe(partial(self.answer, granted=True))
 
-    def _set(self) -> None:
+    def answer(self, *, granted: bool) -> None:
         if not self.granted.done():
-            self.granted.set_result(None)
+            self.granted.set_result(granted)
 
 
 class FairQueue:
@@ -120,15 +121,16 @@ class FairQueue:
         waiting = _Waiting(client, asyncio.get_running_loop())
         self._catch_up(client)
         self._line.join(waiting)
+        patience = waiting.loop.call_later(self._timeout, partial(waiting.answer, granted=False))
+        granted = False
         try:
-            async with asyncio.timeout(self._timeout):
-                await asyncio.shield(waiting.granted)
-        except BaseException as error:
-            if not self._line.leave(waiting):  # granted in the very moment in which it was given up
-                self.release(client, 0.0)
-            if isinstance(error, TimeoutError):
-                raise busy() from None
-            raise
+            granted = await waiting.granted
+        finally:
+            patience.cancel()
+            if not granted and not self._line.leave(waiting):
+                self.release(client, 0.0)  # it was granted in the very moment in which it was given up
+        if not granted:
+            raise busy()
         return Slot(self, client)
 
     async def turn(self) -> None:
