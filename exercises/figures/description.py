@@ -109,5 +109,6 @@ def _triple(vector: Vector) -> str:
 
 
 def _number(value: float) -> str:
-    rounded = float(f"{value:.4g}") if abs(value) > 1e-9 else 0.0
-    return f"{rounded:g}"
+    if not abs(value) > 1e-9:  # most are not: a figure's lines run along its axes
+        return "0"
+    return f"{float(f'{value:.4g}'):g}"

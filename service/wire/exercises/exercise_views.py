@@ -26,7 +26,8 @@ from service.schemas.exercises.exercises import TASK_FIELDS
 FRAMED = (TABLE, "frames", "screws")
 """Kinds of part that are held to the rules on frames."""
 CACHED_TEXTS = 512
-"""Exercises whose dimensions have been looked through, and in each language their statements and rules."""
+"""Exercises whose dimensions have been looked through; in each language their statements, rules and fields of
+forms."""
 CACHED_DESCRIPTIONS = 2048
 """Instances whose figure has been put into words: the exercise tells them, and then its figure."""
 
@@ -206,6 +207,7 @@ def _part(part: Part, instance: Instance, language: str) -> dict[str, Any]:
     }
 
 
+@lru_cache(maxsize=CACHED_TEXTS)
 def _field(field: FormField, language: str) -> dict[str, Any]:
     return {
         "name": field.name,
