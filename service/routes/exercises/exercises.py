@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import partial
+from functools import lru_cache, partial
 from typing import Annotated, TypeVar
 
 from fastapi import Path, Request, Response
@@ -38,12 +38,15 @@ from service.wire.exercises.figure_files import figure_address, figure_path, kno
 from service.wire.exercises.ungraded import answer_refused, known_exercise
 from service.wire.exercises.verdicts import encoded, report_body
 from service.work.limiters import WorkKind
+from service.work.shared_answers import SharedAnswers
 
 router = api_router("exercises", route_class=DirectRoute)
 
 _ANSWER: TypeAdapter[AnswerBase] = TypeAdapter(ExerciseAnswer)
 _Result = TypeVar("_Result")
 SVG = "image/svg+xml"
+CACHED_VIEWS = 256
+"""Exercises with one student's or one variant's values in the cache, some seven kilobytes each."""
 _FIGURE_POLICY = "default-src 'none'; style-src 'unsafe-inline'"
 Id = Annotated[
     str,
@@ -77,13 +80,19 @@ async def show_exercise(request: ApiRequest) -> Response:
     language = language_of(request)
 
     def work() -> bytes:
-        instance = _asked_instance(request)
-        view = exercise_view(instance, language, context_of(request))
-        view["figure"]["file"] = figure_path(resources_of(request).figures, instance, language)
-        return encoded(view)
+        figures = resources_of(request).figures
+        return _view(figures, _asked_instance(request), language, context_of(request))
 
     body = await _first(request, "view", work)
     return _text(request, body, language, JSON)
+
+
+@lru_cache(maxsize=CACHED_VIEWS)
+def _view(figures: SharedAnswers, instance: Instance, language: str, context: LinkContext | None) -> bytes:
+    """An exercise as JSON: students who share a variant are told the same."""
+    view = exercise_view(instance, language, context)
+    view["figure"]["file"] = figure_path(figures, instance, language)
+    return encoded(view)
 
 
 @router.get(
