@@ -13,7 +13,7 @@ from tests.exercises.meaning import moving_arms
 from tests.exercises.meaning.campaign_of_answers import CAMPAIGNS, judged_answers
 from tests.exercises.meaning.posed_answers import student
 
-FEW = 120 if EXPLORE else 48
+FEW = 120 if EXPLORE else 24
 
 
 @pytest.mark.parametrize("name", CAMPAIGNS)
