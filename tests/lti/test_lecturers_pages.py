@@ -171,7 +171,7 @@ def test_rules_of_a_published_exercise_keep_it(
     arrived(page, lms, "tina", hint([TEACHER], **where))
     page.locator("#link details summary").first.click()
     expect(page.locator("#link select[name=exercise]")).to_have_value(published)
-    page.get_by_label("Points").fill("7")
+    page.get_by_label("Points in the gradebook", exact=True).fill("7")
     page.get_by_role("button", name="Save").click()
     expect(page.locator("#link details[open]")).to_have_count(0)
     session = browser.api("GET", "session").json()

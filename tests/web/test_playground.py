@@ -599,7 +599,7 @@ def test_a_trajectory_with_its_plot_its_path_and_its_numbers(open_page: OpenPage
     expect(plot).to_be_visible()
     assert plot.locator("[data-mark=line]").count() == 6
     before = page.locator("joint-sliders .joint-number input").nth(2).input_value()
-    page.get_by_label("Instant").fill("60")
+    page.get_by_role("slider", name="Instant", exact=True).fill("60")
     # the last posture of the catalogue's PUMA bends joint 3 to -180°
     expect(page.locator("joint-sliders .joint-number input").nth(2)).to_have_value("-180")
     assert before != "-180"
@@ -607,7 +607,7 @@ def test_a_trajectory_with_its_plot_its_path_and_its_numbers(open_page: OpenPage
     tool.locator("summary", has_text="The same in numbers").click()
     assert tool.locator(".plot-numbers tbody tr").count() == 11
     expect(tool.locator(".plot-numbers tbody tr").last).to_contain_text("−180")
-    page.get_by_label("velocity").check()
+    page.get_by_role("radio", name="velocity", exact=True).check()
     expect(page.get_by_role("img", name="Angular velocities of the joints over time")).to_be_visible()
     expect_drawn(page, "stroke-lit")
 
