@@ -83,6 +83,7 @@ class Visits:
         for page in self.context.pages:
             if page is not self._first_page:
                 page.close()
+        self.context.unroute_all()
         self.context.clear_cookies()
         self.context.clear_permissions()
         stored = "local_storage,indexeddb,cache_storage,service_workers,file_systems,shared_storage"
