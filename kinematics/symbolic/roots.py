@@ -30,7 +30,7 @@ def basis_terms(turn: Fraction) -> tuple[tuple[Fraction, int], ...]:
     It is a sum of pairs of a turn in [0, 1) and an integer coefficient.
     """
     terms = {Fraction(0): 1}
-    for prime, part in _prime_parts(turn % 1):
+    for prime, part in _prime_parts(turn):
         reduced = _reduce_part(prime, part)
         terms = {
             (turn_so_far + piece) % 1: weight * sign
@@ -48,7 +48,7 @@ def basis_steps(step: int, order: int) -> tuple[tuple[Fraction, int], ...]:
 
 def has_large_prime(turn: Fraction) -> bool:
     """Return whether the turn's denominator has a prime whose relation is not used."""
-    return any(prime > LARGEST_PRIME for prime, _ in _prime_parts(turn % 1))
+    return any(prime > LARGEST_PRIME for prime, _ in _prime_parts(turn))
 
 
 @lru_cache(maxsize=256)

@@ -106,6 +106,8 @@ def test_a_reciprocal_of_a_sum_is_written_with_its_content_outside() -> None:
     once = multiply((number("1/2"), power(add((L1, multiply((number(2), ALPHA)))), -1)))
     assert same_function(twice, once)
     assert canonical(twice) == canonical(once)
+    over = power(add((L1, ALPHA)), -1)
+    assert same_function(add((multiply((L1, over)), multiply((ALPHA, over)))), number(1))
     inverse = power(add((number(1), call(Function.SQRT, number(5)))), -1)
     assert same_function(multiply((inverse, add((number(1), call(Function.SQRT, number(5)))))), number(1))
 

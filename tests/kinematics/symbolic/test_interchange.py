@@ -79,6 +79,10 @@ def test_each_node_has_its_counterpart(expression: object, expected: sympy.Expr)
     assert from_sympy(expected) == expression
 
 
+def test_a_matrix_without_rows_has_no_columns() -> None:
+    assert to_sympy(()).shape == (0, 0)
+
+
 def test_constants_under_a_sine_stay_as_written() -> None:
     angle = call(Function.SIN, pi_times(Fraction(1, 5)))
     assert to_sympy(angle).func is sympy.sin

@@ -16,6 +16,7 @@ from kinematics.expressions.trees import (
     JointVariable,
     Number,
     Parameter,
+    Product,
     Sum,
     number,
     pi_times,
@@ -90,6 +91,12 @@ def test_equality_is_that_of_the_ring(a, b):
         (Call(Function.SIN, (pi_times(2),)), number(0)),
         (Call(Function.SIN, (pi_times(-HALF),)), number(-1)),
         (Call(Function.COS, (PI,)), number(-1)),
+        (Call(Function.SIN, (multiply((number(-1), q1)),)), multiply((number(-1), sin(q1)))),
+        (
+            Product((number(2), sin(q1), sin(q1), L)),
+            add((multiply((number(2), L)), multiply((number(-2), L, power(cos(q1), 2))))),
+        ),
+        (Product((L, sin(q1), sin(q1), d3, sin(q1))), multiply((d3, L, power(sin(q1), 3)))),
         (multiply((number(4), add((number("0.25"), d3)))), add((number(1), multiply((number(4), d3))))),
     ],
 )
@@ -171,6 +178,7 @@ def test_an_exponent_beyond_its_field_is_not_read(last, fits):
 def test_degrees_are_those_in_joint_variables():
     reader = PolynomialReader()
     assert reader.degrees(reader.read(d3)) == {d3: 1}
+    assert reader.degrees(reader.read(number(0))) == {}
     whole = multiply((power(d3, 2), L, add((sin(q1), number(1))), add((cos(q1, q2), d3))))
     assert reader.degrees(reader.read(whole)) == {d3: 3, q1: 2, q2: 1}
 
