@@ -10,7 +10,7 @@ import pytest
 
 from exercises.grading import BaseRule, Policy, Tolerance, ToolRule, grade
 from exercises.grading.judging.comparison import comparisons
-from exercises.grading.judging.digits import steps_of_wrong, tightened
+from exercises.grading.judging.digits import fixing_frames, steps_of_wrong, tightened
 from exercises.grading.judging.name_values import Values, drawn_value, typical_length
 from exercises.grading.judging.named_numbers import with_names
 from exercises.grading.judging.typed import half_steps, meant, meant_in_radians
@@ -277,3 +277,23 @@ def test_zeros_of_a_wrong_answer_are_known_to_within_the_tolerance() -> None:
     typed = dict.fromkeys(((0, "alpha"), (0, "a"), (0, "d"), (1, "alpha")), 0.5)
     found = steps_of_wrong(typed, reference.table, reference, Tolerance(length=0.01, angle=0.005))
     assert found == pytest.approx({(0, "alpha"): 0.005, (0, "a"): 0.5, (0, "d"): 0.03, (1, "alpha"): 0.5})
+
+
+def test_a_draw_is_moved_to_the_front_and_none_is_lost() -> None:
+    (way, *_) = comparisons(KEY, KEY, {})
+    assert len(way.drawn) > 2
+    assert way.with_first(0) is way
+    moved = way.with_first(2).drawn
+    assert moved == (way.drawn[2], *way.drawn[:2], *way.drawn[3:])
+
+
+@pytest.mark.parametrize("base", BaseRule)
+@pytest.mark.parametrize("tool", ToolRule)
+def test_what_is_measured_depends_on_the_frames_that_are_fixed_alone(base: BaseRule, tool: ToolRule) -> None:
+    fixed = fixing_frames(Policy(base=base, tool=tool))
+    assert (fixed.base is BaseRule.FRAME, fixed.tool is ToolRule.FRAME) == (
+        base is BaseRule.FRAME,
+        tool is ToolRule.FRAME,
+    )
+    assert fixed.base in (BaseRule.FRAME, BaseRule.FREE)
+    assert fixed.tool in (ToolRule.FRAME, ToolRule.FREE)
