@@ -79,8 +79,9 @@ def test_each_node_has_its_counterpart(expression: object, expected: sympy.Expr)
     assert from_sympy(expected) == expression
 
 
-def test_a_matrix_without_rows_has_no_columns() -> None:
+def test_a_matrix_of_one_row_or_none_keeps_its_shape() -> None:
     assert to_sympy(()).shape == (0, 0)
+    assert to_sympy(((number(1), number(2)),)).shape == (1, 2)
 
 
 def test_constants_under_a_sine_stay_as_written() -> None:
