@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction
@@ -12,6 +13,7 @@ from exercises.answers import RawAnswer
 from exercises.definition import Exercise
 from exercises.errors import AnswerError
 from exercises.grading import BaseRule, DirectionRule, Policy, ToolRule, Verdict, ZeroRule
+from exercises.grading.judging.typed import ANGLES
 from exercises.instance import Instance, generate
 from exercises.parts.protocol import TABLE
 from exercises.selftest.answers import judged_answer, other_frames
@@ -19,10 +21,10 @@ from exercises.selftest.findings import Findings
 from exercises.selftest.mistakes import MISTAKES
 from exercises.selftest.variants import key_as_asked
 from exercises.written_table import written_table
-from kinematics.cells import ParameterKind, RawTable, ReadTable, parameters_in_radians
+from kinematics.cells import AngleUnit, RawTable, ReadTable, parameters_in_radians
 from kinematics.errors import KinematicsError
 from kinematics.expressions import Expression, Number, evaluate, pi_fraction, pi_times
-from kinematics.table import CELLS, DHRow, DHTable
+from kinematics.table import CELLS, DHRow, DHTable, SymbolicRow
 
 DIGITS = 4
 """Significant digits to which students round on paper."""
@@ -78,28 +80,30 @@ def rounded(instance: Instance, read: ReadTable) -> ReadTable | None:
     Right angles and their like stay exact: nobody rounds 90.
     """
     values = parameters_in_radians(instance.parameters, read.parameters, read.angle_unit)
+    degrees = read.angle_unit is AngleUnit.DEG
 
-    def number(cell: Expression) -> Expression:
-        turns = pi_fraction(cell)
+    def number(entry: Expression, *, angle: bool) -> Expression:
+        turns = pi_fraction(entry)
         if turns is not None and (turns * 12).denominator == 1:
-            return cell
-        if turns is not None:
-            return pi_times(Fraction(f"{float(turns * 180):.{DIGITS}g}") / 180)
-        return Number(Fraction(f"{evaluate(cell, values):.{DIGITS}g}"))
+            return entry
+        value = evaluate(entry, values)
+        if angle and degrees:
+            return pi_times(Fraction(f"{math.degrees(value):.{DIGITS}g}") / 180)
+        return Number(Fraction(f"{value:.{DIGITS}g}"))
+
+    def rounded_row(row: SymbolicRow) -> SymbolicRow:
+        cells = {cell: number(getattr(row, cell), angle=cell in ANGLES) for cell in CELLS}
+        return DHRow(joint=row.joint, sign=row.sign, **cells)
 
     try:
-        rows = tuple(
-            DHRow(joint=row.joint, sign=row.sign, **{cell: number(getattr(row, cell)) for cell in CELLS})
-            for row in read.table.rows
-        )
+        rows = tuple(map(rounded_row, read.table.rows))
     except KinematicsError:
         return None
     return replace(read, table=DHTable(convention=read.table.convention, rows=rows), parameters={})
 
 
 def _check_rounded(findings: Findings, instance: Instance, read: ReadTable) -> None:
-    angles = any(kind is ParameterKind.ANGLE for kind in read.parameters.values())
-    numbers = None if angles else rounded(instance, read)
+    numbers = rounded(instance, read)
     if numbers is None:
         return
     verdict = _verdict(findings, instance, written_table(numbers))

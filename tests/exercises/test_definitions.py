@@ -10,6 +10,7 @@ import pytest
 
 from exercises.consistency import inconsistencies
 from exercises.definition import LANGUAGES
+from exercises.grading import ToolRule
 from exercises.loader import load_exercise
 from exercises.selftest.checks import check
 from exercises.statements import names_in
@@ -41,6 +42,17 @@ def test_a_definition_tests_itself(exercise_id: str) -> None:
         return
     assert findings.passed["right"] == findings.passed["certificate"] == 2 * (SEEDS or 1) + 2
     assert findings.passed["invalid"] == 6
+
+
+@pytest.mark.parametrize(("unit", "angle"), [("deg", "38.5"), ("rad", "0.672")])
+def test_angles_with_names_are_tried_rounded_too(tmp_path: Path, unit: str, angle: str) -> None:
+    """To four digits of the unit in which they are typed, under each tool rule and the usual one."""
+    twisted = changed('q1", d = 0, a = "L1", alpha = 0', 'q1", d = 0, a = "L1", alpha = "beta"')
+    text = changed('angle_unit = "deg"', f'angle_unit = "{unit}"', twisted)
+    text = changed("L2.value = 0.3", f"L2.value = 0.3\nbeta.value = {angle}", text)
+    findings = check(load_exercise(folder(tmp_path, text, statement="Links *L1*, *L2*, twist *beta*.")), 1)
+    assert not findings.failures
+    assert findings.passed["rounded"] == 2 * (1 + len(ToolRule))
 
 
 @pytest.mark.parametrize("exercise_id", ROBOTS)
