@@ -72,7 +72,7 @@ def not_explained(
     off = np.abs(sizes[:, 0] - own) - floor
     far = off > share * own
     if far.any() and steps:
-        far &= off > SECOND_ORDER * _reaches(sizes)
+        far &= off > _largest_moves(sizes)
     return invariants.some(np.flatnonzero(far).tolist()) if far.any() else None
 
 
@@ -120,12 +120,12 @@ def tightened(
     if table is not None and steps:
         alike = table.joint_types == reference.table.joint_types
         reaches = (
-            _reaches(invariants.sizes(measured_as_typed(invariants, table, steps, policy)))
+            _largest_moves(invariants.sizes(measured_as_typed(invariants, table, steps, policy)))
             if alike
-            else _largest(invariants, reference, steps)
+            else SECOND_ORDER * _largest(invariants, reference, steps)
         )
     own = invariants.own_sizes[:, 0]
-    slacks = np.maximum(share * own, SECOND_ORDER * reaches) + floors(invariants, reference)
+    slacks = np.maximum(share * own, reaches) + floors(invariants, reference)
     return invariants.held_to(slacks[:, None])
 
 
@@ -209,5 +209,17 @@ def _measured_as_typed(
 
 def _reaches(sizes: Floats) -> Floats:
     """How far invariants may move when every decimal moves by half a unit of its last place."""
+    return np.asarray(_moves(sizes).sum(axis=1), dtype=np.float64)
+
+
+def _largest_moves(sizes: Floats) -> Floats:
+    """The same with what they do together; what the one that matters most does alone is measured exactly."""
+    moves = _moves(sizes)
+    alone = moves.max(axis=1, initial=0.0)
+    return np.asarray(alone + SECOND_ORDER * (moves.sum(axis=1) - alone), dtype=np.float64)
+
+
+def _moves(sizes: Floats) -> Floats:
+    """(q, steps) how far each decimal moves invariants, half a unit of its last place up or down."""
     moved = np.abs(sizes[:, 1:] - sizes[:, :1])
-    return np.asarray(np.maximum(moved[:, 0::2], moved[:, 1::2]).sum(axis=1), dtype=np.float64)
+    return np.asarray(np.maximum(moved[:, 0::2], moved[:, 1::2]), dtype=np.float64)

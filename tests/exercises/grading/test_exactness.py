@@ -14,7 +14,7 @@ from exercises.grading.judging.typed import COARSEST_ANGLE, half_steps, meant
 from exercises.instance import generate
 from exercises.written_table import written_table
 from kinematics.catalogue import robots
-from kinematics.cells import AngleUnit, read_table
+from kinematics.cells import AngleUnit, ReadTable, read_table
 from kinematics.expressions import ZERO, Number, Parameter, add, pi_times
 from kinematics.table import DHRow, JointType
 from tests.exercises.grading.test_grade import KEY, PUMA, USUAL, VALUES, Rows, codes, numbers, with_cells
@@ -332,6 +332,17 @@ def test_the_line_of_z_0_is_held_to_the_digits_under_the_rule_axis(alpha: float,
     verdict = grade(key, answer, Policy(base=BaseRule.AXIS, tool=ToolRule.FREE))
     assert verdict.correct is (alpha == a == 0)
     assert ("base_axis_missed" in codes(verdict)) is not verdict.correct
+
+
+@pytest.mark.parametrize(("typed", "right"), [(0.05, False), (0.06, True), (0.056, True), (0.055, False)])
+def test_a_length_is_what_its_last_digit_allows_and_no_more(typed: float, *, right: bool) -> None:
+    """Of 0.056 in an arm of 3 m: 0.05 is half a unit and a fifth of that off."""
+
+    def arm(length: float) -> ReadTable:
+        first: Rows = [(90, 1, 0, "q1"), (0, 1.5, 0, "q2"), (90, length, 0, "q3")]
+        return read("standard", [*first, (0, 0, 0.8, "q4"), (0, 0.4, 0, "q5")], "deg")
+
+    assert grade(arm(0.056), arm(typed), Policy(tool=ToolRule.FREE)).correct is right
 
 
 def test_rounded_twists_that_add_up_are_no_wrong_name() -> None:
