@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from enum import Enum
 from typing import Any
@@ -133,3 +134,13 @@ def test_a_missing_order_is_asked_for_as_it_is_chosen(open_page: OpenPage, watch
     page.locator("#part-jacobian input").first.fill("1")
     page.locator("button.primary").first.click()
     expect(page.locator("#part-jacobian")).to_contain_text("(v, ω) or (ω, v)")
+
+
+def test_an_empty_answer_is_told_what_is_asked_by_its_name(open_page: OpenPage, watch: Watch) -> None:
+    """It was told the name that the part has in requests: find_mistake."""
+    watch.allow("status of 422")
+    page = open_page("/exercises/puma560-find-mistake", lang="es")
+    page.locator("form button[type=submit]").first.click()
+    told = page.locator("#submit-problem [role=alert]")
+    expect(told).to_have_text(re.compile("El ejercicio pide: [A-ZÁÉÍÓÚ]"))
+    expect(told).not_to_contain_text("_")

@@ -384,3 +384,4 @@ form-frames-at-point = at { $name }
 form-frames-at-ground = where the robot is fixed
 form-frames-along = along the axis of joint { $joint }
 form-frames-against = against the axis of joint { $joint }
+form-answer-empty = Nothing was handed in. The exercise asks for: { $parts }.

@@ -384,3 +384,4 @@ form-frames-at-point = en { $name }
 form-frames-at-ground = donde está fijado el robot
 form-frames-along = según el eje de la articulación { $joint }
 form-frames-against = contra el eje de la articulación { $joint }
+form-answer-empty = No se ha entregado nada. El ejercicio pide: { $parts }.

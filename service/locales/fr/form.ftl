@@ -384,3 +384,4 @@ form-frames-at-point = en { $name }
 form-frames-at-ground = là où le robot est fixé
 form-frames-along = le long de l’axe de l’articulation { $joint }
 form-frames-against = à l’opposé de l’axe de l’articulation { $joint }
+form-answer-empty = Rien n’a été rendu. L’exercice demande : { $parts }.

@@ -384,3 +384,4 @@ form-frames-at-point = em { $name }
 form-frames-at-ground = onde o robô está fixo
 form-frames-along = ao longo do eixo da junta { $joint }
 form-frames-against = contra o eixo da junta { $joint }
+form-answer-empty = Nada foi entregue. O exercício pede: { $parts }.

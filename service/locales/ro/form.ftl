@@ -395,3 +395,4 @@ form-frames-at-point = în { $name }
 form-frames-at-ground = unde este fixat robotul
 form-frames-along = de-a lungul axei cuplei { $joint }
 form-frames-against = împotriva axei cuplei { $joint }
+form-answer-empty = Nu s-a predat nimic. Exercițiul cere: { $parts }.

@@ -10,6 +10,7 @@ import { isPackaged, PackageFrame } from "../exercise/embedding.js";
 import { showFigure } from "../exercise/figure-card.js";
 import { showHistory } from "../exercise/history.js";
 import { arrangePictures, connect } from "../exercise/pictures.js";
+import { partName } from "../exercise/progress.js";
 import { OwnCard } from "../exercise/own-card.js";
 import { VerdictCard } from "../exercise/verdict-card.js";
 import { t } from "../i18n.js";
@@ -246,7 +247,14 @@ async function run() {
 
   /** @param {unknown} error */
   function showProblem(error) {
-    fill($("submit-problem"), problemNotice(error));
+    if (error instanceof Problem && error.code === "answer_empty") {
+      const parts = exercise.parts.map(({ kind }) => partName(kind)).join(" · ");
+      fill(
+        $("submit-problem"),
+        el("p", { class: "notice notice-problem", role: "alert", text: t("form-answer-empty", { parts }) }),
+      );
+      answer.focus();
+    } else fill($("submit-problem"), problemNotice(error));
   }
 
   async function listAttempts() {
