@@ -200,7 +200,7 @@ def test_what_is_refused_is_said(page: Page, browser: Browser, lms: Lms, service
     browser.launch("ann", hint(**where))
     arrived(page, lms, "tina", hint([TEACHER], **where))
     page.route("**/api/v1/course/links/**", lambda route: route.fulfill(status=401, json=ENDED))
-    for name in ("Regrade all attempts", "Release feedback", "CSV", "JSON"):
+    for name in ("Regrade all attempts", "CSV", "JSON"):
         page.get_by_role("button", name=name).click()
         expect(page.locator("#link [role=status] .notice-problem")).to_contain_text("signed in")
 
@@ -213,16 +213,22 @@ def test_the_administrators_page(
 ) -> None:
     page.goto(f"{service}/platforms")
     wait_ready(page)
-    expect(page.locator("#list")).to_contain_text("framewise lti administer")
+    expect(page.locator("#list")).to_contain_text(f"framewise lti administer {service}")
     assert_fits(page)
     page.goto("about:blank")
-    page.goto(f"{service}/platforms#code={invite_administrator(store, now())}")
+    code = invite_administrator(store, now())
+    page.goto(f"{service}/platforms#code={code}")
     wait_ready(page)
     expect(page.locator("#list table")).to_be_visible()
     page.get_by_label("For whom").fill("Faculty")
     page.get_by_role("button", name="Make an address").click()
     expect(page.locator("#invite code")).to_contain_text("/lti/register/")
     assert_fits(page)
+    page.goto("about:blank")
+    page.goto(f"{service}/platforms#code={code}")
+    expect(page.locator("#platforms-problem")).to_contain_text("used already")
+    expect(page.locator("#platforms-problem")).not_to_contain_text("course")
+    expect(page.locator("#list")).to_contain_text(f"framewise lti administer {service}")
 
 
 def test_what_a_lecturer_sends(page: Page, service: str, assert_fits: Check) -> None:

@@ -1,9 +1,10 @@
 /** The administrator's page: the platforms that may launch, and invitations to register one. */
 
+import { Problem } from "../api.js";
 import { dataTable } from "../data-table.js";
 import { announce, el, fill } from "../dom.js";
 import { dates, named, t } from "../i18n.js";
-import { api, startPage } from "../page.js";
+import { api, root, startPage } from "../page.js";
 import { problemNotice } from "../problem.js";
 
 const $ = (/** @type {string} */ id) => /** @type {HTMLElement} */ (document.getElementById(id));
@@ -12,7 +13,7 @@ const FIELDS = ["issuer", "client_id", "authorization_endpoint", "token_endpoint
 async function run() {
   const code = new URLSearchParams(location.hash.slice(1)).get("code");
   if (!code) {
-    fill($("list"), el("p", { text: t("platforms-come") }), el("code", { text: "framewise lti administer" }));
+    showTheWay();
     return;
   }
   history.replaceState(null, "", location.pathname + location.search);
@@ -24,13 +25,23 @@ async function run() {
   });
 }
 
+/** How one comes here: nobody is signed in, or no longer. */
+function showTheWay() {
+  const command = `framewise lti administer ${root.replace(/\/$/, "")}`;
+  fill($("list"), el("p", { text: t("platforms-come") }), el("code", { text: command }));
+  $("invite-card").hidden = $("add-card").hidden = true;
+}
+
 /** @param {() => Promise<void>} work */
 async function attempt(work) {
   fill($("platforms-problem"));
   try {
     await work();
   } catch (error) {
-    fill($("platforms-problem"), problemNotice(error));
+    const isOver = error instanceof Problem && error.status === 401;
+    if (isOver) showTheWay();
+    const over = el("p", { class: "notice notice-problem", role: "alert", text: t("platforms-over") });
+    fill($("platforms-problem"), isOver ? over : problemNotice(error));
     $("platforms-problem").scrollIntoView({ block: "nearest" });
   }
 }
