@@ -157,7 +157,7 @@ def _answering() -> Iterator[None]:
     """
     try:
         yield
-    except (OperationalError, InterfaceError, DisconnectionError, PoolTimeoutError, TimeoutError) as error:
+    except (OperationalError, InterfaceError, DisconnectionError, PoolTimeoutError, OSError) as error:
         _log.error("the database does not answer: %s", reason_of(error))
         undone = str(getattr(getattr(error, "orig", None), "sqlstate", None)).startswith(_UNDONE)
         raise StorageUnavailableError(is_gone=not undone) from error

@@ -43,6 +43,7 @@ class Turns:
             OSError: it cannot be opened.
         """
         file.touch(mode=0o600)  # whoever could read it could keep all writers waiting
+        self._path = file
         self._file = file.open("a")
         self._patience = patience
         self._threads = threading.Lock()
@@ -52,12 +53,14 @@ class Turns:
         """Wait for one's turn, and hold it.
 
         Raises:
-            TimeoutError: it did not come in time.
+            OSError: it did not come in time, or the locks are gone.
         """
         until = time.monotonic() + self._patience
         if not self._threads.acquire(timeout=self._patience):
             raise TimeoutError
         try:
+            if self._file.closed:
+                self._file = self._path.open("a")
             self._lock(_NEXT, until)
             try:
                 self._lock(_NOW, until)
@@ -71,7 +74,7 @@ class Turns:
             self._threads.release()
 
     def close(self) -> None:
-        """Close the file."""
+        """Close the file; whoever writes after that opens it again."""
         self._file.close()
 
     def _lock(self, byte: int, until: float) -> None:
@@ -89,4 +92,5 @@ class Turns:
         return True
 
     def _unlock(self, byte: int) -> None:
-        fcntl.lockf(self._file, fcntl.LOCK_UN, 1, byte)
+        if not self._file.closed:  # the end of the program gave it back
+            fcntl.lockf(self._file, fcntl.LOCK_UN, 1, byte)

@@ -109,6 +109,15 @@ def test_patience_ends(tmp_path: Path) -> None:
             pass
 
 
+def test_whoever_writes_after_the_end_opens_the_locks_again(turns: Turns) -> None:
+    """As SQLAlchemy opens connections: a thread may still store what it has when all is being closed."""
+    turns.close()
+    with turns.taken():
+        turns.close()
+    with turns.taken():
+        pass
+
+
 def test_threads_write_one_after_another(turns: Turns) -> None:
     inside, most = [0], [0]
 
