@@ -20,7 +20,7 @@ from exercises.grading.facts import least_cost
 from kinematics.caching import USUAL_ROWS, cached_by_size
 from kinematics.equivalence import BaseRule, DirectionRule, Policy, ToolRule, ZeroRule
 from kinematics.equivalence.decision import EXACT, convention_fits
-from kinematics.equivalence.invariants import Invariants, invariants_of
+from kinematics.equivalence.invariants import STEEPEST, Invariants, invariants_of
 from kinematics.equivalence.meter import per_batch
 from kinematics.equivalence.reference import Reference
 from kinematics.equivalence.row_measures import EXACTLY, measured_of_tables
@@ -30,8 +30,6 @@ from kinematics.table import Convention, NumericTable
 # A share of what `EXACT` allows, by the square of the number of joints: angles add up from joint to joint,
 # and so do the displacements at their levers.
 SHARE = 1.0 / 8.0
-# A sine: flatter axes that are not parallel lever up the errors of the arithmetic.
-STEEP = 1e-3
 
 
 def surely_right(work: Work, edits: Sequence[Sequence[Change]]) -> list[bool]:
@@ -49,7 +47,11 @@ def surely_right(work: Work, edits: Sequence[Sequence[Change]]) -> list[bool]:
     if known is None:
         return sure
     each = [(number, work.made_alike(changes, draws)) for number, changes in enumerate(edits)]
-    made = [(number, tables) for number, tables in each if tables and _keeps_rules(tables[0], policy)]
+    made = [
+        (number, tables)
+        for number, tables in each
+        if tables and work.has_the_joints(tables[0]) and _keeps_rules(tables[0], policy)
+    ]
     tables = [table for _, at_draws in made for table in at_draws]
     if not tables:
         return sure
@@ -87,11 +89,14 @@ def _determining(keys: tuple[Reference, ...], policy: Policy) -> Invariants | No
 
 
 def _is_clear(key: Reference) -> bool:
-    """Whether all joints of a key turn, about axes of which neighbours are parallel or clearly not."""
+    """Whether all joints of a key turn, about axes of which neighbours are parallel or clearly not.
+
+    Beside flatter axes no offset is measured.
+    """
     axes = key.chain.axes
     sines = (norm(cross(one.direction, other.direction)) for one, other in pairwise(axes))
     turning = bool(axes) and not any(axis.prismatic for axis in axes)
-    return turning and all(sine <= EXACTLY or sine >= STEEP for sine in sines)
+    return turning and all(sine <= EXACTLY or sine >= STEEPEST for sine in sines)
 
 
 def _keeps_rules(table: NumericTable, policy: Policy) -> bool:
