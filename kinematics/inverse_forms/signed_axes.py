@@ -46,6 +46,9 @@ _SHIFTS = (MotionKind.SHIFT_X, MotionKind.SHIFT_Z)
 _ROUNDED_ANGLE = 5e-15
 """As far [rad] as π with fifteen digits is off."""
 
+_MOST_RADIANS = 8
+"""Beyond a turn, the rounding of a double hides how far a number is off right angles."""
+
 _ROUNDED_LENGTH = Fraction(1, 10**15)
 """Lengths below this part of the largest, or of 1 where some are parameters, are zero."""
 
@@ -121,10 +124,13 @@ def _largest_length(motions: Sequence[Motion]) -> Fraction:
 
 def _quarter_turns(angle: Expression) -> int | None:
     """How many right angles an angle is, or None if it is something else."""
-    turns, number = pi_fraction(angle), rational_value(angle)
-    if turns is None and number is None:
+    turns, radians = pi_fraction(angle), rational_value(angle)
+    if turns is not None:
+        quarters = 2 * turns
+    elif radians is not None and abs(radians) < _MOST_RADIANS:
+        quarters = Fraction(float(radians) / (0.5 * math.pi))
+    else:
         return None
-    quarters = 2.0 * float(turns) if turns is not None else float(number or 0) / (0.5 * math.pi)
     nearest = round(quarters)
     return nearest % 4 if abs(quarters - nearest) * 0.5 * math.pi <= _ROUNDED_ANGLE else None
 

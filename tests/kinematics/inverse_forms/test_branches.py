@@ -329,6 +329,15 @@ def test_a_twist_that_is_more_than_rounding_is_not_a_right_angle():
     assert refused.value.faults[0].where == ("rows", 1, "alpha")
 
 
+@pytest.mark.parametrize("twist", ["999999999999946", "-999999999999957", "9e14*pi + pi/100"])
+def test_a_large_angle_is_not_taken_for_a_right_one(twist):
+    rows = [RawRow(theta=f"q{i}", d=0, a=0.3, alpha=alpha) for i, alpha in enumerate((0, twist, 0), 1)]
+    read = read_table(RawTable(convention=STANDARD, angle_unit=AngleUnit.RAD, rows=tuple(rows)))
+    with pytest.raises(TableError) as refused:
+        inverse_form(read.table)
+    assert refused.value.faults[0].where == ("rows", 1, "alpha")
+
+
 @pytest.mark.parametrize("name", IDLE)
 def test_where_a_joint_does_nothing_there_is_no_form_and_no_division_by_zero(name):
     with pytest.raises(TableError) as refused:
