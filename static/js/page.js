@@ -111,12 +111,17 @@ export function forgetFragment(name) {
     history.replaceState(history.state, "", location.pathname + location.search);
 }
 
-/** Links to other pages of the tool take along what only memory holds. */
+/** Links to other pages of the tool take along what only memory holds; nobody can copy it from them later. */
 function takeAlong() {
   document.addEventListener("click", (event) => {
     const link = /** @type {Element} */ (event.target).closest("a");
     if (!link || link.target || link.download || link.getAttribute("href")?.startsWith("#")) return;
-    if (link.href.startsWith(root) && !link.href.startsWith(api.base)) link.hash = carried(link.hash.slice(1));
+    if (event.defaultPrevented || !link.href.startsWith(root) || link.href.startsWith(api.base)) return;
+    const { hash } = link;
+    link.hash = carried(hash.slice(1));
+    setTimeout(() => {
+      link.hash = hash;
+    });
   });
 }
 

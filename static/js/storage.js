@@ -89,15 +89,15 @@ export function carried(place = "") {
   return `#kept=${encodeURIComponent(JSON.stringify([...memory]))}${place && `&${place}`}`;
 }
 
-/** Takes back what `carried` put into the address, and clears it there. */
+/** Takes back what `carried` put into the address, and clears it there, readable or not. */
 export function takeCarried() {
   const match = /^#kept=([^&]*)(?:&(.*))?$/.exec(location.hash);
   if (!match) return;
+  history.replaceState(history.state, "", location.pathname + location.search);
+  if (match[2]) location.replace(`#${match[2]}`);
   try {
     for (const [key, text] of JSON.parse(decodeURIComponent(match[1]))) memory.set(key, text);
   } catch {
-    return;
+    // an address that was cut off holds nothing that could be taken back
   }
-  history.replaceState(history.state, "", location.pathname + location.search);
-  if (match[2]) location.replace(`#${match[2]}`);
 }

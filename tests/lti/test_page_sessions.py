@@ -50,6 +50,28 @@ def test_without_storage_other_pages_know_who_is_signed_in(
     assert "#" not in page.url
 
 
+def test_without_storage_no_address_that_stays_holds_the_session(
+    page: Page, browser: Browser, service: str
+) -> None:
+    """A link that was followed into another tab kept the token, and handed it on twice at the next click."""
+    page.add_init_script(NO_STORAGE)
+    page.context.add_init_script(NO_STORAGE)
+    launched(page, browser, service, "pia")
+    crumb = page.locator(".crumb a")
+    with page.context.expect_page() as opened:
+        crumb.click(modifiers=["ControlOrMeta"])
+    wait_ready(opened.value)
+    opened.value.close()
+    assert "#" not in str(crumb.get_attribute("href"))
+    crumb.click()
+    page.locator("html[data-page=home][data-ready=true]").wait_for(state="attached")
+    assert "#" not in page.url
+    page.goto(f"{service}/?lang=en#kept=%5B%5B%22session%22")
+    page.reload()
+    page.locator("html[data-page=home][data-ready=true]").wait_for(state="attached")
+    assert "#" not in page.url
+
+
 def test_a_session_that_has_ended_is_not_taken_for_nobody(
     chromium: Chromium, browser: Browser, service: str
 ) -> None:
