@@ -159,20 +159,20 @@ Typed: TypeAlias = tuple[CourseSession, Mapping[str, Any] | None]
 
 
 def keep_drafts(store: Store, typed: Sequence[Typed], now: datetime) -> list[None]:
-    """Keep what people have typed, in one transaction; of the same person the last one stays."""
+    """Keep what people have typed, in one transaction; of the same person the last one stays.
+
+    Their rows are locked in the same order as by those who hand in.
+    """
     own = _own(records.participation, {"link_id": sa.bindparam("link"), "person_id": sa.bindparam("person")})
     values = {"draft": sa.bindparam("state"), "draft_at": now}
+    last = {(session.link.id, session.person.id): state for session, state in typed}
     rows = [
-        {
-            "link": session.link.id,
-            "person": session.person.id,
-            "state": None if state is None else dict(state),
-        }
-        for session, state in typed
+        {"link": link, "person": person, "state": None if state is None else dict(state)}
+        for (link, person), state in sorted(last.items(), key=lambda item: item[0])
     ]
     with store.writing() as connection:
         connection.execute(sa.update(records.participation).where(own).values(values), rows)
-    return [None] * len(rows)
+    return [None] * len(typed)
 
 
 def _own(table: sa.Table, own: Mapping[str, Any]) -> sa.ColumnElement[bool]:

@@ -191,6 +191,26 @@ def test_a_draft_comes_back_in_another_session(store: Store) -> None:
     assert (draft.state, draft.at) == ({"table": ["θ"]}, NOW)
 
 
+def test_drafts_are_stored_in_the_order_in_which_who_hands_in_is_locked(store: Store) -> None:
+    """In any other, two processes would each wait for a row that the other one has."""
+    sessions = [joined(store, f"student-{i}") for i in range(3)]
+    typed = [(sessions[i], {"table": [i, k]}) for k, i in enumerate((2, 0, 1, 2, 0))]
+    stored: list[int] = []
+
+    def note(_connection: Any, _cursor: Any, statement: str, rows: Any, _context: Any, _many: bool) -> None:
+        if statement.startswith("UPDATE"):
+            stored.extend(row["person"] if isinstance(row, dict) else row[-1] for row in rows)
+
+    sa.event.listen(store.engine, "before_cursor_execute", note)
+    assert keep_drafts(store, typed, NOW) == [None] * 5
+    sa.event.remove(store.engine, "before_cursor_execute", note)
+    assert stored == sorted(each.person.id for each in sessions)
+    drafts = [standing_of(store, joined(store, f"student-{i}")).draft for i in range(3)]
+    assert [draft and draft.state for draft in drafts] == [
+        {"table": [i, k]} for i, k in ((0, 4), (1, 2), (2, 3))
+    ]
+
+
 def test_an_opening_reads_the_latest_attempts_without_their_reports(store: Store) -> None:
     """However many there are: students of a practice link hand in hundreds of times."""
     session = joined(store)
