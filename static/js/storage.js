@@ -79,8 +79,7 @@ export function whenKeptElsewhere(key, listener) {
 
 /** Keeps a value as long as the page is open, and for the pages that `carried` leads to. @param {string} key @param {string} value */
 export function keepInMemory(key, value) {
-  if (value) memory.set(key, JSON.stringify(value));
-  else memory.delete(key);
+  memory.set(key, JSON.stringify(value));
 }
 
 /** What only memory holds, as an address's fragment. @param {string} place the place on the other page that is gone to, or none */

@@ -33,8 +33,7 @@ const tab = {
   set(token) {
     held = token;
     try {
-      if (token) sessionStorage.setItem(KEPT, token);
-      else sessionStorage.removeItem(KEPT);
+      sessionStorage.setItem(KEPT, token);
     } catch {
       keepInMemory(TAKEN_ALONG, token);
     }
