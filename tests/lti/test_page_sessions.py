@@ -114,3 +114,38 @@ def test_a_table_from_the_trainer_arrives_in_the_course(page: Page, browser: Bro
     page.reload()
     wait_ready(page)
     expect(cell(page, 0, "a")).to_have_value("L1")
+
+
+def test_an_address_that_was_used_leads_nowhere_unawares(
+    chromium: Chromium, browser: Browser, service: str
+) -> None:
+    """`Try again` opened the page where answers count for nothing, and so did a reload."""
+    answer = browser.post(browser.authorized(browser.login("uma", hint(resource="page-uma", custom=CUSTOM))))
+    address = urljoin(service, answer.headers["location"])
+    for _ in range(2):
+        page = chromium.new_page(locale="en")
+        page.goto(address)
+        wait_ready(page)
+    expect(page.locator("#answer")).to_contain_text("Open the exercise from your course again.")
+    expect(page.get_by_role("button", name="Try again")).to_have_count(0)
+    page.reload()
+    wait_ready(page)
+    expect(page.locator(".notice-warn")).to_contain_text("answers that you give here do not count")
+    page.close()
+
+
+def test_a_launch_whose_first_call_is_lost_can_be_tried_again(
+    chromium: Chromium, browser: Browser, service: str
+) -> None:
+    """The code had left the address before the service was asked."""
+    page = chromium.new_page(locale="en")
+    page.route("**/session/open", lambda route: route.abort())
+    answer = browser.post(browser.authorized(browser.login("vera", hint(resource="page-vera", custom=CUSTOM))))
+    page.goto(urljoin(service, answer.headers["location"]))
+    again = page.get_by_role("button", name="Try again")
+    expect(again).to_be_visible()
+    page.unroute_all()
+    again.click()
+    expect(page.locator(".session-banner")).to_contain_text("Robotics 1")
+    assert "#" not in page.url
+    page.close()

@@ -22,7 +22,7 @@ import { inSentence } from "../numbers.js";
 import { problemNotice } from "../problem.js";
 import "../scene/robot-scene.js";
 import { keep, recall, whenKeptElsewhere } from "../storage.js";
-import { CourseSession, openSession, receiptView } from "../session/course-session.js";
+import { CourseSession, notOpened, openSession, receiptView } from "../session/course-session.js";
 import { convertedValues } from "../units.js";
 
 /** @param {string} id */
@@ -43,7 +43,7 @@ async function run() {
     if (told?.exercise === id) course = new CourseSession(api, told);
     exercise = await api.get(`exercises/${id}${query}`);
   } catch (error) {
-    fill($("answer"), problemNotice(error, { retry: () => location.reload() }));
+    fill($("answer"), notOpened(error));
     return;
   }
   if (course) {

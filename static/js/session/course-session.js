@@ -7,7 +7,8 @@ import { Problem } from "../api.js";
 import { debounced, el, fill } from "../dom.js";
 import { dates, t } from "../i18n.js";
 import { pointsTold } from "../numbers.js";
-import { warnAbove } from "../page.js";
+import { forgetFragment, warnAbove } from "../page.js";
+import { problemNotice } from "../problem.js";
 import { keep, keepInMemory, recall } from "../storage.js";
 
 const KEPT = "framewise:session";
@@ -46,11 +47,7 @@ const tab = {
  * @returns {Promise<any>}
  */
 export async function openSession(api, ended = () => {}) {
-  const code = new URLSearchParams(location.hash.slice(1)).get("session");
-  if (code) {
-    history.replaceState(history.state, "", location.pathname + location.search);
-    tab.set((await api.post("session/open", { code })).token);
-  }
+  await exchangeCode(api);
   api.token = tab.get();
   if (!api.token) return null;
   try {
@@ -58,11 +55,41 @@ export async function openSession(api, ended = () => {}) {
     setInterval(() => document.visibilityState === "visible" && api.get("session").catch(() => null), RENEWED_EVERY);
     return told;
   } catch (error) {
-    if (!(error instanceof Problem) || error.status !== 401) throw error;
+    if (!isRefused(error)) throw error;
     api.token = "";
     ended();
     return null;
   }
+}
+
+/**
+ * Exchanges the code in the address for a token. A code that the service could not be asked about stays in the address, for
+ * another try; one that has been used takes the token's place, so that a reload says that nobody is signed in any longer.
+ * @param {import("../api.js").Api} api
+ */
+async function exchangeCode(api) {
+  const code = new URLSearchParams(location.hash.slice(1)).get("session");
+  if (!code) return;
+  try {
+    tab.set((await api.post("session/open", { code })).token);
+  } catch (error) {
+    if (isRefused(error)) {
+      if (!tab.get()) tab.set(code);
+      forgetFragment("session");
+    }
+    throw error;
+  }
+  forgetFragment("session");
+}
+
+/** Whether the service does not know who somebody is: to ask it once more would change nothing. @param {unknown} error */
+function isRefused(error) {
+  return error instanceof Problem && error.status === 401;
+}
+
+/** What a page says that could not be opened. @param {unknown} error */
+export function notOpened(error) {
+  return problemNotice(error, isRefused(error) ? {} : { retry: () => location.reload() });
 }
 
 /** A student's exercise in a course: attempts and draft are kept at the service. */
@@ -79,7 +106,7 @@ export class CourseSession {
     let isTold = false;
     this.draft = debounced((/** @type {unknown} */ state) => {
       this.#api.put("session/draft", state).catch((error) => {
-        if (isTold || !(error instanceof Problem) || error.status !== 401) return;
+        if (isTold || !isRefused(error)) return;
         isTold = true;
         warnAbove(error.message);
       });
