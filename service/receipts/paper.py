@@ -25,6 +25,8 @@ BLACK: Colour = (0.0, 0.0, 0.0, 1.0)
 _ONE_AT_A_TIME = threading.Lock()
 _NO_FILL = 0
 _ROUND = 1
+_END = b"startxref"
+"""What follows the last thing in a file whose place is written down."""
 
 
 class Face(StrEnum):
@@ -126,8 +128,11 @@ class Paper:
         )
         raw.FPDFPage_InsertObject(self._page, path)
 
-    def pdf(self) -> bytes:
-        """Return the file. Nothing can be put on its pages afterwards."""
+    def pdf(self, comment: str) -> bytes:
+        """Return the file. Nothing can be put on its pages afterwards.
+
+        The comment is a line of the file that is on no page, and can be read without what unpacks pages.
+        """
         self._end_page()
         written = bytearray()
         file = raw.FPDF_FILEWRITE()
@@ -140,7 +145,8 @@ class Paper:
         file.WriteBlock = type(file.WriteBlock)(write)
         if not raw.FPDF_SaveAsCopy(self._document, file, raw.FPDF_SUBSET_NEW_FONTS):
             raise OSError("PDFium could not write the document")
-        return bytes(written)
+        body, end = bytes(written).rsplit(_END, 1)
+        return b"%s%%%s\n%s%s" % (body, comment.encode("ascii"), _END, end)
 
     def _width(self, face: Face, letter: str) -> float:
         """Width of a letter of size 1."""

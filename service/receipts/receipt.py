@@ -153,4 +153,4 @@ def _receipt(claims: Mapping[str, Any]) -> Receipt:
 
 
 def _refused(code: str, **params: str) -> RequestError:
-    return RequestError(Fault.at(code, "receipt", **params))
+    return RequestError(Fault.at(code, **params))

@@ -70,7 +70,7 @@ def pdf_of(sheet: Sheet, *, figure: str, code: Sequence[bytes | bytearray]) -> b
             flow.skip(4)
             flow.table(sheet.columns, sheet.rows)
         flow.at_the_foot(sheet.signature, sheet.receipt)
-        return page.pdf()
+        return page.pdf(sheet.receipt)
 
 
 class _Flow:

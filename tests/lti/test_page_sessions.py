@@ -140,7 +140,8 @@ def test_a_launch_whose_first_call_is_lost_can_be_tried_again(
     """The code had left the address before the service was asked."""
     page = chromium.new_page(locale="en")
     page.route("**/session/open", lambda route: route.abort())
-    answer = browser.post(browser.authorized(browser.login("vera", hint(resource="page-vera", custom=CUSTOM))))
+    link = hint(resource="page-vera", custom=CUSTOM)
+    answer = browser.post(browser.authorized(browser.login("vera", link)))
     page.goto(urljoin(service, answer.headers["location"]))
     again = page.get_by_role("button", name="Try again")
     expect(again).to_be_visible()

@@ -9,6 +9,7 @@ import httpx
 from joserfc import jws
 from joserfc.jwk import KeySet
 
+from service.receipts.checking import receipts_in
 from service.receipts.keys import REGISTRY
 
 RIGHT = {
@@ -46,7 +47,7 @@ def test_a_receipt_is_given_and_verified(client: httpx.Client) -> None:
     assert first["parts"]["table"]["correct"]
     assert [second["valid"], third["valid"]] == [False, False]
     assert third["code"] == "receipt_malformed"
-    assert third["message"]
+    assert third["message"].startswith("This is not a receipt")
 
 
 def test_breaks_of_a_mail_program_do_no_harm_and_copies_are_seen(client: httpx.Client) -> None:
@@ -55,6 +56,14 @@ def test_breaks_of_a_mail_program_do_no_harm_and_copies_are_seen(client: httpx.C
     checked = client.post(f"{API}/receipts/verify", json={"receipts": [broken, bob]}).json()["receipts"]
     assert [entry["valid"] for entry in checked] == [True, True]
     assert [entry["repeated"] for entry in checked] == [True, True]
+
+
+def test_a_page_that_was_printed_to_a_file_is_a_receipt(client: httpx.Client) -> None:
+    """A student handed in the PDF, and the lecturer was told that it is no receipt."""
+    page = client.post(f"{API}/exercises/twolink/receipts.pdf", json={**RIGHT, "name": "Ann"})
+    (found,) = receipts_in(page.content.decode("utf-8", errors="replace"))
+    (said,) = client.post(f"{API}/receipts/verify", json={"receipts": [found]}).json()["receipts"]
+    assert said["name"] == "Ann"
 
 
 def test_a_gradebook_file(client: httpx.Client) -> None:

@@ -35,7 +35,9 @@ def test_a_receipt_is_taken_printed_and_verified_in_a_folder(
     assert_accessible(page)
     with page.expect_download() as caught:
         page.get_by_role("button", name="Page to print (PDF)").click()
-    assert Path(caught.value.path()).read_bytes().startswith(b"%PDF-")
+    printed = tmp_path / "ann.pdf"
+    caught.value.save_as(printed)
+    assert printed.read_bytes().startswith(b"%PDF-")
     page.get_by_role("dialog").get_by_role("button", name="Close").click()
     put_table(page, wrong(SCARA, 2, a="a2"))
     submit(page)
@@ -47,7 +49,7 @@ def test_a_receipt_is_taken_printed_and_verified_in_a_folder(
     (tmp_path / "both.txt").write_text(f"{bob}\n{bob[:-6]}abcdef\n")
     page.get_by_label("Files with receipts").set_input_files([tmp_path / "ann.txt", tmp_path / "both.txt"])
     result = page.locator("#folder-result")
-    expect(result).to_contain_text("2 of 3 receipts are genuine.")
+    expect(result).to_contain_text("Genuine: 2 of 3 receipts.")
     expect(result.locator("tbody tr").nth(0)).to_contain_text("Ann #let x = [0]")
     expect(result.locator("tbody tr").nth(0)).to_contain_text("35 of 100 points")
     expect(result.locator("tbody tr").nth(1)).to_contain_text("17.5 of 100 points")
@@ -57,6 +59,16 @@ def test_a_receipt_is_taken_printed_and_verified_in_a_folder(
         with page.expect_download() as caught:
             result.get_by_role("button", name=name).click()
         assert "Bob" in Path(caught.value.path()).read_text(encoding="utf-8")
+    (tmp_path / "cyd.txt").write_text("hello")
+    page = open_page("/receipts")
+    result = page.locator("#folder-result")
+    for _ in range(2):
+        page.get_by_label("Files with receipts").set_input_files([printed, tmp_path / "cyd.txt"])
+    expect(result.locator("tbody tr")).to_have_count(2)
+    expect(result.locator("tbody tr").nth(0)).to_contain_text("35 of 100 points")
+    expect(result.locator("tbody tr").nth(0)).to_contain_text("genuine")
+    expect(result.locator("tbody tr").nth(1)).to_contain_text("cyd.txt")
+    expect(result.locator("tbody tr").nth(1)).to_contain_text("This is not a receipt")
 
 
 def test_a_lecturers_link_switches_off_what_it_says(

@@ -8,8 +8,12 @@ receipts-verify = Verify
 receipts-none = There is no receipt yet.
 receipts-found =
     { $all ->
-        [one] { $valid } of one receipt is genuine.
-       *[other] { $valid } of { $all } receipts are genuine.
+        [1]
+            { $valid ->
+                [0] The receipt is not genuine.
+               *[other] The receipt is genuine.
+            }
+       *[other] Genuine: { $valid } of { $all } receipts.
     }
 receipts-save-csv = CSV
 receipts-save-moodle = CSV for Moodle
@@ -21,7 +25,7 @@ receipts-time = Time
 receipts-settings = Settings
 receipts-said = Finding
 receipts-genuine = genuine
-receipts-repeated = genuine, but its answer was handed in by others too
+receipts-repeated = genuine, but another receipt here has the same answer
 receipts-by-link = by a lecturer’s link
 receipts-answer = Answer
 receipts-sign = Signed by { $service }. The code and the text below say the same; { $page } verifies them.

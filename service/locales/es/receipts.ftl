@@ -8,8 +8,12 @@ receipts-verify = Verificar
 receipts-none = Todavía no hay ningún comprobante.
 receipts-found =
     { $all ->
-        [one] { $valid } de un comprobante es auténtico.
-       *[other] { $valid } de { $all } comprobantes son auténticos.
+        [1]
+            { $valid ->
+                [0] El comprobante no es auténtico.
+               *[other] El comprobante es auténtico.
+            }
+       *[other] Auténticos: { $valid } de { $all } comprobantes.
     }
 receipts-save-csv = CSV
 receipts-save-moodle = CSV para Moodle
@@ -21,7 +25,7 @@ receipts-time = Hora
 receipts-settings = Ajustes
 receipts-said = Resultado
 receipts-genuine = auténtico
-receipts-repeated = auténtico, pero otros entregaron la misma respuesta
+receipts-repeated = auténtico, pero otro de estos comprobantes lleva la misma respuesta
 receipts-by-link = por el enlace de un docente
 receipts-answer = Respuesta
 receipts-sign = Firmado por { $service }. El código y el texto de abajo dicen lo mismo; { $page } los verifica.

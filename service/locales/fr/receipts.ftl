@@ -8,8 +8,12 @@ receipts-verify = Vérifier
 receipts-none = Il n’y a pas encore de reçu.
 receipts-found =
     { $all ->
-        [one] { $valid } reçu sur un est authentique.
-       *[other] { $valid } reçus sur { $all } sont authentiques.
+        [1]
+            { $valid ->
+                [0] Le reçu n’est pas authentique.
+               *[other] Le reçu est authentique.
+            }
+       *[other] Authentiques : { $valid } sur { $all } reçus.
     }
 receipts-save-csv = CSV
 receipts-save-moodle = CSV pour Moodle
@@ -21,7 +25,7 @@ receipts-time = Heure
 receipts-settings = Réglages
 receipts-said = Résultat
 receipts-genuine = authentique
-receipts-repeated = authentique, mais d’autres ont rendu la même réponse
+receipts-repeated = authentique, mais un autre de ces reçus porte la même réponse
 receipts-by-link = par le lien d’un enseignant
 receipts-answer = Réponse
 receipts-sign = Signé par { $service }. Le code et le texte ci-dessous disent la même chose ; { $page } les vérifie.

@@ -8,8 +8,12 @@ receipts-verify = Verificar
 receipts-none = Ainda não há nenhum comprovativo.
 receipts-found =
     { $all ->
-        [one] { $valid } de um comprovativo é autêntico.
-       *[other] { $valid } de { $all } comprovativos são autênticos.
+        [1]
+            { $valid ->
+                [0] O comprovativo não é autêntico.
+               *[other] O comprovativo é autêntico.
+            }
+       *[other] Autênticos: { $valid } de { $all } comprovativos.
     }
 receipts-save-csv = CSV
 receipts-save-moodle = CSV para o Moodle
@@ -21,7 +25,7 @@ receipts-time = Hora
 receipts-settings = Definições
 receipts-said = Resultado
 receipts-genuine = autêntico
-receipts-repeated = autêntico, mas outros entregaram a mesma resposta
+receipts-repeated = autêntico, mas outro destes comprovativos tem a mesma resposta
 receipts-by-link = pela ligação de um docente
 receipts-answer = Resposta
 receipts-sign = Assinado por { $service }. O código e o texto abaixo dizem o mesmo; { $page } verifica-os.

@@ -8,8 +8,13 @@ receipts-verify = Verifică
 receipts-none = Încă nu este nicio recipisă.
 receipts-found =
     { $all ->
-        [one] { $valid } dintr-o recipisă este autentică.
-       *[other] { $valid } din { $all } recipise sunt autentice.
+        [1]
+            { $valid ->
+                [0] Recipisa nu este autentică.
+               *[other] Recipisa este autentică.
+            }
+        [few] Autentice: { $valid } din { $all } recipise.
+       *[other] Autentice: { $valid } din { $all } de recipise.
     }
 receipts-save-csv = CSV
 receipts-save-moodle = CSV pentru Moodle
@@ -21,7 +26,7 @@ receipts-time = Ora
 receipts-settings = Setări
 receipts-said = Constatare
 receipts-genuine = autentică
-receipts-repeated = autentică, dar și alții au predat același răspuns
+receipts-repeated = autentică, dar altă recipisă de aici are același răspuns
 receipts-by-link = prin legătura unui profesor
 receipts-answer = Răspuns
 receipts-sign = Semnată de { $service }. Codul și textul de mai jos spun același lucru; { $page } le verifică.

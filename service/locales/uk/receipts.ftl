@@ -8,6 +8,11 @@ receipts-verify = Перевірити
 receipts-none = Квитанцій ще немає.
 receipts-found =
     { $all ->
+        [1]
+            { $valid ->
+                [0] Квитанція не справжня.
+               *[other] Квитанція справжня.
+            }
         [one] Справжніх: { $valid } з { $all } квитанції.
        *[other] Справжніх: { $valid } з { $all } квитанцій.
     }
@@ -21,7 +26,7 @@ receipts-time = Час
 receipts-settings = Налаштування
 receipts-said = Висновок
 receipts-genuine = справжня
-receipts-repeated = справжня, але ту саму відповідь здали й інші
+receipts-repeated = справжня, але ще одна з цих квитанцій має ту саму відповідь
 receipts-by-link = за посиланням викладача
 receipts-answer = Відповідь
 receipts-sign = Підписано службою { $service }. Код і текст нижче кажуть те саме; їх перевіряє { $page }.

@@ -12,16 +12,27 @@ import { problemNotice } from "../problem.js";
 const RECEIPT = /eyJhbGciOiJFZERTQSI[\w-]*\.[\w-]+\.[\w-]{86}/g;
 /** How many one call verifies (service.schemas.exercises.receipts.MOST_RECEIPTS). */
 const AT_ONCE = 1000;
+/** Characters of a text that are sent (service.receipts.receipt.LONGEST). */
+const LONGEST = 8192;
 const FORMATS = ["csv", "moodle", "canvas"];
 
 /** @param {string} id */
 const $ = (id) => /** @type {HTMLElement} */ (document.getElementById(id));
 
-/** Receipts in a text; a text without any stands for itself, so that the service says what is wrong with it. @param {string} text */
-function receiptsIn(text) {
-  const found = text.replace(/\s+/g, "").match(RECEIPT);
-  if (found) return found;
-  return text.trim() ? [text.trim().slice(0, 8192)] : [];
+/** @typedef {{text: string, source: string}} Found a receipt, or what was taken for one, and the file it is from */
+
+/**
+ * Receipts in a text; a text without any stands for itself, so that the service says what is wrong with it.
+ * @param {string} text @param {string} [source] @returns {Found[]}
+ */
+function receiptsIn(text, source = "") {
+  const found = text.replace(/\s+/g, "").match(RECEIPT) ?? [text.trim().slice(0, LONGEST)];
+  return found.filter(Boolean).map((each) => ({ text: each, source }));
+}
+
+/** Each once, however often its file was dropped. @param {Found[]} all */
+function distinct(all) {
+  return [...new Map(all.map((found) => [JSON.stringify(found), found])).values()];
 }
 
 function run() {
@@ -29,23 +40,20 @@ function run() {
   const files = /** @type {HTMLInputElement} */ ($("folder-files"));
   const place = $("folder-drop");
   const result = $("folder-result");
-  /** @type {string[]} */
+  /** @type {Found[]} */
   let dropped = [];
   /** @param {Iterable<File>} list */
   const read = async (list) => {
-    const texts = await Promise.all([...list].map((file) => file.text()));
-    dropped = [...dropped, ...texts.flatMap(receiptsIn)];
+    const found = await Promise.all([...list].map(async (file) => receiptsIn(await file.text(), file.name)));
+    dropped = [...dropped, ...found.flat()];
     await verify();
   };
   const verify = async () => {
-    const receipts = [...dropped, ...receiptsIn(text.value)];
+    const receipts = distinct([...dropped, ...receiptsIn(text.value)]);
     if (!receipts.length) return fill(result, el("p", { class: "hint", text: t("receipts-none") }));
     try {
       const checked = [];
-      for (let at = 0; at < receipts.length; at += AT_ONCE) {
-        const answer = await api.post("receipts/verify", { receipts: receipts.slice(at, at + AT_ONCE) });
-        checked.push(...answer.receipts);
-      }
+      for (const body of bodies(receipts)) checked.push(...(await api.post("receipts/verify", body)).receipts);
       fill(result, summary(checked, receipts));
     } catch (error) {
       fill(result, problemNotice(error));
@@ -60,11 +68,24 @@ function run() {
   $("folder-verify").addEventListener("click", () => void verify());
 }
 
-/** @param {any[]} checked @param {string[]} receipts */
+/** What is sent to have receipts verified, in as many calls as it takes. @param {Found[]} receipts */
+function* bodies(receipts) {
+  for (let at = 0; at < receipts.length; at += AT_ONCE)
+    yield { receipts: receipts.slice(at, at + AT_ONCE).map(({ text }) => text) };
+}
+
+/** Saves the marks of receipts for a gradebook: a file for each call. @param {Found[]} receipts @param {string} format */
+async function saveMarks(receipts, format) {
+  const calls = [...bodies(receipts)];
+  for (const [i, body] of calls.entries()) {
+    const part = calls.length > 1 ? `-${i + 1}` : "";
+    save(await api.file(`receipts/verify?format=${format}`, body), `framewise-${format}${part}.csv`);
+  }
+}
+
+/** @param {any[]} checked @param {Found[]} receipts */
 function summary(checked, receipts) {
-  const valid = receipts.filter((_, i) => checked[i].valid).slice(0, AT_ONCE);
-  const download = (/** @type {string} */ format) => async () =>
-    save(await api.file(`receipts/verify?format=${format}`, { receipts: valid }), `framewise-${format}.csv`);
+  const valid = receipts.filter((_, i) => checked[i].valid);
   const columns = [
     t("receipts-name"),
     t("receipts-exercise"),
@@ -83,23 +104,27 @@ function summary(checked, receipts) {
       FORMATS.map((format) =>
         el("button", {
           type: "button",
-          onclick: download(format),
+          onclick: () => saveMarks(valid, format),
           text: t(`receipts-save-${format}`),
           disabled: !valid.length,
         }),
       ),
     ),
-    dataTable(t("receipts-title"), columns, checked.map(row)),
+    dataTable(
+      t("receipts-title"),
+      columns,
+      checked.map((entry, i) => row(entry, receipts[i])),
+    ),
   ];
 }
 
-/** @param {any} entry */
-function row({ valid, message, repeated, name, exercise, points, max_points: most, issued, settings }) {
+/** What a receipt says; one that is refused is named by its file. @param {any} entry @param {Found} found */
+function row({ valid, message, repeated, name, exercise, points, max_points: most, issued, settings }, found) {
   const when = dates({ dateStyle: "medium", timeStyle: "short" });
   const said = valid ? t(repeated ? "receipts-repeated" : "receipts-genuine") : message;
   const tone = valid ? (repeated ? "warn" : "good") : "bad";
   return [
-    name ?? "–",
+    name ?? (found.source || "–"),
     exercise ?? "–",
     valid ? pointsText(points, most) : "–",
     valid ? when.format(new Date(issued)) : "–",
