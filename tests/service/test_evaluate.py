@@ -102,6 +102,21 @@ def test_refusals_have_the_standard_s_shape(client: httpx.Client, body: Any, cod
     assert response.json()["message"]
 
 
+@pytest.mark.parametrize(
+    ("body", "told"),
+    [
+        ({}, "submission: The field “submission” is missing."),
+        ({"submission": {"type": "SONG", "content": {}}}, "submission, type: This must be one of: "),
+        ([], "The body must be a JSON object"),
+    ],
+)
+def test_a_body_that_can_be_read_is_told_what_is_wrong_with_it(
+    client: httpx.Client, body: Any, told: str
+) -> None:
+    """Whoever left a member out was told to send JSON."""
+    assert evaluate(client, body).json()["message"].startswith(told)
+
+
 def test_a_body_is_bounded(client: httpx.Client) -> None:
     response = client.post("/evaluate", content=b"[" + b"1," * (1 << 20) + b"1]")
     assert response.status_code == 400

@@ -17,6 +17,7 @@ from service.http.languages import language_for
 from service.http.middleware import REQUEST_ID
 from service.http.problems import BodySizeError, busy
 from service.http.routing import ApiRequest
+from service.http.validation import faults_of
 from service.messages import DEFAULT_LANGUAGE, languages, sentence
 from service.resources import resources_of
 from service.schemas.exercises.evaluation import (
@@ -31,6 +32,8 @@ from service.schemas.tables import Table
 router = APIRouter(tags=["evaluation"], include_in_schema=False)
 """µEd describes its calls itself; they are no part of our own document."""
 
+_TOLD = 20
+"""Faults of a body that are told."""
 _LOCATOR = {
     "type": "object",
     "required": ["type", "row"],
@@ -102,7 +105,7 @@ async def evaluate_submission(request: Request, response: Response) -> Any:
     except BodySizeError as error:
         return _refused(error.faults[0].code, message=told_fault(error.faults[0], DEFAULT_LANGUAGE))
     except ValidationError as error:
-        return _refused("body_invalid", {"errors": _places(error)})
+        return _refused("body_invalid", {"errors": _places(error)}, _said(error))
     language = mued.language_wanted(asked, request.headers.get("accept-language"))
     if asked.callback_url is not None:
         return _accepted(request, asked, asked.callback_url, language)
@@ -171,7 +174,15 @@ def _request_id(request: Request) -> str:
     return str(request.scope.get(REQUEST_ID) or "")
 
 
+def _said(error: ValidationError) -> str | None:
+    """Say what is wrong with a body that is JSON; None if it is none."""
+    found = error.errors()[:_TOLD]
+    if any(fault["type"] == "json_invalid" for fault in found):
+        return None
+    return " ".join(told_fault(fault, DEFAULT_LANGUAGE) for fault in faults_of(found, EvaluateRequest))
+
+
 def _places(error: ValidationError) -> list[dict[str, str]]:
     return [
-        {"where": ".".join(map(str, fault["loc"])), "what": fault["type"]} for fault in error.errors()[:20]
+        {"where": ".".join(map(str, fault["loc"])), "what": fault["type"]} for fault in error.errors()[:_TOLD]
     ]
