@@ -20,7 +20,8 @@ from service.http.problems import RequestError, ServiceError
 
 Grid: TypeAlias = Sequence[Sequence[object]]
 
-SUFFIXES = (".json", ".csv", ".tsv", ".txt", ".xlsx", ".xls", ".ods")
+WORKBOOKS = (".xlsx", ".xls", ".ods")
+SUFFIXES = (".json", ".csv", ".tsv", ".txt", *WORKBOOKS)
 LARGEST_FILE = 8 * 1024 * 1024
 """Bytes of a file: as many rows as are read, with 80 characters each."""
 MOST_LEVELS = 8
@@ -103,7 +104,7 @@ def read_tables(name: str, content: bytes, settings: TableSettings) -> tuple[Fou
     suffix = PurePosixPath(name).suffix.lower()
     if suffix == ".json":
         found = tuple(_json_tables(name, _json(name, content), settings))
-    elif suffix in (".xlsx", ".xls", ".ods"):
+    elif suffix in WORKBOOKS:
         found = tuple(_workbook_tables(name, content, settings))
     elif suffix in SUFFIXES:
         found = tuple(_grid_tables(name, _delimited(name, content), settings))

@@ -147,13 +147,35 @@ def test_receipts_are_verified_and_keys_renewed(
 def test_a_file_that_cannot_be_used_is_named(
     arguments: list[str], tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    (tmp_path / "a.csv").write_text(RIGHT)
     """By the name that was typed, not by that of a file beside it."""
+    (tmp_path / "a.csv").write_text(RIGHT)
     typed = [argument.replace("{}", str(tmp_path)) for argument in arguments]
     assert main(typed) == 2
     told = capsys.readouterr().err
     assert "file_unusable" in told
     assert any(f": {word} cannot" in told for word in typed)
+
+
+def test_marks_are_not_written_under_the_name_of_a_spreadsheet(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Spreadsheet programs refused the file, and a class's own was overwritten."""
+    (tmp_path / "class.csv").write_text(RIGHT)
+    output = tmp_path / "marks.XLSX"
+    output.write_bytes(b"a spreadsheet")
+    typed = [
+        "grade",
+        str(tmp_path / "class.csv"),
+        "--exercise",
+        "twolink",
+        "--jobs",
+        "1",
+        "--output",
+        str(output),
+    ]
+    assert main(typed) == 2
+    assert "marks.XLSX would hold no spreadsheet" in capsys.readouterr().err
+    assert output.read_bytes() == b"a spreadsheet"
 
 
 @pytest.mark.parametrize("text", ["{", "[]x", '[{"id": 1}]', '{"keys": [{}]}', '{"keys": []}', "5"])

@@ -7,6 +7,7 @@ error-file_too_large =
     }; a table takes a few kilobytes.
 error-file_missing = There is no file or folder { $file }.
 error-grade_path_needed = A file, a folder or a zip archive is needed: - or nothing stands for the standard input only with --for.
+error-marks_are_text = { $file } would hold no spreadsheet: marks are written as text that spreadsheets read. Give the file a name with .csv.
 error-file_unreadable = { $file } cannot be read: { $reason }.
 error-file_unusable = { $file } cannot be read or written: { $reason }.
 error-file_type_unknown = { $file } is of an unsupported type. Supported: { $known }.

@@ -7,6 +7,7 @@ error-file_too_large =
     }; una tabla ocupa unos pocos kilobytes.
 error-file_missing = No existe ningún archivo ni carpeta { $file }.
 error-grade_path_needed = Hace falta un archivo, una carpeta o un archivo zip: solo con --for, - o nada representa la entrada estándar.
+error-marks_are_text = { $file } no contendría una hoja de cálculo: las calificaciones se escriben como texto que leen las hojas de cálculo. Dé al archivo un nombre con .csv.
 error-file_unreadable = No se puede leer { $file }: { $reason }.
 error-file_unusable = No se puede leer o escribir { $file }: { $reason }.
 error-file_type_unknown = { $file } es de un tipo que aquí no se lee. Se leen { $known }.

@@ -7,6 +7,7 @@ error-file_too_large =
     } ; un tableau tient en quelques kilooctets.
 error-file_missing = Il n’y a ni fichier ni dossier { $file }.
 error-grade_path_needed = Il faut un fichier, un dossier ou une archive zip : - ou rien ne désigne l’entrée standard qu’avec --for.
+error-marks_are_text = { $file } ne contiendrait pas une feuille de calcul : les notes sont écrites en texte, que lisent les tableurs. Donnez au fichier un nom en .csv.
 error-file_unreadable = { $file } ne peut pas être lu : { $reason }.
 error-file_unusable = { $file } ne peut être ni lu ni écrit : { $reason }.
 error-file_type_unknown = { $file } est d’un type qui n’est pas lu ici. Sont lus : { $known }.

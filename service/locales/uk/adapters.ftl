@@ -8,6 +8,7 @@ error-file_too_large =
     }; таблиця займає кілька кілобайтів.
 error-file_missing = Файлу чи теки { $file } немає.
 error-grade_path_needed = Потрібен файл, тека або архів zip: лише з --for дефіс або відсутність аргументу означає стандартний ввід.
+error-marks_are_text = { $file } не містив би електронної таблиці: оцінки записуються текстом, який читають табличні програми. Дайте файлу назву з .csv.
 error-file_unreadable = { $file } не вдається прочитати: { $reason }.
 error-file_unusable = { $file } неможливо прочитати або записати: { $reason }.
 error-file_type_unknown = Файли такого типу, як { $file }, тут не читаються. Читаються { $known }.
