@@ -148,6 +148,16 @@ export function uniqueId(stem) {
   return `${stem}-${counter}`;
 }
 
+/**
+ * Shows a dialog, unless one is open: whoever presses a button again while its dialog is on its way wants one.
+ * @param {HTMLDialogElement} dialog @param {HTMLElement} [parent]
+ */
+export function showDialog(dialog, parent = document.body) {
+  if (document.querySelector("dialog[open]")) return;
+  parent.append(dialog);
+  dialog.showModal();
+}
+
 /** Says something to screen readers without moving the focus. @param {string} text */
 export function announce(text) {
   const announcer = document.getElementById("announcer");

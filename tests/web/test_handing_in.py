@@ -71,6 +71,23 @@ def test_a_receipt_is_taken_printed_and_verified_in_a_folder(
     expect(result.locator("tbody tr").nth(1)).to_contain_text("This is not a receipt")
 
 
+def test_a_receipt_on_a_slow_network_is_one_dialog(open_page: OpenPage, watch: Watch) -> None:
+    """A second press opened a second dialog behind the first; without a network nothing was said."""
+    page = open_page("/exercises/scara")
+    put_table(page, SCARA)
+    submit(page)
+    button = page.get_by_role("button", name="Get a receipt")
+    watch.allow("ERR_FAILED")
+    page.route("**/receipt-dialog.js", lambda route: route.abort())
+    button.click()
+    expect(page.locator("#verdict .notice-problem")).to_be_visible()
+    page.unroute_all()
+    button.evaluate("button => { button.click(); button.click(); }")
+    expect(page.get_by_role("dialog").get_by_label("Your name")).to_be_visible()
+    expect(page.locator("dialog")).to_have_count(1)
+    expect(page.locator("#verdict .notice-problem")).to_have_count(0)
+
+
 def test_a_lecturers_link_switches_off_what_it_says(
     open_page: OpenPage, assert_accessible: Callable[[Page], None], watch: Watch
 ) -> None:

@@ -1,7 +1,7 @@
 /** A dialog that takes a whole table as text, for keyboards and phones that cannot paste into cells. */
 
 import { dataTable } from "../data-table.js";
-import { el, fill, uniqueId } from "../dom.js";
+import { el, fill, showDialog, uniqueId } from "../dom.js";
 import { t } from "../i18n.js";
 import { columnText } from "./grid.js";
 import { readPasted } from "./paste.js";
@@ -62,9 +62,8 @@ export function askForTable(parent, order, convention, take) {
       ),
     )
   );
-  parent.append(dialog);
   show();
-  dialog.showModal();
+  showDialog(dialog, parent);
   text.focus();
 }
 

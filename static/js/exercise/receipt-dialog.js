@@ -1,6 +1,6 @@
 /** A receipt of a verdict to hand in: text to paste, a QR code, and a page to print with the robot and the table. */
 
-import { announce, el, uniqueId } from "../dom.js";
+import { announce, el, showDialog, uniqueId } from "../dom.js";
 import { t } from "../i18n.js";
 import { problemNotice } from "../problem.js";
 import { keep, recall } from "../storage.js";
@@ -78,8 +78,7 @@ export function openReceipt(api, exercise, { request }) {
     result,
     el("p", {}, el("button", { type: "button", onclick: () => dialog.close(), text: t("form-close") })),
   );
-  document.body.append(dialog);
-  dialog.showModal();
+  showDialog(dialog);
 }
 
 /** @param {Blob} file @param {string} name */

@@ -3,6 +3,7 @@
 import { announce, el, fill } from "../dom.js";
 import { t } from "../i18n.js";
 import { api } from "../page.js";
+import { telling } from "../problem.js";
 import { placeOf } from "./answer-card.js";
 import { bothRobots } from "./both-robots.js";
 import { ghostRobot } from "./ghost.js";
@@ -81,8 +82,14 @@ function together(graded, { figure }, { model, size }) {
 
 /** @param {Wire.Exercise} exercise @param {import("./receipt-dialog.js").Handed} handed */
 function receiptButton(exercise, handed) {
-  const open = async () => (await import("./receipt-dialog.js")).openReceipt(api, exercise, handed);
-  return el("p", { class: "no-print" }, el("button", { type: "button", onclick: open, text: t("form-receipt") }));
+  const problem = el("div");
+  const open = telling(problem, async () => {
+    const { openReceipt } = await import("./receipt-dialog.js");
+    fill(problem);
+    openReceipt(api, exercise, handed);
+  });
+  const button = el("button", { type: "button", onclick: open, text: t("form-receipt") });
+  return el("div", { class: "stack no-print" }, el("p", {}, button), problem);
 }
 
 /**
