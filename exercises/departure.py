@@ -19,9 +19,10 @@ from itertools import takewhile
 
 import numpy as np
 
-from exercises.drawings import key_pose, true_scene
+from exercises.drawings import true_scene
 from exercises.errors import DefinitionError
 from exercises.figures.geometry import FigureJointAxis
+from exercises.figures.points import posture_in_figure, rotation_rpy
 from exercises.grading import Finding, Verdict
 from exercises.grading.verdict import Matrix4
 from exercises.instance import Instance
@@ -90,21 +91,18 @@ def departure_of(instance: Instance, read: ReadTable, verdict: Verdict) -> Depar
         given = instance.values
         key = bind(exercise.reference.table, given)
         answer = bind(in_length_unit(read, exercise.length_unit).table, given)
-        pose, axes = key_pose(instance), true_scene(instance).axes
+        scene = true_scene(instance)
     except (KinematicsError, DefinitionError):
         return None
-    metres = float(exercise.length_unit.metres_per_unit)
-    posture = [
-        value / metres if kind is JointType.PRISMATIC else value
-        for value, kind in zip(pose.posture, key.joint_types, strict=True)
-    ]
+    figure = exercise.figure
+    posture = posture_in_figure(figure, exercise.reference.table)
     shared, certificate = shared_joints(key, answer, exercise.policy)
     if certificate is None:
         return None
     row = _named(verdict) or _first_row(answer, shared)
     if row is None:
         return None
-    base = np.array(pose.base) @ np.linalg.inv(certificate.base)
+    base = rotation_rpy(*figure.upright) @ np.linalg.inv(certificate.base)
     chain = chain_of_table(answer, base=base)
     start = [
         sign * value + offset
@@ -112,19 +110,19 @@ def departure_of(instance: Instance, read: ReadTable, verdict: Verdict) -> Depar
             certificate.joint_signs, posture, certificate.joint_offsets, strict=False
         )
     ]
-    joints = _laid_on(chain, start, axes, true_scene(instance).size)
+    joints = _laid_on(chain, start, scene.axes, scene.size)
     if not np.isfinite(base).all() or not np.isfinite(joints).all():
         return None  # lengths beyond what a number holds
-    types = answer.joint_types
+    metres = float(exercise.length_unit.metres_per_unit)
     base[:3, 3] *= metres
     return Departure(
         row=min(row, len(answer.rows)),
         base=_rows(base),
         posture=tuple(
             float(value) * (metres if kind is JointType.PRISMATIC else 1.0)
-            for value, kind in zip(joints, types, strict=True)
+            for value, kind in zip(joints, answer.joint_types, strict=True)
         ),
-        senses=_senses(chain, joints, axes),
+        senses=_senses(chain, joints, scene.axes),
     )
 
 

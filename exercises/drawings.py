@@ -11,7 +11,7 @@ from exercises.figures.description import Sentence, describe
 from exercises.figures.dimension_layout import DimensionLayout, dimension_layout
 from exercises.figures.drawing import draw_figure
 from exercises.figures.geometry import Scene, Vector, build_scene, scene_vector
-from exercises.figures.points import frames_in_figure, rotation_rpy
+from exercises.figures.points import frames_in_figure, posture_in_figure, rotation_rpy
 from exercises.figures.skeleton import usual_dimensions
 from exercises.figures.specification import DimensionMark
 from exercises.figures.svg import SvgDrawing
@@ -174,15 +174,13 @@ def key_pose(instance: Instance) -> KeyPose:
     """Return how the key lies in the figure; every accepted answer to the instance is shown it."""
     exercise = instance.exercise
     figure, table = exercise.figure, exercise.reference.table
-    types = table.joint_types
-    posture = figure.posture or (0.0,) * len(types)
     frames = frames_in_figure(figure, table, instance.values)
     metres = float(exercise.length_unit.metres_per_unit)
     return KeyPose(
         base=tuple(tuple(row) for row in rotation_rpy(*figure.upright).tolist()),
         posture=tuple(
             value * metres if joint_type is JointType.PRISMATIC else value
-            for value, joint_type in zip(posture, types, strict=True)
+            for value, joint_type in zip(posture_in_figure(figure, table), table.joint_types, strict=True)
         ),
         directions=tuple(
             scene_vector(frames[frame][:3, 2] * table.rows[row].sign)

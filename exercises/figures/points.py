@@ -124,9 +124,14 @@ def frames_in_figure(
     specification: FigureSpecification, reference: SymbolicTable, values: Mapping[str, float]
 ) -> list[Transform]:
     """Return (4, 4) poses of frame 0 … N of a reference in the figure, at the figure's posture."""
-    posture = specification.posture or (0.0,) * reference.n_joints
     base = rotation_rpy(*specification.upright)
+    posture = posture_in_figure(specification, reference)
     return [to_matrix(frame) for frame in frames_at(bind(reference, values), posture, base)]
+
+
+def posture_in_figure(specification: FigureSpecification, reference: SymbolicTable) -> tuple[float, ...]:
+    """Return the reference's joint values in the figure [rad, or the exercise's length unit]."""
+    return specification.posture or (0.0,) * reference.n_joints
 
 
 def rotation_rpy(roll: float, pitch: float, yaw: float) -> Transform:
