@@ -162,7 +162,8 @@ def _found(
     coarser = EXACT.length <= wanted.length and EXACT.angle <= wanted.angle and wanted != EXACT
     if coarser and not surely_apart(references[0], submissions[0], EXACT):
         # among axes that are nearly parallel, alignments lever up the errors of the arithmetic
-        levered = references[0].further_levels(policy.base, policy.zero, wanted)
+        is_refined = effort is Effort.REFINED
+        levered = is_refined and references[0].further_levels(policy.base, policy.zero, wanted)
         trying = effort if levered else Effort.PLAIN
         exact = replace(policy, tolerance=EXACT)
         with nullcontext() if meter is None else meter.at_most(meter.left // 2):
