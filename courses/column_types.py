@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from datetime import UTC, datetime
+from typing import Any
 
 import sqlalchemy as sa
 from sqlalchemy.engine import Dialect
@@ -39,3 +40,11 @@ class PlainText(TypeDecorator[str]):
     def process_bind_param(self, value: str | None, dialect: Dialect) -> str | None:
         """Leave NUL out."""
         return value.replace("\0", "") if value else value
+
+
+class WrittenJson(dict[str, Any]):
+    """An object beside the JSON that it was read from, which is stored as it stands; nobody changes it."""
+
+    def __init__(self, found: dict[str, Any], text: str) -> None:
+        super().__init__(found)
+        self.text = text

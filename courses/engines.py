@@ -12,6 +12,7 @@ from sqlalchemy import event
 from sqlalchemy.exc import ArgumentError, DisconnectionError
 from sqlalchemy.pool import ConnectionPoolEntry
 
+from courses.column_types import WrittenJson
 from courses.refusals import StorageError
 from kinematics.errors import Fault
 
@@ -123,4 +124,6 @@ def _begin(connection: sa.Connection) -> None:
 
 
 def _written(value: object) -> str:
+    if isinstance(value, WrittenJson):
+        return value.text
     return json.dumps(value, ensure_ascii=False, separators=(",", ":"), allow_nan=False)

@@ -12,6 +12,7 @@ import orjson
 from pydantic import ValidationError
 
 from courses.attempts import check_open, path_of_codes
+from courses.column_types import WrittenJson
 from courses.model import Attempt, CourseSession, LinkSettings
 from courses.refusals import AttemptError, NoExerciseError
 from courses.regrading import Rejudged
@@ -135,8 +136,8 @@ class Grader:
 
 
 def _as_stored(report: Report) -> dict[str, Any]:
-    found: dict[str, Any] = orjson.loads(encoded(report))
-    return found
+    text = encoded(report)
+    return WrittenJson(orjson.loads(text), text.decode())
 
 
 UNREAD = Rejudged(attempt_id=0, score=None)

@@ -19,6 +19,7 @@ from psycopg.errors import AdminShutdown, DeadlockDetected, SerializationFailure
 from sqlalchemy.exc import IntegrityError, OperationalError
 
 from courses.backup import back_up, restore
+from courses.column_types import WrittenJson
 from courses.records import metadata, prepared_answer
 from courses.refusals import StorageError, StorageUnavailableError
 from courses.schema_history import advance
@@ -35,6 +36,19 @@ def test_errors_of_the_database_do_not_tell_what_it_was_given(store: Store) -> N
         connection.execute(wrong)
     assert "INSERT INTO person" in str(caught.value)
     assert "Lovelace" not in str(caught.value).split("DETAIL")[0]
+
+
+def test_what_was_read_from_json_is_stored_as_it_was_written(store: Store) -> None:
+    """To write it again takes longer than to write a report in the first place."""
+    text = '{"code": "é",  "residual": 1e-16}'
+    details, record = WrittenJson(json.loads(text), text), metadata.tables["access"]
+    entry = {"at": datetime(2026, 1, 1, tzinfo=UTC), "actor": "", "action": "test", "details": details}
+    with store.writing() as connection:
+        connection.execute(sa.insert(record).values(**entry))
+    with store.reading() as connection:
+        stored = connection.scalar(sa.select(sa.cast(record.c.details, sa.Text)))
+        assert stored == text
+        assert connection.scalar(sa.select(record.c.details)) == details
 
 
 def test_the_history_ends_at_the_schema_of_the_program(store: Store) -> None:
