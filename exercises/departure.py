@@ -24,13 +24,15 @@ from exercises.errors import DefinitionError
 from exercises.figures.geometry import FigureJointAxis
 from exercises.figures.points import posture_in_figure, rotation_rpy
 from exercises.grading import Finding, Verdict
+from exercises.grading.facts import least_cost
 from exercises.grading.verdict import Matrix4
 from exercises.instance import Instance
 from kinematics.cells import ReadTable, in_length_unit
 from kinematics.chain import Axis, Chain, chain_of_table
 from kinematics.equivalence import Certificate, Policy
+from kinematics.equivalence.batches import axis_batch
 from kinematics.equivalence.decision import certify, mechanism_only
-from kinematics.equivalence.invariants import first_axes_shared
+from kinematics.equivalence.invariants import axes_of, invariants_of
 from kinematics.equivalence.reference import prepared
 from kinematics.equivalence.search import Effort
 from kinematics.errors import KinematicsError
@@ -137,7 +139,7 @@ def shared_joints(key: NumericTable, answer: NumericTable, policy: Policy) -> tu
         policy: what tells how exact lengths and angles are.
     """
     free = mechanism_only(policy)
-    for joints in range(_alike(key, answer, free), 0, -1):
+    for joints in range(joints_alike(key, answer, free), 0, -1):
         chain = chain_of_table(_first(answer, joints))
         reference = prepared(_first(key, joints)).beside(chain)
         found = certify((reference,), (chain,), free, Effort.PLAIN, measured=False)
@@ -146,14 +148,22 @@ def shared_joints(key: NumericTable, answer: NumericTable, policy: Policy) -> tu
     return 0, None
 
 
-def _alike(key: NumericTable, answer: NumericTable, policy: Policy) -> int:
-    """Return how many first joints share types and invariants: no more are the same mechanism."""
+def joints_alike(key: NumericTable, answer: NumericTable, policy: Policy) -> int:
+    """Return how many first joints share types and invariants: no more are the same mechanism.
+
+    The axes of those joints may point either way, so long as every invariant of theirs fits.
+    """
     pairs = zip(key.joint_types, answer.joint_types, strict=False)
     joints = sum(1 for _ in takewhile(lambda pair: pair[0] is pair[1], pairs))
     if not joints:
         return 0
     chain = chain_of_table(_first(answer, joints))
-    return first_axes_shared(prepared(_first(key, joints)).beside(chain), chain, policy)
+    invariants = invariants_of(prepared(_first(key, joints)).beside(chain), policy)
+    axes = axes_of(chain, policy)
+    fits = np.stack(invariants.fits(invariants.measured(axis_batch([axes]))))
+    concerned = invariants.spans[1] <= np.arange(1, joints + 1)  # of the first 1 … n joints
+    wrong = least_cost(invariants.shapes, len(axes), np.asarray(concerned & ~fits, dtype=np.float64))
+    return int((wrong == 0.0).sum())
 
 
 def _first(table: NumericTable, joints: int) -> NumericTable:

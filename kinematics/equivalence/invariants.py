@@ -164,15 +164,6 @@ def invariants_of(reference: Reference, policy: Policy) -> Invariants:
     return Invariants(shapes, measured(shapes, axis_batch([axes])), slacks)
 
 
-def first_axes_shared(reference: Reference, submission: Chain, policy: Policy) -> int:
-    """How many first joints of a submission, of the same types as the reference's, share all invariants."""
-    invariants = invariants_of(reference, policy)
-    found = invariants.measured(axis_batch([axes_of(submission, policy)]))
-    off = invariants.strains(found)[:, 0] > 1.0
-    concerned = invariants.spans[1][off, 0]
-    return min([len(reference.chain.axes), *(int(last) - 1 for last in concerned)])
-
-
 def _between(
     axes: Sequence[Axis], i: int, last: int, size: float, policy: Policy
 ) -> list[tuple[Shape, float]]:

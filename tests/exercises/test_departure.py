@@ -10,19 +10,23 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from exercises.departure import Departure, shared_joints
+from exercises.departure import Departure, joints_alike, shared_joints
 from exercises.drawings import figure_geometry
 from exercises.grading import HelpLevel
 from exercises.instance import generate
 from kinematics.cells import RawTable, read_table
 from kinematics.chain import chain_of_table
 from kinematics.equivalence.decision import certify, mechanism_only
+from kinematics.equivalence.invariants import invariants_of
+from kinematics.equivalence.measures import Measure
 from kinematics.equivalence.reference import prepared
 from kinematics.equivalence.search import Effort
 from kinematics.table import JointType, bind
 from service.wire.exercises.verdicts import encoded, restored
 from tests.exercises.answering import judged, table
 from tests.exercises.packaged import exercise
+from tests.kinematics.equivalence.tables import changed
+from tests.kinematics.equivalence.test_diagnosis import CROSSED, FREE, SKEW
 
 PUMA = (
     (0, 0, 0, "θ1"),
@@ -127,3 +131,27 @@ def test_a_right_table_and_one_that_cannot_be_drawn_have_none() -> None:
     assert read_table(prismatic).table.joint_types[0] is JointType.PRISMATIC
     assert judged("puma560", table=prismatic).departure is None
     assert judged("puma560", table=table("modified", (0, 0, 0, 0))).departure is None
+
+
+@pytest.mark.parametrize("row", range(1, 5))
+@pytest.mark.parametrize("cell", ["alpha", "a"])
+def test_first_axes_are_shared_up_to_a_wrong_fact(row: int, cell: str) -> None:
+    wrong = changed(CROSSED, row, **{cell: getattr(CROSSED.rows[row - 1], cell) + 0.1})
+    assert joints_alike(CROSSED, wrong, FREE) == row
+    assert joints_alike(CROSSED, CROSSED, FREE) == CROSSED.n_joints
+
+
+@pytest.mark.parametrize(("share", "shared"), [(0.9, 4), (1.1, 2)])
+def test_an_axis_that_is_off_by_more_than_digits_explain_is_not_shared(share: float, shared: int) -> None:
+    invariants = invariants_of(prepared(SKEW), FREE)
+    (k,) = (k for k, shape in enumerate(invariants.shapes) if shape == (Measure.DISTANCE, (2, 3, 2, 3)))
+    wrong = changed(SKEW, 2, a=SKEW.rows[1].a + share * float(invariants.slacks[k, 0]))
+    assert joints_alike(SKEW, wrong, FREE) == shared
+
+
+@pytest.mark.parametrize(("cell", "shared"), [("d", 3), ("a", 4)])
+def test_axes_are_shared_up_to_a_wrong_sign(cell: str, shared: int) -> None:
+    """Each axis may point either way, but what is known before and behind it says which."""
+    wrong = changed(CROSSED, 3, **{cell: -getattr(CROSSED.rows[2], cell)})
+    assert joints_alike(CROSSED, wrong, FREE) == shared
+    assert shared_joints(CROSSED, wrong, FREE)[0] == shared

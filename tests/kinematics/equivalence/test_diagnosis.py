@@ -11,8 +11,7 @@ from kinematics.chain import chain_of_table
 from kinematics.conversion import convert, fixed_row
 from kinematics.equivalence import Kind, Policy, ToolRule
 from kinematics.equivalence.diagnosis import diagnose
-from kinematics.equivalence.invariants import first_axes_shared, invariants_of
-from kinematics.equivalence.measures import Measure
+from kinematics.equivalence.invariants import invariants_of
 from kinematics.equivalence.reference import prepared
 from kinematics.equivalence.results import Mismatch
 from kinematics.table import Convention, DHRow, DHTable, JointType, NumericTable
@@ -192,24 +191,6 @@ def test_lengths_between_crossed_axes_are_told_with_their_amounts(row: int, cell
     (mismatch,) = told(CROSSED, CROSSED, row, cell, 0.08)
     assert (mismatch.kind, mismatch.row) == (kind, row - 1)
     assert mismatch.length == pytest.approx(0.08)
-
-
-@pytest.mark.parametrize("row", range(1, 5))
-@pytest.mark.parametrize("cell", ["alpha", "a"])
-def test_first_axes_are_shared_up_to_a_wrong_fact(row: int, cell: str) -> None:
-    reference = prepared(CROSSED)
-    wrong = changed(CROSSED, row, **{cell: getattr(CROSSED.rows[row - 1], cell) + 0.1})
-    assert first_axes_shared(reference, chain_of_table(wrong), FREE) == row
-    assert first_axes_shared(reference, chain_of_table(CROSSED), FREE) == CROSSED.n_joints
-
-
-@pytest.mark.parametrize(("share", "shared"), [(0.9, 4), (1.1, 2)])
-def test_an_axis_that_is_off_by_more_than_digits_explain_is_not_shared(share: float, shared: int) -> None:
-    reference = prepared(SKEW)
-    invariants = invariants_of(reference, FREE)
-    (k,) = (k for k, shape in enumerate(invariants.shapes) if shape == (Measure.DISTANCE, (2, 3, 2, 3)))
-    wrong = changed(SKEW, 2, a=SKEW.rows[1].a + share * float(invariants.slacks[k, 0]))
-    assert first_axes_shared(reference, chain_of_table(wrong), FREE) == shared
 
 
 def test_an_invariant_spans_the_axes_that_it_concerns() -> None:
