@@ -22,7 +22,7 @@ from sqlalchemy.exc import TimeoutError as PoolTimeoutError
 from courses.engines import ALONE, BUSY_SECONDS, WRITES, bound_connections, postgresql, sqlite
 from courses.records import one_time_code
 from courses.refusals import StorageError, StorageUnavailableError
-from courses.turns import Turns
+from courses.turns import TurnError, Turns
 from kinematics.errors import Fault
 
 MIGRATIONS = Path(__file__).resolve().parent / "migrations"
@@ -157,7 +157,7 @@ def _answering() -> Iterator[None]:
     """
     try:
         yield
-    except (OperationalError, InterfaceError, DisconnectionError, PoolTimeoutError, OSError) as error:
+    except (OperationalError, InterfaceError, DisconnectionError, PoolTimeoutError, TurnError) as error:
         _log.error("the database does not answer: %s", reason_of(error))
         undone = str(getattr(getattr(error, "orig", None), "sqlstate", None)).startswith(_UNDONE)
         raise StorageUnavailableError(is_gone=not undone) from error

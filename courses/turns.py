@@ -25,6 +25,10 @@ _NEXT, _NOW = 0, 1
 """Bytes of the file that stand for the locks: of who is next, of whose turn it is."""
 
 
+class TurnError(Exception):
+    """A turn did not come."""
+
+
 class Turns:
     """Who writes next to a file.
 
@@ -53,11 +57,21 @@ class Turns:
         """Wait for one's turn, and hold it.
 
         Raises:
-            OSError: it did not come in time, or the locks are gone.
+            TurnError: it did not come in time, or the locks are gone.
         """
         until = time.monotonic() + self._patience
         if not self._threads.acquire(timeout=self._patience):
-            raise TimeoutError
+            raise TurnError
+        try:
+            self._take(until)
+            try:
+                yield
+            finally:
+                self._unlock(_NOW)
+        finally:
+            self._threads.release()
+
+    def _take(self, until: float) -> None:
         try:
             if self._file.closed:
                 self._file = self._path.open("a")
@@ -66,12 +80,8 @@ class Turns:
                 self._lock(_NOW, until)
             finally:
                 self._unlock(_NEXT)
-            try:
-                yield
-            finally:
-                self._unlock(_NOW)
-        finally:
-            self._threads.release()
+        except OSError as error:
+            raise TurnError from error
 
     def close(self) -> None:
         """Close the file; whoever writes after that opens it again."""
@@ -80,7 +90,7 @@ class Turns:
     def _lock(self, byte: int, until: float) -> None:
         while not self._is_locked(byte):
             if time.monotonic() > until:
-                raise TimeoutError
+                raise TurnError
             time.sleep(LOOK)
 
     def _is_locked(self, byte: int) -> bool:

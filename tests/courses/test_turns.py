@@ -13,7 +13,7 @@ import pytest
 
 from courses import storage
 from courses.refusals import StorageUnavailableError
-from courses.turns import Turns
+from courses.turns import TurnError, Turns
 
 OTHER = """
 import sys
@@ -101,7 +101,7 @@ def test_patience_ends(tmp_path: Path) -> None:
         told(other)
         assert [heard(other), heard(other)] == ["waiting", "taken"]
         for _ in range(2):  # who gave up holds nothing that the next one would wait for
-            with pytest.raises(TimeoutError), turns.taken():
+            with pytest.raises(TurnError), turns.taken():
                 pass
         told(other)
         assert heard(other) == "given back"
@@ -115,6 +115,16 @@ def test_whoever_writes_after_the_end_opens_the_locks_again(turns: Turns) -> Non
     with turns.taken():
         turns.close()
     with turns.taken():
+        pass
+
+
+def test_locks_that_are_gone_are_said_to_be(tmp_path: Path) -> None:
+    (tmp_path / "folder").mkdir()
+    turns = Turns(tmp_path / "folder" / "turns", 60.0)
+    turns.close()
+    (tmp_path / "folder" / "turns").unlink()
+    (tmp_path / "folder").rmdir()
+    with pytest.raises(TurnError), turns.taken():
         pass
 
 

@@ -151,6 +151,7 @@ def test_a_database_that_is_gone_costs_time_alone(tmp_path: Path) -> None:
     figures.keep("a" * 40, b"svg")
     figures.write_down()
     assert figures.known("a" * 40) == b"svg"
+    store.close()
 
 
 @pytest.mark.parametrize("language", ["en", "uk"])
