@@ -5,6 +5,7 @@ from __future__ import annotations
 import subprocess
 import sys
 import threading
+import time
 from collections.abc import Iterator
 from contextlib import closing, contextmanager
 from pathlib import Path
@@ -61,6 +62,18 @@ def heard(process: subprocess.Popen[str]) -> str:
     return process.stdout.readline().strip()
 
 
+@contextmanager
+def held(file: Path) -> Iterator[subprocess.Popen[str]]:
+    """A turn of another process, which gives it back at the end unless it was killed."""
+    with other_process(file) as other:
+        told(other)
+        assert [heard(other), heard(other)] == ["waiting", "taken"]
+        yield other
+        if other.poll() is None:
+            told(other)
+            assert heard(other) == "given back"
+
+
 def is_next_taken(turns: Turns) -> bool:
     """Whether another process is the next one."""
     if turns._is_locked(0):
@@ -88,23 +101,18 @@ def test_nobody_else_can_lock(turns: Turns, tmp_path: Path) -> None:
 
 
 def test_what_a_killed_process_held_is_free(turns: Turns, tmp_path: Path) -> None:
-    with other_process(tmp_path / "turns") as other:
-        told(other)
-        assert [heard(other), heard(other)] == ["waiting", "taken"]
+    with held(tmp_path / "turns") as other:
         other.kill()
         with turns.taken():
             assert other.wait()
 
 
 def test_patience_ends(tmp_path: Path) -> None:
-    with closing(Turns(tmp_path / "turns", 0.01)) as turns, other_process(tmp_path / "turns") as other:
-        told(other)
-        assert [heard(other), heard(other)] == ["waiting", "taken"]
-        for _ in range(2):  # who gave up holds nothing that the next one would wait for
-            with pytest.raises(TurnError), turns.taken():
-                pass
-        told(other)
-        assert heard(other) == "given back"
+    with closing(Turns(tmp_path / "turns", 0.01)) as turns:
+        with held(tmp_path / "turns"):
+            for _ in range(2):  # who gave up holds nothing that the next one would wait for
+                with pytest.raises(TurnError), turns.taken():
+                    pass
         with turns.taken():
             pass
 
@@ -136,6 +144,7 @@ def test_threads_write_one_after_another(turns: Turns) -> None:
             with turns.taken():
                 inside[0] += 1
                 most[0] = max(most[0], inside[0])
+                time.sleep(0.0005)  # another thread runs
                 inside[0] -= 1
 
     threads = [threading.Thread(target=write) for _ in range(4)]
@@ -151,13 +160,8 @@ def test_a_turn_that_does_not_come_is_a_database_that_does_not_answer(
 ) -> None:
     monkeypatch.setattr(storage, "BUSY_SECONDS", 0.01)
     store = storage.open_store("", tmp_path)
-    with other_process(tmp_path / "framewise.turns") as other:
-        told(other)
-        assert [heard(other), heard(other)] == ["waiting", "taken"]
-        with pytest.raises(StorageUnavailableError), store.writing():
-            pass
-        told(other)
-        assert heard(other) == "given back"
+    with held(tmp_path / "framewise.turns"), pytest.raises(StorageUnavailableError), store.writing():
+        pass
     with store.writing():
         pass
     store.close()
