@@ -15,20 +15,20 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
-from itertools import takewhile
+from itertools import pairwise, takewhile
 
 import numpy as np
 
-from exercises.drawings import true_scene
-from exercises.errors import DefinitionError
-from exercises.figures.geometry import FigureJointAxis
+from exercises.definition import Exercise
+from exercises.drawings import shows_signs
+from exercises.figures.geometry import shown_sense
 from exercises.figures.points import posture_in_figure, rotation_rpy
 from exercises.grading import Finding, Verdict
 from exercises.grading.facts import least_cost
 from exercises.grading.verdict import Matrix4
 from exercises.instance import Instance
 from kinematics.cells import ReadTable, in_length_unit
-from kinematics.chain import Axis, Chain, chain_of_table
+from kinematics.chain import Axis, Chain, chain_of_table, size_of, table_at
 from kinematics.equivalence import Certificate, Policy
 from kinematics.equivalence.batches import axis_batch
 from kinematics.equivalence.decision import certify, mechanism_only
@@ -45,6 +45,7 @@ from kinematics.se3 import (
     Vector,
     compose,
     cross,
+    dot,
     move,
     plus,
     rejection,
@@ -93,26 +94,25 @@ def departure_of(instance: Instance, read: ReadTable, verdict: Verdict) -> Depar
         given = instance.values
         key = bind(exercise.reference.table, given)
         answer = bind(in_length_unit(read, exercise.length_unit).table, given)
-        scene = true_scene(instance)
-    except (KinematicsError, DefinitionError):
+    except KinematicsError:
         return None
-    figure = exercise.figure
-    posture = posture_in_figure(figure, exercise.reference.table)
     shared, certificate = shared_joints(key, answer, exercise.policy)
     if certificate is None:
         return None
     row = _named(verdict) or _first_row(answer, shared)
     if row is None:
         return None
-    base = rotation_rpy(*figure.upright) @ np.linalg.inv(certificate.base)
-    chain = chain_of_table(answer, base=base)
+    figure = exercise.figure
+    upright, posture = rotation_rpy(*figure.upright), posture_in_figure(figure, exercise.reference.table)
+    base = upright @ np.linalg.inv(certificate.base)
     start = [
         sign * value + offset
         for sign, value, offset in zip(
             certificate.joint_signs, posture, certificate.joint_offsets, strict=False
         )
     ]
-    joints = _laid_on(chain, start, scene.axes, scene.size)
+    shown = chain_of_table(table_at(key, posture), upright)
+    joints, directions = _laid_on(chain_of_table(answer, base), start, shown.axes, size_of(shown) or 1.0)
     if not np.isfinite(base).all() or not np.isfinite(joints).all():
         return None  # lengths beyond what a number holds
     metres = float(exercise.length_unit.metres_per_unit)
@@ -124,7 +124,7 @@ def departure_of(instance: Instance, read: ReadTable, verdict: Verdict) -> Depar
             float(value) * (metres if kind is JointType.PRISMATIC else 1.0)
             for value, kind in zip(joints, answer.joint_types, strict=True)
         ),
-        senses=_senses(chain, joints, scene.axes),
+        senses=_senses(directions, shown.axes, exercise),
     )
 
 
@@ -186,27 +186,34 @@ def _first_row(answer: NumericTable, shared: int) -> int | None:
     return at[max(place, 0)] if place < len(at) else None
 
 
-def _laid_on(chain: Chain, start: Sequence[float], axes: Sequence[FigureJointAxis], size: float) -> Floats:
-    """Return joint values at which one axis after the other comes as near to the figure's as it can."""
+def _laid_on(
+    chain: Chain, start: Sequence[float], shown: Sequence[Axis], size: float
+) -> tuple[Floats, list[Vector]]:
+    """Return joint values at which one axis after the other comes as near to the figure's as it can.
+
+    And how the chain's axes then point.
+    """
     joints = np.zeros(chain.n_joints)
     joints[: len(start)] = start
     here = IDENTITY
-    for i, (axis, following, target) in enumerate(zip(chain.axes, chain.axes[1:], axes[1:], strict=False)):
+    directions = [axis.direction for axis in chain.axes[:1]]
+    for i, (axis, following) in enumerate(pairwise(chain.axes)):
         beyond = compose(here, axis.motion(float(joints[i])))
-        if i >= len(start) - 1:
-            joints[i] += _best(_moved(axis, here), _moved(following, beyond), target, size)
+        if len(start) - 1 <= i < len(shown) - 1:
+            joints[i] += _best(_moved(axis, here), _moved(following, beyond), shown[i + 1], size)
             beyond = compose(here, axis.motion(float(joints[i])))
         here = beyond
+        directions.append(rotate(here, following.direction))
     revolute = np.array([not axis.prismatic for axis in chain.axes])
     joints[revolute] = (joints[revolute] + math.pi) % math.tau - math.pi
-    return joints
+    return joints, directions
 
 
 def _moved(axis: Axis, motion: Motion) -> Axis:
     return Axis(axis.prismatic, rotate(motion, axis.direction), move(motion, axis.point))
 
 
-def _best(axis: Axis, following: Axis, target: FigureJointAxis, size: float) -> float:
+def _best(axis: Axis, following: Axis, target: Axis, size: float) -> float:
     """Return by how much a joint moves so that the axis behind it comes nearest to the figure's."""
     if axis.prismatic:
         tried = SLIDES * size
@@ -228,7 +235,7 @@ def _turned(vector: Vector, axis: Vector) -> tuple[Vector, Vector, Vector]:
 
 
 def _off(
-    weights: Floats, turned: Sequence[Vector], moved: Sequence[Vector], axis: FigureJointAxis, size: float
+    weights: Floats, turned: Sequence[Vector], moved: Sequence[Vector], axis: Axis, size: float
 ) -> Floats:
     """Return how far lines are from an axis: the sine of the angle, and the distance in robot sizes.
 
@@ -242,7 +249,7 @@ def _off(
     target, (first, *others) = axis.direction, moved
     apart = (subtract(first, axis.point), *others)
     off = _lengths(weights @ np.array([cross(vector, target) for vector in turned]))
-    if axis.type is not JointType.PRISMATIC:
+    if not axis.prismatic:
         off += _lengths(weights @ np.array([rejection(vector, target) for vector in apart])) / size
     return np.asarray(np.round(off, 9), dtype=np.float64)
 
@@ -251,12 +258,10 @@ def _lengths(vectors: Floats) -> Floats:
     return np.asarray(np.sqrt(np.einsum("kc,kc->k", vectors, vectors)), dtype=np.float64)
 
 
-def _senses(chain: Chain, joints: Floats, axes: Sequence[FigureJointAxis]) -> tuple[int, ...]:
-    directions, _ = chain.axes_at(joints)
-    return tuple(
-        -1 if i < len(axes) and float(direction @ np.array(axes[i].direction)) < 0 else 1
-        for i, direction in enumerate(directions)
-    )
+def _senses(directions: Sequence[Vector], shown: Sequence[Axis], exercise: Exercise) -> tuple[int, ...]:
+    drawn = [(1 if shows_signs(exercise) else shown_sense(axis.direction), axis.direction) for axis in shown]
+    along = [sense * dot(d, axis) for d, (sense, axis) in zip(directions, drawn, strict=False)]
+    return tuple(-1 if round(value, 9) < 0 else 1 for value in along) + (1,) * (len(directions) - len(along))
 
 
 def _rows(transform: Transform) -> Matrix4:

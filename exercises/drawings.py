@@ -55,7 +55,7 @@ def _scene(instance: Instance, *, drawn: bool) -> Scene:
         exercise.figure,
         exercise.reference.table,
         instance.values,
-        signed_axes=_shows_signs(exercise),
+        signed_axes=shows_signs(exercise),
         drawn=drawn,
     )
 
@@ -189,12 +189,12 @@ def key_pose(instance: Instance) -> KeyPose:
     )
 
 
+def shows_signs(exercise: Exercise) -> bool:
+    """Return whether the policy fixes what the figure then shows: the positive sense of joint variables."""
+    return exercise.policy.direction is DirectionRule.FIGURE or exercise.policy.zero is ZeroRule.FIGURE
+
+
 def _drawn_scene(instance: Instance) -> Scene:
     if not instance.exercise.figure.lengths:
         return true_scene(instance)
     return _scene(instance, drawn=True)
-
-
-def _shows_signs(exercise: Exercise) -> bool:
-    """Whether the policy fixes what the figure then shows: the positive sense of the joint variables."""
-    return exercise.policy.direction is DirectionRule.FIGURE or exercise.policy.zero is ZeroRule.FIGURE

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TypeAlias
 
@@ -187,7 +187,7 @@ def _axis(points: Points, joint: int, mark: JointMark, size: float, *, signed: b
         joint=joint,
         type=joint_type,
         point=scene_vector(point),
-        direction=scene_vector(direction * sense) if signed else _unsigned(direction),
+        direction=scene_vector(direction * (sense if signed else shown_sense(direction.tolist()))),
         signed=signed,
         scale=mark.scale,
         reach=mark.reach,
@@ -250,10 +250,9 @@ def _diagonal(points: list[Array]) -> float:
     return float(np.linalg.norm(cloud.max(axis=0) - cloud.min(axis=0))) or 1.0
 
 
-def _unsigned(direction: Array) -> Vector:
-    """The direction with its largest component positive: it tells nothing of the reference's sense."""
-    largest = max((_rounded(value, 1e9) for value in direction.tolist()), key=abs)
-    return scene_vector(direction if largest > 0 else -direction)
+def shown_sense(direction: Sequence[float]) -> int:
+    """Return the sign in which an axis of no told sense is drawn: its largest component is positive."""
+    return 1 if max((_rounded(value, 1e9) for value in direction), key=abs) > 0 else -1
 
 
 def _unit(vector: Array | Vector) -> Vector:
