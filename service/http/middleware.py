@@ -40,7 +40,7 @@ _POLICY = b"content-security-policy"
 _REFUSED = 400
 _HEADERS = (
     (b"x-content-type-options", b"nosniff"),
-    (b"referrer-policy", b"no-referrer"),
+    (b"referrer-policy", b"same-origin"),
 )
 
 _log = logging.getLogger("framewise")

@@ -39,7 +39,7 @@ export function pageAddress(path) {
  * @param {() => void | Promise<void>} run
  */
 export async function startPage(run) {
-  takeCarried();
+  takeCarried(root);
   if (window.self !== window.top) document.documentElement.classList.add("embedded");
   for (const link of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll("[data-nav]"))) {
     if (link.dataset.nav === pageName) link.setAttribute("aria-current", "page");

@@ -88,12 +88,17 @@ export function carried(place = "") {
   return `#kept=${encodeURIComponent(JSON.stringify([...memory]))}${place && `&${place}`}`;
 }
 
-/** Takes back what `carried` put into the address, and clears it there, readable or not. */
-export function takeCarried() {
+/**
+ * Takes back what `carried` put into the address, and clears it there, readable or not. An address that somebody else
+ * has made would sign its reader in as whoever made it: only a page of the tool may have led here.
+ * @param {string} root the tool's own address
+ */
+export function takeCarried(root) {
   const match = /^#kept=([^&]*)(?:&(.*))?$/.exec(location.hash);
   if (!match) return;
   history.replaceState(history.state, "", location.pathname + location.search);
   if (match[2]) location.replace(`#${match[2]}`);
+  if (!document.referrer.startsWith(root)) return;
   try {
     for (const [key, text] of JSON.parse(decodeURIComponent(match[1]))) memory.set(key, text);
   } catch {

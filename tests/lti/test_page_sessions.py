@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from urllib.parse import urljoin
+import json
+from urllib.parse import quote, urljoin
 
 import pytest
 from playwright.sync_api import Browser as Chromium
@@ -70,6 +71,23 @@ def test_without_storage_no_address_that_stays_holds_the_session(
     page.reload()
     page.locator("html[data-page=home][data-ready=true]").wait_for(state="attached")
     assert "#" not in page.url
+
+
+def test_an_address_that_somebody_else_made_signs_nobody_in(
+    page: Page, browser: Browser, service: str
+) -> None:
+    """What its reader then handed in counted for whoever had made it."""
+    launched(page, browser, service, "mallory")
+    token = page.evaluate("sessionStorage.getItem('framewise:session')")
+    taken_along = quote(json.dumps([["session", json.dumps(token)]]))
+    page.evaluate("sessionStorage.clear()")
+    page.add_init_script(NO_STORAGE)
+    exercise = page.url.partition("#")[0]
+    page.goto("about:blank")
+    page.goto(f"{exercise}#kept={taken_along}")
+    wait_ready(page)
+    assert "#" not in page.url
+    expect(page.locator(".session-banner")).to_have_count(0)
 
 
 def test_a_session_that_has_ended_is_not_taken_for_nobody(

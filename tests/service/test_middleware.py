@@ -68,7 +68,7 @@ def test_answers_are_not_sniffed_framed_or_run(client: httpx.Client) -> None:
     for path in ("/healthz", "/nothing", "/api/v1/openapi.json"):
         headers = client.get(path).headers
         assert headers["x-content-type-options"] == "nosniff"
-        assert headers["referrer-policy"] == "no-referrer"
+        assert headers["referrer-policy"] == "same-origin"
         assert "default-src 'none'" in headers["content-security-policy"]
         assert "frame-ancestors 'self'" in headers["content-security-policy"]
 

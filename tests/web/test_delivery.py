@@ -73,7 +73,7 @@ def test_pages_allow_this_origin_only_and_set_no_cookie(client: httpx.Client, pa
     assert "unsafe" not in answer.headers["content-security-policy"]
     assert "set-cookie" not in answer.headers
     assert answer.headers["x-content-type-options"] == "nosniff"
-    assert answer.headers["referrer-policy"] == "no-referrer"
+    assert answer.headers["referrer-policy"] == "same-origin"
     assert not re.search(r"<style|style=|<script(?![^>]*src=)|\son\w+=", answer.text)
     assert all(not address.startswith(("http", "//")) for address in ADDRESS.findall(answer.text))
 
