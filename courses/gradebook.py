@@ -181,6 +181,25 @@ def _queue(connection: sa.Connection, changes: Sequence[GradeChange], now: datet
     upsert_all(connection, _OUTBOX, ("link_id", "person_id"), rows, _queued_again)
 
 
+def schedule_scores(connection: sa.Connection, link: Link, now: datetime) -> None:
+    """Give scores of a link that wait to be sent the time that its rules now give them.
+
+    Args:
+        connection: in the transaction that changed a rule, with the students' rows locked.
+        link: with its rules.
+        now: the time.
+    """
+    longest = longest_extra(connection, link.id)
+    due = score_due(link.settings.policy, now, released=link.released_at is not None, longest=longest)
+    waits = sa.and_(
+        _OUTBOX.c.link_id == link.id,
+        _OUTBOX.c.revision > _OUTBOX.c.sent_revision,
+        _OUTBOX.c.dead.is_(False),
+        _OUTBOX.c.lease.is_(None),
+    )
+    connection.execute(sa.update(_OUTBOX).where(waits).values(due=due))
+
+
 def _queued_again(new: Any) -> Mapping[str, Any]:
     return {
         "due": sa.case((_OUTBOX.c.lease.is_(None), new.due), else_=_OUTBOX.c.due),

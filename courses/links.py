@@ -10,10 +10,9 @@ import sqlalchemy as sa
 
 from courses import records
 from courses.attempts import attempt_of
-from courses.gradebook import regrade
+from courses.gradebook import regrade, schedule_scores
 from courses.link_settings import stored, version_of, written
 from courses.model import Attempt, Link, LinkSettings
-from courses.outbox import release_scores
 from courses.policies import Allowance
 from courses.refusals import OutdatedError, unknown_record
 from courses.statements import filled
@@ -99,7 +98,6 @@ def release_feedback(store: Store, link_id: int, now: datetime) -> None:
     with store.writing() as connection:
         connection.execute(sa.update(_LINK).where(_LINK.c.id == link_id).values(released_at=now))
         _regrade_all(connection, link_id, now)
-        release_scores(connection, link_id, now)
 
 
 def allow(store: Store, link_id: int, person: str, allowance: Allowance, now: datetime) -> None:
@@ -109,6 +107,7 @@ def allow(store: Store, link_id: int, person: str, allowance: Allowance, now: da
         UnknownRecordError: no such student has opened the link.
     """
     with store.writing() as connection:
+        _lock_students(connection, link_id)
         person_id = connection.execute(
             sa.select(records.person.c.id).where(records.person.c.key == person)
         ).scalar()
@@ -120,13 +119,13 @@ def allow(store: Store, link_id: int, person: str, allowance: Allowance, now: da
         changed = connection.execute(sa.update(_PART).where(own).values(values)).rowcount
         if person_id is None or changed != 1:
             raise unknown_record("person")
-        regrade_people(connection, link_id, [person_id], now)
+        schedule_scores(connection, regrade_people(connection, link_id, [person_id], now), now)
 
 
 def regrade_people(
     connection: sa.Connection, link_id: int, people: Iterator[int] | list[int] | None, now: datetime
-) -> None:
-    """Derive the grades of some people of a link anew, of all if none are named."""
+) -> Link:
+    """Derive the grades of some people of a link anew, of all if none are named; return the link."""
     row = connection.execute(sa.select(_LINK).where(_LINK.c.id == link_id)).one()
     link = link_of(row, row.id, row.title)
     wanted = (
@@ -145,10 +144,17 @@ def regrade_people(
         for row in rows
     }
     regrade(connection, link, allowances, {row.person_id for row in rows if row.subject is None}, now)
+    return link
 
 
 def _regrade_all(connection: sa.Connection, link_id: int, now: datetime) -> None:
-    regrade_people(connection, link_id, None, now)
+    schedule_scores(connection, regrade_people(connection, link_id, None, now), now)
+
+
+def _lock_students(connection: sa.Connection, link_id: int) -> None:
+    """Keep a link's students from handing in until the transaction ends, in the order of hand-ins."""
+    people = sa.select(_PART.c.person_id).where(_PART.c.link_id == link_id).order_by(_PART.c.person_id)
+    connection.execute(people.with_for_update()).all()
 
 
 def attempt_in(store: Store, course_id: int, attempt_id: int) -> tuple[Attempt, str]:

@@ -123,18 +123,6 @@ def resend(store: Store, link_id: int, now: datetime) -> int:
         return connection.execute(sa.update(_OUTBOX).where(wanted).values(values)).rowcount
 
 
-def release_scores(connection: sa.Connection, link_id: int, now: datetime) -> None:
-    """Make due the scores that were held until the lecturer's release."""
-    held = sa.and_(
-        _OUTBOX.c.link_id == link_id,
-        _OUTBOX.c.revision > _OUTBOX.c.sent_revision,
-        _OUTBOX.c.dead.is_(False),
-        sa.or_(_OUTBOX.c.due.is_(None), _OUTBOX.c.due > now),
-        _OUTBOX.c.lease.is_(None),
-    )
-    connection.execute(sa.update(_OUTBOX).where(held).values(due=now))
-
-
 @dataclass(frozen=True, kw_only=True, slots=True)
 class OutboxState:
     """How the outbox is.

@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 import threading
 import time
+from dataclasses import replace
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
 from typing import Any
@@ -18,7 +19,7 @@ from courses.judged import AttemptFilter, Outcome, Progress, attempts_behind
 from courses.links import allow, change_settings, release_feedback
 from courses.model import CourseSession, LinkSettings, Role
 from courses.outbox import delivered, lease_scores, postponed, resend, undeliverable
-from courses.policies import Allowance, AttemptPolicy, Counted, Counting, FeedbackTiming
+from courses.policies import Allowance, AttemptPolicy, Counted, Counting, FeedbackTiming, Mode
 from courses.privacy import erase_person, export_person, purge
 from courses.refusals import AttemptError, SessionError, UnknownRecordError
 from courses.secrets import issue_code, redeem_code, remember_nonce
@@ -156,6 +157,31 @@ def test_scores_are_held_until_the_release(store: Store) -> None:
     assert lease_scores(store, NOW + minutes(10_000)) == []
     release_feedback(store, session.link.id, NOW)
     assert [item.score for item in lease_scores(store, NOW)] == [0.7]
+
+
+@pytest.mark.parametrize("by", ["extra time", "a later end"])
+def test_scores_wait_until_the_last_student_is_done(store: Store, by: str) -> None:
+    """They went out at the end that was in force when they were handed in, and told what pages withheld."""
+    rules = AttemptPolicy(mode=Mode.EXAM, closes=NOW + minutes(60))
+    link = joined(store).link.id
+    change_settings(store, link, LinkSettings(policy=rules), NOW)
+    submitted(store, joined(store), 0.7)
+    if by == "extra time":
+        allow(store, link, joined(store, "another").person.key, Allowance(extra_time=minutes(30)), NOW)
+    else:
+        change_settings(store, link, LinkSettings(policy=replace(rules, closes=NOW + minutes(90))), NOW)
+    assert lease_scores(store, NOW + minutes(89)) == []
+    assert [item.score for item in lease_scores(store, NOW + minutes(91))] == [0.7]
+
+
+def test_scores_go_out_at_once_where_an_exam_becomes_an_exercise(store: Store) -> None:
+    rules = AttemptPolicy(mode=Mode.EXAM, closes=NOW + minutes(60))
+    link = joined(store).link.id
+    change_settings(store, link, LinkSettings(policy=rules), NOW)
+    submitted(store, joined(store), 0.7)
+    assert lease_scores(store, NOW + minutes(1)) == []
+    change_settings(store, link, LinkSettings(policy=replace(rules, mode=Mode.PRACTICE)), NOW)
+    assert [item.score for item in lease_scores(store, NOW + minutes(1))] == [0.7]
 
 
 def test_extra_time_lets_a_late_attempt_count(store: Store) -> None:
