@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from datetime import datetime
 from typing import Any
@@ -26,6 +26,7 @@ class Arrival:
         subject: None for an anonymous launch.
         settings: those of a deep link; None where the link brings none.
         exercise_id: the exercise of a deep link.
+        copied_from: links of the platform that the link is a copy of, newest first.
     """
 
     platform: Platform
@@ -39,6 +40,7 @@ class Arrival:
     link_title: str = ""
     exercise_id: str | None = None
     settings: Mapping[str, Any] = field(default_factory=dict)
+    copied_from: Sequence[str] = ()
     line_item: str | None = None
     line_items: str | None = None
     memberships_url: str | None = None
@@ -128,8 +130,25 @@ def _link(connection: sa.Connection, arrival: Arrival, course_id: int) -> int:
     }
     settings = stored(arrival.exercise_id, arrival.settings)
     first = {"exercise_id": arrival.exercise_id, "settings": written(settings)}
-    upsert(connection, records.link, key, changed, first)
+    upsert(connection, records.link, key, changed, first | _copied(connection, arrival))
     return _id(connection, records.link, **key)
+
+
+def _copied(connection: sa.Connection, arrival: Arrival) -> dict[str, Any]:
+    """Exercise and rules of the newest known link that a link is a copy of."""
+    if not arrival.copied_from:
+        return {}
+    link, course = records.link.c, records.course.c
+    wanted = (
+        sa.select(link.resource, link.exercise_id, link.settings)
+        .join(records.course, course.id == link.course_id)
+        .where(course.platform_id == arrival.platform.id, link.resource.in_(arrival.copied_from))
+        .where(link.exercise_id.is_not(None))
+        .order_by(link.id)
+    )
+    found = {row.resource: row for row in connection.execute(wanted)}
+    newest = next((found[each] for each in arrival.copied_from if each in found), None)
+    return {} if newest is None else {"exercise_id": newest.exercise_id, "settings": newest.settings}
 
 
 def _id(connection: sa.Connection, table: sa.Table, **key: Any) -> int:

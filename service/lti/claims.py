@@ -47,3 +47,10 @@ def is_staff(roles: Iterable[str]) -> bool:
         if in_course and f"{_COURSE}/Instructor" in vocabulary:
             return True
     return False
+
+
+HISTORY = "history"
+"""Custom parameter in which a copied link names the links that it was copied from."""
+HISTORY_VARIABLE = "$ResourceLink.id.history"
+"""What a platform replaces by their ids, newest first, URL-encoded and separated by commas (LTI Core 1.3,
+ResourceLink variables). A platform that does not know it sends it as it stands."""

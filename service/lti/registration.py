@@ -57,7 +57,7 @@ class ToolRegistration:
                 "description": self.description,
                 "target_link_uri": f"{self.root}lti/launch",
                 "claims": claims,
-                "custom_parameters": {},
+                "custom_parameters": {names.HISTORY: names.HISTORY_VARIABLE},
                 "messages": [
                     {"type": names.RESOURCE_LINK_REQUEST, "target_link_uri": f"{self.root}lti/launch"},
                     {

@@ -85,11 +85,26 @@ def test_a_deep_link_brings_its_exercise_and_rules(browser: Browser, lms: Lms) -
     returned = lms.state()["returned"][-1]
     (item,) = returned["items"]
     assert item["lineItem"]["scoreMaximum"] == 7
+    assert item["custom"]["history"] == "$ResourceLink.id.history"
     assert returned["claims"]["https://purl.imsglobal.org/spec/lti-dl/claim/data"]
     browser.launch("ann", hint(resource="deep", custom=item["custom"]))
     session = browser.api("GET", "session").json()
     assert (session["exercise"], session["points"], session["parts"]) == ("puma560", 7, ["table"])
     assert session["seed"] == session["person"]["key"][:16]
+
+
+def test_a_copied_course_has_the_rules_of_the_one_it_was_copied_from(browser: Browser) -> None:
+    """What a lecturer had changed since the link was made was lost with every term."""
+    custom = {**CUSTOM, "history": "$ResourceLink.id.history"}
+    browser.launch("tina", hint([TEACHER], resource="last, term", context="last", custom=custom))
+    path = f"course/links/{browser.api('GET', 'course').json()['link']}/settings"
+    assert browser.api("PUT", path, {"exercise": "scara", "points": 4, "attempts": 2}).status_code == 200
+    copied = {"custom": {**CUSTOM, "history": "unseen%00,last%2C%20term"}, "context": "next"}
+    browser.launch("ann", hint(resource="copied", **copied))
+    session = browser.api("GET", "session").json()
+    assert (session["exercise"], session["points"], session["attempts_allowed"]) == ("scara", 4, 2)
+    browser.launch("ann", hint(resource="first", context="next", custom={**custom, "history": "unseen"}))
+    assert browser.api("GET", "session").json()["exercise"] == "puma560"
 
 
 def test_a_platform_without_a_coupled_line_item_gets_one(browser: Browser, lms: Lms) -> None:

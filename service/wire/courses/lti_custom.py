@@ -5,22 +5,27 @@ from __future__ import annotations
 import json
 from collections.abc import Mapping
 from typing import Any
+from urllib.parse import unquote
 
 from courses.enrolment import Arrival
 from courses.model import Platform, Role
 from exercises.errors import ExerciseError
 from exercises.library import Library
+from service.lti.claims import HISTORY, HISTORY_VARIABLE
 from service.lti.launch import Launch
 
 EXERCISE, SETTINGS = "exercise", "settings"
 LONGEST_SETTINGS = 2000
 """Characters of the settings that a link carries."""
+_COPIES = 20
+"""Links that a link was copied from, one after another, that are looked for."""
 
 
 def custom_of(exercise_id: str, settings: Mapping[str, Any]) -> dict[str, str]:
     """Return custom parameters of a link to an exercise: only settings that are not the usual ones."""
     told = {name: value for name, value in settings.items() if value not in (None, [], False)}
-    return {EXERCISE: exercise_id, SETTINGS: json.dumps(told, separators=(",", ":"))}
+    carried = {EXERCISE: exercise_id, SETTINGS: json.dumps(told, separators=(",", ":"))}
+    return {**carried, HISTORY: HISTORY_VARIABLE}
 
 
 def arrival_of(launch: Launch, platform: Platform, library: Library) -> Arrival:
@@ -37,6 +42,7 @@ def arrival_of(launch: Launch, platform: Platform, library: Library) -> Arrival:
         link_title=launch.resource_title,
         exercise_id=_known(launch.custom.get(EXERCISE), library),
         settings=_settings(launch.custom.get(SETTINGS, "")),
+        copied_from=_history(launch.custom.get(HISTORY, "")),
         line_item=launch.line_item,
         line_items=launch.line_items,
         memberships_url=launch.memberships_url,
@@ -63,3 +69,10 @@ def _settings(text: str) -> Mapping[str, Any]:
     except (ValueError, RecursionError):
         return {}
     return found if isinstance(found, Mapping) else {}
+
+
+def _history(text: str) -> tuple[str, ...]:
+    """The links that a link was copied from, newest first; none where the platform does not say."""
+    if text == HISTORY_VARIABLE:
+        return ()
+    return tuple(unquote(each) for each in text.split(",", _COPIES)[:_COPIES] if each)
