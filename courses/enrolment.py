@@ -14,7 +14,7 @@ from courses.link_settings import stored, written
 from courses.model import CourseSession, Platform, Role
 from courses.secrets import hashed, new_token, pseudonym
 from courses.sessions import SESSION
-from courses.statements import upsert
+from courses.statements import upsert, upsert_all
 from courses.storage import Store
 
 
@@ -58,7 +58,8 @@ def arrive(store: Store, arrival: Arrival, now: datetime) -> tuple[str, int]:
         course_id = _course(connection, arrival)
         link_id = _link(connection, arrival, course_id)
         took_part = {"link_id": link_id, "person_id": person_id}
-        upsert(connection, records.participation, took_part, {"role": arrival.role.value}, {"began": now})
+        arrived = {**took_part, "role": arrival.role.value, "began": now}
+        upsert_all(connection, records.participation, tuple(took_part), [arrived], _begun_before)
         token = new_token()
         connection.execute(
             sa.insert(records.session).values(
@@ -98,11 +99,16 @@ def preview(store: Store, session: CourseSession, link_id: int, now: datetime) -
     return token
 
 
+def _begun_before(new: Any) -> Mapping[str, Any]:
+    """When somebody came first; a lecturer may have given them extra time before."""
+    return {"began": sa.func.coalesce(records.participation.c.began, new.began)}
+
+
 def _person(connection: sa.Connection, arrival: Arrival, key: str, now: datetime) -> int:
-    changed: dict[str, Any] = {"seen": now}
+    changed: dict[str, Any] = {"seen": now, "subject": arrival.subject}
     if arrival.platform.names_shared and arrival.name:
         changed["name"] = arrival.name[:200]
-    first = {"platform_id": arrival.platform.id, "subject": arrival.subject, "created": now}
+    first = {"platform_id": arrival.platform.id, "created": now}
     upsert(connection, records.person, {"key": key}, changed, first)
     return _id(connection, records.person, key=key)
 

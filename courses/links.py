@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from datetime import datetime, timedelta
 from typing import Any
 
@@ -12,10 +12,10 @@ from courses import records
 from courses.attempts import attempt_of
 from courses.gradebook import regrade, schedule_scores
 from courses.link_settings import stored, version_of, written
-from courses.model import Attempt, Link, LinkSettings
+from courses.model import Attempt, Link, LinkSettings, Role
 from courses.policies import Allowance
 from courses.refusals import OutdatedError, unknown_record
-from courses.statements import filled
+from courses.statements import filled, upsert
 from courses.storage import Store
 from kinematics.errors import Fault
 
@@ -100,26 +100,62 @@ def release_feedback(store: Store, link_id: int, now: datetime) -> None:
         _regrade_all(connection, link_id, now)
 
 
-def allow(store: Store, link_id: int, person: str, allowance: Allowance, now: datetime) -> None:
-    """Give a student extra time or attempts, instead of what they had before.
+def allow(
+    store: Store,
+    link: Link,
+    person: str,
+    allowance: Allowance,
+    now: datetime,
+    listed: Collection[str] = (),
+) -> None:
+    """Give a student extra time or attempts, instead of what they had before; they need not have come yet.
+
+    Args:
+        store: the database.
+        link: for which.
+        person: pseudonym of the student.
+        allowance: what they get.
+        now: the time.
+        listed: pseudonyms of the class, where the platform tells who is in it.
 
     Raises:
-        UnknownRecordError: no such student has opened the link.
+        UnknownRecordError: the course has no such student.
     """
     with store.writing() as connection:
-        _lock_students(connection, link_id)
-        person_id = connection.execute(
-            sa.select(records.person.c.id).where(records.person.c.key == person)
-        ).scalar()
-        own = sa.and_(_PART.c.link_id == link_id, _PART.c.person_id == person_id)
+        _lock_students(connection, link.id)
+        person_id = _student(connection, link.course_id, person)
+        if person_id is None and person in listed:
+            person_id = _listed(connection, link.course_id, person, now)
+        if person_id is None:
+            raise unknown_record("person")
         values = {
             "extra_seconds": int(allowance.extra_time.total_seconds()),
             "extra_attempts": allowance.extra_attempts,
         }
-        changed = connection.execute(sa.update(_PART).where(own).values(values)).rowcount
-        if person_id is None or changed != 1:
-            raise unknown_record("person")
-        schedule_scores(connection, regrade_people(connection, link_id, [person_id], now), now)
+        own = {"link_id": link.id, "person_id": person_id}
+        upsert(connection, _PART, own, values, {"role": Role.LEARNER.value})
+        schedule_scores(connection, regrade_people(connection, link.id, [person_id], now), now)
+
+
+def _student(connection: sa.Connection, course_id: int, person: str) -> int | None:
+    """Who has opened a link of a course."""
+    who = records.person.c
+    wanted = (
+        sa.select(who.id)
+        .join(_PART, _PART.c.person_id == who.id)
+        .join(_LINK, _LINK.c.id == _PART.c.link_id)
+        .where(who.key == person, _LINK.c.course_id == course_id)
+    )
+    return connection.execute(wanted).scalar()
+
+
+def _listed(connection: sa.Connection, course_id: int, person: str, now: datetime) -> int | None:
+    """Somebody of the class who has opened no link of the course yet; a launch says who they are."""
+    course = records.course.c
+    platform = sa.select(course.platform_id).where(course.id == course_id).scalar_subquery()
+    first = {"platform_id": platform, "created": now, "seen": now}
+    upsert(connection, records.person, {"key": person}, {}, first)
+    return connection.execute(sa.select(records.person.c.id).where(records.person.c.key == person)).scalar()
 
 
 def regrade_people(

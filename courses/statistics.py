@@ -40,6 +40,7 @@ def class_overview(
                 _PART.c.link_id,
                 person.c.key,
                 person.c.name,
+                _PART.c.began,
                 _PART.c.made,
                 _PART.c.extra_seconds,
                 _PART.c.extra_attempts,
@@ -62,7 +63,7 @@ def class_overview(
         student["links"][str(row.link_id)] = {
             "attempts": row.made,
             "score": row.score,
-            "state": _state(row.made, (row.link_id, row.key) in solved),
+            "state": _state(row, is_solved=(row.link_id, row.key) in solved),
             "extra_seconds": row.extra_seconds,
             "extra_attempts": row.extra_attempts,
         }
@@ -92,12 +93,12 @@ def _solvers(connection: sa.Connection, link_ids: list[int]) -> set[tuple[int, s
     return {(row.link_id, row.key) for row in found}
 
 
-def _state(made: int, solved: bool) -> str:
-    if solved:
+def _state(row: Any, *, is_solved: bool) -> str:
+    if is_solved:
         return "solved"
-    if made >= STUCK_AFTER:
-        return "stuck"
-    return "begun" if made else "opened"
+    if row.made:
+        return "stuck" if row.made >= STUCK_AFTER else "begun"
+    return "opened" if row.began else "absent"
 
 
 def _counts(link_id: int, students: Iterable[dict[str, Any]]) -> dict[str, int]:

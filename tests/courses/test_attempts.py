@@ -22,7 +22,7 @@ from courses.outbox import delivered, lease_scores, postponed, resend, undeliver
 from courses.policies import Allowance, AttemptPolicy, Counted, Counting, FeedbackTiming, Mode
 from courses.privacy import erase_person, export_person, purge
 from courses.refusals import AttemptError, SessionError, UnknownRecordError
-from courses.secrets import issue_code, redeem_code, remember_nonce
+from courses.secrets import issue_code, pseudonym, redeem_code, remember_nonce
 from courses.sessions import SESSION, end_session, session_of
 from courses.statistics import class_overview, link_statistics, misconceptions, undelivered, unexplained
 from courses.storage import Store, open_store
@@ -163,11 +163,14 @@ def test_scores_are_held_until_the_release(store: Store) -> None:
 def test_scores_wait_until_the_last_student_is_done(store: Store, by: str) -> None:
     """They went out at the end that was in force when they were handed in, and told what pages withheld."""
     rules = AttemptPolicy(mode=Mode.EXAM, closes=NOW + minutes(60))
-    link = joined(store).link.id
+    session = joined(store)
+    link = session.link.id
     change_settings(store, link, LinkSettings(policy=rules), NOW)
     submitted(store, joined(store), 0.7)
     if by == "extra time":
-        allow(store, link, joined(store, "another").person.key, Allowance(extra_time=minutes(30)), NOW)
+        allow(
+            store, session.link, joined(store, "another").person.key, Allowance(extra_time=minutes(30)), NOW
+        )
     else:
         change_settings(store, link, LinkSettings(policy=replace(rules, closes=NOW + minutes(90))), NOW)
     assert lease_scores(store, NOW + minutes(89)) == []
@@ -192,9 +195,32 @@ def test_extra_time_lets_a_late_attempt_count(store: Store) -> None:
     submitted(store, session, 0.9, minutes=15)
     state = class_overview(store, session.course.id)["students"][0]["links"][str(session.link.id)]
     assert state["score"] is None
-    allow(store, session.link.id, session.person.key, Allowance(extra_time=minutes(10)), NOW)
+    allow(store, session.link, session.person.key, Allowance(extra_time=minutes(10)), NOW)
     state = class_overview(store, session.course.id)["students"][0]["links"][str(session.link.id)]
     assert (state["score"], state["extra_seconds"]) == (0.9, 600)
+
+
+@pytest.mark.parametrize("listed", [True, False])
+def test_extra_time_is_given_before_a_student_comes(store: Store, listed: bool) -> None:
+    """The form was there, and answered that there was no such person."""
+    session = joined(store)
+    late = pseudonym(store, "https://lms.example.edu", "framewise", "late") if listed else ""
+    if not listed:
+        late = joined(store, "late", resource="another").person.key
+    with pytest.raises(UnknownRecordError):
+        allow(store, session.link, "f" * 32, Allowance(), NOW, [late])
+    extra = Allowance(extra_time=minutes(30), extra_attempts=2)
+    allow(store, session.link, late, extra, NOW, [late])
+    overview = class_overview(store, session.course.id)
+    told = next(each for each in overview["students"] if each["key"] == late)["links"][str(session.link.id)]
+    assert (told["state"], told["extra_seconds"], told["extra_attempts"]) == ("absent", 1800, 2)
+    assert next(each for each in overview["links"] if each["id"] == session.link.id)["absent"] == 1
+    came = joined(store, "late")
+    assert (came.person.key, came.allowance, came.person.subject) == (late, extra, "late")
+    submitted(store, came, 0.5)
+    overview = class_overview(store, session.course.id)
+    told = next(each for each in overview["students"] if each["key"] == late)["links"][str(session.link.id)]
+    assert (told["state"], told["extra_seconds"]) == ("begun", 1800)
 
 
 def test_extra_time_derives_the_grade_of_no_other_student(
@@ -206,7 +232,7 @@ def test_extra_time_derives_the_grade_of_no_other_student(
         submitted(store, each, 0.5)
     derived: list[int] = []
     monkeypatch.setattr("courses.links.regrade", lambda _, __, people, *___: derived.extend(people))
-    allow(store, session.link.id, session.person.key, Allowance(extra_time=minutes(10)), NOW)
+    allow(store, session.link, session.person.key, Allowance(extra_time=minutes(10)), NOW)
     assert derived == [session.person.id]
 
 

@@ -118,9 +118,17 @@ def test_names_come_from_the_platform_where_the_operator_lets_them(
     add_platform(store, replace(own, names_shared=True), (), now())
     try:
         found = teacher.api("GET", "course").json()
+        late = next(each["key"] for each in found["students"] if not each["links"])
+        allowed = {"person": late, "extra_minutes": 30}
+        path = f"course/links/{found['link']}/allowances"
+        assert teacher.api("POST", path, allowed).status_code == 204
+        assert teacher.api("POST", path, {**allowed, "person": "f" * 32}).status_code == 404
+        again = teacher.api("GET", "course").json()
     finally:
         add_platform(store, replace(own, names_shared=False), (), now())
     teacher.client.close()
+    (told,) = next(each for each in again["students"] if each["key"] == late)["links"].values()
+    assert (told["state"], told["extra_seconds"]) == ("absent", 1800)
     assert found["course"]["members"] is True
     states = sorted(
         next(iter(each["links"].values()), {}).get("state", "absent") for each in found["students"]

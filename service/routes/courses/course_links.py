@@ -166,7 +166,8 @@ async def give_allowance(request: ApiRequest) -> Response:
             raise RequestError(Fault.at("setting_invalid", name, **params))
     allowance = Allowance(extra_time=timedelta(minutes=minutes), extra_attempts=attempts)
     person = str(body.get("person"))
-    await staff.run(allow, staff.store, link.id, person, allowance, now())
+    listed = await staff.run(staff.courses.class_members, staff.session.course) or {}
+    await staff.run(allow, staff.store, link, person, allowance, now(), listed)
     await staff.log("allowance", subject=person, link=link.id, minutes=minutes, attempts=attempts)
     return Response(status_code=204)
 
