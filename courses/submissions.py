@@ -193,7 +193,7 @@ def _taken(submission: JudgedSubmission, standing: _Standing | None, now: dateti
         return unknown_record("participation")
     session = standing.session
     try:
-        check_open(session, now)
+        check_open(session, submission.attempt.at)
     except AttemptError as error:
         return error
     number = session.made + 1

@@ -159,6 +159,7 @@ class ApiRequest(Request):
                 self.resources.uploads.hold(self.scope, received)
             pieces.append(piece)
             more = message.get("more_body", False)
+        self.body_seconds = loop.time() - start
         return pieces[0] if len(pieces) == 1 else b"".join(pieces)
 
     @property

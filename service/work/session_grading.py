@@ -5,6 +5,7 @@ from __future__ import annotations
 import secrets
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from datetime import datetime
 from functools import lru_cache
 from typing import Any
 
@@ -28,7 +29,6 @@ from exercises.library import Library
 from exercises.parts.protocol import RawAnswer
 from kinematics.cells import Limits
 from kinematics.errors import Fault, KinematicsError
-from service.course_resources import now
 from service.revision import revision
 from service.schemas.exercises.exercises import AnswerBase, ExerciseAnswer
 from service.wire.courses.session_views import seed_of
@@ -211,6 +211,7 @@ def judged_submission(
     typed: Any,
     key: str | None,
     language: str,
+    arrived: datetime,
     form: Any = None,
     seen: str | None = None,
 ) -> tuple[JudgedSubmission, Report]:
@@ -223,6 +224,7 @@ def judged_submission(
         typed: the answer as it was sent.
         key: names the submission, however often it is sent.
         language: in which it is answered.
+        arrived: when it came, however long it has waited since.
         form: what the page takes back when the attempt is opened again.
         seen: version of the exercise that the student has before them; None: they did not say.
 
@@ -230,7 +232,7 @@ def judged_submission(
         AttemptError: the policy takes no attempt now, or the exercise is another one than the student sees.
         KinematicsError, ExerciseError: the answer cannot be graded.
     """
-    settings, arrived, seed = session.link.settings, now(), seed_of(session)
+    settings, seed = session.link.settings, seed_of(session)
     check_open(session, arrived)
     if seen is not None and seen != grader.version(settings):
         raise AttemptError(Fault.at("exercise_changed"))

@@ -116,7 +116,7 @@ def filled(
     for number, mistake in enumerate(MISTAKES):
         typed = answer(mistake)
         wire = ExerciseAnswer.model_validate(typed)
-        judged, _ = judged_submission(grader, session, wire, typed, f"k{number}", "en")
+        judged, _ = judged_submission(grader, session, wire, typed, f"k{number}", "en", now())
         made.append(handed_in(store, judged, now()))
     at = now()
     with store.writing() as connection:

@@ -9,13 +9,18 @@ from typing import Any
 
 import httpx
 import pytest
+import sqlalchemy as sa
 
 import service.course_resources
 import service.routes.exercises.receipts
+from courses import records
 from courses.enrolment import Arrival, arrive
-from courses.model import Role
+from courses.links import change_settings
+from courses.model import LinkSettings, Role
+from courses.policies import AttemptPolicy, Mode
 from courses.storage import Store, open_store
 from service.course_resources import now
+from service.routes.courses import course_sessions
 from service.settings import Settings
 from tests.courses.classroom import platform
 from tests.live_service import running
@@ -90,6 +95,27 @@ def test_forwards_a_session_ends_and_another_finds_everything(
     token, _ = arrive(store, Arrival(platform=platform(store), subject="s", role=Role.LEARNER, **told), now())
     student.headers["Authorization"] = f"Bearer {token}"
     assert len(student.get("session").json()["attempts"]) == 1
+
+
+def test_what_came_before_the_end_of_an_exam_counts_however_long_it_waits(
+    student: httpx.Client, store: Store, clock: type[Clock], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It was refused as late once it was its turn: at the end of an exam that takes seconds."""
+    rules = AttemptPolicy(mode=Mode.EXAM, closes=now() + timedelta(minutes=10))
+    with store.reading() as connection:
+        link = int(connection.execute(sa.select(records.link.c.id)).scalar_one())
+    change_settings(store, link, LinkSettings(exercise_id="puma560", policy=rules), now())
+    judge = course_sessions.judged_submission
+
+    def late(*told: Any) -> Any:
+        clock.jump = timedelta(minutes=20)
+        return judge(*told)
+
+    monkeypatch.setattr(course_sessions, "judged_submission", late)
+    assert student.post("session/attempts", json=RIGHT).status_code == 200
+    refused = student.post("session/attempts", json=RIGHT)
+    assert (refused.status_code, refused.json()["code"]) == (409, "attempts_closed")
+    assert student.get("session").json()["grade"]["attempt"] == 1
 
 
 def test_a_receipt_holds_whatever_the_clock_says(

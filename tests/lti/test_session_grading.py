@@ -63,7 +63,7 @@ def wrong(store: Store, grader: Grader, session: CourseSession, **more: Any) -> 
     """How much a wrong answer was told."""
     typed = {**WRONG, **more}
     wire = ExerciseAnswer.model_validate(typed)
-    judged, found = judged_submission(grader, session, wire, typed, None, "en")
+    judged, found = judged_submission(grader, session, wire, typed, None, "en", now())
     handed_in(store, judged, now())
     assert not found.correct
     return found.help_level
@@ -167,7 +167,7 @@ def test_a_mended_exercise_is_another_version_and_the_old_one_stays(tmp_path: Pa
         session = joined(courses.store, at=now(), exercise_id="two")
         typed = {"table": {**WRONG["table"]}}
         judged, _ = judged_submission(
-            grader, session, ExerciseAnswer.model_validate(typed), typed, None, "en"
+            grader, session, ExerciseAnswer.model_validate(typed), typed, None, "en", now()
         )
         versions.append(handed_in(courses.store, judged, now()).version)
     first, same, mended = versions
@@ -190,6 +190,8 @@ def test_what_strangers_have_published_keeps_no_course_from_its_exercise(tmp_pat
     library = Library((tmp_path / "own",), courses.published)
     grader = Grader(library=library, limits=DEFAULT, edition=courses.edition)
     session = joined(courses.store, at=now(), exercise_id="two")
-    judged, _ = judged_submission(grader, session, ExerciseAnswer.model_validate(WRONG), WRONG, None, "en")
+    judged, _ = judged_submission(
+        grader, session, ExerciseAnswer.model_validate(WRONG), WRONG, None, "en", now()
+    )
     assert courses.published(handed_in(courses.store, judged, now()).version) is not None
     courses.close()

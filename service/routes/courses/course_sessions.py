@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from datetime import timedelta
 from functools import partial
 from typing import Any
 
@@ -81,10 +82,11 @@ async def close_session(request: ApiRequest) -> Response:
 @router.post("/session/attempts")
 async def submit(request: ApiRequest) -> Response:
     """Judge an answer, store it, and only then answer, as far as the rules let it be shown."""
-    language = language_of(request)
+    language, begun = language_of(request), now()
     courses, session = await signed_in(request)
     with answer_refused():
         typed = await request.json()
+        arrived = begun + timedelta(seconds=request.body_seconds)
         form, seen = (
             typed.pop(name, None) if isinstance(typed, dict) else None for name in ("form", "version")
         )
@@ -92,7 +94,7 @@ async def submit(request: ApiRequest) -> Response:
         key = request.headers.get("idempotency-key", "")[:LONGEST_KEY] or None
         grader = replace(grader_of(request), help_now=resources_of(request).help_now)
         version = seen if isinstance(seen, str) else None
-        work = partial(judged_submission, grader, session, wire, typed, key, language, form, version)
+        work = partial(judged_submission, grader, session, wire, typed, key, language, arrived, form, version)
         try:
             submission, found = await resources_of(request).limiters[WorkKind.GRADING].run(work)
             attempt = await courses.keep(submission)
