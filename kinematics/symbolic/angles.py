@@ -147,15 +147,13 @@ def angle_of(expression: Expression) -> Angle:
 def cosine_and_sine(angle: Angle) -> tuple[Expression, Expression]:
     """Return the cosine and sine.
 
-    Quarter turns folded, multiples of π/12 exact, other constants left as they are.
+    Quarter turns folded, multiples of π/12 exact, other constants brought within a right angle of zero.
     """
     if not angle.parts and not angle.number and (angle.half_turns * 12).denominator == 1:
         steps = (angle.half_turns * 12).numerator
         return _twelfth(steps), _twelfth(steps - 6)
-    quarters = 0
-    if (angle.half_turns * 2).denominator == 1:
-        quarters = (angle.half_turns * 2).numerator
-        angle = Angle(number=angle.number, parts=angle.parts)
+    quarters = int(angle.half_turns * 2)  # towards zero
+    angle = Angle(angle.half_turns - Fraction(quarters, 2), angle.number, angle.parts)
     flipped = _leads_negative(angle)
     if flipped:
         angle = NO_ANGLE.plus(angle, -1)

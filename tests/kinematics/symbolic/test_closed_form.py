@@ -195,13 +195,27 @@ def test_puma_has_few_operations_as_sympy_counts_them(convention: Convention) ->
         ),
         pytest.param(
             standard(row(theta=pi_times(Fraction(1, 4)), a=L1), row(theta=RIGHT, a=L2)),
-            ["cos(q1 + q2 + 3*pi/4)", "sin(q1 + q2 + 3*pi/4)", "0"],
+            ["-sin(q1 + q2 + pi/4)", "cos(q1 + q2 + pi/4)", "0"],
             [
-                "L1*cos(q1 + pi/4) + L2*cos(q1 + q2 + 3*pi/4)",
-                "L1*sin(q1 + pi/4) + L2*sin(q1 + q2 + 3*pi/4)",
+                "L1*cos(q1 + pi/4) - L2*sin(q1 + q2 + pi/4)",
+                "L1*sin(q1 + pi/4) + L2*cos(q1 + q2 + pi/4)",
                 "0",
             ],
             id="offsets",
+        ),
+        pytest.param(
+            standard(
+                row(theta=pi_times(Fraction(1, 18)), alpha=RIGHT),
+                row(JointType.FIXED, theta=pi_times(Fraction(1, 9)), alpha=LEFT),
+                row(a=L1),
+            ),
+            None,
+            [
+                "L1*(cos(pi/9)*cos(q1 + pi/18)*c2 - sin(q1 + pi/18)*s2)",
+                "L1*(cos(q1 + pi/18)*s2 + cos(pi/9)*sin(q1 + pi/18)*c2)",
+                "L1*sin(pi/9)*c2",
+            ],
+            id="an offset keeps its size where a fixed row between right angles is dissolved",
         ),
         pytest.param(
             standard(row(theta=RIGHT, a=L1), row(theta=LEFT, a=L2)),
