@@ -10,7 +10,18 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from kinematics.errors import DescriptionError, Fault
-from kinematics.se3 import ORIGIN, Transform, Vector, check_transform, cross, norm, rejection, subtract, unit
+from kinematics.se3 import (
+    ORIGIN,
+    Transform,
+    Vector,
+    check_transform,
+    cross,
+    foot,
+    norm,
+    rejection,
+    subtract,
+    unit,
+)
 from kinematics.table import JointType
 
 MAX_AXES = 64
@@ -176,12 +187,20 @@ def read_direction(value: Sequence[float], where: tuple[str | int, ...], faults:
 def robot_size(lines: Sequence[AxisLine], first: Pose | None, last: Pose | None) -> float:
     """Return the extent [m] of the points that were given; 1 where they all coincide.
 
-    The points of prismatic axes mean nothing and do not count. Coordinates that are large beside the extent
-    carry rounding of their own size, so the result is at least 1e-5 of the largest.
+    Any point of an axis may be given: if a frame is given, too, the one nearest to it counts, since a common
+    normal of nearly parallel axes is far from a robot. Points of prismatic axes mean nothing and do not
+    count.
+    Points carry rounding of their own size, so the result is at least 1e-3 of their extent and 1e-5 of the
+    largest coordinate.
     """
-    points = [line.point for line in lines if line.joint is not JointType.PRISMATIC]
-    points += [pose.origin for pose in (first, last) if pose is not None]
-    if not points:
+    turning = [line for line in lines if line.joint is not JointType.PRISMATIC]
+    ends = [pose.origin for pose in (first, last) if pose is not None]
+    given = ends + [line.point for line in turning]
+    if not given:
         return 1.0
-    extent = max(norm(subtract(point, points[0])) for point in points)
-    return max(extent, 1e-5 * max(map(norm, points))) or 1.0
+    near = ends + [foot(ends[0], line.point, line.direction) for line in turning] if ends else given
+    return max(_extent(near), 1e-3 * _extent(given), 1e-5 * max(map(norm, given))) or 1.0
+
+
+def _extent(points: Sequence[Vector]) -> float:
+    return max(norm(subtract(point, points[0])) for point in points)

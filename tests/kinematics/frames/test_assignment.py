@@ -322,6 +322,19 @@ def test_any_small_tilt_leaves_short_offsets(convention, tilt, sense):
     assert [w.code for w in result.warnings] == ([] if tilt < 1e-10 else ["near_parallel"])
 
 
+@both
+@pytest.mark.parametrize("away", [0.0, 60.0, 1e4])
+def test_zero_is_judged_by_the_robot_wherever_on_its_axes_the_points_are(convention, away):
+    tool = np.eye(4)
+    tool[:3, 3] = 0.3, 0.1, 0.6
+    for miss, a in ((5e-9, pytest.approx(5e-9, abs=1e-11)), (0.0, 0.0)):
+        tilted = (0.0, math.sin(0.9), math.cos(0.9))
+        point = (miss, away * tilted[1], 0.2 + away * tilted[2])
+        chain = axes((R, (0, 0, -away), Z), (R, point, tilted))
+        result = assign_frames(chain, convention, base=np.eye(4), tool=tool)
+        assert [row.a for row in result.table.rows if row.alpha == pytest.approx(-0.9)] == [a]
+
+
 def test_given_base_becomes_frame_zero_where_it_can():
     floor = np.eye(4)
     floor[2, 3] = -0.66
