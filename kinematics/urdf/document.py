@@ -216,7 +216,10 @@ def read_document(text: str) -> UrdfDocument:
     if space:
         for element in root.iter():
             element.tag = str(element.tag).removeprefix(space + "}")
-    if any("xacro" in str(element.tag) for element in root.iter()):
+    within = (element for joint in root.findall("joint") for element in joint.iter())
+    if any("xacro" in str(element.tag) for element in root.iter()) or any(
+        "${" in value for element in within for value in element.attrib.values()
+    ):
         raise refused("urdf_is_xacro")
     links = tuple(_named(element, "link") for element in root.findall("link"))
     joints = tuple(_joint(element) for element in root.findall("joint"))

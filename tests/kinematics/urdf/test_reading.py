@@ -272,6 +272,10 @@ REFUSED = {
         '<robot xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:macro name="x"/></robot>',
         "urdf_is_xacro",
     ),
+    "a length that xacro has to put in": (
+        robot(joint("j", "a", "b", inner='<origin xyz="${length} 0 0"/>'), links="ab"),
+        "urdf_is_xacro",
+    ),
     "no links": ('<robot name="x"/>', "urdf_no_links"),
     "a link without a name": ("<robot><link/></robot>", "urdf_name_missing"),
     "two links of a name": (robot(links="aa"), "urdf_name_twice"),
@@ -358,7 +362,7 @@ REFUSED = {
         "urdf_numbers_malformed",
     ),
     "no number": (
-        robot(joint("j", "a", "b", inner='<origin rpy="0 0 ${pi/2}"/>'), links="ab"),
+        robot(joint("j", "a", "b", inner='<origin rpy="0 0 pi"/>'), links="ab"),
         "urdf_numbers_malformed",
     ),
     "infinite": (
