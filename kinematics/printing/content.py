@@ -18,8 +18,7 @@ from kinematics.expressions import (
     Product,
     Sum,
 )
-from kinematics.printing.ledger import Entered, Ledger
-from kinematics.printing.notation import Names
+from kinematics.printing.ledger import Entered
 from kinematics.printing.numbers import decimal_text
 from kinematics.printing.writer import Writer
 
@@ -38,10 +37,6 @@ _FUNCTIONS = {
 
 class ContentWriter(Writer[str]):
     """Writes expressions in content markup."""
-
-    def __init__(self, names: Names, ledger: Ledger | None = None) -> None:
-        super().__init__(ledger)
-        self._names = names
 
     def table(self, matrix: Entered) -> str:
         """Return a matrix in the ledger."""

@@ -108,7 +108,7 @@ class MatrixPrinter:
         self._variables = tuple(map(self._names.variable, range(1, n_joints + 1)))
         self._answers: dict[Hashable, dict[str, Any]] = {}
         self._writers: dict[Format, Callable[[Entered], Any]] = {
-            Format.LATEX: LatexWriter(self._names, self._ledger).bmatrix,
+            Format.LATEX: LatexWriter(self._names, self._ledger).table,
             Format.MATHML: MathmlWriter(self._names, self._ledger).table,
             Format.TEXT: TextWriter(self._names, self._ledger).lines,
             Format.JSON: TreeWriter(self._names, self._ledger).entries,

@@ -7,9 +7,8 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from kinematics.cells.characters import GREEK
-from kinematics.expressions import Call, Expression, Function
-from kinematics.printing.ledger import Entered, Ledger
-from kinematics.printing.notation import Names
+from kinematics.expressions import Call, Function
+from kinematics.printing.ledger import Entered
 from kinematics.printing.symbols import split_name
 from kinematics.printing.writer import Binding, Typesetter, WrittenTerm
 
@@ -32,16 +31,8 @@ _SPECIAL = re.compile(r"[^A-Za-z0-9]")
 class LatexWriter(Typesetter):
     """Writes expressions in LaTeX, without dollar signs."""
 
-    def __init__(self, names: Names, ledger: Ledger | None = None) -> None:
-        super().__init__(ledger)
-        self._names = names
-
-    def matrix(self, matrix: Sequence[Sequence[Expression]]) -> str:
+    def table(self, matrix: Entered) -> str:
         """Return a matrix in square brackets."""
-        return self.bmatrix(self.ledger.matrix(matrix))
-
-    def bmatrix(self, matrix: Entered) -> str:
-        """Return the same, for a matrix in the ledger."""
         rows = map(" & ".join, self.lines(matrix))
         return "\\begin{bmatrix}\n" + " \\\\\n".join(rows) + "\n\\end{bmatrix}"
 
@@ -70,9 +61,6 @@ class LatexWriter(Typesetter):
 
     def _parameter(self, name: str) -> str:
         return parameter(name)
-
-    def _variable(self, index: int) -> str:
-        return parameter(self._names.variable(index))
 
     def _pi(self) -> str:
         return r"\pi"

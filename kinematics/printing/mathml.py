@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 from xml.sax.saxutils import escape
 
-from kinematics.expressions import Call, Expression, Function
+from kinematics.expressions import Call, Function
 from kinematics.printing.content import ContentWriter
 from kinematics.printing.ledger import Entered, Ledger
 from kinematics.printing.notation import Names
@@ -42,16 +42,11 @@ class MathmlWriter(Typesetter):
     plus, minus, sign = "<mo>+</mo>", _MINUS, _MINUS
 
     def __init__(self, names: Names, ledger: Ledger | None = None) -> None:
-        super().__init__(ledger)
-        self._names = names
+        super().__init__(names, ledger)
         self._content = ContentWriter(names, self.ledger)
 
-    def matrix(self, matrix: Sequence[Sequence[Expression]]) -> str:
-        """Return a matrix in square brackets, as one `math` element."""
-        return self.table(self.ledger.matrix(matrix))
-
     def table(self, matrix: Entered) -> str:
-        """Return the same, for a matrix in the ledger."""
+        """Return a matrix in square brackets, as one `math` element."""
         rows = "".join(f"<mtr>{_cells(row)}</mtr>" for row in self.lines(matrix))
         drawn = f"<mrow><mo>[</mo><mtable>{rows}</mtable><mo>]</mo></mrow>"
         meant = self._content.table(matrix)
@@ -102,9 +97,6 @@ class MathmlWriter(Typesetter):
             return letter
         kind = "mn" if script.isdigit() else "mi"
         return f"<msub>{letter}<{kind}>{escape(script)}</{kind}></msub>"
-
-    def _variable(self, index: int) -> str:
-        return self._parameter(self._names.variable(index))
 
     def _pi(self) -> str:
         return "<mi>π</mi>"

@@ -6,8 +6,7 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from kinematics.expressions import Call, Function
-from kinematics.printing.ledger import Ledger, Quotient
-from kinematics.printing.notation import Names
+from kinematics.printing.ledger import Quotient
 from kinematics.printing.writer import Binding, LineWriter, WrittenTerm
 
 
@@ -19,10 +18,6 @@ class TextWriter(LineWriter):
     """
 
     plus, minus = " + ", " - "
-
-    def __init__(self, names: Names, ledger: Ledger | None = None) -> None:
-        super().__init__(ledger)
-        self._names = names
 
     def _call(self, node: Call, arguments: Sequence[WrittenTerm]) -> WrittenTerm:
         short = self._names.short(node)
@@ -60,9 +55,6 @@ class TextWriter(LineWriter):
 
     def _parameter(self, name: str) -> str:
         return name
-
-    def _variable(self, index: int) -> str:
-        return self._names.variable(index)
 
     def _pi(self) -> str:
         return "pi"

@@ -5,8 +5,6 @@ from __future__ import annotations
 from typing import Any, TypeAlias
 
 from kinematics.expressions import Call, JointVariable, Number, Parameter, Pi, Power, Product, Sum
-from kinematics.printing.ledger import Ledger
-from kinematics.printing.notation import Names
 from kinematics.printing.numbers import decimal_text
 from kinematics.printing.writer import Writer
 
@@ -20,10 +18,6 @@ class TreeWriter(Writer[Tree]):
     product (factors), power (base, exponent: "2" or "1/2") and call (function, arguments). What occurs twice
     is one and the same dictionary.
     """
-
-    def __init__(self, names: Names | None = None, ledger: Ledger | None = None) -> None:
-        super().__init__(ledger)
-        self._names = names or Names()
 
     def _write(self, number: int) -> Tree:
         below = [self._written[child] for child in self.ledger.below[number]]

@@ -10,14 +10,21 @@ from typing import Generic, NamedTuple, TypeVar
 
 from kinematics.expressions import Call, Expression, JointVariable, Parameter, Pi, Power, Sum
 from kinematics.printing.ledger import Entered, Ledger, Quotient
+from kinematics.printing.notation import Names
 
 W = TypeVar("W")
 
 
 class Writer(ABC, Generic[W]):
-    """Writes the nodes of a ledger, each once."""
+    """Writes the nodes of a ledger, each once.
 
-    def __init__(self, ledger: Ledger | None = None) -> None:
+    Args:
+        names: how sines, cosines and joint variables are written.
+        ledger: where the nodes are; one of its own if left out.
+    """
+
+    def __init__(self, names: Names, ledger: Ledger | None = None) -> None:
+        self._names = names
         self.ledger = Ledger() if ledger is None else ledger
         self._written: dict[int, W] = {}
 
@@ -101,7 +108,7 @@ class LineWriter(Writer[WrittenTerm]):
             case Parameter(name):
                 return WrittenTerm(self._parameter(name), Binding.ATOM)
             case JointVariable(index):
-                return WrittenTerm(self._variable(index), Binding.ATOM)
+                return WrittenTerm(self._parameter(self._names.variable(index)), Binding.ATOM)
             case Pi():
                 return WrittenTerm(self._pi(), Binding.ATOM)
             case Power(_, exponent):
@@ -145,9 +152,6 @@ class LineWriter(Writer[WrittenTerm]):
 
     @abstractmethod
     def _parameter(self, name: str) -> str: ...
-
-    @abstractmethod
-    def _variable(self, index: int) -> str: ...
 
     @abstractmethod
     def _pi(self) -> str: ...

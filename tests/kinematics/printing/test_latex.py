@@ -82,9 +82,8 @@ def test_full_notation_has_parentheses_that_end_the_angle() -> None:
 
 
 def test_a_matrix_is_a_bmatrix() -> None:
-    written = LatexWriter(Names(notation=Notation.SHORT)).matrix(
-        closed_form(puma(Convention.STANDARD)).transform
-    )
+    writer = LatexWriter(Names(notation=Notation.SHORT))
+    written = writer.table(writer.ledger.matrix(closed_form(puma(Convention.STANDARD)).transform))
     assert written.startswith("\\begin{bmatrix}\n")
     assert written.endswith("\n\\end{bmatrix}")
     assert written.count("\\\\\n") == 3
@@ -118,7 +117,7 @@ def test_katex_typesets_every_catalogue_robot(tmp_path: Path) -> None:
     for robot in robots():
         for notation in Notation:
             writer = LatexWriter(Names(notation=notation))
-            sources.append(writer.matrix(closed_form(robot.table.table).transform))
+            sources.append(writer.table(writer.ledger.matrix(closed_form(robot.table.table).transform)))
     script = tmp_path / "typeset.mjs"
     lines = ['import katex from "./katex.mjs";']
     lines += [

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import random
 import xml.etree.ElementTree as ET
+from collections.abc import Sequence
 from fractions import Fraction
 
 import pytest
@@ -37,6 +38,11 @@ q1, q2, q3 = map(JointVariable, (1, 2, 3))
 
 def presentation(expression: Expression, notation: Notation = Notation.SHORT) -> str:
     return MathmlWriter(Names(notation=notation)).text(expression)
+
+
+def matrix_of(entries: Sequence[Sequence[Expression]], notation: Notation) -> str:
+    writer = MathmlWriter(Names(notation=notation))
+    return writer.table(writer.ledger.matrix(entries))
 
 
 def spoken(markup: str) -> str:
@@ -78,7 +84,7 @@ def test_an_index_is_a_subscript() -> None:
 
 @pytest.mark.parametrize("notation", list(Notation))
 def test_a_matrix_is_one_math_element_with_presentation_and_content(notation: Notation) -> None:
-    written = MathmlWriter(Names(notation=notation)).matrix(closed_form(puma(Convention.STANDARD)).transform)
+    written = matrix_of(closed_form(puma(Convention.STANDARD)).transform, notation)
     root = ET.fromstring(written)
     assert root.tag == f"{NAMESPACE}math"
     assert root.get("display") == "block"
@@ -95,7 +101,7 @@ def test_a_matrix_is_one_math_element_with_presentation_and_content(notation: No
 def test_content_means_the_expression(seed: int) -> None:
     """Read by a reader of its own, the content markup is the same function, in short notation too."""
     expression = random_expression(random.Random(seed), 2)
-    root = ET.fromstring(MathmlWriter(Names(notation=Notation.SHORT)).matrix([[expression]]))
+    root = ET.fromstring(matrix_of([[expression]], Notation.SHORT))
     row = root.find(f".//{NAMESPACE}matrixrow")
     assert row is not None
     assert same_function(meant(row[0]), expression)
@@ -112,7 +118,7 @@ def test_every_construct_has_content() -> None:
         call(Function.SQRT, add((x, number("1/3")))),
         multiply((number(-2), x)),
     ):
-        root = ET.fromstring(MathmlWriter(Names()).matrix([[expression]]))
+        root = ET.fromstring(matrix_of([[expression]], Notation.FULL))
         row = root.find(f".//{NAMESPACE}matrixrow")
         assert row is not None
         assert same_function(meant(row[0]), expression)
@@ -120,7 +126,7 @@ def test_every_construct_has_content() -> None:
 
 @pytest.mark.parametrize("name", ["<script>", "a&b", 'x"y', "]]>"])
 def test_no_name_can_break_out(name: str) -> None:
-    written = MathmlWriter(Names()).matrix([[Parameter(name)]])
+    written = matrix_of([[Parameter(name)]], Notation.FULL)
     assert name in "".join(ET.fromstring(written).itertext())
     assert "<script>" not in written
 
