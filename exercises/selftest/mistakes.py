@@ -8,6 +8,7 @@ from fractions import Fraction
 from itertools import pairwise
 
 from kinematics.cells import AngleUnit, LengthUnit, ReadTable
+from kinematics.cells.substitution import substitute
 from kinematics.expressions import (
     ZERO,
     Expression,
@@ -160,24 +161,12 @@ def _parameter_misnamed(read: ReadTable) -> Iterator[ReadTable]:
 
 
 def _renamed(read: ReadTable, names: dict[str, str]) -> ReadTable:
+    others = {name: Parameter(other) for name, other in names.items()}
     rows = tuple(
-        replace(row, a=_renamed_cell(row.a, names), d=_renamed_cell(row.d, names)) for row in read.table.rows
+        replace(row, a=substitute(row.a, others), d=substitute(row.d, others)) for row in read.table.rows
     )
     kinds = {names.get(name, name): kind for name, kind in read.parameters.items()}
     return replace(_rows(read, rows), parameters=kinds)
-
-
-def _renamed_cell(cell: Expression, names: dict[str, str]) -> Expression:
-    match cell:
-        case Parameter(name):
-            return Parameter(names.get(name, name))
-    terms = getattr(cell, "terms", None)
-    if terms is not None:
-        return add(_renamed_cell(term, names) for term in terms)
-    factors = getattr(cell, "factors", None)
-    if factors is not None:
-        return multiply(_renamed_cell(factor, names) for factor in factors)
-    return cell
 
 
 MISTAKES: dict[str, Mistake] = {

@@ -18,6 +18,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from fractions import Fraction
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,16 +28,13 @@ from kinematics.answers.singular_arms import LOST, ROUNDED, SingularArm, typical
 from kinematics.answers.unit_multiples import factors_of
 from kinematics.errors import ParameterError
 from kinematics.expressions import (
-    Call,
     Expression,
     JointVariable,
-    Power,
-    Product,
-    Sum,
     add,
     joint_variables_in,
     multiply,
     pi_times,
+    with_parts,
 )
 from kinematics.expressions.values import holds_decimals
 from kinematics.se3 import Floats
@@ -315,7 +313,8 @@ def is_sine_for_cosine(arm: SingularArm, condition: Expression) -> bool:
         for joint in sorted(joint_variables_in(factor)):
             if arm.table.joint_types[joint - 1] is JointType.PRISMATIC:
                 continue
-            turned = _turned(factor, joint, add((JointVariable(joint), quarter)))
+            variable = JointVariable(joint)
+            turned = _turned(factor, variable, add((variable, quarter)))
             if arm.products.zeros(turned):
                 return True
             zeros = arm.zeros(turned)
@@ -324,20 +323,9 @@ def is_sine_for_cosine(arm: SingularArm, condition: Expression) -> bool:
     return False
 
 
-def _turned(expression: Expression, joint: int, by: Expression) -> Expression:
+def _turned(expression: Expression, joint: JointVariable, by: Expression) -> Expression:
     """Return an expression with a joint variable replaced."""
-    match expression:
-        case JointVariable(index) if index == joint:
-            return by
-        case Sum(terms):
-            return add(_turned(term, joint, by) for term in terms)
-        case Product(factors):
-            return multiply(_turned(factor, joint, by) for factor in factors)
-        case Power(base, exponent):
-            return Power(_turned(base, joint, by), exponent)
-        case Call(function, arguments):
-            return Call(function, tuple(_turned(argument, joint, by) for argument in arguments))
-    return expression
+    return by if expression == joint else with_parts(expression, partial(_turned, joint=joint, by=by))
 
 
 def _together(statuses: Sequence[JudgedCondition]) -> JudgedCondition:

@@ -31,6 +31,7 @@ from kinematics.expressions.trees import (
     rational_value,
     split_weight,
     terms_of,
+    with_parts,
 )
 from kinematics.expressions.values import evaluate, joint_variables_in, parameters_in, walk
 
@@ -64,4 +65,5 @@ __all__ = [
     "split_weight",
     "terms_of",
     "walk",
+    "with_parts",
 ]

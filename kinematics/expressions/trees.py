@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from enum import StrEnum
 from fractions import Fraction
@@ -217,6 +217,20 @@ def call(function: Function, *arguments: Expression) -> Expression:
             if root * root == value:
                 return Number(root)
     return Call(function, arguments)
+
+
+def with_parts(expression: Expression, change: Callable[[Expression], Expression]) -> Expression:
+    """Return an expression with each part directly below it changed; what has no parts, as it is."""
+    match expression:
+        case Sum(terms):
+            return add(map(change, terms))
+        case Product(factors):
+            return multiply(map(change, factors))
+        case Power(base, exponent):
+            return Power(change(base), exponent)
+        case Call(function, arguments):
+            return Call(function, tuple(map(change, arguments)))
+    return expression
 
 
 def terms_of(expression: Expression) -> tuple[Expression, ...]:

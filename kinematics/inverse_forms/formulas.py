@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from fractions import Fraction
+from functools import partial
 
 from kinematics.expressions import (
     ZERO,
@@ -12,13 +13,13 @@ from kinematics.expressions import (
     Function,
     Number,
     Product,
-    Sum,
     add,
     call,
     multiply,
     negate,
     power,
     terms_of,
+    with_parts,
 )
 from kinematics.inverse_forms.signed_axes import Axis, Vector, along
 
@@ -89,13 +90,6 @@ def rounding_of(radicand: Expression) -> Expression:
 
 def without_root(value: Expression, radicand: Expression) -> Expression:
     """Return a value in which the root of a radicand is 0."""
-    match value:
-        case Call(Function.SQRT, (inner,)) if inner == radicand:
-            return ZERO
-        case Call(function, arguments):
-            return call(function, *(without_root(argument, radicand) for argument in arguments))
-        case Sum(terms):
-            return add(without_root(term, radicand) for term in terms)
-        case Product(factors):
-            return multiply(without_root(factor, radicand) for factor in factors)
-    return value
+    if value == Call(Function.SQRT, (radicand,)):
+        return ZERO
+    return with_parts(value, partial(without_root, radicand=radicand))

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from enum import StrEnum
-from functools import cached_property, lru_cache
+from functools import cached_property, lru_cache, partial
 
 import numpy as np
 
@@ -19,14 +19,9 @@ from kinematics.expressions import (
     Expression,
     Function,
     JointVariable,
-    Number,
-    Power,
-    Product,
-    Sum,
-    add,
-    multiply,
     negate,
     parameters_in,
+    with_parts,
 )
 from kinematics.expressions.arrays import values_at
 from kinematics.se3 import Floats
@@ -42,6 +37,7 @@ OPERATIONS = 5_000
 """Operations of ⁰T_N: nobody looks for a mistake in one that is longer, and it is evaluated many times."""
 SAME = 1e-9
 """Difference of two entries that are the same function, beside numbers of the order of one."""
+_COFUNCTIONS = {Function.SIN: Function.COS, Function.COS: Function.SIN}
 
 
 class MatrixKind(StrEnum):
@@ -150,17 +146,9 @@ def _sine_for_cosine(entry: Expression) -> Expression | None:
 
 
 def _exchanged(entry: Expression) -> Expression:
-    other = {Function.SIN: Function.COS, Function.COS: Function.SIN}
-    match entry:
-        case Call(function, arguments) if function in other:
-            return Call(other[function], arguments)
-        case Sum(terms):
-            return add(map(_exchanged, terms))
-        case Product(factors):
-            return multiply(map(_exchanged, factors))
-        case Power(base, exponent) if not isinstance(base, Number):
-            return Power(_exchanged(base), exponent)
-    return entry
+    if isinstance(entry, Call) and entry.function in _COFUNCTIONS:
+        return Call(_COFUNCTIONS[entry.function], entry.arguments)
+    return with_parts(entry, _exchanged)
 
 
 def _transposed(matrix: Matrix) -> Iterator[Matrix]:
@@ -218,25 +206,18 @@ def _still(emptied: SymbolicTable, table: SymbolicTable, row: int) -> Matrix:
     transform = _form(emptied).transform
     if row not in table.joint_rows:
         return transform
-    joint = table.joint_rows.index(row) + 1
+    joint = JointVariable(table.joint_rows.index(row) + 1)
     return tuple(tuple(_at_zero(entry, joint) for entry in line) for line in transform)
 
 
-def _at_zero(entry: Expression, joint: int) -> Expression:
+def _at_zero(entry: Expression, joint: JointVariable) -> Expression:
     """Return an entry with a joint variable set to zero."""
-    match entry:
-        case JointVariable(index) if index == joint:
-            return ZERO
-        case Sum(terms):
-            return add(_at_zero(term, joint) for term in terms)
-        case Product(factors):
-            return multiply(_at_zero(factor, joint) for factor in factors)
-        case Power(base, exponent):
-            return Power(_at_zero(base, joint), exponent)
-        case Call(function, (angle,)) if function in (Function.SIN, Function.COS):
-            pair = cosine_and_sine(angle_of(_at_zero(angle, joint)))
-            return pair[0 if function is Function.COS else 1]
-    return entry
+    if entry == joint:
+        return ZERO
+    if isinstance(entry, Call) and entry.function in _COFUNCTIONS:
+        cosine, sine = cosine_and_sine(angle_of(_at_zero(entry.arguments[0], joint)))
+        return cosine if entry.function is Function.COS else sine
+    return with_parts(entry, partial(_at_zero, joint=joint))
 
 
 @lru_cache(maxsize=128)
