@@ -8,8 +8,12 @@ from collections.abc import Iterable, Sequence
 from exercises.drawings import true_scene
 from exercises.figures.points import Points
 from exercises.instance import Instance
+from exercises.parts.cells.number_cells import read_numbers_of
+from exercises.parts.protocol import Reading
+from kinematics.cells import Cell
+from kinematics.cells.meaning import Position
 from kinematics.frames.assignment import assign_frames
-from kinematics.frames.axes import JointAxis
+from kinematics.frames.axes import JointAxis, read_direction, read_point
 from kinematics.frames.wrong_frames import DrawnFrame, right_handed
 from kinematics.se3 import Vector
 
@@ -34,7 +38,7 @@ def key_frames(instance: Instance) -> list[DrawnFrame]:
     points = Points(instance.exercise.figure, reference, instance.values)
     found = []
     for pose in points.frames:
-        x, _, z, origin = (_vector(column) for column in pose[:3].T.tolist())
+        x, _, z, origin = map(tuple, pose[:3].T.tolist())
         found.append(right_handed(origin, x, z))
     return found
 
@@ -52,6 +56,19 @@ def lengths_in_frame(origin: Sequence[float], directions: Iterable[Sequence[floa
     return found
 
 
-def _vector(column: list[float]) -> Vector:
-    x, y, z = column
+def read_vector(cells: Sequence[Cell], reading: Reading, part: str, *where: str | int) -> Vector | None:
+    """Return a point or a direction that was typed as three cells, or None; faults go to the reading.
+
+    Args:
+        cells: three of them.
+        reading: the exercise with the student's values.
+        part: the kind of part.
+        where: place of the cells inside it; where its last name is no origin, they are a direction.
+    """
+    numbers = read_numbers_of(cells, Position.LENGTH, reading, part, *where)
+    if numbers is None:
+        return None
+    check = read_point if str(where[-1]).endswith("origin") else read_direction
+    check(numbers, (part, *where), reading.faults)
+    x, y, z = numbers
     return x, y, z

@@ -7,12 +7,9 @@ for each frame its z, its origin and its x.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from fractions import Fraction
-from functools import partial
 from random import Random
 from typing import Annotated, ClassVar
 
@@ -21,19 +18,17 @@ from exercises.errors import DefinitionError
 from exercises.grading import ConventionRule, Feedback, Finding, HelpLevel, Policy, ToolRule, is_accepted
 from exercises.instance import Instance
 from exercises.parts.cells.by_name import ByName, read_by_name
-from exercises.parts.cells.number_cells import number_of
 from exercises.parts.context import Context
-from exercises.parts.forward.figure_frames import figure_axes, key_frames, lengths_in_frame
+from exercises.parts.forward.figure_frames import figure_axes, key_frames, lengths_in_frame, read_vector
 from exercises.parts.protocol import Length, PartType, Reading
 from exercises.parts.report import Credit, Disclosure, Fact, PartReport, fact, judged, share_earned, told_from
 from exercises.parts.task import PartTask
 from kinematics.cells import Cell, ReadTable
-from kinematics.cells.meaning import Position
-from kinematics.expressions import Number, pi_times
-from kinematics.frames.axes import JointAxis, read_direction, read_point
+from kinematics.frames.axes import JointAxis
+from kinematics.frames.exactness import exact_table
 from kinematics.frames.rules import BINDING, FrameFinding
 from kinematics.frames.trainer import ChosenFrame, rules_and_table
-from kinematics.table import Convention, DHRow, DHTable, NumericTable
+from kinematics.table import Convention, NumericTable
 
 PARTS = ("z", "origin", "x")
 """The independent facts of a frame."""
@@ -109,8 +104,7 @@ class FramesPart(PartType[Part, FramesCells, ByName[FramesAnswer]]):
         if rule is not ConventionRule.ANY and rule.value != raw.convention.value:
             reading.fault("convention_not_asked", self.kind, "convention", asked=rule.value)
         frames = tuple(
-            None if frame is None else _read_frame(frame, reading, (self.kind, "frames", i))
-            for i, frame in enumerate(raw.frames)
+            None if frame is None else _read_frame(frame, reading, i) for i, frame in enumerate(raw.frames)
         )
         if len(reading.faults) > before:
             return None
@@ -191,22 +185,9 @@ def _lengths(answer: FramesAnswer) -> list[float]:
     ]
 
 
-def _read_frame(frame: FrameCells, reading: Reading, where: tuple[str | int, ...]) -> ChosenFrame | None:
-    found: dict[str, list[float]] = {}
-    for name in PARTS:
-        cells = getattr(frame, name)
-        read = [
-            reading.keep(
-                "frames", partial(number_of, cell, Position.LENGTH, reading.instance, (*where[1:], name, k))
-            )
-            for k, cell in enumerate(cells)
-        ]
-        numbers = [value for value in read if value is not None]
-        if len(numbers) == len(cells):
-            found[name] = numbers
-            read_vector = read_point if name == "origin" else read_direction
-            read_vector(numbers, (*where, name), reading.faults)
-    return ChosenFrame(**found) if len(found) == len(PARTS) else None
+def _read_frame(frame: FrameCells, reading: Reading, i: int) -> ChosenFrame:
+    place = FramesPart.kind, "frames", i
+    return ChosenFrame(**{name: read_vector(getattr(frame, name), reading, *place, name) for name in PARTS})
 
 
 def _checked(
@@ -238,19 +219,8 @@ def _keeps_policy(context: Context, table: NumericTable | None) -> bool:
     if table is None:
         return False
     reference = context.reference
-    rows = tuple(
-        DHRow(
-            joint=row.joint,
-            sign=row.sign,
-            theta=pi_times(Fraction(row.theta / math.pi)),
-            d=Number(Fraction(row.d)),
-            a=Number(Fraction(row.a)),
-            alpha=pi_times(Fraction(row.alpha / math.pi)),
-        )
-        for row in table.rows
-    )
     read = ReadTable(
-        table=DHTable(convention=table.convention, rows=rows),
+        table=exact_table(table),
         angle_unit=reference.angle_unit,
         length_unit=reference.length_unit,
         parameters={},

@@ -109,7 +109,7 @@ class MistakeType(PartType[M, Raw, Read]):
 
     def is_empty(self, raw: Raw, reading: Reading) -> bool:
         """Return whether none of the fields holds anything; if so, keep a fault."""
-        empty = all(_is_blank(getattr(raw, field.name)) for field in fields(self.raw))
+        empty = all(is_blank(getattr(raw, field.name)) for field in fields(self.raw))
         if empty:
             reading.fault("mistake_empty", self.kind)
         return empty
@@ -168,6 +168,6 @@ class MistakeType(PartType[M, Raw, Read]):
         return judged(part, score, Credit.KEY, facts=facts, feedback=wrong or right)
 
 
-def _is_blank(value: object) -> bool:
+def is_blank(value: object) -> bool:
     """Return whether a field, or every cell in it, was left out or has no text."""
-    return all(map(_is_blank, value)) if isinstance(value, list | tuple) else value in (None, "")
+    return all(map(is_blank, value)) if isinstance(value, list | tuple) else value in (None, "")

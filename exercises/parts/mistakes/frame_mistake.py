@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from functools import lru_cache, partial
+from functools import lru_cache
 from typing import Annotated, Any, ClassVar
 
 from exercises.definition import Exercise
@@ -17,17 +17,20 @@ from exercises.draws import Picker
 from exercises.errors import DefinitionError
 from exercises.instance import Instance, generate
 from exercises.parts.cells.by_name import ByName, read_by_name
-from exercises.parts.cells.number_cells import number_of
 from exercises.parts.context import Context
-from exercises.parts.forward.figure_frames import figure_axes, key_frames, lengths_in_frame
-from exercises.parts.mistakes.found_mistakes import FoundStep, MistakePart, MistakeType, MistakeWords
+from exercises.parts.forward.figure_frames import figure_axes, key_frames, lengths_in_frame, read_vector
+from exercises.parts.mistakes.found_mistakes import (
+    FoundStep,
+    MistakePart,
+    MistakeType,
+    MistakeWords,
+    is_blank,
+)
 from exercises.parts.protocol import Length, Reading
 from exercises.parts.report import PartReport
 from exercises.parts.task import FieldShape, FormField, GivenNumbers, PartTask, choice_field
 from kinematics.cells import Cell
-from kinematics.cells.meaning import Position
 from kinematics.errors import Fault
-from kinematics.frames.axes import read_direction, read_point
 from kinematics.frames.wrong_frames import (
     FRAME_MISTAKES,
     DrawnFrame,
@@ -144,7 +147,8 @@ class FrameMistakeType(MistakeType[MistakePart, FoundFrameMistakeCells, ByName[F
         frames = range(last + 1)
         frame = self.number(raw.wrong_frame, "wrong_frame", frames, reading, "frame_unknown", given=shown)
         mistake = self.known_name(raw.mistake, reading, FRAME_MISTAKES)
-        vectors = [_vector(getattr(raw, name), name, reading) for name in MENDED]
+        cells = {name: getattr(raw, name) for name in MENDED if not is_blank(getattr(raw, name))}
+        vectors = [read_vector(typed, reading, self.kind, name) for name, typed in cells.items()]
         if len(reading.faults) > before:
             return None
         given = [vector for vector in vectors if vector is not None]
@@ -238,25 +242,6 @@ def frames_shown(instance: Instance) -> tuple[DrawnFrame, ...]:
     """Return the frames that are drawn in the figure; none where no mistake in one is asked for."""
     asked = instance.exercise.part(FrameMistakeType.kind) is not None
     return planted_in(instance).shown if asked else ()
-
-
-def _vector(cells: tuple[Cell, ...] | None, name: str, reading: Reading) -> Vector | None:
-    if cells is None or all(cell == "" for cell in cells):
-        return None
-    before = len(reading.faults)
-    read = [
-        reading.keep(
-            FrameMistakeType.kind, partial(number_of, cell, Position.LENGTH, reading.instance, (name, k))
-        )
-        for k, cell in enumerate(cells)
-    ]
-    numbers = [value for value in read if value is not None]
-    if len(reading.faults) > before or len(numbers) < len(cells):
-        return None
-    read_vector = read_point if name == "mended_origin" else read_direction
-    read_vector(numbers, (FrameMistakeType.kind, name), reading.faults)
-    x, y, z = numbers
-    return x, y, z
 
 
 def _with_frame(cells: FoundFrameMistakeCells, frame: DrawnFrame) -> FoundFrameMistakeCells:
