@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
@@ -44,6 +44,11 @@ class Context:
     instance: Instance
     answer: Answer
     verdict: Verdict | None
+    _own_links: dict[tuple[Samples, Convention], Sequence[NDArray[np.float64]]] = field(
+        init=False, default_factory=dict
+    )
+    _own_numbers: dict[tuple[float, ...], NumericTable] = field(init=False, default_factory=dict)
+    _samples: dict[frozenset[str], Samples] = field(init=False, default_factory=dict)
 
     @property
     def reference(self) -> ReadTable:
@@ -181,10 +186,6 @@ class Context:
             self._own_links[key] = self._links_at(*key)
         return self._own_links[key]
 
-    @cached_property
-    def _own_links(self) -> dict[tuple[Samples, Convention], Sequence[NDArray[np.float64]]]:
-        return {}
-
     def _links_at(self, samples: Samples, convention: Convention) -> Sequence[NDArray[np.float64]]:
         tables = [self.own_numbers(values) for values, _ in samples.points]
         places = {row: joint for joint, row in enumerate(tables[0].joint_rows)}
@@ -207,10 +208,6 @@ class Context:
             self._own_numbers[key] = bind(self.own.table, values)
         return self._own_numbers[key]
 
-    @cached_property
-    def _own_numbers(self) -> dict[tuple[float, ...], NumericTable]:
-        return {}
-
     def samples(self, names: frozenset[str]) -> Samples:
         """Return where functions are compared: the exercise's values with joint values, then others of both.
 
@@ -227,10 +224,6 @@ class Context:
                 found.append((self.scaled(nominal, 2.0), np.where(slides, 2.0, 1.0) * joints[:1]))
             self._samples[names] = Samples(tuple(found))
         return self._samples[names]
-
-    @cached_property
-    def _samples(self) -> dict[frozenset[str], Samples]:
-        return {}
 
     def own_poses(self, values: Mapping[str, float], joints: Sequence[float]) -> ForwardKinematics:
         """Return the poses of the student's own table; lengths in the student's unit.
@@ -253,12 +246,7 @@ class Context:
         doubled = self.scaled(values, 2.0)
         if not (self._own_holds(values) and self._own_holds(doubled)):
             return False
-        once, twice = self.own_numbers(values), self.own_numbers(doubled)
-        return all(
-            math.isclose(2.0 * a, b, rel_tol=1e-9, abs_tol=1e-12)
-            for row, other in zip(once.rows, twice.rows, strict=True)
-            for a, b in ((row.a, other.a), (row.d, other.d))
-        )
+        return twice_as_long(self.own_numbers(values), self.own_numbers(doubled))
 
     def _own_holds(self, values: Mapping[str, float]) -> bool:
         """Whether every entry of the student's own table has a value there: √(L2² − L1²) may have none."""
@@ -278,6 +266,15 @@ class Context:
     @cached_property
     def _kinds(self) -> dict[str, ParameterKind]:
         return {**(self.own.parameters if self.own else {}), **self.reference.parameters}
+
+
+def twice_as_long(once: NumericTable, twice: NumericTable) -> bool:
+    """Return whether every length of a table is twice that of another."""
+    return all(
+        math.isclose(2.0 * a, b, rel_tol=1e-9, abs_tol=1e-12)
+        for row, other in zip(once.rows, twice.rows, strict=True)
+        for a, b in ((row.a, other.a), (row.d, other.d))
+    )
 
 
 def _column(joints: NDArray[np.float64], joint: int | None) -> NDArray[np.float64]:

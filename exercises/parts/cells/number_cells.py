@@ -86,8 +86,5 @@ def read_numbers_of(
         reading.keep(part, partial(number_of, cell, meant, reading.instance, (*where, k)))
         for k, (cell, meant) in enumerate(zip(cells, positions, strict=True))
     ]
-    return (
-        None
-        if any(value is None for value in found)
-        else tuple(value for value in found if value is not None)
-    )
+    values = tuple(value for value in found if value is not None)
+    return values if len(values) == len(cells) else None

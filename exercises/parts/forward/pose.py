@@ -215,13 +215,9 @@ def _expected(
 ) -> Iterator[tuple[Matrices, Credit]]:
     """The poses that earn marks, and what the marks rest on then."""
     if policy_fixes_pose(context.policy):
-        ratio = context.unit_ratio
-        q = [
-            value / ratio if type_ is JointType.PRISMATIC else value
-            for value, type_ in zip(joints, context.reference.table.joint_types, strict=True)
-        ]
+        q = in_radians(context.instance.exercise, context.instance.drawn[PosePartType.kind])
         pose = forward_kinematics(context.reference_numbers, q).transform.copy()
-        pose[:3, 3] *= ratio
+        pose[:3, 3] *= context.unit_ratio
         yield pose, Credit.KEY
     if context.own is not None and len(context.own.table.joint_types) == len(joints):
         credit = Credit.KEY if context.own_correct else Credit.OWN_TABLE

@@ -19,14 +19,14 @@ from exercises.parts.cells.comparison import agreeing, is_doubled, is_rigid
 from exercises.parts.cells.exactness import EITHER_WAY
 from exercises.parts.cells.mixed_lengths import other_lengths
 from exercises.parts.cells.symbolic_matrix import SymbolicMatrix
-from exercises.parts.context import Context
+from exercises.parts.context import Context, twice_as_long
 from exercises.parts.samples import Samples
 from kinematics.chain import Axis, Chain, chain_of_axes
 from kinematics.equivalence import Tolerance
 from kinematics.equivalence.decision import is_certified
 from kinematics.equivalence.reference import prepared
 from kinematics.errors import ParameterError
-from kinematics.se3 import cross_arrays, from_matrix, inverse_transform
+from kinematics.se3 import cross_arrays, from_matrix, inverse_transform, scale
 from kinematics.table import JointType, NumericTable, bind
 
 Matrix = NDArray[np.float64]
@@ -92,15 +92,11 @@ def _names_lengths(context: Context, poses_at: PosesAt, values: Mapping[str, flo
     joints = context.configurations(context.joint_types)[:1]
     twice = context.scaled(values, 2.0)
     once, larger = poses_at(values, joints), poses_at(twice, np.where(slides, 2.0, 1.0) * joints)
-    key, larger_key = context.reference_numbers, _key_at(context, twice)
+    larger_key = _key_at(context, twice)
     return (
         is_doubled(once, larger, context.size)
         and larger_key is not None
-        and all(
-            math.isclose(2.0 * a, b, rel_tol=1e-9, abs_tol=1e-12)
-            for row, other in zip(key.rows, larger_key.rows, strict=True)
-            for a, b in ((row.a, other.a), (row.d, other.d))
-        )
+        and twice_as_long(context.reference_numbers, larger_key)
     )
 
 
@@ -173,18 +169,9 @@ def _axis(screw: Matrix, joint_type: JointType, tolerance: Tolerance, size: floa
 
 def _scaled(chain: Chain, factor: float) -> Chain:
     """The chain with its lengths in another unit."""
-    axes = tuple(
-        Axis(axis.prismatic, axis.direction, _triple(np.array(axis.point) * factor)) for axis in chain.axes
-    )
-    rotation, position = np.eye(4), np.eye(4)
-    end = _matrix(chain)
-    rotation[:3, :3] = end[:3, :3]
-    position[:3, 3] = end[:3, 3] * factor
-    return Chain(axes, from_matrix(position @ rotation), chain.extent * factor)
-
-
-def _matrix(chain: Chain) -> Matrix:
-    return chain.poses(np.zeros(len(chain.axes)))
+    axes = tuple(axis._replace(point=scale(axis.point, factor)) for axis in chain.axes)
+    end = (*chain.end[:9], *scale(chain.end[9:], factor))
+    return Chain(axes, end, chain.extent * factor)
 
 
 def _triple(array: Matrix) -> tuple[float, float, float]:

@@ -193,9 +193,7 @@ class InverseKinematicsType(PartType[InverseKinematicsPart, JointAnswerCells, Jo
             signs, offsets = own
             answer = replace(
                 answer,
-                rows=tuple(
-                    tuple(s * q + d for s, q, d in zip(signs, row, offsets, strict=True)) for row in rows
-                ),
+                rows=tuple(map(replace(answer, signs=signs, offsets=offsets).own, rows)),
                 combinations=tuple(
                     tuple(s * c for s, c in zip(signs, row, strict=True)) for row in answer.combinations
                 ),

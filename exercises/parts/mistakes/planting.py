@@ -27,17 +27,8 @@ PLANTABLE: tuple[str, ...] = (
     "a_d_swapped",
 )
 """Mistakes of one row that are mended in that row."""
-FACTS: Mapping[str, str] = MappingProxyType(
-    {
-        "alpha_sign": "twist",
-        "alpha_value": "twist",
-        "a_sign": "length",
-        "a_value": "length",
-        "d_sign": "offset",
-        "d_value": "offset",
-        "a_d_swapped": "length",
-    }
-)
+_OF_CELLS = {"alpha": "twist", "a": "length", "d": "offset"}
+FACTS: Mapping[str, str] = MappingProxyType({code: _OF_CELLS[code.partition("_")[0]] for code in PLANTABLE})
 """The fact of the robot that a mistake changes."""
 REPAIRS: Mapping[str, str] = MappingProxyType(
     {

@@ -12,7 +12,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from itertools import islice
-from math import gcd
+from math import gcd, lcm
 
 from exercises.parts.cells.exactness import MOST_DECIMALS, has_letters, moved_decimals
 from exercises.parts.cells.matrix_cells import Where, read_functions
@@ -193,7 +193,7 @@ def _angle_equation(angle: Expression, period: Fraction | None, where: Where) ->
     if not weights or any(joint_variables_in(part) for part in others):
         return Fault.at("condition_angle_nonlinear", *where)
     common = Fraction(
-        gcd(*(weight.numerator for weight in weights)), _least_multiple([w.denominator for w in weights])
+        gcd(*(weight.numerator for weight in weights)), lcm(*(weight.denominator for weight in weights))
     )
     if period is None:
         return Fault.at("condition_period", *where)
@@ -201,13 +201,6 @@ def _angle_equation(angle: Expression, period: Fraction | None, where: Where) ->
     if turns.denominator != 1 or turns > MOST_TURNS:
         return Fault.at("condition_period", *where)
     return call(Function.SIN, multiply((Number(turns / common / 2), angle)))
-
-
-def _least_multiple(numbers: Sequence[int]) -> int:
-    product = 1
-    for value in numbers:
-        product = product * value // gcd(product, value)
-    return product
 
 
 def _outside(expression: Expression) -> set[int]:
