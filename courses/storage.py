@@ -56,7 +56,7 @@ class Store:
     @property
     def location(self) -> str:
         """Where the data is, without a password."""
-        return str(self.file) if self.file else self.engine.url.render_as_string(hide_password=True)
+        return str(self.file) if self.file else self.engine.url.set(query={}).render_as_string()
 
     @property
     def is_postgresql(self) -> bool:

@@ -41,6 +41,8 @@ COMMANDS: Mapping[str, str] = {
 
 FAILED, UNUSABLE = 1, 2
 """Exit statuses: something was found wrong; the command could not be carried out."""
+REFUSALS = (ExerciseError, KinematicsError, ServiceError, OSError)
+"""What is told in a line, without a stack trace."""
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -58,17 +60,23 @@ def main(arguments: Sequence[str] | None = None) -> int:
     run: Callable[[argparse.Namespace], int] = options.run
     try:
         return _flushed(run(options))
-    except (ExerciseError, KinematicsError, ServiceError) as error:
-        faults = error.faults
     except BrokenPipeError:  # what reads us, such as head, has had enough
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return FAILED
-    except OSError as error:
-        params = {"file": str(error.filename or "–"), "reason": error.strerror or str(error)}
-        faults = (Fault.at("file_unusable", **params),)
+    except REFUSALS as error:
+        tell(error, options.lang)
+        return UNUSABLE
+
+
+def tell(refusal: ExerciseError | KinematicsError | ServiceError | OSError, language: str) -> None:
+    """Write on standard error, a line for each fault, why something cannot be carried out."""
+    if isinstance(refusal, OSError):
+        params = {"file": str(refusal.filename or "–"), "reason": refusal.strerror or str(refusal)}
+        faults: Sequence[Fault] = (Fault.at("file_unusable", **params),)
+    else:
+        faults = refusal.faults
     for fault in faults:
-        sys.stderr.write(f"framewise: {fault_line(fault, options.lang)}\n")
-    return UNUSABLE
+        sys.stderr.write(f"framewise: {fault_line(fault, language)}\n")
 
 
 def _flushed(status: int) -> int:

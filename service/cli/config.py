@@ -9,7 +9,7 @@ import sys
 
 from pydantic import SecretStr
 
-from service.cli.environment import require_files, settings_of_environment
+from service.cli.environment import require_what_is_named, settings_of_environment
 
 HIDDEN = "********"
 
@@ -27,7 +27,7 @@ def _print(_options: argparse.Namespace) -> int:
         shown = HIDDEN if isinstance(value, SecretStr) and value.get_secret_value() else value
         unset = "# " if value is None else ""
         sys.stdout.write(f"{unset}FRAMEWISE_{name.upper()}={_written(shown)}\n")
-    require_files(settings)
+    require_what_is_named(settings)
     return 0
 
 

@@ -7,6 +7,7 @@ import difflib
 import os
 import sys
 from collections.abc import Iterable
+from importlib.util import find_spec
 
 from pydantic import ValidationError
 from pydantic_core import ErrorDetails
@@ -51,13 +52,13 @@ def settings_of_environment() -> Settings:
     return settings
 
 
-def require_files(settings: Settings) -> None:
-    """End the program if a key file or a folder is not there, with the name of its setting.
+def require_what_is_named(settings: Settings) -> None:
+    """End the program if a key file, a folder or a library is not there, with the name of its setting.
 
     Without a key file, all would be let in.
 
     Raises:
-        UnavailableError: the file of API keys cannot be understood.
+        UnavailableError: a key file cannot be understood.
     """
     made_by = {"api_keys": "framewise keys add", "receipt_keys": "framewise receipts rotate"}
     missing = [
@@ -70,10 +71,23 @@ def require_files(settings: Settings) -> None:
         for folder in settings.exercise_folders
         if not folder.is_dir()
     ]
+    if settings.traces and not _can_send_traces():
+        missing.append(f"  {_PREFIX}TRACES: this needs the extra telemetry: pip install framewise[telemetry]")
     if missing:
         sys.exit("\n".join((_FAULTY, *missing)))
     if settings.api_keys is not None:
         KeyFile(settings.api_keys).all()
+    if settings.receipt_keys is not None:
+        from service.receipts.keys import read_keys  # few installations have them
+
+        read_keys(settings.receipt_keys)
+
+
+def _can_send_traces() -> bool:
+    try:
+        return find_spec("opentelemetry.exporter.otlp.proto.http") is not None
+    except ModuleNotFoundError:
+        return False
 
 
 def _wanted(fault: ErrorDetails) -> str:

@@ -8,14 +8,17 @@ import logging
 import os
 import shutil
 import signal
+import sys
 from typing import TYPE_CHECKING, Any
 
 import uvicorn
 from uvicorn.supervisors import Multiprocess
 
-from service.cli.environment import count, require_files, settings_of_environment
+from service.cli.commands import REFUSALS, UNUSABLE, tell
+from service.cli.environment import count, require_what_is_named, settings_of_environment
 from service.http.connections import server_options
 from service.logs import log_configuration
+from service.messages import DEFAULT_LANGUAGE
 from service.metrics import share_metrics
 from service.secret import share_secret
 from service.settings import MOST_WORKERS, Settings
@@ -37,7 +40,7 @@ def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
 
 def _serve(options: argparse.Namespace) -> int:
     settings = settings_of_environment()
-    require_files(settings)
+    require_what_is_named(settings)
     signal.signal(signal.SIGTERM, _end)
     chosen: dict[str, Any] = {
         "host": settings.host if options.host is None else options.host,
@@ -50,11 +53,14 @@ def _serve(options: argparse.Namespace) -> int:
         share_secret()
         figures = share_metrics()
         try:
-            config = uvicorn.Config("service.cli.serve:application", factory=True, workers=workers, **chosen)
-            _Supervisor(config, sockets=[config.bind_socket()]).run()
+            config = uvicorn.Config(
+                "service.cli.serve:one_of_several", factory=True, workers=workers, **chosen
+            )
+            supervisor = _Supervisor(config, sockets=[config.bind_socket()])
+            supervisor.run()
         finally:
             shutil.rmtree(figures, ignore_errors=True)
-        return 0
+        return UNUSABLE if supervisor.could_not_start else 0
     app = application(settings)
     try:
         uvicorn.run(app, **chosen)
@@ -64,7 +70,29 @@ def _serve(options: argparse.Namespace) -> int:
 
 
 class _Supervisor(Multiprocess):
-    """Looks after the server processes."""
+    """Looks after the server processes.
+
+    Attributes:
+        could_not_start: whether one of the first processes found what it needs missing.
+    """
+
+    could_not_start = False
+
+    def init_processes(self) -> None:
+        """Start the first processes."""
+        super().init_processes()
+        self._first = tuple(self.processes)
+
+    def keep_subprocess_alive(self) -> None:
+        """Replace a process that has died; end if a first one could not start, as none would.
+
+        What a later one lacks, such as a database that is away for a while, the others do without.
+        """
+        if any(each.process.exitcode == UNUSABLE for each in self._first):
+            self.could_not_start = True
+            self.should_exit.set()
+            return
+        super().keep_subprocess_alive()
 
     def terminate_all(self) -> None:
         """Have them answer what is in progress; who comes now is refused, and does not wait for nothing."""
@@ -80,6 +108,15 @@ def _end(*_: object) -> None:
     """
     logging.shutdown()
     os._exit(0)
+
+
+def one_of_several() -> FastAPI:
+    """Return the service for one of several processes; what keeps it from starting is told in a line."""
+    try:
+        return application()
+    except REFUSALS as refusal:
+        tell(refusal, DEFAULT_LANGUAGE)
+        sys.exit(UNUSABLE)
 
 
 def application(settings: Settings | None = None) -> FastAPI:

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import logging
 from typing import Any
+from urllib.parse import urlsplit
 
 from opentelemetry import propagate
 from opentelemetry.trace import SpanKind, StatusCode, TracerProvider
@@ -58,21 +59,14 @@ def exporting(address: str) -> TracerProvider:
 
     Args:
         address: of the collector, such as http://collector:4318/v1/traces.
-
-    Raises:
-        SystemExit: the libraries that send them are not installed.
     """
-    try:
-        from opentelemetry.exporter.otlp.proto.http.trace_exporter import OTLPSpanExporter
-        from opentelemetry.sdk.resources import Resource
-        from opentelemetry.sdk.trace import TracerProvider as SdkProvider
-        from opentelemetry.sdk.trace.export import BatchSpanProcessor
-    except ImportError:
-        raise SystemExit(
-            "FRAMEWISE_TRACES needs the extra telemetry: pip install framewise[telemetry]"
-        ) from None
+    from opentelemetry.exporter.otlp.proto.http.trace_exporter import OTLPSpanExporter
+    from opentelemetry.sdk.resources import Resource
+    from opentelemetry.sdk.trace import TracerProvider as SdkProvider
+    from opentelemetry.sdk.trace.export import BatchSpanProcessor
+
     told: dict[str, Any] = {"service.name": "framewise", "service.version": __version__}
     provider = SdkProvider(resource=Resource.create(told))
     provider.add_span_processor(BatchSpanProcessor(OTLPSpanExporter(endpoint=address)))
-    _log.info("Traces are sent to %s", address)
+    _log.info("Traces are sent to %s", urlsplit(address).hostname)  # the rest may hold a password
     return provider

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import os
 import socket
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
@@ -125,6 +127,24 @@ def test_settings_with_which_the_service_would_not_start_are_told_by_their_check
         main(["config"])
 
 
+def test_a_receipt_key_file_that_is_none_is_told_by_the_check(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    """All was well, and then the service did not start."""
+    (tmp_path / "keys.json").write_text("none")
+    monkeypatch.setenv("FRAMEWISE_RECEIPT_KEYS", str(tmp_path / "keys.json"))
+    with pytest.raises(SystemExit, match="2"):
+        main(["config"])
+    assert "[key_file_unreadable]" in capsys.readouterr().err
+
+
+def test_traces_that_cannot_be_sent_are_told_by_the_check(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("service.cli.environment.find_spec", lambda _: None)
+    monkeypatch.setenv("FRAMEWISE_TRACES", "http://collector:4318/v1/traces")
+    with pytest.raises(SystemExit, match="FRAMEWISE_TRACES: this needs the extra telemetry"):
+        main(["config"])
+
+
 @pytest.mark.parametrize(
     ("name", "value"),
     [
@@ -140,7 +160,6 @@ def test_settings_with_which_the_service_would_not_start_are_told_by_their_check
         ("FRAME_ANCESTORS", "https: *.a.example:* selfish.example none.example"),
         ("DATABASE_URL", "postgresql:///framewise?host=/var/run/postgresql"),
         ("DATABASE_URL", "postgresql+psycopg://u:p@[::1]:5432/d"),
-        ("TRACES", "http://u:p@collector:4318/v1/traces?x=1"),
         ("SYMBOLIC_MEMORY", str(1 << 60)),
         ("NUMBER_DIGITS", "1000"),
         ("NUMBER_LARGEST", "1e308"),
@@ -149,6 +168,10 @@ def test_settings_with_which_the_service_would_not_start_are_told_by_their_check
 def test_a_setting_that_is_right_is_taken(monkeypatch: pytest.MonkeyPatch, name: str, value: str) -> None:
     monkeypatch.setenv(f"FRAMEWISE_{name}", value)
     assert main(["config"]) in (0, None)
+
+
+def test_the_address_of_a_collector_is_taken() -> None:
+    assert Settings(traces="http://u:p@collector:4318/v1/traces?x=1").traces
 
 
 def test_what_is_printed_can_be_read_again(
@@ -228,3 +251,23 @@ def test_a_setting_misspelt_is_answered_with_the_one_meant(monkeypatch: pytest.M
     monkeypatch.setenv("FRAMEWISE_QQ", "x")
     with pytest.raises(SystemExit, match=r"FRAMEWISE_QQ: there is no such setting$"):
         main(["config"])
+
+
+@pytest.mark.parametrize("workers", ["1", "2"])
+def test_a_start_that_lacks_something_ends_with_a_sentence(tmp_path: Path, workers: str) -> None:
+    """Several processes were started again for ever, each with a stack trace, and nobody was answered."""
+    (tmp_path / "file").write_text("")
+    command = [sys.executable, "-m", "service", "--port", "0", "--workers", workers]
+    lacking = {"FRAMEWISE_STORAGE": "on", "FRAMEWISE_DATA_FOLDER": str(tmp_path / "file")}
+    result = subprocess.run(
+        command,
+        cwd=ROOT,
+        env={**os.environ, **lacking},
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=300,
+    )
+    assert result.returncode == 2
+    assert "[storage_folder]" in result.stderr
+    assert "Traceback" not in result.stderr

@@ -93,6 +93,14 @@ def test_sqlite_writes_ahead_and_flushes(tmp_path: Path) -> None:
     store.close()
 
 
+def test_where_the_data_is_is_told_without_a_password() -> None:
+    """The log said it at each start."""
+    for address in ("postgresql://ada:lovelace@host/d", "postgresql://host/d?user=ada&password=lovelace"):
+        store = connect(address, Path())
+        assert "lovelace" not in store.location
+        assert "host/d" in store.location
+
+
 def test_a_single_query_on_sqlite_is_all_that_is_carried_out(tmp_path: Path) -> None:
     store = open_store("", tmp_path)
     carried_out: list[str] = []
