@@ -2,7 +2,7 @@
 
 Reading:
   connections, uploads  limits on what a caller may leave undone
-  routing          routes that read their requests strictly
+  routing, calls   routes that read their requests strictly, and calls that are functions
   decoding, long_lists  JSON, and long lists in it
   npy, forms       arrays, forms
   validation       findings of pydantic as faults

@@ -1,1 +1,1 @@
-"""The wire's shapes: strict pydantic models, and nothing computed."""
+"""Shapes that several calls share: strict pydantic models, and nothing computed."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, Literal, TypeAlias
+from typing import Annotated, Any, Literal, Protocol, TypeAlias
 
 from pydantic import Field, WithJsonSchema
 
@@ -88,6 +88,23 @@ class Units(Wire):
 
     angle_unit: Literal["rad", "deg"] = Field(description="unit of every angle in this answer")
     length_unit: Literal["m", "cm", "mm", "in"] = Field(description="unit of every length in this answer")
+
+
+class Measured(Protocol):
+    """What has units: a table, a chain, products of motions, a question about them."""
+
+    @property
+    def angle_unit(self) -> AngleUnit:
+        """Unit of its angles."""
+
+    @property
+    def length_unit(self) -> LengthUnit:
+        """Unit of its lengths."""
+
+
+def units_of(measured: Measured) -> dict[str, Any]:
+    """Return the names of its units, as an answer states them."""
+    return {"angle_unit": measured.angle_unit.value, "length_unit": measured.length_unit.value}
 
 
 Parameters: TypeAlias = Annotated[

@@ -1,49 +1,106 @@
-"""Equations of motion that somebody wrote."""
+"""POST /check-dynamics: equations of motion that somebody wrote."""
 
 from __future__ import annotations
 
 from dataclasses import replace
-from functools import partial
 from itertools import chain
 from typing import Annotated, Any
 
-from kinematics.answers.dynamics_answers import DynamicsQuestion, EquationsAnswer, judge_dynamics
+from pydantic import Field
+
+from kinematics.answers.dynamics_answers import (
+    TOLERANCE,
+    DynamicsMistake,
+    DynamicsQuestion,
+    EquationsAnswer,
+    judge_dynamics,
+)
 from kinematics.answers.left_open import Rounded
 from kinematics.cells import ReadTable
 from kinematics.dynamics import rate_name
 from kinematics.errors import Fault, JointValueError
 from kinematics.expressions import Expression
-from service.http.languages import language_of
-from service.http.openapi import body_with, problems
-from service.http.routing import ApiRequest, api_router
-from service.schemas.checks.dynamics_answers import (
-    CHECK_DYNAMICS,
-    CheckDynamicsAnswer,
-    CheckDynamicsRequest,
-    DynamicsMistakeModel,
-)
+from kinematics.symbolic import ProofStatus
+from service.http.calls import Calls
+from service.schemas.base import Real, Wire
+from service.schemas.choices import forbidding, together
+from service.schemas.kinematics.dynamics_request import DYNAMICS, WeighedRobot
+from service.schemas.kinematics.robot_question import NO_ROBOT
 from service.schemas.spoken import feedback_sentence
+from service.schemas.tables import Cell, Units, units_of
 from service.settings import Settings
 from service.wire.kinematics.answer_functions import read_row, roundings_of
 from service.wire.kinematics.dynamics import parameter_numbers, weighed
+from service.work.limiters import WorkKind
 
-router = api_router("kinematics")
+EquationRow = Annotated[list[Cell], Field(max_length=16)]
+EquationRows = Annotated[list[EquationRow], Field(max_length=16)]
 
 
-@router.post("/check-dynamics", summary="Are these M, C and g those of the robot?", responses=problems(503))
-async def check_dynamics(
-    body: Annotated[CheckDynamicsRequest, body_with(CHECK_DYNAMICS)], request: ApiRequest
-) -> CheckDynamicsAnswer:
+class CheckDynamicsRequest(WeighedRobot):
+    """A robot with weights, and equations of motion that somebody wrote as functions of q and dq1 … dqn."""
+
+    model_config = forbidding(*NO_ROBOT, together(without=["M", "C", "h", "g"]))
+
+    M: EquationRows | None = Field(None, description="n×n expressions: the mass matrix")
+    C: EquationRows | None = Field(None, description="n×n expressions: any C with the right C q̇")
+    h: EquationRow | None = Field(None, description="C q̇; beside C, both are judged")
+    g: EquationRow | None = Field(None, description="gravity terms")
+    tolerance: Annotated[Real, Field(gt=0, le=0.1)] = Field(
+        TOLERANCE, description="of an entry that is not proved, as a share of its size"
+    )
+
+
+class DynamicsMistakeModel(Wire):
+    """A slip that explains a wrong answer."""
+
+    code: DynamicsMistake
+    message: str = Field(description="the same in the caller's language")
+
+
+class CheckDynamicsAnswer(Units):
+    """Whether equations of motion are those of the robot."""
+
+    correct: bool = Field(description="all that was given is right, skew-symmetry aside")
+    proof: ProofStatus = Field(
+        description="proved: the same functions; undecided: equal where compared; refuted: some differ"
+    )
+    M: list[list[bool]] | None = Field(description="which entries of M are right; null if there was none")
+    h: list[bool] | None = Field(description="which rows of C q̇ are right; null if there was neither C nor h")
+    skew: bool | None = Field(description="whether Ṁ − 2C is skew-symmetric; null without C")
+    g: list[bool] | None = Field(description="which entries of g are right; null if there was none")
+    mistakes: list[DynamicsMistakeModel] = Field(description="the usual slips that explain a wrong answer")
+
+
+_TWO_LINKS = DYNAMICS["two links in a vertical plane, let go"]
+
+_EXAMPLES: dict[str, Any] = {
+    "two links: a C that is right, but not of Christoffel symbols": {
+        "table": _TWO_LINKS["table"],
+        "links": _TWO_LINKS["links"],
+        "parameters": {**_TWO_LINKS["parameters"], "g": 9.81},
+        "gravity": [0, "-g", 0],
+        "C": [["-2*m2*L1*r2*s2*dq2", "-m2*L1*r2*s2*dq2"], ["m2*L1*r2*s2*dq1", 0]],
+        "g": ["(m1*r1 + m2*L1)*g*c1 + m2*r2*g*c12", "m2*r2*g*c12"],
+    }
+}
+
+
+router = Calls("kinematics")
+
+
+@router.call(
+    "/check-dynamics",
+    summary="Are these M, C and g those of the robot?",
+    examples=_EXAMPLES,
+    kind=WorkKind.GRADING,
+)
+def check_dynamics(body: CheckDynamicsRequest, settings: Settings, language: str) -> CheckDynamicsAnswer:
     """Judge M and g entry by entry, and C by C q̇: every C with the right C q̇ is right.
 
     Exact entries are proved equal as functions, others are compared at many configurations. The answer says
     separately whether Ṁ − 2C is skew-symmetric. Names of lengths are in metres, as in `/dynamics`.
     """
-    work = partial(_checked, body, request.settings, language_of(request))
-    return await request.resources.grading.run(work)
-
-
-def _checked(body: CheckDynamicsRequest, settings: Settings, language: str) -> CheckDynamicsAnswer:
     found = weighed(body, settings)
     question = DynamicsQuestion(
         table=found.metric.table,
@@ -61,21 +118,19 @@ def _checked(body: CheckDynamicsRequest, settings: Settings, language: str) -> C
         raise JointValueError(Fault.at("motion_empty"))
     answer = replace(answer, rounded=_rounded(body, answer, found.read, question))
     verdict = judge_dynamics(question, answer, body.tolerance)
-    told: dict[str, Any] = {
-        "angle_unit": found.read.angle_unit.value,
-        "length_unit": found.read.length_unit.value,
-        "correct": verdict.right,
-        "proof": verdict.proof,
-        "M": None if verdict.mass is None else [list(row) for row in verdict.mass],
-        "h": None if verdict.velocity is None else list(verdict.velocity),
-        "skew": verdict.skew,
-        "g": None if verdict.gravity is None else list(verdict.gravity),
-        "mistakes": [
+    return CheckDynamicsAnswer(
+        **units_of(found.read),
+        correct=verdict.right,
+        proof=verdict.proof,
+        M=None if verdict.mass is None else [list(row) for row in verdict.mass],
+        h=None if verdict.velocity is None else list(verdict.velocity),
+        skew=verdict.skew,
+        g=None if verdict.gravity is None else list(verdict.gravity),
+        mistakes=[
             DynamicsMistakeModel(code=mistake, message=feedback_sentence(f"motion_{mistake.value}", language))
             for mistake in verdict.mistakes
         ],
-    }
-    return CheckDynamicsAnswer.model_validate(told)
+    )
 
 
 def _matrix(

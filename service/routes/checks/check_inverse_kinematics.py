@@ -1,4 +1,4 @@
-"""Joint values that somebody says reach a pose."""
+"""POST /check-inverse-kinematics: joint values that somebody says reach a pose."""
 
 from __future__ import annotations
 
@@ -7,12 +7,13 @@ from functools import partial
 from typing import Annotated, Any, NamedTuple
 
 import numpy as np
+from pydantic import Field
 
 from exercises.grading import Feedback, Policy, ToolRule
 from exercises.parts.inverse.joint_cells import joint_feedback
 from kinematics.answers.joint_answers import in_other_frames, judge_joints
-from kinematics.answers.joint_questions import joint_question
-from kinematics.answers.joint_verdicts import JointAnswer
+from kinematics.answers.joint_questions import USUAL_TOLERANCE, joint_question
+from kinematics.answers.joint_verdicts import JointAnswer, JointClaim
 from kinematics.cells import Limits, bind_parameters, in_length_unit, read_table
 from kinematics.chain import chain_of_table
 from kinematics.equivalence import Certificate
@@ -22,25 +23,78 @@ from kinematics.inverse import ArmReach, InverseKinematics
 from kinematics.inverse.goals import EXACT, LARGEST_TOLERANCE, LEAST_TOLERANCE, OF_ROUNDING, rounding_of
 from kinematics.se3 import check_transform, inverse_transform
 from kinematics.table import JointType
-from service.http.languages import language_of
-from service.http.openapi import body_with, problems
+from service.http.calls import Calls
 from service.http.problems import located
-from service.http.routing import ApiRequest, api_router
+from service.resources import Resources
 from service.schemas import examples
-from service.schemas.checks.joint_answers import (
-    CheckInverseKinematicsAnswer,
-    CheckInverseKinematicsRequest,
-    JointRowVerdict,
-)
-from service.schemas.kinematics.joints import domain_limits
-from service.schemas.spoken import spoken
+from service.schemas.base import Matrix4, OneOf, Real, Wire
+from service.schemas.kinematics.joints import JointRanges, domain_limits
+from service.schemas.kinematics.pose_input import PoseInput
+from service.schemas.kinematics.robot_question import RobotQuestion
+from service.schemas.spoken import SpokenFeedback, spoken
+from service.schemas.tables import Table, Units
 from service.wire.fault_pointers import traced
 from service.wire.kinematics.answer_functions import check_count
 from service.wire.kinematics.inverse_solutions import TargetQuestion, answer_to
 from service.wire.kinematics.pose_matrices import pose_matrix
 from service.wire.kinematics.prepared_robots import PreparedRobot
 
-router = api_router("kinematics")
+Configuration = Annotated[list[Real], Field(max_length=12)]
+
+
+class CheckInverseKinematicsRequest(RobotQuestion):
+    """A robot, a pose, and the joint values that somebody says reach it."""
+
+    target: PoseInput = Field(description="the pose of the last frame in frame 0")
+    claim: OneOf[JointClaim] = Field(
+        JointClaim.FINITE,
+        description="finite or infinite (many solutions), out_of_reach or joint_limits (none)",
+    )
+    solutions: Annotated[list[Configuration], Field(max_length=64)] = Field(
+        default_factory=list, description="rows of joint values, in the units of the table they belong to"
+    )
+    combinations: Annotated[list[Configuration], Field(max_length=16)] = Field(
+        default_factory=list,
+        description="of a family of solutions, coefficients of a combination of joint values that is fixed",
+    )
+    every: bool = Field(True, description="all solutions are asked; false: one")
+    position_only: bool = Field(False, description="only the position of the last origin has to be reached")
+    limits: JointRanges | None = None
+    own: Table | None = Field(
+        None, description="the answerer's own table: joint values and pose are then those of its frames"
+    )
+    tolerance: Annotated[Real, Field(gt=0, le=0.01)] = Field(
+        USUAL_TOLERANCE, description="of positions as a share of the robot's size, and of angles [rad]"
+    )
+
+
+class JointRowVerdict(Wire):
+    """What is said of one row."""
+
+    correct: bool
+    solution: int | None = Field(description="which solution it is, counted from 0; null if it is wrong")
+
+
+class CheckInverseKinematicsAnswer(Units):
+    """Whether joint values reach a pose, and whether all are there."""
+
+    correct: bool
+    score: Real = Field(ge=0, le=1)
+    expected: JointClaim | None = Field(
+        description="what is true of the pose; null if `own` is another robot"
+    )
+    complete: bool = Field(
+        description="judged by a set that is known to be all; false: by what a search found"
+    )
+    rows: list[JointRowVerdict]
+    combinations: list[bool] = Field(description="which combinations hold along a family")
+    own_accepted: bool | None = Field(description="whether `own` describes this robot; null without it")
+    base: Matrix4 | None = Field(description="of the certificate, B in T_own = B · T · E")
+    tool: Matrix4 | None = Field(description="of the certificate, E")
+    feedback: list[SpokenFeedback]
+
+
+router = Calls("kinematics")
 
 _EXAMPLES: dict[str, Any] = {
     "two links, one of the two elbows": {
@@ -70,13 +124,13 @@ class _Asked(NamedTuple):
     own: Certificate | None
 
 
-@router.post(
+@router.call(
     "/check-inverse-kinematics",
     summary="Do these joint values reach the pose, and are they all?",
-    responses=problems(503),
+    examples=_EXAMPLES,
 )
 async def check_inverse_kinematics(
-    body: Annotated[CheckInverseKinematicsRequest, body_with(_EXAMPLES)], request: ApiRequest
+    body: CheckInverseKinematicsRequest, robot: PreparedRobot, resources: Resources, language: str
 ) -> CheckInverseKinematicsAnswer:
     """Judge each row by forward kinematics, up to full turns, and the rows together by the complete set.
 
@@ -84,14 +138,12 @@ async def check_inverse_kinematics(
     With `own`, joint values and pose refer to the answerer's own table, and the certificate (σ, δ, B, E) of
     that table converts them. Missing branches and wrong quadrants are named.
     """
-    robot = await request.in_turn(partial(request.resources.robots.prepare, body))
-    grading, language = request.resources.grading, language_of(request)
-    asked = await grading.run(partial(_asked, body, robot, request.settings.cell_limits))
+    asked = await resources.grading.run(partial(_asked, body, robot, resources.settings.cell_limits))
     if asked is None:
         return _refused(robot, language)
     with traced(body):
-        found = await answer_to(asked.question, request.resources.workers)
-    return await grading.run(partial(_judged, body, robot, asked, found, language))
+        found = await answer_to(asked.question, resources.workers)
+    return await resources.grading.run(partial(_judged, body, robot, asked, found, language))
 
 
 def _asked(body: CheckInverseKinematicsRequest, robot: PreparedRobot, limits: Limits) -> _Asked | None:
@@ -145,23 +197,21 @@ def _judged(
         found=solutions,
     )
     found = judge_joints(question, answer)
-    return CheckInverseKinematicsAnswer.model_validate(
-        {
-            **robot.units,
-            "correct": found.right,
-            "score": found.share,
-            "expected": found.expected,
-            "complete": found.complete,
-            "rows": [
-                JointRowVerdict(correct=row.right, solution=row.solution if row.right else None)
-                for row in found.rows
-            ],
-            "combinations": list(found.combinations),
-            "own_accepted": None if own is None else True,
-            "base": None if own is None else own.base.tolist(),
-            "tool": None if own is None else own.tool.tolist(),
-            "feedback": spoken(joint_feedback(found, answer), language),
-        }
+    return CheckInverseKinematicsAnswer(
+        **robot.units,
+        correct=found.right,
+        score=found.share,
+        expected=found.expected,
+        complete=found.complete,
+        rows=[
+            JointRowVerdict(correct=row.right, solution=row.solution if row.right else None)
+            for row in found.rows
+        ],
+        combinations=list(found.combinations),
+        own_accepted=None if own is None else True,
+        base=None if own is None else own.base.tolist(),
+        tool=None if own is None else own.tool.tolist(),
+        feedback=spoken(joint_feedback(found, answer), language),
     )
 
 
@@ -182,20 +232,18 @@ def _certificate(
 
 def _refused(robot: PreparedRobot, language: str) -> CheckInverseKinematicsAnswer:
     """Return what is said where the answerer's own table is another robot."""
-    return CheckInverseKinematicsAnswer.model_validate(
-        {
-            **robot.units,
-            "correct": False,
-            "score": 0.0,
-            "expected": None,
-            "complete": True,
-            "rows": [],
-            "combinations": [],
-            "own_accepted": False,
-            "base": None,
-            "tool": None,
-            "feedback": spoken((Feedback(code="joints_need_table"),), language),
-        }
+    return CheckInverseKinematicsAnswer(
+        **robot.units,
+        correct=False,
+        score=0.0,
+        expected=None,
+        complete=True,
+        rows=[],
+        combinations=[],
+        own_accepted=False,
+        base=None,
+        tool=None,
+        feedback=spoken((Feedback(code="joints_need_table"),), language),
     )
 
 

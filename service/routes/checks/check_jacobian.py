@@ -1,34 +1,35 @@
-"""Jacobians and joint forces that somebody computed, in numbers or in closed form."""
+"""POST /check-jacobian and POST /check-jacobian-form: Jacobians and joint forces that somebody computed."""
 
 from __future__ import annotations
 
 import itertools
-from functools import partial
 from typing import Annotated, Any
 
 import numpy as np
+from pydantic import Field
 
 from kinematics.answers.form_samples import COMPONENTS, loaded_robot
 from kinematics.answers.jacobian_answers import JacobianMistake, judge_forces, judge_jacobian
 from kinematics.answers.jacobian_forms import judge_force_form, judge_jacobian_form
 from kinematics.answers.screw_answers import ScrewOrder
 from kinematics.chain import chain_of_table
+from kinematics.errors import Fault, JointValueError
 from kinematics.inverse.lengths import check_lengths
+from kinematics.jacobian import JacobianFrame
+from kinematics.rotations.sequences import EulerSequence
 from kinematics.symbolic import ProofStatus
-from service.http.languages import language_of
-from service.http.openapi import body_with, problems
-from service.http.routing import ApiRequest, api_router
+from service.http.calls import Calls
+from service.http.problems import located
 from service.schemas import examples
-from service.schemas.checks.jacobian_answers import (
-    CheckJacobianAnswer,
-    CheckJacobianFormAnswer,
-    CheckJacobianFormRequest,
-    CheckJacobianRequest,
-    jacobian_mistake,
-)
+from service.schemas.base import OneOf, Real, Wire
+from service.schemas.choices import forbidding, together
+from service.schemas.kinematics.rates_request import Vector6
+from service.schemas.kinematics.robot_question import NO_ROBOT, RobotQuestion
+from service.schemas.kinematics.rotations import RatesOfAngles
+from service.schemas.spoken import feedback_sentence
+from service.schemas.tables import Cell, Units
 from service.wire.fault_pointers import traced
 from service.wire.kinematics.answer_functions import (
-    angles_of_jacobian,
     check_count,
     form_values,
     read_row,
@@ -36,8 +37,90 @@ from service.wire.kinematics.answer_functions import (
 )
 from service.wire.kinematics.joint_values import values_in_radians
 from service.wire.kinematics.prepared_robots import PreparedRobot
+from service.work.limiters import WorkKind
 
-router = api_router("kinematics")
+Columns = Annotated[list[Real], Field(max_length=64)]
+FormRow = Annotated[list[Cell], Field(max_length=16)]
+
+
+class JacobianCheck(RobotQuestion):
+    """A robot, and which Jacobian of it was meant."""
+
+    model_config = forbidding(
+        *NO_ROBOT,
+        together(without=["jacobian", "joint_forces"]),
+        together("joint_forces", without=["wrench"]),
+    )
+
+    order: OneOf[ScrewOrder] = Field(
+        ScrewOrder.LINEAR_FIRST, description="which rows of the Jacobian stand first"
+    )
+    frame: OneOf[JacobianFrame] = Field(
+        JacobianFrame.BASE, description="in whose axes Jacobian and wrench are: frame 0 or the last frame"
+    )
+    angles: RatesOfAngles | None = Field(
+        None, description="of the analytic Jacobian, in frame 0; left out: the geometric one"
+    )
+
+
+class CheckJacobianRequest(JacobianCheck):
+    """A table at one configuration, with a Jacobian or joint forces that somebody computed from it."""
+
+    joints: list[Real] = Field(max_length=64, description="q_1 … q_n, in the table's units")
+    jacobian: Annotated[list[Columns], Field(min_length=6, max_length=6)] | None = Field(
+        None, description="6×n, per radian, of the last frame's origin"
+    )
+    wrench: Vector6 | None = Field(None, description="force and moment at the last frame's origin")
+    joint_forces: Columns | None = Field(None, description="τ = Jᵀ · wrench, one for each joint")
+    tolerance: Annotated[Real, Field(gt=0, le=0.1)] = Field(
+        0.005, description="of an entry; of a length as a share of the robot's size"
+    )
+
+
+class CheckJacobianFormRequest(JacobianCheck):
+    """A table, with a Jacobian or joint forces that somebody wrote as functions of q1 … qn."""
+
+    jacobian: Annotated[list[FormRow], Field(min_length=6, max_length=6)] | None = Field(
+        None, description="6×n expressions, per radian, of the last frame's origin; c12 is cos(q1 + q2)"
+    )
+    wrench: Annotated[list[Cell], Field(min_length=6, max_length=6)] | None = Field(
+        None, description="force and moment at the last frame's origin: numbers, or fx, fy, fz, mx, my, mz"
+    )
+    joint_forces: FormRow | None = Field(None, description="τ = Jᵀ · wrench, one expression for each joint")
+    tolerance: Annotated[Real, Field(gt=0, le=0.1)] = Field(
+        0.005, description="of an entry that is not proved; of a length as a share of the robot's size"
+    )
+
+
+class JacobianMistakeModel(Wire):
+    """What a wrong answer looks like."""
+
+    code: JacobianMistake
+    joint: int | None = Field(description="the column it is about, from 1; null: all of them")
+    message: str = Field(description="the sentence, in the caller's language")
+
+
+class CheckJacobianAnswer(Units):
+    """Whether a Jacobian and joint forces are those of the table."""
+
+    correct: bool
+    entries: list[list[bool]] | None = Field(
+        description="which entries of the Jacobian are right, linear rows first; null if there was none"
+    )
+    forces: list[bool] | None = Field(description="which joint forces are right; null if there were none")
+    mistakes: list[JacobianMistakeModel] = Field(description="the usual slips that explain a wrong answer")
+
+
+class CheckJacobianFormAnswer(CheckJacobianAnswer):
+    """Whether closed forms are those of the table."""
+
+    proof: ProofStatus = Field(
+        description="proved: the same functions; undecided: equal where compared; refuted: they differ, if "
+        "only by what the tolerance allows"
+    )
+
+
+router = Calls("kinematics")
 
 _IN_NUMBERS: dict[str, Any] = {
     "two links: the second column with p₁ − p₂": {
@@ -76,44 +159,23 @@ _IN_CLOSED_FORM: dict[str, Any] = {
 }
 
 
-@router.post("/check-jacobian", summary="Are this Jacobian and these joint forces those of the table?")
-async def check_jacobian(
-    body: Annotated[CheckJacobianRequest, body_with(_IN_NUMBERS)], request: ApiRequest
-) -> CheckJacobianAnswer:
+@router.call(
+    "/check-jacobian",
+    summary="Are this Jacobian and these joint forces those of the table?",
+    examples=_IN_NUMBERS,
+)
+def check_jacobian(body: CheckJacobianRequest, robot: PreparedRobot, language: str) -> CheckJacobianAnswer:
     """Return the Jacobian of the last frame's origin, in either order of the rows, and τ = Jᵀ (f, m).
 
     Geometric, in either axes, or analytic for one of the 24 sequences of angles.
     The table is the answerer's own: whether it is the robot's is asked of `/grade`. Columns that the usual
     slips would make are named.
     """
-    robot = await request.in_turn(partial(request.resources.robots.prepare, body))
-    return await request.in_turn(partial(_checked, body, robot, language_of(request)))
-
-
-@router.post(
-    "/check-jacobian-form",
-    summary="Are this Jacobian and these joint forces, as functions, those of the table?",
-    responses=problems(503),
-)
-async def check_jacobian_form(
-    body: Annotated[CheckJacobianFormRequest, body_with(_IN_CLOSED_FORM)], request: ApiRequest
-) -> CheckJacobianFormAnswer:
-    """Return the Jacobian of the last frame's origin and τ = Jᵀ (f, m), as functions of q1 … qn.
-
-    Geometric, in either axes, or analytic for one of the 24 sequences of angles; rows in either order. Equal
-    functions are proved equal where entries are exact, and compared at many configurations where not.
-    """
-    robot = await request.in_turn(partial(request.resources.robots.prepare, body))
-    work = partial(_checked_form, body, robot, language_of(request))
-    return await request.resources.grading.run(work)
-
-
-def _checked(body: CheckJacobianRequest, robot: PreparedRobot, language: str) -> CheckJacobianAnswer:
     with traced(body):
         check_lengths(robot.table)
     n = len(robot.joint_units)
     joints = values_in_radians(body.joints, robot.joint_units, "joints")
-    angles = angles_of_jacobian(body)
+    angles = _meant_angles(body)
     for i, row in enumerate(body.jacobian or ()):
         check_count(row, n, ("jacobian", i))
     if body.joint_forces is not None:
@@ -134,21 +196,30 @@ def _checked(body: CheckJacobianRequest, robot: PreparedRobot, language: str) ->
         )
         forces, correct = list(right), correct and all(right)
         mistakes += [("forces", mistake, None)] if mistake is not None else []
-    return CheckJacobianAnswer.model_validate(
-        {
-            **robot.units,
-            "correct": correct,
-            "entries": entries,
-            "forces": forces,
-            "mistakes": [jacobian_mistake(*entry, language) for entry in mistakes],
-        }
+    return CheckJacobianAnswer(
+        **robot.units,
+        correct=correct,
+        entries=entries,
+        forces=forces,
+        mistakes=[_told(*entry, language) for entry in mistakes],
     )
 
 
-def _checked_form(
+@router.call(
+    "/check-jacobian-form",
+    summary="Are this Jacobian and these joint forces, as functions, those of the table?",
+    examples=_IN_CLOSED_FORM,
+    kind=WorkKind.GRADING,
+)
+def check_jacobian_form(
     body: CheckJacobianFormRequest, robot: PreparedRobot, language: str
 ) -> CheckJacobianFormAnswer:
-    angles = angles_of_jacobian(body)
+    """Return the Jacobian of the last frame's origin and τ = Jᵀ (f, m), as functions of q1 … qn.
+
+    Geometric, in either axes, or analytic for one of the 24 sequences of angles; rows in either order. Equal
+    functions are proved equal where entries are exact, and compared at many configurations where not.
+    """
+    angles = _meant_angles(body)
     form = loaded_robot(robot.read.table, form_values(body, robot), robot.read.parameters)
     n = len(robot.joint_units)
     proofs: set[ProofStatus] = set()
@@ -180,13 +251,34 @@ def _checked_form(
         proofs.add(proof)
         mistakes += [("forces", mistake, None)] if mistake is not None else []
     order = (ProofStatus.REFUTED, ProofStatus.UNDECIDED, ProofStatus.PROVED)
-    return CheckJacobianFormAnswer.model_validate(
-        {
-            **robot.units,
-            "correct": correct,
-            "proof": next(status for status in order if status in proofs),
-            "entries": entries,
-            "forces": forces,
-            "mistakes": [jacobian_mistake(*entry, language) for entry in mistakes],
-        }
+    return CheckJacobianFormAnswer(
+        **robot.units,
+        correct=correct,
+        proof=next(status for status in order if status in proofs),
+        entries=entries,
+        forces=forces,
+        mistakes=[_told(*entry, language) for entry in mistakes],
     )
+
+
+def _meant_angles(body: CheckJacobianRequest | CheckJacobianFormRequest) -> EulerSequence | None:
+    """Return the angles of which the rates are meant, None for a geometric Jacobian.
+
+    Raises:
+        JointValueError: there is neither a Jacobian nor joint forces, or no wrench that these hold.
+        PoseError: there is no such sequence of angles.
+    """
+    if body.jacobian is None and body.joint_forces is None:
+        raise JointValueError(Fault.at("jacobian_empty"))
+    if body.joint_forces is not None and body.wrench is None:
+        raise JointValueError(Fault.at("wrench_missing", "wrench"))
+    with located("angles"):
+        return None if body.angles is None else body.angles.sequence()
+
+
+def _told(what: str, mistake: JacobianMistake, joint: int | None, language: str) -> JacobianMistakeModel:
+    """A mistake in a Jacobian or in joint forces (`what`), with its sentence."""
+    columns = () if joint is None else (str(joint),)
+    values = {"joint": joint or 0, "joints": columns, "count": len(columns)}
+    told = feedback_sentence(f"{what}_{mistake.value}", language, values)
+    return JacobianMistakeModel(code=mistake, joint=joint, message=told)

@@ -1,25 +1,70 @@
-"""Products of exponentials that somebody says are a robot."""
+"""POST /check-screws: products of exponentials that somebody says are a robot."""
 
 from __future__ import annotations
 
-from functools import partial
 from typing import Annotated, Any
 
 import numpy as np
+from pydantic import Field
 
-from kinematics.answers.screw_answers import ScrewAnswer, ScrewOrder, judge_screws
+from kinematics.answers.screw_answers import ScrewAnswer, ScrewFrame, ScrewMistake, ScrewOrder, judge_screws
 from kinematics.errors import DescriptionError, Fault
-from service.http.languages import language_of
-from service.http.openapi import body_with, problems
-from service.http.routing import ApiRequest, api_router
+from service.http.calls import Calls
 from service.schemas import examples
-from service.schemas.checks.screw_answers import CheckScrewsAnswer, CheckScrewsRequest, ScrewMistakeModel
+from service.schemas.base import Matrix4, OneOf, Real, Wire
+from service.schemas.exercises.verdicts import PolicyModel
+from service.schemas.kinematics.pose_input import PoseInput
+from service.schemas.kinematics.robot_question import RobotQuestion
 from service.schemas.spoken import feedback_sentence
+from service.schemas.tables import Units
 from service.wire.fault_pointers import traced
+from service.wire.kinematics.joint_values import in_request_units
 from service.wire.kinematics.pose_matrices import pose_matrix
 from service.wire.kinematics.prepared_robots import PreparedRobot
+from service.work.limiters import WorkKind
 
-router = api_router("kinematics")
+ScrewRowModel = Annotated[list[Real], Field(min_length=6, max_length=6)]
+
+
+class CheckScrewsRequest(RobotQuestion):
+    """A robot, and a product of exponentials that somebody says is the same."""
+
+    screws: Annotated[list[ScrewRowModel], Field(max_length=64)] = Field(
+        description="one row for each joint, lengths in the table's unit, per radian"
+    )
+    home: PoseInput = Field(
+        description="M, the pose of the last frame where all joint variables are zero, in the table's units"
+    )
+    frame: OneOf[ScrewFrame] = Field(
+        ScrewFrame.SPACE, description="screws in the fixed frame, or in the tool's at the zero position"
+    )
+    order: OneOf[ScrewOrder] = Field(ScrewOrder.LINEAR_FIRST, description="which half of a row stands first")
+    policy: PolicyModel = PolicyModel()
+
+
+class ScrewMistakeModel(Wire):
+    """What a wrong answer looks like."""
+
+    code: ScrewMistake
+    joint: int | None = Field(description="the joint it is about, from 1; null: all of it")
+    message: str = Field(description="the sentence, in the caller's language")
+
+
+class CheckScrewsAnswer(Units):
+    """Whether screws and a home pose are the robot: T(σ∘q + δ) = B · F(q) · E."""
+
+    correct: bool
+    joint_signs: list[int] | None = Field(description="σ; null for a wrong answer")
+    joint_offsets: list[Real] | None = Field(description="δ, in the table's units")
+    base: Matrix4 | None = Field(description="B")
+    tool: Matrix4 | None = Field(description="E")
+    relations: list[bool] = Field(
+        description="of a wrong answer: which neighbouring axes lie to each other as the robot's"
+    )
+    mistakes: list[ScrewMistakeModel] = Field(description="the usual slips that explain a wrong answer")
+
+
+router = Calls("kinematics")
 
 LARGEST = 1e6
 """Numbers beyond this are no screws of a robot in any unit: squares of them would not be told apart."""
@@ -34,23 +79,17 @@ _EXAMPLES: dict[str, Any] = {
 }
 
 
-@router.post(
-    "/check-screws", summary="Are these screws and this home pose the robot?", responses=problems(503)
+@router.call(
+    "/check-screws",
+    summary="Are these screws and this home pose the robot?",
+    examples=_EXAMPLES,
+    kind=WorkKind.GRADING,
 )
-async def check_screws(
-    body: Annotated[CheckScrewsRequest, body_with(_EXAMPLES)], request: ApiRequest
-) -> CheckScrewsAnswer:
+def check_screws(body: CheckScrewsRequest, robot: PreparedRobot, language: str) -> CheckScrewsAnswer:
     """Judge screws: either sense of an axis, any point on it, any zero, space or body, any prismatic length.
 
     A right answer comes with its certificate, a wrong one with the slip that explains it, if one does.
     """
-    resources = request.resources
-    robot = await request.in_turn(partial(resources.robots.prepare, body))
-    work = partial(_checked, body, robot, language_of(request))
-    return await resources.grading.run(work)
-
-
-def _checked(body: CheckScrewsRequest, robot: PreparedRobot, language: str) -> CheckScrewsAnswer:
     n = len(robot.table.joint_types)
     if len(body.screws) != n:
         params = {"expected": n, "given": len(body.screws)}
@@ -68,25 +107,21 @@ def _checked(body: CheckScrewsRequest, robot: PreparedRobot, language: str) -> C
         answer = ScrewAnswer(screws=screws, home=home, frame=body.frame)
         found = judge_screws(robot.table, answer, body.policy.policy())
     certificate = found.certificate
-    offsets = certificate and [
-        offset / unit for offset, unit in zip(certificate.joint_offsets, robot.joint_units, strict=True)
-    ]
-    return CheckScrewsAnswer.model_validate(
-        {
-            **robot.units,
-            "correct": found.right,
-            "joint_signs": certificate and list(certificate.joint_signs),
-            "joint_offsets": offsets,
-            "base": certificate and certificate.base.tolist(),
-            "tool": certificate and certificate.tool.tolist(),
-            "relations": [pair.alike for pair in found.pairs if pair.second == pair.first + 1],
-            "mistakes": [
-                ScrewMistakeModel(
-                    code=mistake,
-                    joint=joint,
-                    message=feedback_sentence(f"screw_{mistake.value}", language, {"joint": joint or 0}),
-                )
-                for mistake, joint in found.mistakes
-            ],
-        }
+    units = robot.joint_units
+    return CheckScrewsAnswer(
+        **robot.units,
+        correct=found.right,
+        joint_signs=None if certificate is None else list(certificate.joint_signs),
+        joint_offsets=None if certificate is None else in_request_units(certificate.joint_offsets, units),
+        base=None if certificate is None else certificate.base.tolist(),
+        tool=None if certificate is None else certificate.tool.tolist(),
+        relations=[pair.alike for pair in found.pairs if pair.second == pair.first + 1],
+        mistakes=[
+            ScrewMistakeModel(
+                code=mistake,
+                joint=joint,
+                message=feedback_sentence(f"screw_{mistake.value}", language, {"joint": joint or 0}),
+            )
+            for mistake, joint in found.mistakes
+        ],
     )

@@ -1,10 +1,11 @@
-"""Where an arm is singular, as somebody wrote it."""
+"""POST /check-singularities: where an arm is singular, as somebody wrote it."""
 
 from __future__ import annotations
 
 from collections.abc import Collection
-from functools import partial
 from typing import Annotated, Any
+
+from pydantic import Field
 
 from exercises.parts.motion.conditions import read_conditions
 from kinematics.answers.lost_motions import lost_motion_is_right, lost_motions_at
@@ -13,19 +14,83 @@ from kinematics.answers.singularity_answers import ConditionStatus, SingularityV
 from kinematics.errors import Fault, JointValueError
 from kinematics.expressions import Expression
 from kinematics.inverse.lengths import check_lengths
+from kinematics.symbolic import ProofStatus
 from kinematics.symbolic.determinants import MotionRows
-from service.http.languages import language_of
-from service.http.openapi import body_with, problems
-from service.http.routing import ApiRequest, api_router
+from service.http.calls import Calls
 from service.schemas import examples
-from service.schemas.checks.singularity_answers import CheckSingularitiesAnswer, CheckSingularitiesRequest
+from service.schemas.base import OneOf, Real, Wire
+from service.schemas.choices import forbidding, together
+from service.schemas.kinematics.robot_question import NO_ROBOT, RobotQuestion
 from service.schemas.spoken import feedback_sentence
+from service.schemas.tables import Cell, Units
 from service.wire.fault_pointers import traced
 from service.wire.kinematics.answer_functions import check_count, form_values, known_functions
 from service.wire.kinematics.joint_values import in_request_units, values_in_radians
 from service.wire.kinematics.prepared_robots import PreparedRobot
+from service.work.limiters import WorkKind
 
-router = api_router("kinematics")
+
+class CheckSingularitiesRequest(RobotQuestion):
+    """A table, with conditions for its singularities, or a motion that it is said to have lost."""
+
+    model_config = forbidding(
+        *NO_ROBOT, together(without=["conditions", "lost"]), together("lost", without=["joints"])
+    )
+
+    motion: OneOf[MotionRows] = Field(
+        MotionRows.TWIST, description="which rows of the Jacobian count: all, or those of the velocity"
+    )
+    conditions: Annotated[list[Cell], Field(max_length=16)] | None = Field(
+        None, description="functions that vanish (sin(q3)) or equations (q3 = 0, π), in any number and order"
+    )
+    joints: Annotated[list[Real], Field(max_length=64)] | None = Field(
+        None, description="a singular configuration, for `lost`; in the table's units"
+    )
+    lost: Annotated[list[Real], Field(min_length=3, max_length=6)] | None = Field(
+        None,
+        description="λ with λ · J q̇ = 0 for all q̇, in frame 0 at the last origin: three numbers of a "
+        "translation, else six",
+    )
+
+
+class ConditionModel(Wire):
+    """What is said of a condition."""
+
+    number: int = Field(description="which of the conditions, from 1")
+    status: ConditionStatus
+    example: list[float] | None = Field(
+        description="of an invented one a configuration where it holds and the arm is not singular"
+    )
+    message: str | None = Field(description="the sentence, in the caller's language; null of a right one")
+
+
+class SingularFamilyModel(Wire):
+    """A family of singular configurations."""
+
+    found: float = Field(description="share of it where the conditions hold: 1 if all of it")
+    example: list[float] | None = Field(
+        description="a configuration of it; where a part is missing one in which none of the conditions holds"
+    )
+
+
+class CheckSingularitiesAnswer(Units):
+    """Whether conditions hold just where the arm is singular."""
+
+    correct: bool
+    proof: ProofStatus | None = Field(
+        description="of the conditions: proved: the sets are the same; undecided: they are where compared; "
+        "refuted: they are not; null if none were given"
+    )
+    whole: bool = Field(
+        description="whether the families are all: false of an arm that may be singular elsewhere, too, "
+        "where two equations hold at a time"
+    )
+    conditions: list[ConditionModel]
+    families: list[SingularFamilyModel]
+    lost: bool | None = Field(description="whether λ is a motion that is lost; null if none was given")
+
+
+router = Calls("kinematics")
 
 _EXAMPLES: dict[str, Any] = {
     "two links that position a point": {
@@ -43,27 +108,20 @@ _EXAMPLES: dict[str, Any] = {
 }
 
 
-@router.post(
+@router.call(
     "/check-singularities",
     summary="Is the arm singular just where these conditions hold?",
-    responses=problems(503),
+    examples=_EXAMPLES,
+    kind=WorkKind.GRADING,
 )
-async def check_singularities(
-    body: Annotated[CheckSingularitiesRequest, body_with(_EXAMPLES)], request: ApiRequest
+def check_singularities(
+    body: CheckSingularitiesRequest, robot: PreparedRobot, language: str
 ) -> CheckSingularitiesAnswer:
     """Judge conditions as a set, whatever their number, order, factors and signs.
 
     A configuration shows each condition that also holds elsewhere, and each family that they miss. The call
     also decides whether a vector is a motion that the arm has lost in a configuration.
     """
-    robot = await request.in_turn(partial(request.resources.robots.prepare, body))
-    work = partial(_checked, body, robot, language_of(request))
-    return await request.resources.grading.run(work)
-
-
-def _checked(
-    body: CheckSingularitiesRequest, robot: PreparedRobot, language: str
-) -> CheckSingularitiesAnswer:
     with traced(body):
         check_lengths(robot.table)
     if body.conditions is None and body.lost is None:
@@ -77,39 +135,30 @@ def _checked(
         read = [_read(cell, robot, values.keys(), i, rounded) for i, cell in enumerate(body.conditions)]
         numbers = [i + 1 for i, row in enumerate(read) for _ in row]
         found = judge_singularities(arm, [function for row in read for function in row], rounded)
-    return CheckSingularitiesAnswer.model_validate(
-        {
-            **robot.units,
-            "correct": lost is not False and (found is None or found.right),
-            "proof": None if found is None else found.proof,
-            "whole": arm.whole,
-            "conditions": [] if found is None else _conditions(found, numbers, robot, language),
-            "families": []
-            if found is None
-            else [
-                {"found": entry.found, "example": _typed(entry.example, robot)} for entry in found.families
-            ],
-            "lost": lost,
-        }
+    return CheckSingularitiesAnswer(
+        **robot.units,
+        correct=lost is not False and (found is None or found.right),
+        proof=None if found is None else found.proof,
+        whole=arm.whole,
+        conditions=[] if found is None else _conditions(found, numbers, robot, language),
+        families=[
+            SingularFamilyModel(found=entry.found, example=_typed(entry.example, robot))
+            for entry in (found.families if found is not None else ())
+        ],
+        lost=lost,
     )
 
 
 def _conditions(
     found: SingularityVerdict, numbers: list[int], robot: PreparedRobot, language: str
-) -> list[dict[str, Any]]:
+) -> list[ConditionModel]:
     told = []
     for number, entry in zip(numbers, found.conditions, strict=True):
         message = None
         if entry.status is not ConditionStatus.SINGULAR:
             message = feedback_sentence(f"singularity_{entry.status.value}", language, {"condition": number})
-        told.append(
-            {
-                "number": number,
-                "status": entry.status,
-                "example": _typed(entry.example, robot),
-                "message": message,
-            }
-        )
+        example = _typed(entry.example, robot)
+        told.append(ConditionModel(number=number, status=entry.status, example=example, message=message))
     return told
 
 

@@ -12,9 +12,6 @@ from kinematics.cells import ReadTable, nearest_name, parameters_in_radians, rat
 from kinematics.cells.meaning import CellMeaning
 from kinematics.errors import CellError, Fault, JointValueError, ParamValue
 from kinematics.expressions import Expression
-from kinematics.rotations.sequences import EulerSequence
-from service.http.problems import located
-from service.schemas.checks.jacobian_answers import CheckJacobianFormRequest, CheckJacobianRequest
 from service.schemas.kinematics.robot_question import RobotQuestion
 from service.wire.kinematics.prepared_robots import PreparedRobot, listed_robot
 
@@ -139,21 +136,6 @@ def check_count(row: Sequence[Any], expected: int, where: Where) -> None:
     if len(row) != expected:
         params = {"expected": expected, "given": len(row)}
         raise JointValueError(Fault.at("joint_row_length", *where, **params))
-
-
-def angles_of_jacobian(body: CheckJacobianRequest | CheckJacobianFormRequest) -> EulerSequence | None:
-    """Return the angles of which the rates are meant, None for a geometric Jacobian.
-
-    Raises:
-        JointValueError: there is neither a Jacobian nor joint forces, or no wrench that these hold.
-        PoseError: there is no such sequence of angles.
-    """
-    if body.jacobian is None and body.joint_forces is None:
-        raise JointValueError(Fault.at("jacobian_empty"))
-    if body.joint_forces is not None and body.wrench is None:
-        raise JointValueError(Fault.at("wrench_missing", "wrench"))
-    with located("angles"):
-        return None if body.angles is None else body.angles.sequence()
 
 
 def form_values(question: RobotQuestion, robot: PreparedRobot) -> dict[str, float]:

@@ -43,7 +43,7 @@ class PreparedRobot:
     table: NumericTable
     joint_units: tuple[float, ...]
     angle: float
-    units: Mapping[str, str]
+    units: Mapping[str, Any]
 
 
 class RobotCache:
