@@ -118,6 +118,12 @@ Coordinate: TypeAlias = Annotated[
 Coordinates: TypeAlias = Annotated[list[Coordinate], Field(min_length=3, max_length=3)]
 """A point or a direction of an axis or a frame; `kinematics.frames.axes` refuses larger ones."""
 
+Vector6: TypeAlias = Annotated[list[Real], Field(min_length=6, max_length=6)]
+Matrix6: TypeAlias = Annotated[
+    list[list[Real]],
+    Field(min_length=6, max_length=6, description="6×n: three linear rows, three angular rows"),
+]
+
 _FOUR = {"minItems": 4, "maxItems": 4}
 _MATRIX4 = WithJsonSchema(
     {

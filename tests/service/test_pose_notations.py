@@ -5,8 +5,8 @@ import math
 import numpy as np
 import pytest
 
+from service.routes.kinematics.workspace import WorkspaceRequest
 from service.schemas.kinematics.inverse_forms import SymbolicInverseRequest
-from service.schemas.kinematics.workspace_request import WorkspaceRequest
 from service.wire.kinematics.pose_matrices import base_and_tool
 
 ROBOT = {"robot": "twolink"}

@@ -21,9 +21,8 @@ from kinematics.symbolic import ProofStatus
 from service.http.calls import Calls
 from service.http.problems import located
 from service.schemas import examples
-from service.schemas.base import OneOf, Real, Wire
+from service.schemas.base import OneOf, Real, Vector6, Wire
 from service.schemas.choices import forbidding, together
-from service.schemas.kinematics.rates_request import Vector6
 from service.schemas.kinematics.robot_question import NO_ROBOT, RobotQuestion
 from service.schemas.kinematics.rotations import RatesOfAngles
 from service.schemas.spoken import feedback_sentence

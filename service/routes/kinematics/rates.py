@@ -1,24 +1,91 @@
-"""Velocities, accelerations and forces at one configuration."""
+"""POST /rates: velocities, accelerations and forces at one configuration."""
 
 from __future__ import annotations
 
-from typing import Annotated, Any
+from typing import Any
+
+from pydantic import Field
 
 from kinematics.chain import chain_of_table
 from kinematics.ellipsoids import Ellipsoid, VelocityEllipsoids, velocity_ellipsoids
 from kinematics.inverse.lengths import check_lengths
 from kinematics.rates import ROLL_PITCH_YAW, analytic_jacobian, jacobian_rate, joint_forces
 from kinematics.se3 import check_transform
-from service.http.openapi import body_with
-from service.http.routing import api_router
-from service.resources import AppResources
-from service.schemas.kinematics.rates_request import RatesAnswer, RatesRequest
+from service.http.calls import Calls
+from service.schemas.base import Matrix6, Real, Vector3, Vector6, Wire
+from service.schemas.kinematics.pose_input import PoseInput
+from service.schemas.kinematics.robot_question import RobotQuestion
+from service.schemas.kinematics.rotations import RatesOfAngles
+from service.schemas.tables import Units
 from service.wire.fault_pointers import traced
 from service.wire.json_chunks import plain_lists
 from service.wire.kinematics.joint_values import values_in_radians
 from service.wire.kinematics.pose_matrices import base_and_tool
+from service.wire.kinematics.prepared_robots import PreparedRobot
 
-router = api_router("kinematics")
+
+class RatesRequest(RobotQuestion):
+    """A robot at one configuration, and what moves or pushes it."""
+
+    joints: list[Real] = Field(max_length=64, description="q_1 … q_n, in the table's units")
+    rates: list[Real] | None = Field(
+        None, max_length=64, description="q̇_1 … q̇_n, in the table's units per second"
+    )
+    accelerations: list[Real] | None = Field(
+        None,
+        max_length=64,
+        description="q̈_1 … q̈_n, in the table's units per second squared; from rest without rates",
+    )
+    wrench: Vector6 | None = Field(
+        None, description="force at the end frame's origin, then moment, in the axes of the world"
+    )
+    angles: RatesOfAngles | None = Field(
+        None, description="whose rates `analytic` has; roll, pitch, yaw (X, Y, Z, fixed axes) if left out"
+    )
+    base: PoseInput | None = Field(None, description="pose of frame 0 in the world; the identity if left out")
+    tool: PoseInput | None = Field(None, description="pose of the tool in frame N; the identity if left out")
+
+
+class EllipsoidModel(Wire):
+    """A velocity ellipsoid about the end frame's origin."""
+
+    axes: list[Vector3] = Field(description="unit vectors in the axes of the world, the longest radius first")
+    radii: list[Real] = Field(description="along these; 0 where the tool cannot move that way")
+
+
+class EllipsoidsModel(Wire):
+    """What the tool does while the joint rates go through the unit ball."""
+
+    translation: EllipsoidModel = Field(description="of v")
+    rotation: EllipsoidModel = Field(description="of ω")
+    blocked: list[Vector6] = Field(
+        description="unit vectors (v / characteristic_length, ω) that span what the tool cannot do here"
+    )
+    characteristic_length: Real = Field(
+        description="sum of |a| and |d|: a prismatic joint's rate counts in it, a revolute one's in radians"
+    )
+
+
+class RatesAnswer(Units):
+    """Jacobians, velocities and forces at one configuration, in the axes of the world, per radian."""
+
+    J0: Matrix6 = Field(description="(v, ω) = J0 q̇")
+    analytic: Matrix6 | None = Field(
+        description="rates of x, y, z and the three angles (roll, pitch, yaw if none were named) per rate of "
+        "each joint; null where the first and the last angle turn about one line (pitch ±90°)"
+    )
+    velocity: Vector6 | None = Field(None, description="(v, ω), ω in radians per second")
+    J0_rate: Matrix6 | None = Field(None, description="dJ0/dt at these rates")
+    acceleration: Vector6 | None = Field(None, description="J0 q̈ + dJ0/dt q̇")
+    joint_forces: list[Real] | None = Field(
+        None, description="J0ᵀ · wrench: torques of revolute joints, forces of prismatic ones"
+    )
+    ellipsoids: EllipsoidsModel = Field(
+        description="Yoshikawa's manipulability ellipsoids, and what is blocked"
+    )
+
+
+router = Calls("kinematics")
 
 _EXAMPLES: dict[str, Any] = {
     "a SCARA that turns both links, and a load of 10 N at its tool": {
@@ -30,13 +97,14 @@ _EXAMPLES: dict[str, Any] = {
 }
 
 
-@router.post("/rates", summary="Velocities, accelerations and forces at one configuration")
-async def rates(body: Annotated[RatesRequest, body_with(_EXAMPLES)], resources: AppResources) -> RatesAnswer:
+@router.call(
+    "/rates", summary="Velocities, accelerations and forces at one configuration", examples=_EXAMPLES
+)
+def rates(body: RatesRequest, robot: PreparedRobot) -> RatesAnswer:
     """Return (v, ω) = J0 q̇, J0 q̈ + J̇0 q̇, the analytic Jacobian, τ = J0ᵀ (f, m) and ellipsoids.
 
     Results that need missing `rates`, `accelerations` or `wrench` are null. Lengths are in the table's unit.
     """
-    robot = resources.robots.prepare(body)
     with traced(body):
         check_lengths(robot.table)
     base, tool = (
@@ -62,19 +130,19 @@ async def rates(body: Annotated[RatesRequest, body_with(_EXAMPLES)], resources: 
         found["acceleration"] = _plain(J @ second + at_speed)
     if body.wrench is not None:
         found["joint_forces"] = _plain(joint_forces(chain, q, body.wrench))
-    return RatesAnswer.model_validate({**found, **robot.units})
+    return RatesAnswer(**robot.units, **found)
 
 
-def _ellipsoids(found: VelocityEllipsoids) -> dict[str, Any]:
-    def written(ellipsoid: Ellipsoid) -> dict[str, Any]:
-        return {"axes": _plain(ellipsoid.axes), "radii": _plain(ellipsoid.radii)}
+def _ellipsoids(found: VelocityEllipsoids) -> EllipsoidsModel:
+    def written(ellipsoid: Ellipsoid) -> EllipsoidModel:
+        return EllipsoidModel(axes=_plain(ellipsoid.axes), radii=_plain(ellipsoid.radii))
 
-    return {
-        "translation": written(found.translation),
-        "rotation": written(found.rotation),
-        "blocked": _plain(found.blocked),
-        "characteristic_length": found.length,
-    }
+    return EllipsoidsModel(
+        translation=written(found.translation),
+        rotation=written(found.rotation),
+        blocked=_plain(found.blocked),
+        characteristic_length=found.length,
+    )
 
 
 def _plain(values: Any) -> Any:

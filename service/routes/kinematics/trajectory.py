@@ -1,22 +1,55 @@
-"""From one configuration to another, over time."""
+"""POST /trajectory: from one configuration to another, over time."""
 
 from __future__ import annotations
 
 from typing import Annotated, Any
 
 import numpy as np
+from pydantic import Field
 
 from kinematics.forward import end_poses
 from kinematics.inverse.lengths import check_lengths
-from kinematics.trajectory import joint_trajectory
-from service.http.openapi import body_with
-from service.http.routing import api_router
-from service.resources import AppResources
-from service.schemas.kinematics.trajectory_request import TrajectoryAnswer, TrajectoryRequest
+from kinematics.trajectory import TimeScaling, joint_trajectory
+from service.http.calls import Calls
+from service.schemas.base import WHOLE, OneOf, Real, Vector3
+from service.schemas.kinematics.robot_question import RobotQuestion
+from service.schemas.tables import Units
 from service.wire.fault_pointers import traced
 from service.wire.kinematics.joint_values import values_in_radians
+from service.wire.kinematics.prepared_robots import PreparedRobot
 
-router = api_router("kinematics")
+MOST_INSTANTS = 1000
+"""Instants of one motion: finer than a plot or an animation of some seconds shows."""
+
+JointRows = list[list[Real]]
+
+
+class TrajectoryRequest(RobotQuestion):
+    """A robot that goes from rest at one configuration to rest at another."""
+
+    start: list[Real] = Field(max_length=64, description="q_1 … q_n at the beginning, in the table's units")
+    end: list[Real] = Field(max_length=64, description="q_1 … q_n at the end, in the table's units")
+    duration: Real = Field(1.0, ge=1e-3, le=1e6, description="how long it takes, in seconds")
+    samples: Annotated[int, Field(ge=2, le=MOST_INSTANTS), WHOLE] = Field(
+        101, description="number of instants, evenly spaced, both ends included"
+    )
+    scaling: OneOf[TimeScaling] = Field(
+        TimeScaling.QUINTIC,
+        description="cubic: at rest at both ends; quintic: without acceleration there, too",
+    )
+
+
+class TrajectoryAnswer(Units):
+    """What the joints and the end frame do at every instant."""
+
+    times: list[Real] = Field(description="in seconds")
+    positions: JointRows = Field(description="q_1 … q_n at every instant, in the table's units")
+    velocities: JointRows = Field(description="q̇_1 … q̇_n, in the table's units per second")
+    accelerations: JointRows = Field(description="q̈_1 … q̈_n, in the table's units per second squared")
+    path: list[Vector3] = Field(description="the origin of frame N in frame 0 at every instant")
+
+
+router = Calls("kinematics")
 
 _EXAMPLES: dict[str, Any] = {
     "a PUMA 560 that stretches in two seconds": {
@@ -29,16 +62,13 @@ _EXAMPLES: dict[str, Any] = {
 }
 
 
-@router.post("/trajectory", summary="Joint trajectory between two configurations")
-async def trajectory(
-    body: Annotated[TrajectoryRequest, body_with(_EXAMPLES)], resources: AppResources
-) -> TrajectoryAnswer:
+@router.call("/trajectory", summary="Joint trajectory between two configurations", examples=_EXAMPLES)
+def trajectory(body: TrajectoryRequest, robot: PreparedRobot) -> TrajectoryAnswer:
     """Return a motion from `start` to `end`, joints together: q(t) = start + s(t / duration) (end − start).
 
     s is a cubic or a quintic polynomial that begins and ends at rest, so no joint overshoots: a motion whose
     ends are within the limits stays within them.
     """
-    robot = resources.robots.prepare(body)
     with traced(body):
         check_lengths(robot.table)
     units = robot.joint_units
@@ -48,13 +78,11 @@ async def trajectory(
     )
     found = joint_trajectory(start, end, duration=body.duration, samples=body.samples, scaling=body.scaling)
     outward = np.array([1.0 / unit for unit in units])
-    return TrajectoryAnswer.model_validate(
-        {
-            **robot.units,
-            "times": found.times.tolist(),
-            "positions": (found.positions * outward).tolist(),
-            "velocities": (found.velocities * outward).tolist(),
-            "accelerations": (found.accelerations * outward).tolist(),
-            "path": end_poses(robot.table, found.positions)[:, :3, 3].tolist(),
-        }
+    return TrajectoryAnswer(
+        **robot.units,
+        times=found.times.tolist(),
+        positions=(found.positions * outward).tolist(),
+        velocities=(found.velocities * outward).tolist(),
+        accelerations=(found.accelerations * outward).tolist(),
+        path=end_poses(robot.table, found.positions)[:, :3, 3].tolist(),
     )

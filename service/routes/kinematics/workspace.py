@@ -1,25 +1,122 @@
-"""How far a robot reaches."""
+"""POST /workspace: how far a robot reaches."""
 
 from __future__ import annotations
 
 from functools import partial
-from typing import Annotated, Any
+from typing import Annotated, Any, Self
+
+from pydantic import Field, model_validator
+from pydantic_core import PydanticCustomError
 
 from kinematics.inverse import ArmReach
 from kinematics.inverse.limits import JointLimits
-from kinematics.workspace import Radius, Workspace, check_reach, joint_spans, workspace
-from service.http.openapi import body_with, problems
-from service.http.routing import ApiRequest, OneRobotRoute, api_router
+from kinematics.workspace import Radii, Workspace, check_reach, joint_spans, workspace
+from service.http.calls import Calls
+from service.http.routing import OneRobotRoute
+from service.resources import Resources
 from service.schemas import examples
-from service.schemas.kinematics import workspace_request as wire
-from service.schemas.kinematics.joints import domain_limits
+from service.schemas.base import WHOLE, Real, Vector3, Wire
+from service.schemas.choices import forbidding, together
+from service.schemas.kinematics.joints import JointRanges, domain_limits
+from service.schemas.kinematics.pose_input import PoseInput
+from service.schemas.kinematics.robot_question import NO_ROBOT, RobotQuestion
+from service.schemas.tables import Units
 from service.wire.fault_pointers import traced
 from service.wire.kinematics.joint_values import in_request_units
 from service.wire.kinematics.pose_matrices import base_and_tool, placed_matrix
 from service.wire.kinematics.prepared_robots import PreparedRobot, listed_robot
 from service.work.workers import Lane
 
-router = api_router("kinematics", route_class=OneRobotRoute)
+MOST_POINTS = 20_000
+"""Points of a cloud: more than a plot of the page can tell apart."""
+
+
+class PlaneModel(Wire):
+    """A plane in the world."""
+
+    point: Vector3 = Field([0.0, 0.0, 0.0], description="one of its points; the origin if left out")
+    normal: Vector3 = Field([0.0, 0.0, 1.0], description="its normal, of any length; z if left out")
+
+
+class WorkspaceRequest(RobotQuestion):
+    """A robot whose reach is asked for."""
+
+    model_config = forbidding(*NO_ROBOT, together("quaternion", "axis"))
+
+    limits: JointRanges | None = Field(
+        None,
+        description="[least, greatest] of each joint in the table's units, null where there is none; left "
+        "out, those of the catalogue's robot, else none. A revolute joint then turns fully, a prismatic one "
+        "needs both",
+    )
+    samples: Annotated[int, Field(ge=1, le=MOST_POINTS), WHOLE] | None = Field(
+        None, description="number of points for a plot; without it none are sent"
+    )
+    base: PoseInput | None = Field(None, description="pose of frame 0 in the world: moves box and points")
+    tool: PoseInput | None = Field(None, description="pose of the end frame in frame N")
+    plane: PlaneModel | None = Field(
+        None, description="only places in this plane count, such as the support plane {}: z = 0"
+    )
+    quaternion: Annotated[list[Real], Field(min_length=4, max_length=4)] | None = Field(
+        None, description="only with the end frame oriented so, in the world: [w, x, y, z] of any length"
+    )
+    axis: Vector3 | None = Field(
+        None, description="only with the end frame's z axis along this, in the world; turns about it are free"
+    )
+
+    @model_validator(mode="after")
+    def _one_orientation(self) -> Self:
+        if self.quaternion is not None and self.axis is not None:
+            raise PydanticCustomError("quaternion_or_axis", "give at most one of quaternion and axis")
+        return self
+
+
+class RadiusModel(Wire):
+    """A radius, measured in two ways."""
+
+    axis: Real = Field(description="at right angles from the axis of the first joint")
+    origin: Real = Field(description="from the origin of frame 0")
+
+
+class RadiusJoints(Wire):
+    """Configurations that have a radius."""
+
+    axis: list[Real]
+    origin: list[Real]
+
+
+class Reached(Wire):
+    """For every radius a configuration that has it, q_1 … q_n: anyone can check it."""
+
+    inner_radius: RadiusJoints
+    outer_radius: RadiusJoints
+
+
+class BoundingBox(Wire):
+    """The smallest box along the axes of the world that holds the workspace."""
+
+    min: Vector3
+    max: Vector3
+
+
+class WorkspaceResponse(Units):
+    """Where the origin of the end frame can be."""
+
+    inner_radius: RadiusModel = Field(description="the least distances")
+    outer_radius: RadiusModel = Field(description="the greatest distances")
+    box: BoundingBox
+    reached: Reached
+    points: list[Vector3] | None = Field(
+        None, description="places in the world, spread evenly over the joints' ranges"
+    )
+    section: list[Annotated[list[Real], Field(min_length=2, max_length=2)]] | None = Field(
+        None,
+        description="of each point the distance from the axis of the first joint, and its height along it, "
+        "upward in the world",
+    )
+
+
+router = Calls("kinematics", route_class=OneRobotRoute)
 
 _DMRA: dict[str, Any] = {"robot": "dmra"}
 _EXAMPLES: dict[str, Any] = {
@@ -34,15 +131,10 @@ _EXAMPLES: dict[str, Any] = {
 }
 
 
-@router.post(
-    "/workspace",
-    summary="Radii, box and points of the workspace",
-    response_model_exclude_none=True,
-    responses=problems(503),
+@router.call(
+    "/workspace", summary="Radii, box and points of the workspace", examples=_EXAMPLES, exclude_none=True
 )
-async def reach(
-    body: Annotated[wire.WorkspaceRequest, body_with(_EXAMPLES)], request: ApiRequest
-) -> wire.WorkspaceResponse:
+async def reach(body: WorkspaceRequest, robot: PreparedRobot, resources: Resources) -> WorkspaceResponse:
     """Return the least and greatest distance of the end frame's origin, and the box that contains it.
 
     Radii are measured from the axis of the first joint and from the origin of frame 0. Each number belongs
@@ -50,8 +142,6 @@ async def reach(
     climbing from many starts, not proved. With `plane`, `quaternion` or `axis`, only configurations count
     whose origin is in the plane and whose end frame has that orientation.
     """
-    resources = request.resources
-    robot = await request.in_turn(partial(resources.robots.prepare, body))
     limits = _limits(body, robot)
     base, tool = base_and_tool(body, robot.angle)
     with traced(body):
@@ -60,46 +150,37 @@ async def reach(
     held = None
     if body.quaternion is not None or body.axis is not None:
         held = placed_matrix([0.0, 0.0, 0.0], body.quaternion, body.axis)
-    plane = None if body.plane is None else (body.plane.point, body.plane.normal)
-    reach = ArmReach.POSE if body.axis is None else ArmReach.AXIS
-    question = (robot.table, limits, base, tool, body.samples or 0, plane, held, reach)
-    found = await resources.workers.run(Lane.SLOW, _found, *question)
-    return _answer(found, robot)
+    work = partial(
+        workspace,
+        robot.table,
+        limits,
+        base=base,
+        tool=tool,
+        samples=body.samples or 0,
+        plane=None if body.plane is None else (body.plane.point, body.plane.normal),
+        held=held,
+        counts=ArmReach.POSE if body.axis is None else ArmReach.AXIS,
+    )
+    return _answer(await resources.workers.run(Lane.SLOW, work), robot)
 
 
-def _limits(body: wire.WorkspaceRequest, robot: PreparedRobot) -> JointLimits | None:
+def _limits(body: WorkspaceRequest, robot: PreparedRobot) -> JointLimits | None:
     if body.limits is None and body.robot is not None:
         return domain_limits(listed_robot(body.robot).limits, robot.joint_units)
     return domain_limits(body.limits, robot.joint_units)
 
 
-def _found(
-    table: Any, limits: Any, base: Any, tool: Any, samples: int, plane: Any, held: Any, reach: ArmReach
-) -> Workspace:
-    return workspace(
-        table, limits, base=base, tool=tool, samples=samples, plane=plane, held=held, counts=reach
-    )
+def _answer(found: Workspace, robot: PreparedRobot) -> WorkspaceResponse:
+    def joints(radii: Radii) -> RadiusJoints:
+        axis, origin = (in_request_units(one.joints, robot.joint_units) for one in (radii.axis, radii.origin))
+        return RadiusJoints(axis=axis, origin=origin)
 
-
-def _answer(found: Workspace, robot: PreparedRobot) -> wire.WorkspaceResponse:
-    units: dict[str, Any] = dict(robot.units)
-    return wire.WorkspaceResponse(
-        **units,
-        inner_radius=wire.RadiusModel(axis=found.inner.axis.value, origin=found.inner.origin.value),
-        outer_radius=wire.RadiusModel(axis=found.outer.axis.value, origin=found.outer.origin.value),
-        box=wire.BoundingBox(min=list(found.low), max=list(found.high)),
-        reached=wire.Reached(
-            inner_radius=wire.RadiusJoints(
-                axis=_joints(found.inner.axis, robot), origin=_joints(found.inner.origin, robot)
-            ),
-            outer_radius=wire.RadiusJoints(
-                axis=_joints(found.outer.axis, robot), origin=_joints(found.outer.origin, robot)
-            ),
-        ),
+    return WorkspaceResponse(
+        **robot.units,
+        inner_radius=RadiusModel(axis=found.inner.axis.value, origin=found.inner.origin.value),
+        outer_radius=RadiusModel(axis=found.outer.axis.value, origin=found.outer.origin.value),
+        box=BoundingBox(min=list(found.low), max=list(found.high)),
+        reached=Reached(inner_radius=joints(found.inner), outer_radius=joints(found.outer)),
         points=found.points.tolist() if len(found.points) else None,
         section=found.section.tolist() if len(found.section) else None,
     )
-
-
-def _joints(radius: Radius, robot: PreparedRobot) -> list[float]:
-    return in_request_units(radius.joints, robot.joint_units)

@@ -2,21 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Annotated, TypeAlias
-
 from pydantic import Field
 
 from kinematics.jacobian import JacobianFrame
-from service.schemas.base import OneOf, Real, Wire
+from service.schemas.base import Matrix6, OneOf, Real, Wire
 from service.schemas.kinematics.joints import Joints
 from service.schemas.kinematics.pose_input import PoseInput
 from service.schemas.kinematics.robot_question import NumericForm, RobotQuestion
 from service.schemas.tables import Units
-
-Matrix6: TypeAlias = Annotated[
-    list[list[Real]],
-    Field(min_length=6, max_length=6, description="6×n: three linear rows, three angular rows"),
-]
 
 
 class JacobianQuestion(RobotQuestion):
