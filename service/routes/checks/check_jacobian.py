@@ -23,8 +23,8 @@ from service.http.problems import located
 from service.schemas import examples
 from service.schemas.base import OneOf, Real, Vector6, Wire
 from service.schemas.choices import forbidding, together
+from service.schemas.kinematics.orientations import RatesOfAngles
 from service.schemas.kinematics.robot_question import NO_ROBOT, RobotQuestion
-from service.schemas.kinematics.rotations import RatesOfAngles
 from service.schemas.spoken import feedback_sentence
 from service.schemas.tables import Cell, Units
 from service.wire.fault_pointers import traced

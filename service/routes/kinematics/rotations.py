@@ -1,26 +1,57 @@
-"""Orientations in every notation, and answers about them."""
+"""POST /rotations: an orientation in every notation."""
 
 from __future__ import annotations
 
-from functools import partial
 from typing import Annotated, Any
 
-from service.http.languages import language_of
-from service.http.openapi import body_with
-from service.http.routing import ApiRequest, api_router
-from service.messages import sentence
-from service.schemas.kinematics.rotations import (
-    CheckRotationAnswer,
-    CheckRotationRequest,
-    RotationsAnswer,
-    RotationsRequest,
-)
-from service.wire.kinematics.orientations import all_notations, checked_rotation
+from pydantic import Field
 
-router = api_router("kinematics")
+from kinematics.cells import AngleUnit
+from kinematics.poses import axis_angle_from_transform, quaternion_from_transform
+from kinematics.rotations.matrices import Matrix3, as_transform
+from kinematics.rotations.properties import RotationProperty, failed_properties
+from kinematics.rotations.sequences import SEQUENCES, EulerSequence, Turning, euler_solutions
+from service.http.calls import Calls
+from service.http.problems import located
+from service.schemas.base import OneOf, Real, Vector3, Wire
+from service.schemas.kinematics.orientations import FamilyModel, Matrix3Rows, OrientationModel, Quaternion4
 
-_QUARTER = [[0, -1, 0], [1, 0, 0], [0, 0, 1]]
-_ROTATIONS: dict[str, Any] = {
+router = Calls("kinematics")
+
+
+class RotationsRequest(Wire):
+    """An orientation that is wanted in all notations."""
+
+    orientation: OrientationModel = Field(description="in one notation")
+    angle_unit: OneOf[AngleUnit] = Field(AngleUnit.RAD, description="unit of all angles")
+    tolerance: Annotated[Real, Field(gt=0, le=0.1)] = Field(
+        1e-6, description="how far a matrix may be from a rotation"
+    )
+
+
+class SequenceAngles(Wire):
+    """An orientation in the angles of one sequence."""
+
+    axes: str
+    turning: Turning
+    triples: list[Vector3] = Field(description="both triples; of a locked orientation one of the family")
+    family: FamilyModel | None = Field(description="at gimbal lock")
+
+
+class RotationsAnswer(Wire):
+    """One orientation in every notation."""
+
+    angle_unit: AngleUnit
+    is_rotation: bool
+    failed: list[RotationProperty] = Field(description="the properties of rotations that the matrix lacks")
+    matrix: Matrix3Rows
+    quaternion: Quaternion4 | None = Field(description="w, x, y, z; the negative of it is the same")
+    axis: Vector3 | None
+    angle: Real | None = Field(description="0 to half a turn")
+    sequences: list[SequenceAngles] = Field(description="all 24; empty if the matrix is no rotation")
+
+
+_EXAMPLES: dict[str, Any] = {
     "roll, pitch and yaw": {
         "angle_unit": "deg",
         "orientation": {"angles": [30, 45, -60], "axes": "XYZ", "turning": "fixed"},
@@ -28,47 +59,59 @@ _ROTATIONS: dict[str, Any] = {
     "gimbal lock": {"angle_unit": "deg", "orientation": {"angles": [20, 90, 10]}},
     "a reflection": {"orientation": {"matrix": [[1, 0, 0], [0, 1, 0], [0, 0, -1]]}},
 }
-_CHECK: dict[str, Any] = {
-    "the negative of a quaternion": {
-        "expected": {"matrix": _QUARTER},
-        "answer": {"quaternion": [-0.7071, 0, 0, -0.7071]},
-    },
-    "both triples": {
-        "angle_unit": "deg",
-        "expected": {"angles": [30, 60, -45], "axes": "ZYZ"},
-        "answer": {"triples": [[30, 60, -45], [210, -60, 135]], "axes": "ZYZ"},
-        "every": True,
-    },
-    "fixed axes for current ones": {
-        "angle_unit": "deg",
-        "expected": {"angles": [30, 45, -60]},
-        "answer": {"angles": [30, 45, -60], "turning": "fixed"},
-    },
-}
 
 
-@router.post("/rotations", summary="One orientation in every notation")
-async def rotations(
-    request: ApiRequest, body: Annotated[RotationsRequest, body_with(_ROTATIONS)]
-) -> RotationsAnswer:
+@router.call("/rotations", summary="One orientation in every notation", examples=_EXAMPLES)
+def rotations(body: RotationsRequest) -> RotationsAnswer:
     """Return the matrix, quaternion, axis and angle, and both solutions for the angles of all 24 sequences.
 
     At gimbal lock the whole family is given: the middle angle, and the sum or difference of the others that
     is fixed. For a matrix that is not a rotation, the answer lists the properties that fail.
     """
-    return await request.in_turn(partial(all_notations, body))
-
-
-@router.post("/check-rotation", summary="Does an answer mean this orientation?")
-async def check_rotation(
-    request: ApiRequest, body: Annotated[CheckRotationRequest, body_with(_CHECK)]
-) -> CheckRotationAnswer:
-    """Return whether an answer in any notation means the orientation, and what a wrong one looks like.
-
-    q and −q are the same, as are (k, θ) and (−k, −θ), angles that differ by full turns, and both triples of
-    angles. With `every`, all triples are asked: both, or the family at gimbal lock.
-    """
-    language = language_of(request)
-    return await request.in_turn(
-        partial(checked_rotation, body, lambda name: sentence(language, name) or name)
+    unit = body.angle_unit
+    with located("orientation"):
+        rotation = body.orientation.rotation(unit)
+    failed = failed_properties(rotation, body.tolerance)
+    if failed:
+        return RotationsAnswer(
+            angle_unit=unit,
+            is_rotation=False,
+            failed=list(failed),
+            matrix=_rows(rotation),
+            quaternion=None,
+            axis=None,
+            angle=None,
+            sequences=[],
+        )
+    pose = as_transform(rotation)
+    axis, angle = axis_angle_from_transform(pose)
+    lock = max(body.tolerance, 1e-12)
+    return RotationsAnswer(
+        angle_unit=unit,
+        is_rotation=True,
+        failed=[],
+        matrix=_rows(rotation),
+        quaternion=list(quaternion_from_transform(pose)),
+        axis=list(axis),
+        angle=unit.from_radians(angle),
+        sequences=[_angles(rotation, sequence, lock, unit) for sequence in SEQUENCES],
     )
+
+
+def _angles(rotation: Matrix3, sequence: EulerSequence, lock: float, unit: AngleUnit) -> SequenceAngles:
+    found = euler_solutions(rotation, sequence, lock)
+    family, back = found.family, unit.from_radians
+    return SequenceAngles(
+        axes=sequence.axes,
+        turning=sequence.turning,
+        triples=[[back(angle) for angle in triple] for triple in found.triples],
+        family=None
+        if family is None
+        else FamilyModel(
+            middle=back(family.middle), combination=family.combination, value=back(family.value)
+        ),
+    )
+
+
+def _rows(rotation: Matrix3) -> list[list[float]]:
+    return [list(row) for row in rotation]

@@ -13,7 +13,7 @@ from kinematics.table import Convention
 from service.schemas.base import WHOLE, OneOf, Wire
 from service.schemas.exercises.exercises import FigureFrame, Seed
 from service.schemas.exercises.verdicts import PolicyModel
-from service.schemas.kinematics.frame_assignment_models import AxisModel
+from service.schemas.kinematics.joint_axes import AxisModel
 from service.schemas.spoken import SpokenFeedback
 from service.schemas.tables import Parameters, Table
 

@@ -11,9 +11,9 @@ from kinematics.printing import SOURCES, Format, Notation
 from service.schemas.base import LONGEST_LIST, OneOf, Real, Wire
 from service.schemas.examples import PUMA_560, TWO_LINKS
 from service.schemas.kinematics.jacobian_request import JacobianAnswer, NumericJacobianRequest
+from service.schemas.kinematics.orientations import RatesOfAngles
 from service.schemas.kinematics.pose_input import PoseInput
 from service.schemas.kinematics.robot_question import RobotQuestion
-from service.schemas.kinematics.rotations import RatesOfAngles
 from service.schemas.tables import Units
 from service.wire.kinematics.symbolic_forms import FormPart
 
