@@ -16,9 +16,10 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from functools import partial
 from inspect import iscoroutinefunction
-from typing import Annotated, Any, TypeVar, get_type_hints
+from types import UnionType
+from typing import Annotated, Any, TypeVar, Union, get_args, get_type_hints
 
-from fastapi import APIRouter
+from fastapi import APIRouter, Response
 
 from service.http.languages import language_of
 from service.http.openapi import body_with, problems
@@ -59,13 +60,13 @@ class Calls(APIRouter):
             summary: of the call, for OpenAPI; the function's docstring describes it.
             examples: bodies by name; a test sends each of them.
             kind: in whose threads it is done; left out, it takes a few milliseconds for a small body.
-            answer: the answer's shape, if the function returns a response.
+            answer: the answer's shape, if the function returns nothing but a response.
             exclude_none: whether fields without a value are left out of the answer.
         """
 
         def declare(function: _Function) -> _Function:
             hints = get_type_hints(function, include_extras=True)
-            asked, told = hints["body"], hints["return"] if answer is None else answer
+            asked, told = hints["body"], _answer_in(hints["return"]) if answer is None else answer
             waits = iscoroutinefunction(function)
             prepared = "robot" in hints
             given = {name: _GIVEN[name] for name in hints if name not in ("body", "robot", "return")}
@@ -95,3 +96,10 @@ class Calls(APIRouter):
             return function
 
         return declare
+
+
+def _answer_in(returned: Any) -> Any:
+    """What a function returns besides responses that are written already."""
+    shapes = get_args(returned) if isinstance(returned, UnionType) else (returned,)
+    told = [shape for shape in shapes if not (isinstance(shape, type) and issubclass(shape, Response))]
+    return Union[tuple(told)]  # noqa: UP007 - made at run time

@@ -16,11 +16,11 @@ from schemathesis import GenerationMode
 from schemathesis.checks import not_a_server_error
 from schemathesis.specs.openapi.checks import positive_data_acceptance
 
+from service.routes.kinematics.scm_inverse import RandomConfigurationRequest
 from service.routes.kinematics.workspace import WorkspaceRequest
 from service.schemas.examples import TWO_LINKS
 from service.schemas.kinematics.conversion import ConvertRequest
 from service.schemas.kinematics.inverse_kinematics import NumericInverseKinematicsRequest
-from service.schemas.kinematics.scm import RandomConfigurationRequest
 from service.schemas.kinematics.scm_examples import SCARA
 from tests.conftest import EXPLORE
 from tests.document import DOCUMENT

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import Annotated
 
-from service.http.openapi import body_with, problems
-from service.http.routing import ApiRequest, BytesResponse, api_router
+from service.http.calls import Calls
+from service.http.routing import ApiRequest, BytesResponse
 from service.schemas import examples
 from service.schemas.kinematics.inverse_forms import (
     SYMBOLIC_INVERSE,
@@ -20,7 +19,7 @@ from service.wire.kinematics.inverse_forms import inverse_form_task, written_inv
 from service.wire.kinematics.inverse_solutions import solved, solved_each
 from service.wire.kinematics.symbolic_tasks import answered
 
-router = api_router("kinematics")
+router = Calls("kinematics")
 
 _TARGET = [[0, 0, 1, 0.5], [0, -1, 0, 0.2], [1, 0, 0, 0.3], [0, 0, 0, 1]]
 _EXAMPLES = {
@@ -52,15 +51,15 @@ _EXAMPLES = {
 }
 
 
-@router.post(
+@router.call(
     "/inverse-kinematics",
     summary="A pose to the joint values that reach it",
-    response_model=InverseKinematicsAnswer | InverseKinematicsAnswers | SymbolicInverseAnswer,
-    response_model_exclude_none=True,
-    responses=problems(503),
+    examples=_EXAMPLES | SYMBOLIC_INVERSE,
+    answer=InverseKinematicsAnswer | InverseKinematicsAnswers | SymbolicInverseAnswer,
+    exclude_none=True,
 )
 async def inverse_kinematics(
-    body: Annotated[InverseQuestion, body_with(_EXAMPLES | SYMBOLIC_INVERSE)], request: ApiRequest
+    body: InverseQuestion, request: ApiRequest
 ) -> InverseKinematicsAnswer | InverseKinematicsAnswers | BytesResponse:
     """Return all distinct solutions if the arm has a closed form, and otherwise those that a search finds.
 

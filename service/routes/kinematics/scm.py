@@ -1,59 +1,157 @@
-"""The SCM toolbox: direct and inverse kinematics, Jacobians, random configurations."""
+"""POST /scm/forward-kinematics, /scm/inverse-transform and /scm/jacobian: the SCM toolbox."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from enum import StrEnum
 from functools import partial
-from typing import Annotated, Any
+from typing import Annotated, Any, TypeAlias
 
-from kinematics.errors import Fault, JointValueError
+from pydantic import Field
+
 from kinematics.jacobian import JacobianFrame
 from kinematics.poses import pose_notations
+from kinematics.printing import Format, Notation
 from kinematics.scm import (
     ScmKinematics,
-    default_limits,
     forward_kinematics_scm,
     jacobian_base_by_inspection,
     jacobian_end_by_inspection,
     jacobian_numbers_by_differentiation,
-    random_configurations,
-    table_of_chain,
     unit_vectors,
 )
 from kinematics.se3 import inverse_transform
-from kinematics.table import bind
-from service.http.openapi import body_with, problems
-from service.http.routing import ApiRequest, BytesResponse, OneRobotRoute, api_router
-from service.schemas.kinematics import scm as wire
-from service.schemas.kinematics import scm_examples as examples
+from service.http.calls import Calls
+from service.http.routing import ApiRequest, BytesResponse, OneRobotRoute
+from service.schemas.base import LONGEST_LIST, Matrix4, OneOf, Real, Vector3
 from service.schemas.kinematics.forward_kinematics import AxisAngleModel, Orientation
-from service.schemas.kinematics.inverse_kinematics import InverseKinematicsAnswer
-from service.schemas.kinematics.joints import domain_limits
-from service.schemas.kinematics.scm_products import ScmProductsAnswer, ScmProductsRequest
-from service.wire.fault_pointers import traced
+from service.schemas.kinematics.scm import ChainQuestion, ScmJoints
+from service.schemas.kinematics.scm_examples import LENGTHS, SCARA, STANFORD
+from service.schemas.tables import Units, units_of
 from service.wire.json_chunks import plain_lists
 from service.wire.kinematics.chain_forms import ChainTask, Wanted, is_quick, written_chain
-from service.wire.kinematics.inverse_solutions import TargetQuestion, answer_to, target_answer
-from service.wire.kinematics.joint_values import in_request_units, values_in_radians
-from service.wire.kinematics.motion_products import products_task, written_products
-from service.wire.kinematics.pose_matrices import pose_matrix
+from service.wire.kinematics.joint_values import values_in_radians
 from service.wire.kinematics.prepared_chains import PreparedChain, prepared_chain, written_structure
 from service.work.workers import Lane
 
-router = api_router("scm", route_class=OneRobotRoute)
+router = Calls("scm", route_class=OneRobotRoute)
 
 
-@router.post(
+class JacobianMethod(StrEnum):
+    """How a Jacobian is formed: by columns (eq. 3.22, 3.23), or from the derivative of the matrix (3.24)."""
+
+    INSPECTION = "inspection"
+    DIFFERENTIATION = "differentiation"
+
+
+class ClosedFormQuestion(ChainQuestion):
+    """Base of the calls that answer in numbers where joints are given, in closed form where not.
+
+    In closed form parameters without a value stay symbols.
+    """
+
+    joints: ScmJoints | None = Field(None, description="q_1 … q_n; left out, the answer is in closed form")
+    formats: list[OneOf[Format]] | None = Field(
+        None,
+        max_length=LONGEST_LIST,
+        min_length=1,
+        description="of the closed form; text and latex if left out",
+    )
+    notation: OneOf[Notation] = Field(
+        Notation.SHORT, description="of the closed form: short writes c23 (SCZIP), full cos(q2 + q3)"
+    )
+
+
+class ScmForwardKinematicsRequest(ClosedFormQuestion):
+    """A chain, and joint values."""
+
+
+class ScmInverseTransformRequest(ClosedFormQuestion):
+    """A chain, and joint values."""
+
+
+class ScmJacobianRequest(ClosedFormQuestion):
+    """A chain, and joint values."""
+
+    method: OneOf[JacobianMethod] = Field(
+        JacobianMethod.INSPECTION,
+        description="inspection (eq. 3.22, 3.23) or differentiation (eq. 3.24, H2J)",
+    )
+
+
+Forms: TypeAlias = Annotated[dict[str, Any], Field(description="one entry for each format, as in /symbolic")]
+
+
+class ScmForwardKinematicsAnswer(Units):
+    """Poses of a chain: in numbers, or in closed form where no joints were given."""
+
+    variables: list[str] | None = Field(None, description="the joint variables of a closed form")
+    transform: Matrix4 | Forms = Field(description="⁰H_FT: pose of the tool in frame 0")
+    links: list[Forms] | list[Matrix4] = Field(description="H_i: pose of frame i in frame i-1, one a joint")
+    frames: list[Forms] | list[Matrix4] = Field(description="pose of frame i in frame 0, one a joint")
+    end: Matrix4 | Forms = Field(description="Final Transformation · tool, in the last joint's frame")
+    orientation: Orientation | None = None
+    symbols: dict[str, str] | None = Field(None, description="what the short names of a closed form mean")
+
+
+class ScmInverseTransformAnswer(Units):
+    """The inverse of direct kinematics."""
+
+    variables: list[str] | None = Field(None, description="the joint variables of a closed form")
+    transform: Matrix4 | Forms = Field(description="pose of frame 0 in the tool")
+    symbols: dict[str, str] | None = Field(None, description="what the short names of a closed form mean")
+
+
+class ScmJacobianAnswer(Units):
+    """J0 and Jn: velocity of the tool above, its angular velocity below."""
+
+    joint_unit: str = Field(
+        "rad", description="per radian of a revolute joint, whatever the chain's angle unit"
+    )
+    method: JacobianMethod
+    variables: list[str] | None = Field(None, description="the joint variables of a closed form")
+    J0: list[list[Real]] | Forms = Field(description="6×n, in the axes of frame 0")
+    Jn: list[list[Real]] | Forms = Field(description="6×n, in the axes of the tool")
+    unit_vectors: list[Vector3] | None = Field(
+        None,
+        description="in numbers: u_1 … u_n (eq. 3.20, 3.21), along or about which joint i moves, each in the "
+        "frame of its own row",
+    )
+    symbols: dict[str, str] | None = Field(None, description="what the short names of a closed form mean")
+
+
+_FORWARD_KINEMATICS: dict[str, Any] = {
+    "Stanford arm in numbers": {
+        "chain": STANFORD,
+        "parameters": LENGTHS,
+        "joints": [30, 60, 0.5, 0, 45, 90],
+    },
+    "SCARA in closed form": {"chain": SCARA, "formats": ["text", "latex"]},
+    "a robot of the catalogue": {"robot": "kr125", "joints": [0, -90, 90, 0, 45, 0]},
+}
+_INVERSE_TRANSFORM: dict[str, Any] = {
+    "SCARA in closed form": {"chain": SCARA, "formats": ["text"], "notation": "full"},
+    "a robot of the catalogue": {"robot": "uw", "joints": [10, 20, 30]},
+}
+_JACOBIAN: dict[str, Any] = {
+    "Stanford arm by inspection": {
+        "chain": STANFORD,
+        "parameters": LENGTHS,
+        "joints": [30, 60, 0.5, 0, 45, 90],
+    },
+    "two links by differentiation": {"robot": "twolink", "joints": [20, 40], "method": "differentiation"},
+    "two links in closed form": {"robot": "twolink", "formats": ["text"]},
+}
+
+
+@router.call(
     "/scm/forward-kinematics",
-    response_model=wire.ScmForwardKinematicsAnswer,
-    response_model_exclude_none=True,
-    responses=problems(503),
     summary="Direct kinematics of an SCM chain",
+    examples=_FORWARD_KINEMATICS,
+    exclude_none=True,
 )
 async def forward_kinematics(
-    body: Annotated[wire.ScmForwardKinematicsRequest, body_with(examples.FORWARD_KINEMATICS)],
-    request: ApiRequest,
-) -> wire.ScmForwardKinematicsAnswer | BytesResponse:
+    body: ScmForwardKinematicsRequest, request: ApiRequest
+) -> ScmForwardKinematicsAnswer | BytesResponse:
     """Return ⁰H_FT, every H_i and every frame: scm(manipulator, 0) of the toolbox.
 
     With `joints` in numbers, without them in closed form.
@@ -61,8 +159,8 @@ async def forward_kinematics(
     if body.joints is None:
         return await _closed(body, Wanted.FORWARD_KINEMATICS, request)
     prepared, motion = await _moved(body, body.joints, request)
-    return wire.ScmForwardKinematicsAnswer(
-        **prepared.units,
+    return ScmForwardKinematicsAnswer(
+        **units_of(prepared.read),
         transform=plain_lists(motion.transform),
         links=plain_lists(motion.links),
         frames=plain_lists(motion.frames),
@@ -71,17 +169,15 @@ async def forward_kinematics(
     )
 
 
-@router.post(
+@router.call(
     "/scm/inverse-transform",
-    response_model=wire.ScmInverseTransformAnswer,
-    response_model_exclude_none=True,
-    responses=problems(503),
     summary="Inverse of the direct kinematics of an SCM chain",
+    examples=_INVERSE_TRANSFORM,
+    exclude_none=True,
 )
 async def inverse_of_transform(
-    body: Annotated[wire.ScmInverseTransformRequest, body_with(examples.INVERSE_TRANSFORM)],
-    request: ApiRequest,
-) -> wire.ScmInverseTransformAnswer | BytesResponse:
+    body: ScmInverseTransformRequest, request: ApiRequest
+) -> ScmInverseTransformAnswer | BytesResponse:
     """Return the pose of frame 0 in the tool: scm(manipulator, -1) of the toolbox.
 
     With `joints` in numbers, without them in closed form.
@@ -90,24 +186,16 @@ async def inverse_of_transform(
         return await _closed(body, Wanted.INVERSE_TRANSFORM, request)
     prepared, motion = await _moved(body, body.joints, request)
     inverse = inverse_transform(motion.transform)
-    return wire.ScmInverseTransformAnswer(**prepared.units, transform=plain_lists(inverse))
+    return ScmInverseTransformAnswer(**units_of(prepared.read), transform=plain_lists(inverse))
 
 
-@router.post(
-    "/scm/jacobian",
-    response_model=wire.ScmJacobianAnswer,
-    response_model_exclude_none=True,
-    responses=problems(503),
-    summary="J0 and Jn of an SCM chain",
-)
-async def jacobian(
-    body: Annotated[wire.ScmJacobianRequest, body_with(examples.JACOBIAN)], request: ApiRequest
-) -> wire.ScmJacobianAnswer | BytesResponse:
+@router.call("/scm/jacobian", summary="J0 and Jn of an SCM chain", examples=_JACOBIAN, exclude_none=True)
+async def jacobian(body: ScmJacobianRequest, request: ApiRequest) -> ScmJacobianAnswer | BytesResponse:
     """Return J0 and Jn, by inspection (scm(manipulator, 1) and 2) or by differentiating the matrix (h2j).
 
     With `joints` in numbers, without them in closed form.
     """
-    inspected = body.method is wire.JacobianMethod.INSPECTION
+    inspected = body.method is JacobianMethod.INSPECTION
     wanted = Wanted.INSPECTED_JACOBIANS if inspected else Wanted.DIFFERENTIATED_JACOBIANS
     if body.joints is None:
         return await _closed(body, wanted, request)
@@ -121,8 +209,8 @@ async def jacobian(
             jacobian_numbers_by_differentiation(prepared.chain, joints, prepared.values, frame)
             for frame in (JacobianFrame.BASE, JacobianFrame.END)
         )
-    return wire.ScmJacobianAnswer(
-        **prepared.units,
+    return ScmJacobianAnswer(
+        **units_of(prepared.read),
         method=body.method,
         J0=plain_lists(base),
         Jn=plain_lists(end),
@@ -130,80 +218,7 @@ async def jacobian(
     )
 
 
-@router.post(
-    "/scm/inverse-kinematics",
-    response_model_exclude_none=True,
-    responses=problems(503),
-    summary="Inverse kinematics of an SCM chain",
-)
-async def inverse_kinematics(
-    body: Annotated[wire.ScmInverseKinematicsRequest, body_with(examples.INVERSE_KINEMATICS)],
-    request: ApiRequest,
-) -> InverseKinematicsAnswer:
-    """Return the joint values at which the tool reaches a pose: scm(manipulator, target, origin) and ik2q.
-
-    All solutions where there is a closed form; joint values in the chain's angle unit.
-    """
-    prepared = await _prepared(body, request)
-    if body.limits is not None:
-        _refuse_length(body.limits, prepared)
-    start = None if body.start is None else values_in_radians(body.start, prepared.joint_units, "start")
-    with traced(body):
-        question = TargetQuestion(
-            table=bind(table_of_chain(prepared.chain), prepared.values),
-            target=pose_matrix(body.target, prepared.angle, "target"),
-            limits=domain_limits(body.limits, prepared.joint_units),
-            start=start,
-        )
-        found = await answer_to(question, request.resources.workers)
-    return InverseKinematicsAnswer(**prepared.units, **target_answer(found, prepared))
-
-
-@router.post(
-    "/scm/random-configuration", responses=problems(503), summary="Random joint values for an SCM chain"
-)
-async def random_configuration(
-    body: Annotated[wire.RandomConfigurationRequest, body_with(examples.RANDOM_CONFIGURATION)],
-    request: ApiRequest,
-) -> wire.RandomConfigurationAnswer:
-    """Return joint values drawn evenly within limits: qrand of the toolbox."""
-    prepared = await _prepared(body, request)
-    default = default_limits(prepared.chain, prepared.values)
-    low, high = (in_request_units([pair[end] for pair in default], prepared.joint_units) for end in (0, 1))
-    given = [None] * len(default) if body.limits is None else body.limits
-    _refuse_length(given, prepared)
-    limits = [pair or list(ends) for pair, *ends in zip(given, low, high, strict=True)]
-    drawn = random_configurations([(low, high) for low, high in limits], count=body.count, seed=body.seed)
-    configurations: list[list[float]] = drawn.tolist()
-    return wire.RandomConfigurationAnswer(
-        **prepared.units,
-        joints=configurations[0],
-        configurations=configurations,
-        limits=limits,
-    )
-
-
-@router.post(
-    "/scm/products",
-    response_model=ScmProductsAnswer,
-    response_model_exclude_none=True,
-    responses=problems(503),
-    summary="Products of motions, compared",
-)
-async def products(
-    body: Annotated[ScmProductsRequest, body_with(examples.PRODUCTS)], request: ApiRequest
-) -> BytesResponse:
-    """Multiply motions and matrices: HRX … HTZ, GEO, SCZIP, S2D and H2J of the toolbox.
-
-    Each product is formed exactly, written, evaluated if everything in it has a value, and
-    compared with the first as a function. This shows that translations along an axis and rotations about it
-    commute (eq. 2.10 to 2.12), and that other motions do not.
-    """
-    task = await request.in_turn(partial(products_task, body, request.settings.cell_limits))
-    return BytesResponse(await request.resources.workers.run(Lane.SLOW, written_products, task))
-
-
-async def _closed(body: wire.ClosedFormQuestion, wanted: Wanted, request: ApiRequest) -> BytesResponse:
+async def _closed(body: ClosedFormQuestion, wanted: Wanted, request: ApiRequest) -> BytesResponse:
     """The answer in closed form, from a worker process."""
     read = await request.in_turn(partial(written_structure, body, request.settings.cell_limits))
     task = ChainTask.of(read, wanted, body.formats, body.notation)
@@ -211,12 +226,12 @@ async def _closed(body: wire.ClosedFormQuestion, wanted: Wanted, request: ApiReq
     return BytesResponse(await request.resources.workers.run(lane, written_chain, task))
 
 
-async def _prepared(body: wire.ChainQuestion, request: ApiRequest) -> PreparedChain:
+async def _prepared(body: ChainQuestion, request: ApiRequest) -> PreparedChain:
     return await request.in_turn(partial(prepared_chain, body, request.settings.cell_limits))
 
 
 async def _moved(
-    body: wire.ClosedFormQuestion, joints: list[float], request: ApiRequest
+    body: ClosedFormQuestion, joints: list[float], request: ApiRequest
 ) -> tuple[PreparedChain, ScmKinematics]:
     """The chain, and its forward kinematics in numbers."""
     prepared = await _prepared(body, request)
@@ -233,10 +248,3 @@ def _orientation(transform: Any, angle: float) -> Orientation:
         axis_angle=AxisAngleModel(axis=list(axis), angle=turn / angle),
         xyzabc=[*position, yaw, pitch, roll],
     )
-
-
-def _refuse_length(limits: Sequence[Any], prepared: PreparedChain) -> None:
-    n = prepared.chain.n_joints
-    if len(limits) != n:
-        params = {"expected": n, "given": len(limits)}
-        raise JointValueError(Fault.at("limits_wrong_length", "limits", **params))

@@ -9,13 +9,10 @@ from pydantic import BeforeValidator, Field, WithJsonSchema, model_validator
 from pydantic_core import PydanticCustomError
 
 from kinematics.cells import AngleUnit, LengthUnit
-from kinematics.printing import Format, Notation
 from kinematics.scm import RawChain
-from service.schemas.base import LONGEST_LIST, WHOLE, Matrix4, OneOf, Real, Vector3, Wire
+from service.schemas.base import LONGEST_LIST, OneOf, Real, Wire
 from service.schemas.choices import forbidding, not_one_of
-from service.schemas.kinematics.forward_kinematics import Orientation
-from service.schemas.kinematics.pose_input import PoseInput
-from service.schemas.tables import SHORT_CELL, Cell, Parameters, Units
+from service.schemas.tables import SHORT_CELL, Cell, Parameters
 
 ENTRIES = ("x", "y", "z", "a", "b", "c")
 
@@ -117,13 +114,6 @@ class Verification(StrEnum):
     OFF = "off"
 
 
-class JacobianMethod(StrEnum):
-    """How a Jacobian is formed: by columns (eq. 3.22, 3.23), or from the derivative of the matrix (3.24)."""
-
-    INSPECTION = "inspection"
-    DIFFERENTIATION = "differentiation"
-
-
 class ChainQuestion(Wire):
     """Base of the calls that take a chain: exactly one of `chain` and `robot`."""
 
@@ -146,116 +136,3 @@ class ChainQuestion(Wire):
 ScmJoints: TypeAlias = Annotated[
     list[Real], Field(max_length=LONGEST_LIST, description="q_1 … q_n, in the chain's units")
 ]
-
-
-class ClosedFormQuestion(ChainQuestion):
-    """Base of the calls that answer in numbers where joints are given, in closed form where not.
-
-    In closed form parameters without a value stay symbols.
-    """
-
-    joints: ScmJoints | None = Field(None, description="q_1 … q_n; left out, the answer is in closed form")
-    formats: list[OneOf[Format]] | None = Field(
-        None,
-        max_length=LONGEST_LIST,
-        min_length=1,
-        description="of the closed form; text and latex if left out",
-    )
-    notation: OneOf[Notation] = Field(
-        Notation.SHORT, description="of the closed form: short writes c23 (SCZIP), full cos(q2 + q3)"
-    )
-
-
-class ScmForwardKinematicsRequest(ClosedFormQuestion):
-    """A chain, and joint values."""
-
-
-class ScmInverseTransformRequest(ClosedFormQuestion):
-    """A chain, and joint values."""
-
-
-class ScmJacobianRequest(ClosedFormQuestion):
-    """A chain, and joint values."""
-
-    method: OneOf[JacobianMethod] = Field(
-        JacobianMethod.INSPECTION,
-        description="inspection (eq. 3.22, 3.23) or differentiation (eq. 3.24, H2J)",
-    )
-
-
-LimitPair: TypeAlias = Annotated[list[Real | None], Field(min_length=2, max_length=2)]
-
-
-class ScmInverseKinematicsRequest(ChainQuestion):
-    """A chain, and a pose to reach."""
-
-    target: PoseInput
-    limits: list[LimitPair | None] | None = Field(
-        None, max_length=LONGEST_LIST, description="[low, high] of every joint, null where there is none"
-    )
-    start: ScmJoints | None = Field(
-        None, description="joint values; the solution nearest to them comes first"
-    )
-
-
-class RandomConfigurationRequest(ChainQuestion):
-    """A chain, and how many configurations are wanted."""
-
-    limits: list[Annotated[list[Real], Field(min_length=2, max_length=2)] | None] | None = Field(
-        None,
-        max_length=LONGEST_LIST,
-        description="[low, high] of every joint; null or left out: a full turn, and 0 to the sum of lengths",
-    )
-    count: Annotated[int, Field(ge=1, le=10_000), WHOLE] = Field(1, description="how many configurations")
-    seed: Annotated[int, Field(ge=0, le=2**53), WHOLE] | None = Field(
-        None, description="the same seed gives the same values"
-    )
-
-
-Forms: TypeAlias = Annotated[dict[str, Any], Field(description="one entry for each format, as in /symbolic")]
-
-
-class ScmForwardKinematicsAnswer(Units):
-    """Poses of a chain: in numbers, or in closed form where no joints were given."""
-
-    variables: list[str] | None = Field(None, description="the joint variables of a closed form")
-    transform: Matrix4 | Forms = Field(description="⁰H_FT: pose of the tool in frame 0")
-    links: list[Forms] | list[Matrix4] = Field(description="H_i: pose of frame i in frame i-1, one a joint")
-    frames: list[Forms] | list[Matrix4] = Field(description="pose of frame i in frame 0, one a joint")
-    end: Matrix4 | Forms = Field(description="Final Transformation · tool, in the last joint's frame")
-    orientation: Orientation | None = None
-    symbols: dict[str, str] | None = Field(None, description="what the short names of a closed form mean")
-
-
-class ScmInverseTransformAnswer(Units):
-    """The inverse of direct kinematics."""
-
-    variables: list[str] | None = Field(None, description="the joint variables of a closed form")
-    transform: Matrix4 | Forms = Field(description="pose of frame 0 in the tool")
-    symbols: dict[str, str] | None = Field(None, description="what the short names of a closed form mean")
-
-
-class ScmJacobianAnswer(Units):
-    """J0 and Jn: velocity of the tool above, its angular velocity below."""
-
-    joint_unit: str = Field(
-        "rad", description="per radian of a revolute joint, whatever the chain's angle unit"
-    )
-    method: JacobianMethod
-    variables: list[str] | None = Field(None, description="the joint variables of a closed form")
-    J0: list[list[Real]] | Forms = Field(description="6×n, in the axes of frame 0")
-    Jn: list[list[Real]] | Forms = Field(description="6×n, in the axes of the tool")
-    unit_vectors: list[Vector3] | None = Field(
-        None,
-        description="in numbers: u_1 … u_n (eq. 3.20, 3.21), along or about which joint i moves, each in the "
-        "frame of its own row",
-    )
-    symbols: dict[str, str] | None = Field(None, description="what the short names of a closed form mean")
-
-
-class RandomConfigurationAnswer(Units):
-    """Joint values, drawn evenly within the limits."""
-
-    joints: list[Real] = Field(description="the first configuration")
-    configurations: list[list[Real]] = Field(description="all of them")
-    limits: list[list[Real]] = Field(description="[low, high] of every joint, as used")

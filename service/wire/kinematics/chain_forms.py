@@ -19,6 +19,7 @@ from kinematics.scm import (
     verify,
 )
 from kinematics.symbolic import Matrix
+from service.schemas.tables import units_of
 from service.wire.kinematics.symbolic_forms import written_out
 
 DEFAULT_FORMATS = (Format.TEXT, Format.LATEX)
@@ -70,8 +71,7 @@ class ChainTask:
             formats=tuple(dict.fromkeys(formats or DEFAULT_FORMATS)),
             notation=notation,
             head={
-                "angle_unit": read.angle_unit.value,
-                "length_unit": read.length_unit.value,
+                **units_of(read),
                 "variables": list(read.variables),
                 **_STATED.get(wanted, {}),
             },

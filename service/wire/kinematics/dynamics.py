@@ -27,6 +27,7 @@ from service.schemas.kinematics.dynamics_request import (
     SymbolicDynamicsRequest,
     WeighedRobot,
 )
+from service.schemas.tables import units_of
 from service.settings import Settings
 from service.wire.fault_pointers import traced
 from service.wire.json_chunks import plain_lists
@@ -137,8 +138,7 @@ def numeric_answer(question: NumericDynamicsRequest, settings: Settings) -> dict
     ]
     q = values_in_radians(question.joints, units, "joints")
     answer: dict[str, Any] = {
-        "angle_unit": read.angle_unit.value,
-        "length_unit": read.length_unit.value,
+        **units_of(read),
         "M": robot.mass_matrix(q),
         "g": robot.gravity_torque(q),
         "potential_energy": robot.potential_energy(q),
@@ -201,8 +201,7 @@ def dynamics_task(question: SymbolicDynamicsRequest, settings: Settings) -> Dyna
         formats=tuple(dict.fromkeys(question.formats)),
         notation=question.notation,
         head={
-            "angle_unit": read.angle_unit.value,
-            "length_unit": read.length_unit.value,
+            **units_of(read),
             "variables": list(read.joint_names),
             "parameters": parameters,
             "rates": rates,

@@ -17,6 +17,7 @@ from service.http.problems import located
 from service.schemas.kinematics.inverse_forms import SymbolicInverseRequest
 from service.schemas.kinematics.robot_question import RobotQuestion
 from service.schemas.kinematics.symbolic_request import WritingQuestion
+from service.schemas.tables import units_of
 from service.settings import Settings
 from service.wire.kinematics.pose_matrices import base_and_tool
 from service.wire.kinematics.prepared_robots import listed_robot
@@ -56,8 +57,7 @@ def exact_question(question: WritingQuestion | SymbolicInverseRequest, settings:
         "base": None if base is None else exact_pose(base),
         "tool": None if tool is None else exact_pose(tool),
         "head": {
-            "angle_unit": read.angle_unit.value,
-            "length_unit": read.length_unit.value,
+            **units_of(read),
             "variables": list(read.joint_names),
             "parameters": list(table_parameters(table)),
             "notation": question.notation.value,

@@ -91,8 +91,7 @@ async def solved_each(
     seconds = api.settings.symbolic_seconds
     answers = await api.resources.workers.run(Lane.SLOW, _solve_each, question, targets, ALLOTTED * seconds)
     return InverseKinematicsAnswers(
-        angle_unit=robot.read.angle_unit.value,
-        length_unit=robot.read.length_unit.value,
+        **robot.units,
         answers=[
             *(TargetAnswer(**target_answer(answer, robot)) for answer in answers),
             *(_unanswered(solver, target, question.tolerance) for target in targets[len(answers) :]),
@@ -199,8 +198,7 @@ def _solve_each(
 
 def _answer(answer: InverseKinematics, robot: PreparedRobot) -> InverseKinematicsAnswer:
     return InverseKinematicsAnswer(
-        angle_unit=robot.read.angle_unit.value,
-        length_unit=robot.read.length_unit.value,
+        **robot.units,
         **target_answer(answer, robot),
     )
 

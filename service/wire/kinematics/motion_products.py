@@ -1,13 +1,12 @@
-"""Products of motions between the wire and the domain."""
+"""Products of motions as the wire shows them: what a worker process computes."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import Any
 
-from kinematics.cells import Limits, ParameterKind
-from kinematics.errors import DescriptionError, Fault, ParameterError, PoseError
+from kinematics.errors import Fault, ParameterError, PoseError
 from kinematics.expressions import Expression
 from kinematics.jacobian import JacobianFrame
 from kinematics.poses import pose_notations
@@ -23,14 +22,10 @@ from kinematics.scm.products import (
     matrix_with_values,
     names_left,
     product_of,
-    read_products,
 )
 from kinematics.se3 import check_transform
 from kinematics.symbolic import Matrix
-from service.schemas.kinematics.scm_products import ScmProductsRequest
-from service.wire.kinematics.chain_forms import DEFAULT_FORMATS
-from service.wire.kinematics.exact_values import exact_values
-from service.wire.kinematics.joint_values import values_in_radians
+from service.schemas.tables import units_of
 from service.wire.kinematics.symbolic_forms import written_out
 
 
@@ -53,29 +48,6 @@ class ProductsTask:
     jacobian: bool
     formats: tuple[Format, ...]
     notation: Notation
-
-
-def products_task(request: ScmProductsRequest, limits: Limits) -> ProductsTask:
-    """Return what a validated request asks of the workers.
-
-    Raises:
-        KinematicsError: motions that cannot be read, values that do not fit; every fault at its place.
-    """
-    try:
-        read = read_products(
-            request.raw(), request.angle_unit, request.length_unit, limits, request.variables
-        )
-    except DescriptionError as error:
-        placed = [replace(fault, where=request.place(fault.where)) for fault in error.faults]
-        raise DescriptionError(placed) from error
-    return ProductsTask(
-        read=read,
-        values=exact_values(read, request.parameters),
-        joints=None if request.joints is None else _joints(request.joints, read),
-        jacobian=request.jacobian,
-        formats=tuple(dict.fromkeys(request.formats or DEFAULT_FORMATS)),
-        notation=request.notation,
-    )
 
 
 def written_products(task: ProductsTask) -> bytes:
@@ -114,8 +86,7 @@ def written_products(task: ProductsTask) -> bytes:
                 product[name] = write(J, f"{name}_{i}", f"Jacobian {name} of product {i}, linear rows first.")
         products.append(product | _numbers(matrix, task))
     answer: dict[str, Any] = {
-        "angle_unit": read.angle_unit.value,
-        "length_unit": read.length_unit.value,
+        **units_of(read),
         "variables": list(read.variables),
         "parameters": list(parameters),
         "products": products,
@@ -146,12 +117,3 @@ def _numbers(matrix: Matrix, task: ProductsTask) -> dict[str, Any]:
         "numbers": values.tolist(),
         "xyzabc": [x, y, z, *(angle / unit for angle in (yaw, pitch, roll))],
     }
-
-
-def _joints(given: Sequence[float], read: ReadProducts) -> tuple[float, ...]:
-    """Joint values in [rad] and length units."""
-    units = [
-        1.0 if read.joints.get(k) is ParameterKind.LENGTH else read.angle_unit.radians
-        for k in range(1, read.n_joints + 1)
-    ]
-    return tuple(values_in_radians(given, units, "joints"))

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
-from typing import Any
 
 from kinematics.cells import Limits, parameter_values
 from kinematics.errors import DescriptionError, KinematicsError
@@ -34,11 +33,6 @@ class PreparedChain:
     def chain(self) -> ScmChain:
         """The chain."""
         return self.read.chain
-
-    @property
-    def units(self) -> dict[str, Any]:
-        """The names of its units, as an answer states them."""
-        return {"angle_unit": self.read.angle_unit.value, "length_unit": self.read.length_unit.value}
 
     @property
     def joint_units(self) -> tuple[float, ...]:

@@ -21,6 +21,7 @@ from kinematics.errors import Fault, KinematicsError
 from kinematics.table import JointType, NumericTable
 from service.http.problems import RequestError, located
 from service.schemas.kinematics.robot_question import RobotQuestion
+from service.schemas.tables import units_of
 from service.settings import Settings
 
 _LARGEST_KEY = 16 * 1024
@@ -132,7 +133,7 @@ def robot_of(read: ReadTable, parameters: Mapping[str, float]) -> PreparedRobot:
         table=table,
         joint_units=joint_units(table.joint_types, angle),
         angle=angle,
-        units={"angle_unit": read.angle_unit.value, "length_unit": read.length_unit.value},
+        units=units_of(read),
     )
 
 

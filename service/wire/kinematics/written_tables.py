@@ -15,6 +15,7 @@ from kinematics.printing.notation import Names
 from kinematics.printing.numbers import decimal_text
 from kinematics.printing.text import TextWriter
 from kinematics.table import VARIABLE_CELLS, NumericRow, NumericTable, SymbolicRow, SymbolicTable
+from service.schemas.tables import units_of
 
 WireCell: TypeAlias = int | float | str
 WireTable: TypeAlias = dict[str, Any]
@@ -53,8 +54,7 @@ class TableWriter:
         rows = [self.row(row, numbers.get(i, 0)) for i, row in enumerate(table.rows)]
         return {
             "convention": table.convention.value,
-            "angle_unit": self.angle_unit.value,
-            "length_unit": self.length_unit.value,
+            **units_of(self),
             "rows": rows,
         }
 

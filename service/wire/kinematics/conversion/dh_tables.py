@@ -20,7 +20,7 @@ from kinematics.se3 import Transform
 from kinematics.table import VARIABLE_CELLS, Convention, DHTable
 from service.http.problems import located
 from service.schemas.kinematics.conversion import ConvertRequest, TableAnswer
-from service.schemas.tables import AnsweredRow, AnsweredTable
+from service.schemas.tables import AnsweredRow, AnsweredTable, units_of
 from service.settings import Settings
 from service.wire.json_chunks import plain_lists
 from service.wire.kinematics.conversion.described import RobotDescription
@@ -87,8 +87,7 @@ def table_answer(robot: RobotDescription, request: ConvertRequest) -> TableAnswe
     base_row = None if before else _row(converted.base, writer, robot.base)
     tool_row = None if behind else _row(converted.tool, writer, robot.tool)
     return TableAnswer(
-        angle_unit=robot.read.angle_unit.value,
-        length_unit=robot.read.length_unit.value,
+        **units_of(robot.read),
         table=AnsweredTable.model_validate(table),
         base=base,
         tool=tool,

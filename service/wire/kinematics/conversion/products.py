@@ -14,6 +14,7 @@ from kinematics.se3 import check_transform
 from kinematics.table import Convention, JointType
 from service.http.problems import located
 from service.schemas.kinematics.conversion import ConvertRequest, ProductAnswer, ScrewModel, Target
+from service.schemas.tables import units_of
 from service.settings import Settings
 from service.wire.fault_pointers import traced
 from service.wire.kinematics.conversion.described import RobotDescription
@@ -72,8 +73,7 @@ def product_answer(robot: RobotDescription, request: ConvertRequest) -> ProductA
         for joint, screw in zip(prepared.table.joint_types, product.screws, strict=True)
     ]
     return ProductAnswer(
-        angle_unit=robot.read.angle_unit.value,
-        length_unit=robot.read.length_unit.value,
+        **units_of(robot.read),
         screws=screws,
         home=product.home.tolist(),
         **robot.names_and_limits,

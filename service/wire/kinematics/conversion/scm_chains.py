@@ -24,6 +24,7 @@ from kinematics.symbolic import Matrix
 from kinematics.table import Convention, SymbolicTable
 from service.schemas.kinematics.conversion import ConvertRequest, ScmAnswer
 from service.schemas.kinematics.scm import ScmChainModel, Verification
+from service.schemas.tables import units_of
 from service.settings import Settings
 from service.wire.fault_pointers import traced
 from service.wire.json_chunks import plain_lists
@@ -79,7 +80,7 @@ def scm_answer(robot: RobotDescription, request: ConvertRequest) -> ScmAnswer:
             table = robot_of(robot.read, robot.parameters or {}).table
             first, chain = scm_from_numbers(table, robot.base, robot.tool)
             base = plain_lists(first)
-    units = {"angle_unit": robot.read.angle_unit.value, "length_unit": robot.read.length_unit.value}
+    units = units_of(robot.read)
     rows = [_row(row, i, writer) for i, row in enumerate(chain.rows, 1)]
     written = ScmChainModel.model_validate(
         {

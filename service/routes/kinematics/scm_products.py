@@ -1,20 +1,38 @@
-"""POST /scm/products on the wire: motions multiplied and compared."""
+"""POST /scm/products: motions multiplied and compared."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import replace
+from functools import partial
 from typing import Annotated, Any, TypeAlias
 
 from pydantic import Discriminator, Field, Tag, WithJsonSchema
 
-from kinematics.cells import AngleUnit, LengthUnit
+from kinematics.cells import AngleUnit, LengthUnit, Limits, ParameterKind
+from kinematics.errors import DescriptionError
 from kinematics.printing import Format, Notation
-from kinematics.scm.products import LARGEST_VARIABLE, RawFactor
+from kinematics.scm.products import (
+    LARGEST_VARIABLE,
+    RawFactor,
+    ReadProducts,
+    read_products,
+)
 from kinematics.symbolic import ProofStatus
+from service.http.calls import Calls
+from service.http.routing import ApiRequest, BytesResponse, OneRobotRoute
 from service.http.validation import CHOICE
 from service.schemas.base import LONGEST_LIST, Matrix4, OneOf, Real, Wire
 from service.schemas.kinematics.scm import ENTRIES, ListedPlacement, PlacementModel, SixEntries
 from service.schemas.kinematics.symbolic_request import SomeParameters, WrittenJacobians, WrittenMatrix
 from service.schemas.tables import SHORT_CELL, Units
+from service.wire.kinematics.chain_forms import DEFAULT_FORMATS
+from service.wire.kinematics.exact_values import exact_values
+from service.wire.kinematics.joint_values import values_in_radians
+from service.wire.kinematics.motion_products import ProductsTask, written_products
+from service.work.workers import Lane
+
+router = Calls("scm", route_class=OneRobotRoute)
 
 MOST_PRODUCTS = 8
 MOST_FACTORS = 32
@@ -126,3 +144,84 @@ class ScmProductsAnswer(Units):
         description="whether each product is the first one for all values: proved, refuted or undecided"
     )
     symbols: dict[str, str] | None = Field(None, description="what the short names stand for")
+
+
+_PRODUCTS: dict[str, Any] = {
+    "a shift along x and a turn about x commute": {
+        "products": [[{"x": "X"}, {"c": "C"}], [{"c": "C"}, {"x": "X"}]],
+    },
+    "those along y and about x do not": {
+        "products": [[{"y": "Y"}, {"c": "C"}], [{"c": "C"}, {"y": "Y"}]],
+    },
+    "a matrix of ones own its Jacobian and its values": {
+        "products": [
+            [
+                [
+                    ["cos(q1)", "-sin(q1)", 0, "L1*cos(q1)"],
+                    ["sin(q1)", "cos(q1)", 0, "L1*sin(q1)"],
+                    [0, 0, 1, 0],
+                    [0, 0, 0, 1],
+                ],
+                {"a": "q2"},
+                {"x": "L2"},
+            ],
+            [{"a": "q1"}, {"x": "L1"}, {"a": "q2"}, {"x": "L2"}],
+        ],
+        "parameters": {"L1": 0.4, "L2": 0.3},
+        "joints": [30, 45],
+        "angle_unit": "deg",
+        "jacobian": True,
+    },
+    "two frames multiplied": {
+        "products": [[[0.1, 0, 0.3, 90, 0, 0], [0, 0.2, 0, 0, 30, 0]]],
+        "angle_unit": "deg",
+    },
+}
+
+
+@router.call(
+    "/scm/products",
+    summary="Products of motions, compared",
+    examples=_PRODUCTS,
+    answer=ScmProductsAnswer,
+    exclude_none=True,
+)
+async def products(body: ScmProductsRequest, request: ApiRequest) -> BytesResponse:
+    """Multiply motions and matrices: HRX … HTZ, GEO, SCZIP, S2D and H2J of the toolbox.
+
+    Each product is formed exactly, written, evaluated if everything in it has a value, and
+    compared with the first as a function. This shows that translations along an axis and rotations about it
+    commute (eq. 2.10 to 2.12), and that other motions do not.
+    """
+    task = await request.in_turn(partial(_task, body, request.settings.cell_limits))
+    return BytesResponse(await request.resources.workers.run(Lane.SLOW, written_products, task))
+
+
+def _task(body: ScmProductsRequest, limits: Limits) -> ProductsTask:
+    """Return what a validated request asks of the workers.
+
+    Raises:
+        KinematicsError: motions that cannot be read, values that do not fit; every fault at its place.
+    """
+    try:
+        read = read_products(body.raw(), body.angle_unit, body.length_unit, limits, body.variables)
+    except DescriptionError as error:
+        placed = [replace(fault, where=body.place(fault.where)) for fault in error.faults]
+        raise DescriptionError(placed) from error
+    return ProductsTask(
+        read=read,
+        values=exact_values(read, body.parameters),
+        joints=None if body.joints is None else _joints(body.joints, read),
+        jacobian=body.jacobian,
+        formats=tuple(dict.fromkeys(body.formats or DEFAULT_FORMATS)),
+        notation=body.notation,
+    )
+
+
+def _joints(given: Sequence[float], read: ReadProducts) -> tuple[float, ...]:
+    """Joint values in [rad] and length units."""
+    units = [
+        1.0 if read.joints.get(k) is ParameterKind.LENGTH else read.angle_unit.radians
+        for k in range(1, read.n_joints + 1)
+    ]
+    return tuple(values_in_radians(given, units, "joints"))
