@@ -6,8 +6,9 @@ from typing import Annotated, Any, Literal, Protocol, TypeAlias
 
 from pydantic import Field, WithJsonSchema
 
-from kinematics.cells import AngleUnit, LengthUnit, RawRow, RawTable
+from kinematics.cells import AngleUnit, LengthUnit, Limits, RawRow, RawTable, ReadTable, read_table
 from kinematics.table import Convention, JointType
+from service.http.problems import located
 from service.schemas.base import LONGEST_LIST, Listed, OneOf, Real, Wire
 
 Cell: TypeAlias = Annotated[
@@ -57,6 +58,15 @@ class Table(TableHead):
         json_schema_extra={"minItems": 1},
         description="the rows, base first; at least one, and 64 where nothing else is set",
     )
+
+    def read(self, limits: Limits, *where: str | int) -> ReadTable:
+        """Return what the table says, exact.
+
+        Raises:
+            KinematicsError: it cannot be read; every fault at its place below `where`.
+        """
+        with located(*where):
+            return read_table(self.raw(), limits)
 
     def raw(self) -> RawTable:
         """Return the table as the cell grammar reads it."""

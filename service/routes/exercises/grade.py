@@ -1,35 +1,75 @@
-"""A table against a key that the caller keeps."""
+"""POST /grade: a table, or many, against a key that the caller keeps."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from functools import partial
 from itertools import chain
+from types import GenericAlias
 from typing import Any
 
 from fastapi import Response
-from pydantic import TypeAdapter
+from pydantic import Field, RootModel, TypeAdapter, create_model
 
-from exercises.grading import Verdict, accept, grade
-from kinematics.cells import ReadTable, read_table
+from exercises.grading import HelpLevel, Verdict, accept, grade
+from kinematics.cells import Limits, ReadTable
+from kinematics.errors import KinematicsError
 from service.http.decoding import JsonLimits
 from service.http.languages import language_of
 from service.http.openapi import problems, request_body
-from service.http.problems import located
+from service.http.problems import ServiceError, located, problem_of
 from service.http.routing import JSON, ApiRequest, BytesResponse, DirectRoute, api_router
 from service.http.validation import validated
+from service.schemas.base import ProblemDocument, Wire
 from service.schemas.exercises import examples_grading as examples
-from service.schemas.exercises.grading import (
-    MOST_SUBMISSIONS,
-    GradeBody,
-    GradeManyRequest,
-    GradeOneRequest,
-    ManyVerdicts,
-)
-from service.schemas.exercises.verdicts import VerdictModel
-from service.wire.exercises.many_grades import lines, members, verdicts
+from service.schemas.exercises.verdicts import Help, PolicyModel, VerdictModel
+from service.schemas.tables import Parameters, Table
 from service.wire.exercises.ungraded import answer_refused
 from service.wire.exercises.verdicts import encoded, record_body
 from service.work.batches import BatchResponse
+
+MOST_SUBMISSIONS = 1000
+"""Submissions in one request: a course's."""
+
+
+class KeyQuestion(Wire):
+    """A key that the caller keeps, and how it is applied."""
+
+    reference: Table = Field(description="the key")
+    policy: PolicyModel = PolicyModel()
+    parameters: Parameters = Field(
+        default_factory=dict,
+        description="values of the key's parameters, in the key's units, so that answers may hold numbers",
+    )
+    help: Help = HelpLevel.REPAIR
+
+
+class GradeOneRequest(KeyQuestion):
+    """A submission to be judged by a key that the caller keeps."""
+
+    submission: Table = Field(description="the answer; it may be in other units and in the other convention")
+
+
+class GradeManyRequest(KeyQuestion):
+    """Many submissions to be judged by one key."""
+
+    submissions: list[dict[str, Any]] = Field(
+        min_length=1,
+        max_length=MOST_SUBMISSIONS,
+        description="tables; one that cannot be graded has a problem document in the place of its verdict",
+    )
+
+
+class GradeBody(RootModel[GradeOneRequest | GradeManyRequest]):
+    """One submission or many, by one key."""
+
+
+_EITHER: Any = VerdictModel | ProblemDocument
+_VERDICTS: dict[str, Any] = {"verdicts": (GenericAlias(list, (_EITHER,)), ...)}
+ManyVerdicts = create_model(
+    "ManyVerdicts", __base__=Wire, __doc__="Verdicts in the order of the submissions.", **_VERDICTS
+)
+
 
 router = api_router("exercises", route_class=DirectRoute)
 
@@ -38,6 +78,7 @@ LONG_CELL = 48
 
 _REQUEST: TypeAdapter[GradeOneRequest] = TypeAdapter(GradeOneRequest)
 _MANY: TypeAdapter[GradeManyRequest] = TypeAdapter(GradeManyRequest)
+_TABLE: TypeAdapter[Table] = TypeAdapter(Table)
 NDJSON = "application/x-ndjson"
 
 MANY_TABLES = JsonLimits(lists=4 * MOST_SUBMISSIONS)
@@ -73,9 +114,8 @@ async def grade_table(request: ApiRequest) -> Response:
 
 async def _many(request: ApiRequest, body: dict[str, Any]) -> Response:
     form = request.accepts(JSON, NDJSON)
-    wire: GradeManyRequest = validated(_MANY, body)
-    found = verdicts(wire, request.settings.cell_limits, language_of(request))
-    blocks = lines(found) if form == NDJSON else members(found)
+    found = _verdicts(validated(_MANY, body), request.settings.cell_limits, language_of(request))
+    blocks = _lines(found) if form == NDJSON else _members(found)
     slot = await request.resources.grading.acquire()
     try:
         first = await slot.run(lambda: next(blocks, b""))  # a key that cannot be read is refused as a whole
@@ -96,15 +136,13 @@ def _has_long_cells(wire: GradeOneRequest) -> bool:
 
 
 async def _verdict(request: ApiRequest) -> Verdict:
-    wire: GradeOneRequest = validated(_REQUEST, await request.json())
+    wire = validated(_REQUEST, await request.json())
     limits = request.settings.cell_limits
     policy = wire.policy.policy()
 
     def read() -> tuple[ReadTable, ReadTable, Verdict | None]:
-        with located("reference"):
-            reference = read_table(wire.reference.raw(), limits)
-        with located("submission"):
-            submission = read_table(wire.submission.raw(), limits)
+        reference = wire.reference.read(limits, "reference")
+        submission = wire.submission.read(limits, "submission")
         return reference, submission, accept(reference, submission, policy, wire.parameters)
 
     reference, submission, right = await request.in_turn(read, heavy=_has_long_cells(wire))
@@ -112,3 +150,36 @@ async def _verdict(request: ApiRequest) -> Verdict:
         return right
     work = partial(grade, reference, submission, policy, wire.parameters, wire.help)
     return await request.resources.grading.run(work)
+
+
+def _verdicts(asked: GradeManyRequest, limits: Limits, language: str) -> Iterator[bytes]:
+    """Yield each verdict as JSON; for a submission that cannot be graded, its problem document.
+
+    Raises:
+        KinematicsError: the key cannot be read.
+    """
+    reference = asked.reference.read(limits, "reference")
+    policy = asked.policy.policy()
+    for i, submitted in enumerate(asked.submissions):
+        try:
+            with located("submissions", i):
+                submission = validated(_TABLE, submitted).read(limits)
+            verdict = grade(reference, submission, policy, asked.parameters, asked.help)
+            yield encoded(record_body(verdict, language))
+        except (KinematicsError, ServiceError) as error:
+            yield encoded({**problem_of(error).document(language), "attempt_counted": False})
+
+
+def _lines(found: Iterator[bytes]) -> Iterator[bytes]:
+    """Yield verdicts as NDJSON."""
+    for verdict in found:
+        yield verdict + b"\n"
+
+
+def _members(found: Iterator[bytes]) -> Iterator[bytes]:
+    """Yield verdicts as the pieces of one JSON object."""
+    lead = b'{"verdicts":['
+    for verdict in found:
+        yield lead + verdict
+        lead = b","
+    yield b"]}"

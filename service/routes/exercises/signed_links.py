@@ -1,4 +1,4 @@
-"""Links that carry a lecturer's settings, signed, so that no student changes them unseen."""
+"""POST /exercises/{exercise_id}/links: links that carry a lecturer's settings, signed."""
 
 from __future__ import annotations
 
@@ -7,15 +7,52 @@ from typing import Annotated, Any
 from urllib.parse import urlencode
 
 from fastapi import Request
+from pydantic import Field
 
+from exercises.access import Tool
+from exercises.instance import SEED_CHARACTERS
 from service.http.link_context import QUERY, LinkContext, signed
 from service.http.openapi import body_with, problems
 from service.http.routing import api_router
 from service.resources import AppResources
 from service.routes.exercises.exercises import Id
-from service.schemas.exercises.signed_links import SignedLink, SignedLinkRequest
+from service.schemas.base import WHOLE, OneOf, Wire
+from service.schemas.exercises.verdicts import Help
 from service.secret import installation_secret
 from service.wire.exercises.ungraded import known_exercise
+
+MOST_DAYS = 3660
+"""Ten years: longer than any course."""
+
+Switched = OneOf[Tool]
+
+
+class SignedLinkRequest(Wire):
+    """What the students of a link may use."""
+
+    off: list[Switched] = Field(
+        default_factory=list,
+        max_length=len(Tool),
+        description="what is switched off, beside what the exercise itself switches off",
+    )
+    help: Help | None = Field(None, description="the most that is told; null: as much as the exercise tells")
+    attempts: Annotated[int, Field(ge=1, le=1000), WHOLE] | None = Field(
+        None, description="how many attempts there are; null: as many as the exercise has"
+    )
+    seed: Annotated[str, Field(max_length=SEED_CHARACTERS)] | None = Field(
+        None, description="the only seed that the exercise is shown with; null: any"
+    )
+    days: Annotated[int, Field(ge=1, le=MOST_DAYS), WHOLE] | None = Field(
+        None, description="after how many days the link ends; null: never"
+    )
+
+
+class SignedLink(Wire):
+    """A link that carries its settings, signed."""
+
+    context: str = Field(description="the settings, signed by this installation (X-Framewise-Context)")
+    url: str = Field(description="the exercise's page under these settings")
+
 
 router = api_router("exercises")
 

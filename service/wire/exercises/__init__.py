@@ -2,5 +2,5 @@
 
 exercise_views, figure_files       exercises and their figures
 drafts                             what authors are shown
-verdicts, many_grades, ungraded    what is said of answers, and what is refused
+verdicts, ungraded                 what is said of answers, and what is refused
 """

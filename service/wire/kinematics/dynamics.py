@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from kinematics.cells import LengthUnit, ReadTable, in_length_unit, parameter_values, read_table
+from kinematics.cells import LengthUnit, ReadTable, in_length_unit, parameter_values
 from kinematics.cells.substitution import substitute, with_values
 from kinematics.dynamics import Derivation, MovingRobot, RigidBody, SymbolicBody, bind_links, rate_name
 from kinematics.dynamics.reading import ReadBodies, read_bodies
@@ -91,8 +91,7 @@ def weighed(question: WeighedRobot, settings: Settings) -> WeighedTable:
         if links is None and listed.weights is not None:
             links = list(listed.weights.links)
     else:
-        with located("table"):
-            read = read_table(question.table.raw(), settings.cell_limits)
+        read = question.table.read(settings.cell_limits, "table")
     if read.table.n_joints == 0:
         raise TableError(Fault.at("dynamics_without_joints", "table", "rows"))
     if links is None:

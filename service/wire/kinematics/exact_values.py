@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any, Protocol
 
-from kinematics.cells import AngleUnit, ParameterKind, ReadTable, canonical_name, parameter_values, read_table
+from kinematics.cells import AngleUnit, ParameterKind, ReadTable, canonical_name, parameter_values
 from kinematics.cells.exact import snapped
 from kinematics.cells.substitution import with_values
 from kinematics.expressions import Expression, pi_times
@@ -31,8 +31,7 @@ def read_symbolic(question: RobotQuestion, settings: Settings) -> ReadTable:
     """
     if question.table is None:
         return listed_robot(str(question.robot)).table
-    with located("table"):
-        return read_table(question.table.raw(), settings.cell_limits)
+    return question.table.read(settings.cell_limits, "table")
 
 
 def exact_question(question: WritingQuestion | SymbolicInverseRequest, settings: Settings) -> dict[str, Any]:

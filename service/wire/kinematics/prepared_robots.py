@@ -16,10 +16,10 @@ import orjson
 
 from kinematics import catalogue
 from kinematics.caching import USUAL_TABLE
-from kinematics.cells import Limits, ReadTable, bind_parameters, read_table
+from kinematics.cells import Limits, ReadTable, bind_parameters
 from kinematics.errors import Fault, KinematicsError
 from kinematics.table import JointType, NumericTable
-from service.http.problems import RequestError, located
+from service.http.problems import RequestError
 from service.schemas.kinematics.robot_question import RobotQuestion
 from service.schemas.tables import units_of
 from service.settings import Settings
@@ -97,8 +97,7 @@ def _robot(question: RobotQuestion, limits: Limits) -> PreparedRobot:
     if question.table is None:
         listed = listed_robot(str(question.robot))
         return robot_of(listed.table, {**listed.parameters, **question.parameters})
-    with located("table"):
-        read = read_table(question.table.raw(), limits)
+    read = question.table.read(limits, "table")
     return robot_of(read, question.parameters)
 
 

@@ -15,7 +15,7 @@ from kinematics.printing.notation import Names
 from kinematics.printing.numbers import decimal_text
 from kinematics.printing.text import TextWriter
 from kinematics.table import VARIABLE_CELLS, NumericRow, NumericTable, SymbolicRow, SymbolicTable
-from service.schemas.tables import units_of
+from service.schemas.tables import Measured, Table, units_of
 
 WireCell: TypeAlias = int | float | str
 WireTable: TypeAlias = dict[str, Any]
@@ -52,11 +52,7 @@ class TableWriter:
         """Return a table of exact entries."""
         numbers = {row: joint for joint, row in enumerate(table.joint_rows, 1)}
         rows = [self.row(row, numbers.get(i, 0)) for i, row in enumerate(table.rows)]
-        return {
-            "convention": table.convention.value,
-            **units_of(self),
-            "rows": rows,
-        }
+        return {"convention": table.convention.value, **units_of(self), "rows": rows}
 
     def row(self, row: SymbolicRow, joint: int = 0) -> dict[str, WireCell]:
         """Return a row; `joint` is the number of its variable, if it has one."""
@@ -84,6 +80,12 @@ class TableWriter:
         if value is not None:
             return _number(value)
         return TextWriter(Names()).text(entry)
+
+
+def table_in_units_of(asked: Measured, table: SymbolicTable) -> Table:
+    """Return a table of exact entries as it goes out, in the units of what was asked about."""
+    writer = TableWriter(angle_unit=asked.angle_unit, length_unit=asked.length_unit)
+    return Table.model_validate(writer.table(table), strict=False)
 
 
 def numeric_table(table: NumericTable, angle_unit: AngleUnit, length_unit: LengthUnit) -> WireTable:
