@@ -4,11 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import cache
 from typing import Any
 
 import orjson
-from pydantic import TypeAdapter
 
 from exercises.answers import parse
 from exercises.errors import ExerciseError
@@ -19,7 +17,7 @@ from kinematics.errors import Fault, KinematicsError
 from service.http.problems import ServiceError, fault_sentence
 from service.http.validation import validated
 from service.messages import DEFAULT_LANGUAGE
-from service.schemas.exercises.exercises import AnswerBase, ExerciseAnswer
+from service.schemas.exercises.exercises import ExerciseAnswer
 from service.wire.exercises.exercise_views import instance_of
 from service.wire.exercises.verdicts import encoded, report_body
 
@@ -107,7 +105,7 @@ def judge(
     library = library or packaged()
     library.exercise(exercise_id)
     try:
-        wire = validated(_adapter(), answer)
+        wire = validated(ExerciseAnswer, answer)
         instance = instance_of(library, exercise_id, wire.seed)
         report = grade(instance, parse(instance, wire.raw(), limits), wire.help)
     except (KinematicsError, ExerciseError, ServiceError) as error:
@@ -152,11 +150,6 @@ def _is_variable(cell: object) -> bool:
         for letter in ("q", "θ", "theta", "d")
         for digit in "₁₂₃₄₅₆₇₈₉123456789"
     )
-
-
-@cache
-def _adapter() -> TypeAdapter[AnswerBase]:
-    return TypeAdapter(ExerciseAnswer)
 
 
 def exercise_named(name: str, library: Library | None = None) -> str | None:

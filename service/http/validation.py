@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 import types
 from collections.abc import Iterable, Sequence
-from typing import Any, TypeAlias, Union, get_args, get_origin
+from typing import Any, TypeAlias, TypeVar, Union, get_args, get_origin
 
 from pydantic import BaseModel, Tag, TypeAdapter, ValidationError
 from pydantic_core import ErrorDetails
@@ -58,19 +58,20 @@ _BOUNDS = ("ge", "gt", "le", "lt")
 _Allowed: TypeAlias = dict[tuple[int | str, ...], tuple[str, ...]]
 """Names of the fields that an object may have, by its place; many unknown ones stand in one object."""
 _PARTS = {part.value: part for part in RequestPart}
+Shape = TypeVar("Shape", bound=BaseModel)
 
 
-def validated(adapter: TypeAdapter[Any], value: object) -> Any:
-    """Return the value as the adapter's type.
+def validated(shape: type[Shape] | TypeAdapter[Shape], value: object) -> Shape:
+    """Return the value in a shape.
 
     Raises:
         RequestError: it does not have that form; many faults at once.
     """
     try:
-        return adapter.validate_python(value)
+        return shape.validate_python(value) if isinstance(shape, TypeAdapter) else shape.model_validate(value)
     except ValidationError as error:
         found = error.errors(include_url=False, include_input=False)
-        told = faults_of(found[:MOST_FAULTS], adapter)
+        told = faults_of(found[:MOST_FAULTS], shape)
         raise RequestError(told, unlisted=len(found) - len(told)) from None
 
 

@@ -20,7 +20,6 @@ from typing import Any
 
 from joserfc import jwt
 from joserfc.jwk import RSAKey
-from pydantic import TypeAdapter
 
 from courses.model import Platform
 from exercises.answers import parse
@@ -53,8 +52,6 @@ REFUSALS = (KinematicsError, ExerciseError, ServiceError)
 SLOW_SECONDS = 1.0
 LARGEST = 64 * 1024
 """Longer inputs are cut: limits are tested elsewhere, and short ones find more in the same time."""
-_ANSWER: TypeAdapter[Any] = TypeAdapter(ExerciseAnswer)
-_CHAIN: TypeAdapter[Any] = TypeAdapter(ScmChainModel)
 ISSUER, CLIENT, NONCE, KID = "https://lms.example", "client", "nonce", "k1"
 
 
@@ -127,7 +124,7 @@ def _cells(data: bytes) -> None:
 def _tables(data: bytes) -> None:
     """An answer to an exercise, from the JSON to the verdict with everything that is told."""
     instance = _instance()
-    raw = validated(_ANSWER, decode_json(data)).raw()
+    raw = validated(ExerciseAnswer, decode_json(data)).raw()
     grade(instance, parse(instance, raw, Limits()))
 
 
@@ -142,7 +139,7 @@ def _answers(data: bytes) -> None:
             rows[row % len(rows)][CELLS[cell % 4]] = VALUES[value % len(VALUES)]
     unit = "rad" if len(data) % 2 else "deg"
     table = {"convention": "modified", "angle_unit": unit, "length_unit": "mm", "rows": rows}
-    grade(_instance(), parse(_instance(), validated(_ANSWER, {"table": table}).raw(), Limits()))
+    grade(_instance(), parse(_instance(), validated(ExerciseAnswer, {"table": table}).raw(), Limits()))
 
 
 VALUES = (
@@ -171,7 +168,7 @@ def _urdf(data: bytes) -> None:
 
 
 def _scm(data: bytes) -> None:
-    read_chain(validated(_CHAIN, decode_json(data)).raw(), Limits())
+    read_chain(validated(ScmChainModel, decode_json(data)).raw(), Limits())
 
 
 def _pasted(data: bytes) -> None:

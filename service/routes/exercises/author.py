@@ -6,13 +6,13 @@ from functools import partial
 from typing import Annotated, Any
 
 from fastapi import Response
-from pydantic import TypeAdapter
 
 from exercises.answers import parse
 from exercises.authoring.archive import LARGEST_ARCHIVE, archive_of_draft, draft_of_archive
 from exercises.authoring.trials import new_draft, rehearsed_mistakes, rehearsed_right, self_test, trial
 from exercises.grader import grade
 from exercises.instance import generate
+from service.http.calls import Calls
 from service.http.languages import language_of
 from service.http.openapi import body_with, problems, request_body
 from service.http.problems import located
@@ -22,7 +22,7 @@ from service.messages import robot_name
 from service.resources import resources_of
 from service.schemas.exercises import authoring as wire
 from service.schemas.exercises import examples_authoring as examples
-from service.schemas.exercises.exercises import AnswerBase, ExerciseAnswer, GradedModel
+from service.schemas.exercises.exercises import ExerciseAnswer, GradedModel
 from service.wire.exercises.drafts import (
     draft_body,
     draft_refused,
@@ -36,7 +36,7 @@ from service.wire.exercises.verdicts import encoded, report_body
 from service.work.limiters import WorkKind
 from service.work.workers import Lane
 
-router = api_router("authoring")
+router = Calls("authoring")
 direct = api_router("authoring", route_class=DirectRoute)
 
 ZIP = "application/zip"
@@ -45,16 +45,10 @@ _BINARY: dict[int | str, dict[str, Any]] = {
 }
 LARGEST_BODY = 2 * LARGEST_ARCHIVE
 """Of an archive in base64, with what is around it."""
-_IMPORT = TypeAdapter(wire.ImportRequest)
-_ANSWER: TypeAdapter[AnswerBase] = TypeAdapter(ExerciseAnswer)
 
 
-@router.post(
-    "/author/start", response_model=wire.StartAnswer, responses=problems(503), summary="Start an exercise"
-)
-async def start_draft(
-    body: Annotated[wire.StartRequest, body_with(examples.START)], request: ApiRequest
-) -> Response:
+@router.call("/author/start", summary="Start an exercise", examples=examples.START, answer=wire.StartAnswer)
+async def start_draft(body: wire.StartRequest, request: ApiRequest) -> Response:
     """Start a draft from a catalogue robot, a DH table, drawn joint axes, an SCM chain or a URDF description.
 
     The draft loads, can be drawn and passes its own tests unchanged.
@@ -64,15 +58,13 @@ async def start_draft(
     return _json({**draft_body(draft), "axes": axes}, language_of(request))
 
 
-@router.post(
+@router.call(
     "/author/preview",
-    response_model=wire.PreviewAnswer,
-    responses=problems(503),
     summary="A draft as students will see it",
+    examples=examples.DRAFT,
+    answer=wire.PreviewAnswer,
 )
-async def preview_draft(
-    body: Annotated[wire.DraftRequest, body_with(examples.DRAFT)], request: ApiRequest
-) -> Response:
+async def preview_draft(body: wire.DraftRequest, request: ApiRequest) -> Response:
     """Return the exercise with its figure, and what the policy leaves free for this robot.
 
     An incomplete draft is refused; every fault has its place in the draft.
@@ -85,15 +77,13 @@ async def preview_draft(
     return _json(found, language)
 
 
-@router.post(
+@router.call(
     "/author/check",
-    response_model=wire.SelfTestAnswer,
-    responses=problems(503),
     summary="A round of a draft's self-test",
+    examples=examples.CHECK,
+    answer=wire.SelfTestAnswer,
 )
-async def check_draft(
-    body: Annotated[wire.CheckRequest, body_with(examples.CHECK)], request: ApiRequest
-) -> Response:
+async def check_draft(body: wire.CheckRequest, request: ApiRequest) -> Response:
     """Run `framewise exercises check` for the values of one seed, with some of the listed mistakes."""
     language = language_of(request)
     with draft_refused():
@@ -101,28 +91,24 @@ async def check_draft(
     return _json(self_test_body(findings, body.seed, language), language)
 
 
-@router.post(
+@router.call(
     "/author/right-answers",
-    response_model=wire.RehearsalAnswer,
-    responses=problems(503),
     summary="Right answers that look different",
+    examples=examples.DRAFT,
+    answer=wire.RehearsalAnswer,
 )
-async def right_answers_of_draft(
-    body: Annotated[wire.RightAnswersRequest, body_with(examples.DRAFT)], request: ApiRequest
-) -> Response:
+async def right_answers_of_draft(body: wire.RightAnswersRequest, request: ApiRequest) -> Response:
     """Return right tables with other frames, signs, zeros and conventions, as far as the policy allows."""
     return await _rehearsed(request, rehearsed_right, body.draft, body.count)
 
 
-@router.post(
+@router.call(
     "/author/mistakes",
-    response_model=wire.RehearsalAnswer,
-    responses=problems(503),
     summary="The commonest wrong answers and their marks",
+    examples=examples.DRAFT,
+    answer=wire.RehearsalAnswer,
 )
-async def mistakes_of_draft(
-    body: Annotated[wire.DraftRequest, body_with(examples.DRAFT)], request: ApiRequest
-) -> Response:
+async def mistakes_of_draft(body: wire.DraftRequest, request: ApiRequest) -> Response:
     """Return every misconception about the draft's robot, made in the key.
 
     Each is given with what it earns and what a student is told.
@@ -130,19 +116,15 @@ async def mistakes_of_draft(
     return await _rehearsed(request, rehearsed_mistakes, body.draft)
 
 
-@router.post(
-    "/author/grade", response_model=GradedModel, responses=problems(503), summary="Judge an answer to a draft"
-)
-async def grade_against_draft(
-    body: Annotated[wire.TryRequest, body_with(examples.TRY)], request: ApiRequest
-) -> Response:
+@router.call("/author/grade", summary="Judge an answer to a draft", examples=examples.TRY, answer=GradedModel)
+async def grade_against_draft(body: wire.TryRequest, request: ApiRequest) -> Response:
     """Return the verdict that a student would get. Nothing is recorded."""
     language = language_of(request)
     draft = body.draft.draft()
     with draft_refused():
         await _in_worker(request, trial, draft)
     with located("answer"), answer_refused():
-        answer: AnswerBase = validated(_ANSWER, body.answer)
+        answer = validated(ExerciseAnswer, body.answer)
         raw, limits = answer.raw(), request.settings.cell_limits
 
         def work() -> Any:
@@ -190,7 +172,7 @@ async def import_draft(request: ApiRequest) -> Response:
     if request.media_type() == ZIP:
         data = await request.body()
     else:
-        asked: wire.ImportRequest = validated(_IMPORT, await request.json(ZIP))
+        asked = validated(wire.ImportRequest, await request.json(ZIP))
         data = asked.archive
     with draft_refused():
         draft = draft_of_archive(data)

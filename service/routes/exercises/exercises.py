@@ -7,7 +7,6 @@ from functools import lru_cache, partial
 from typing import Annotated, TypeVar
 
 from fastapi import Path, Request, Response
-from pydantic import TypeAdapter
 
 from exercises.access import lowest
 from exercises.answers import parse
@@ -26,7 +25,6 @@ from service.http.validation import validated
 from service.resources import resources_of
 from service.schemas.exercises import examples_grading as examples
 from service.schemas.exercises.exercises import (
-    AnswerBase,
     ExerciseAnswer,
     ExerciseList,
     ExerciseModel,
@@ -42,7 +40,6 @@ from service.work.shared_answers import SharedAnswers
 
 router = api_router("exercises", route_class=DirectRoute)
 
-_ANSWER: TypeAdapter[AnswerBase] = TypeAdapter(ExerciseAnswer)
 _Result = TypeVar("_Result")
 SVG = "image/svg+xml"
 CACHED_VIEWS = 256
@@ -192,7 +189,7 @@ async def _judged(request: ApiRequest) -> Report:
     exercise_id = request.path_params["exercise_id"]
     library = resources_of(request).exercises
     found = library.exercise(exercise_id)  # an address at which nothing is comes before what is wrong
-    wire: AnswerBase = validated(_ANSWER, await request.json())
+    wire = validated(ExerciseAnswer, await request.json())
     raw, limits = wire.raw(), request.settings.cell_limits
 
     help_level, attempt = help_of(context_of(request), wire.help, wire.attempt)

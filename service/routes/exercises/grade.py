@@ -9,7 +9,7 @@ from types import GenericAlias
 from typing import Any
 
 from fastapi import Response
-from pydantic import Field, RootModel, TypeAdapter, create_model
+from pydantic import Field, RootModel, create_model
 
 from exercises.grading import HelpLevel, Verdict, accept, grade
 from kinematics.cells import Limits, ReadTable
@@ -27,6 +27,8 @@ from service.schemas.tables import Parameters, Table
 from service.wire.exercises.ungraded import answer_refused
 from service.wire.exercises.verdicts import encoded, record_body
 from service.work.batches import BatchResponse
+
+router = api_router("exercises", route_class=DirectRoute)
 
 MOST_SUBMISSIONS = 1000
 """Submissions in one request: a course's."""
@@ -70,15 +72,9 @@ ManyVerdicts = create_model(
     "ManyVerdicts", __base__=Wire, __doc__="Verdicts in the order of the submissions.", **_VERDICTS
 )
 
-
-router = api_router("exercises", route_class=DirectRoute)
-
 LONG_CELL = 48
 """Characters of a cell that no book prints: sixteen terms at most."""
 
-_REQUEST: TypeAdapter[GradeOneRequest] = TypeAdapter(GradeOneRequest)
-_MANY: TypeAdapter[GradeManyRequest] = TypeAdapter(GradeManyRequest)
-_TABLE: TypeAdapter[Table] = TypeAdapter(Table)
 NDJSON = "application/x-ndjson"
 
 MANY_TABLES = JsonLimits(lists=4 * MOST_SUBMISSIONS)
@@ -114,7 +110,7 @@ async def grade_table(request: ApiRequest) -> Response:
 
 async def _many(request: ApiRequest, body: dict[str, Any]) -> Response:
     form = request.accepts(JSON, NDJSON)
-    found = _verdicts(validated(_MANY, body), request.settings.cell_limits, language_of(request))
+    found = _verdicts(validated(GradeManyRequest, body), request.settings.cell_limits, language_of(request))
     blocks = _lines(found) if form == NDJSON else _members(found)
     slot = await request.resources.grading.acquire()
     try:
@@ -136,7 +132,7 @@ def _has_long_cells(wire: GradeOneRequest) -> bool:
 
 
 async def _verdict(request: ApiRequest) -> Verdict:
-    wire = validated(_REQUEST, await request.json())
+    wire = validated(GradeOneRequest, await request.json())
     limits = request.settings.cell_limits
     policy = wire.policy.policy()
 
@@ -163,7 +159,7 @@ def _verdicts(asked: GradeManyRequest, limits: Limits, language: str) -> Iterato
     for i, submitted in enumerate(asked.submissions):
         try:
             with located("submissions", i):
-                submission = validated(_TABLE, submitted).read(limits)
+                submission = validated(Table, submitted).read(limits)
             verdict = grade(reference, submission, policy, asked.parameters, asked.help)
             yield encoded(record_body(verdict, language))
         except (KinematicsError, ServiceError) as error:

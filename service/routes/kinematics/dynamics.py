@@ -7,7 +7,6 @@ from typing import Any
 
 import orjson
 from fastapi import Response
-from pydantic import TypeAdapter
 
 from service.http.openapi import problems, request_body
 from service.http.routing import JSON, ApiRequest, BytesResponse, DirectRoute, api_router
@@ -23,9 +22,6 @@ from service.wire.kinematics.dynamics import dynamics_task, numeric_answer, writ
 from service.wire.kinematics.symbolic_tasks import answered
 
 router = api_router("kinematics", route_class=DirectRoute)
-
-_NUMBERS: TypeAdapter[NumericDynamicsRequest] = TypeAdapter(NumericDynamicsRequest)
-_SYMBOLS: TypeAdapter[SymbolicDynamicsRequest] = TypeAdapter(SymbolicDynamicsRequest)
 
 
 @router.post(
@@ -51,9 +47,9 @@ async def dynamics(request: ApiRequest) -> Response:
         known = request.resources.symbolic_answers.get(question)
         if known is not None:
             return BytesResponse(known)
-        wire = validated(_SYMBOLS, body)
+        wire = validated(SymbolicDynamicsRequest, body)
         task = await request.in_turn(partial(dynamics_task, wire, request.settings))
         return await answered(request, task, question, written_dynamics)
-    asked = validated(_NUMBERS, body)
+    asked = validated(NumericDynamicsRequest, body)
     found = await request.in_turn(partial(numeric_answer, asked, request.settings))
     return BytesResponse(orjson.dumps(found))

@@ -5,7 +5,6 @@ from __future__ import annotations
 from functools import partial
 
 from fastapi import Response
-from pydantic import TypeAdapter
 
 from service.http.openapi import problems, request_body
 from service.http.routing import JSON, ONE_ROBOT, ApiRequest, BytesResponse, DirectRoute, api_router
@@ -15,8 +14,6 @@ from service.wire.kinematics.symbolic_forms import written_answer
 from service.wire.kinematics.symbolic_tasks import answered, matrices_task
 
 router = api_router("kinematics", route_class=DirectRoute)
-
-_REQUEST: TypeAdapter[SymbolicRequest] = TypeAdapter(SymbolicRequest)
 
 
 @router.post(
@@ -43,6 +40,6 @@ async def symbolic(request: ApiRequest) -> Response:
     known = request.resources.symbolic_answers.get(question)
     if known is not None:
         return BytesResponse(known)
-    wire = validated(_REQUEST, body)
+    wire = validated(SymbolicRequest, body)
     task = await request.in_turn(partial(matrices_task, wire, request.settings, wire.wanted()))
     return await answered(request, task, question, written_answer)

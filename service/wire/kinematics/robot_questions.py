@@ -59,8 +59,8 @@ class QuestionReader(Generic[Question]):
     """
 
     def __init__(self, question: type[Question], request: type[Question]) -> None:
-        self._question: TypeAdapter[Question] = TypeAdapter(question)
-        self._request: TypeAdapter[Question] = TypeAdapter(request)
+        self._question = question
+        self._request = request
 
     async def read(self, request: ApiRequest) -> ReadQuestion[Question]:
         """Return the question of a request, in either form.
@@ -87,7 +87,7 @@ class QuestionReader(Generic[Question]):
                 _validate_configurations(given[start : start + PIECE], start)
         else:
             wire = validated(self._request, body)
-            given = wire.joints
+            given = vars(wire)["joints"]
         robot = robots.prepare(wire, body)
         joints = read_joints(given, robot, request.settings.batch_limit)
         return ReadQuestion(wire=wire, robot=robot, joints=joints)

@@ -6,8 +6,6 @@ from collections.abc import Callable, Mapping
 from functools import partial
 from typing import Any, Protocol, TypeVar
 
-from pydantic import TypeAdapter
-
 from kinematics.jacobian import JacobianFrame
 from kinematics.rotations.sequences import EulerSequence
 from service.http.routing import NPY, ApiRequest, BytesResponse
@@ -21,8 +19,6 @@ from service.wire.kinematics.symbolic_forms import FormPart, SymbolicTask, writt
 from service.work.limiters import WorkKind
 from service.work.shared_answers import SharedAnswers
 from service.work.workers import Lane
-
-_JACOBIAN: TypeAdapter[SymbolicJacobianRequest] = TypeAdapter(SymbolicJacobianRequest)
 
 
 def matrices_task(
@@ -94,7 +90,7 @@ async def symbolic_jacobian(request: ApiRequest, body: Mapping[str, Any]) -> Byt
     known = resources.symbolic_answers.get(question)
     if known is not None:
         return BytesResponse(known)
-    wire = validated(_JACOBIAN, body)
+    wire = validated(SymbolicJacobianRequest, body)
     frames = (wire.frame,) if wire.frame else tuple(JacobianFrame)
     angles = None if wire.angles is None else wire.angles.sequence()
     make = partial(matrices_task, wire, request.settings, (FormPart.JACOBIAN,), frames, angles)
