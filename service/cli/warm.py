@@ -22,11 +22,11 @@ from service.cli.environment import count, settings_of_environment
 from service.http.problems import NotFoundError
 from service.messages import languages, sentence
 from service.resources import Resources
-from service.schemas.kinematics.symbolic_request import SymbolicRequest
+from service.routes.kinematics.symbolic import SymbolicRequest, symbolic_task
 from service.settings import Settings
 from service.wire.exercises.figure_files import packed_figure
 from service.wire.kinematics.symbolic_forms import written_answer
-from service.wire.kinematics.symbolic_tasks import form_address, matrices_task
+from service.wire.kinematics.symbolic_tasks import form_address
 
 MISTAKES = 0
 """A variant is tested by right answers, by wrong parts and by its figure. How well mistakes are explained
@@ -153,7 +153,7 @@ def _write_closed_forms(resources: Resources, settings: Settings, exercise: Exer
     for form in ({}, *({"formats": list(SOURCES), "notation": notation} for notation in Notation)):
         wire: SymbolicRequest = SymbolicRequest.model_validate({"table": asked, **form})
         try:
-            task = matrices_task(wire, settings, wire.wanted())
+            task = symbolic_task(wire, settings)
             answer = written_answer(task)
         except KinematicsError:  # too large to be written out: whoever asks is told so
             continue

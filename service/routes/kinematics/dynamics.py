@@ -19,7 +19,7 @@ from service.schemas.kinematics.dynamics_request import (
     SymbolicDynamicsRequest,
 )
 from service.wire.kinematics.dynamics import dynamics_task, numeric_answer, written_dynamics
-from service.wire.kinematics.symbolic_tasks import answered
+from service.wire.kinematics.symbolic_tasks import closed_form
 
 router = api_router("kinematics", route_class=DirectRoute)
 
@@ -43,13 +43,7 @@ async def dynamics(request: ApiRequest) -> Response:
     request.accepts(JSON)
     body: Any = await request.json()
     if isinstance(body, dict) and body.get("form") == "symbolic":
-        question = b"dynamics" + await request.body()
-        known = request.resources.symbolic_answers.get(question)
-        if known is not None:
-            return BytesResponse(known)
-        wire = validated(SymbolicDynamicsRequest, body)
-        task = await request.in_turn(partial(dynamics_task, wire, request.settings))
-        return await answered(request, task, question, written_dynamics)
+        return await closed_form(request, SymbolicDynamicsRequest, dynamics_task, written_dynamics)
     asked = validated(NumericDynamicsRequest, body)
     found = await request.in_turn(partial(numeric_answer, asked, request.settings))
     return BytesResponse(orjson.dumps(found))

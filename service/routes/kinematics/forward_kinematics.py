@@ -1,24 +1,28 @@
-"""Joint values to poses."""
+"""POST /forward-kinematics: joint values to poses."""
 
 from __future__ import annotations
 
+from typing import Annotated
+
 import numpy as np
 from fastapi import Response
+from pydantic import Field
 
 from kinematics.errors import Fault
 from service.http.openapi import NPY_QUERY, problems, request_body
 from service.http.problems import RequestError
 from service.http.routing import JSON, NPY, ApiRequest, BytesResponse, DirectRoute, api_router
 from service.schemas import examples
-from service.schemas.kinematics.forward_kinematics import (
-    STANDARD_PARTS,
-    ForwardKinematicsAnswer,
-    ForwardKinematicsQuestion,
-    ForwardKinematicsRequest,
-    PoseQuantity,
-)
+from service.schemas.base import LONGEST_LIST, WHOLE, Matrix4, OneOf, Vector3, Wire
+from service.schemas.kinematics.joints import Joints
+from service.schemas.kinematics.orientations import Orientation
+from service.schemas.kinematics.pose_input import PoseInput
+from service.schemas.kinematics.robot_question import RobotQuestion
+from service.schemas.tables import Units
 from service.wire.kinematics.pose_answers import (
     ARRAY_PARTS,
+    STANDARD_PARTS,
+    PoseQuantity,
     PoseQuestion,
     check_points,
     json_blocks,
@@ -33,6 +37,75 @@ from service.wire.kinematics.pose_matrices import base_and_tool
 from service.wire.kinematics.robot_questions import QuestionReader, ReadQuestion, batch_response
 
 router = api_router("kinematics", route_class=DirectRoute)
+
+MOST_MAPPED = 64
+"""Points of links in a request, as many as a table may have rows."""
+
+
+class LinkPoint(Wire):
+    """A point of a link."""
+
+    frame: Annotated[int, Field(ge=1), WHOLE] = Field(
+        description="number of the link's frame: its row, from 1"
+    )
+    at: Vector3 = Field(description="its coordinates in that frame")
+
+
+class ForwardKinematicsQuestion(RobotQuestion):
+    """What is asked of a robot, without the joint values."""
+
+    base: PoseInput | None = Field(None, description="pose of frame 0 in the world; the identity if left out")
+    tool: PoseInput | None = Field(None, description="pose of the tool in frame N; the identity if left out")
+    inverse: bool = Field(False, description="whether the inverse of the transform is wanted as well")
+    parts: list[OneOf[PoseQuantity]] | None = Field(
+        None,
+        max_length=LONGEST_LIST,
+        min_length=1,
+        description="the parts of the answer that are wanted; all but the inverse if left out",
+    )
+
+    points: list[LinkPoint] | None = Field(
+        None, min_length=1, max_length=MOST_MAPPED, description="points of links whose places are wanted"
+    )
+
+    def wanted(self) -> tuple[PoseQuantity, ...]:
+        """Return the parts of the answer, in the order of the enumeration."""
+        if self.parts is None and not self.inverse:
+            return STANDARD_PARTS
+        chosen = set(self.parts if self.parts is not None else STANDARD_PARTS)
+        if self.inverse:
+            chosen.add(PoseQuantity.INVERSE)
+        return tuple(part for part in PoseQuantity if part in chosen)
+
+
+class ForwardKinematicsRequest(ForwardKinematicsQuestion):
+    """A robot, and one configuration or a batch of them."""
+
+    joints: Joints
+
+
+class MappedPoint(Wire):
+    """Where a point of link i is."""
+
+    previous: Vector3 | list[Vector3] = Field(description="its coordinates in frame i-1")
+    world: Vector3 | list[Vector3] = Field(description="its coordinates in the world, base included")
+
+
+class ForwardKinematicsAnswer(Units):
+    """Poses. Of a batch, every part has one more axis in front, the configuration."""
+
+    transform: Matrix4 | list[Matrix4] | None = Field(None, description="⁰T_N, base and tool included")
+    links: list[Matrix4] | list[list[Matrix4]] | None = Field(
+        None, description="for each row the pose of frame i in frame i-1"
+    )
+    frames: list[Matrix4] | list[list[Matrix4]] | None = Field(
+        None, description="for each row the pose of frame i in the world, base included"
+    )
+    position: Vector3 | list[Vector3] | None = Field(None, description="origin of the end frame")
+    orientation: Orientation | None = None
+    inverse: Matrix4 | list[Matrix4] | None = Field(None, description="the inverse of the transform")
+    points: list[MappedPoint] | None = Field(None, description="the points that were asked for, in order")
+
 
 _READER = QuestionReader(ForwardKinematicsQuestion, ForwardKinematicsRequest)
 _ARRAY = {"schema": {"type": "string", "format": "binary"}}
@@ -76,7 +149,7 @@ async def forward_kinematics(request: ApiRequest) -> Response:
 def _question(asked: ReadQuestion[ForwardKinematicsQuestion], offer: str) -> PoseQuestion:
     wire = asked.wire
     parts = STANDARD_PARTS if wire is None else wire.wanted()
-    points = (wire.points if wire else None) or []
+    points = [(point.frame, point.at) for point in (wire.points if wire else None) or ()]
     check_points(asked.robot, points)
     base, tool = (None, None) if wire is None else base_and_tool(wire, asked.robot.angle)
     if points and offer == NPY:

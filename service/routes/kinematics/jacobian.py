@@ -1,29 +1,145 @@
-"""Joint rates to the velocity of the tool."""
+"""POST /jacobian: joint rates to the velocity of the tool."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import fields
-from typing import Any, TypeAlias
+from typing import Any, Literal, TypeAlias
 
 import numpy as np
 import orjson
 from fastapi import Response
 from numpy.typing import NDArray
+from pydantic import Field, RootModel
 
 from kinematics.jacobian import RANK_TOLERANCE, Dexterity, JacobianFrame, Mobility, dexterity
 from kinematics.jacobian import jacobian as jacobian_of
 from service.http.openapi import NPY_QUERY, problems, request_body
-from service.http.routing import JSON, ApiRequest, BytesResponse, DirectRoute, api_router
+from service.http.routing import JSON, NPY, ApiRequest, BytesResponse, DirectRoute, api_router
 from service.schemas import examples
-from service.schemas.kinematics.jacobian_request import JacobianQuestion, NumericJacobianRequest
-from service.schemas.kinematics.symbolic_request import SYMBOLIC_JACOBIAN, JacobianBody, JacobianReply
+from service.schemas.base import Matrix6, OneOf, Real, Wire
+from service.schemas.kinematics.joints import Joints
+from service.schemas.kinematics.orientations import RatesOfAngles
+from service.schemas.kinematics.pose_input import PoseInput
+from service.schemas.kinematics.robot_question import NumericForm, RobotQuestion
+from service.schemas.kinematics.written_matrices import (
+    WritingAnswer,
+    WritingQuestion,
+    WrittenJacobians,
+    WrittenMatrix,
+)
+from service.schemas.tables import Units
+from service.settings import Settings
 from service.wire.json_chunks import member_chunks, written
+from service.wire.kinematics.exact_values import exact_question
 from service.wire.kinematics.pose_matrices import base_and_tool
 from service.wire.kinematics.robot_questions import QuestionReader, ReadQuestion, batch_response
-from service.wire.kinematics.symbolic_tasks import symbolic_body, symbolic_jacobian
+from service.wire.kinematics.symbolic_forms import FormPart, SymbolicTask, written_jacobians
+from service.wire.kinematics.symbolic_tasks import closed_form
 
 router = api_router("kinematics", route_class=DirectRoute)
+
+
+class JacobianQuestion(RobotQuestion):
+    """What is asked of a robot, without the joint values."""
+
+    base: PoseInput | None = Field(None, description="pose of frame 0 in the world; the identity if left out")
+    tool: PoseInput | None = Field(None, description="pose of the tool in frame N; the identity if left out")
+    frame: OneOf[JacobianFrame] | None = Field(
+        None, description="base for J0 alone, end for Jn alone; both if left out"
+    )
+    form: NumericForm = Field("numeric", description="the word symbolic asks for closed forms instead")
+    tolerance: Real = Field(
+        1e-9, gt=0, lt=1, description="singular values below this fraction of the largest count as zero"
+    )
+
+
+class NumericJacobianRequest(JacobianQuestion):
+    """A robot, and one configuration or a batch of them."""
+
+    joints: Joints
+
+
+class MobilityModel(Wire):
+    """How well the tool can move."""
+
+    singular_values: list[Real] | list[list[Real]] = Field(
+        description="of the Jacobian with lengths divided by the arm's own, largest first"
+    )
+    rank: int | list[int] = Field(description="number of independent directions of motion")
+    generic_rank: int = Field(description="the rank in almost every configuration of this arm")
+    singular: bool | list[bool] = Field(description="whether the rank is below the generic one")
+    condition: Real | list[Real | None] | None = Field(
+        description="largest over smallest singular value that the arm has; null where it is infinite"
+    )
+    manipulability: Real | list[Real] = Field(
+        description="Yoshikawa's √det(J Jᵀ) in the directions that the arm has; depends on the length unit"
+    )
+
+
+class JacobianAnswer(Units):
+    """Jacobians. Of a batch, every part but the generic ranks has one more axis in front."""
+
+    joint_unit: str = Field(
+        "rad", description="the Jacobians are per radian of a revolute joint, whatever the table's angle unit"
+    )
+    J0: Matrix6 | list[Matrix6] | None = Field(None, description="(v, ω) in the axes of the world")
+    Jn: Matrix6 | list[Matrix6] | None = Field(None, description="(v, ω) in the axes of the end frame")
+    rank: int | list[int] = Field(description="of the whole motion: that of twist")
+    singular: bool | list[bool] = Field(description="of the whole motion: that of twist")
+    manipulability: Real | list[Real] = Field(description="of the whole motion: that of twist")
+    twist: MobilityModel = Field(description="of the whole velocity (v, ω)")
+    translation: MobilityModel = Field(description="of v alone")
+    rotation: MobilityModel = Field(description="of ω alone")
+    characteristic_length: Real = Field(description="what lengths were divided by")
+
+
+class SymbolicJacobianRequest(WritingQuestion):
+    """A robot whose Jacobians are wanted in closed form: no joint values."""
+
+    form: Literal["symbolic"] = Field(description="the word symbolic: closed forms, and no joint values")
+    frame: OneOf[JacobianFrame] | None = Field(
+        None, description="base for J0 alone, end for Jn alone; both if left out"
+    )
+    angles: RatesOfAngles | None = Field(
+        None, description="whose rates `analytic` has, which is wanted as well; none if left out"
+    )
+
+
+class JacobianBody(RootModel[NumericJacobianRequest | SymbolicJacobianRequest]):
+    """A question about Jacobians, in numbers or in closed form."""
+
+
+class SymbolicJacobianAnswer(WritingAnswer, WrittenJacobians):
+    """Jacobians in closed form."""
+
+    analytic: WrittenMatrix | None = Field(
+        None,
+        description="rates of x, y, z and of `angles`, if these were named; null where the first and the "
+        "last turn about one line in every configuration",
+    )
+
+
+class JacobianReply(RootModel[JacobianAnswer | SymbolicJacobianAnswer]):
+    """Jacobians in numbers or in closed form."""
+
+
+_SYMBOLIC: dict[str, Any] = {
+    "PUMA 560 in closed form, no joint values": {
+        "form": "symbolic",
+        "robot": "puma560",
+        "notation": "short",
+        "formats": ["latex", "text"],
+    },
+    "Stanford arm, rates of its wrist's angles": {
+        "form": "symbolic",
+        "robot": "stanford",
+        "frame": "base",
+        "angles": {"axes": "ZYZ"},
+        "formats": ["text"],
+    },
+}
+
 
 _READER = QuestionReader(JacobianQuestion, NumericJacobianRequest)
 _NAMES = {JacobianFrame.BASE: "J0", JacobianFrame.END: "Jn"}
@@ -40,7 +156,7 @@ _ARRAY = {"schema": {"type": "string", "format": "binary"}}
     response_model=JacobianReply,
     responses=problems(406, 503),
     openapi_extra={
-        **request_body(JacobianBody, examples.JACOBIAN | SYMBOLIC_JACOBIAN, x_npy=_ARRAY),
+        **request_body(JacobianBody, examples.JACOBIAN | _SYMBOLIC, x_npy=_ARRAY),
         **NPY_QUERY,
     },
 )
@@ -54,14 +170,31 @@ async def jacobian(request: ApiRequest) -> Response:
     With `"form": "symbolic"` and no joints the Jacobians come in closed form, as in `/symbolic`.
     """
     offer = request.accepts(JSON)
-    wanted = await symbolic_body(request)
-    if wanted is not None:
-        return await symbolic_jacobian(request, wanted)
+    if await _is_symbolic(request):
+        return await closed_form(request, SymbolicJacobianRequest, _task, written_jacobians)
     asked = await _READER.read(request)
     answer = _Answer(asked)
     if not isinstance(asked.joints, np.ndarray):
         return BytesResponse(answer.one())
     return await batch_response(asked, request, offer, check=answer.prepare, blocks=answer.blocks)
+
+
+async def _is_symbolic(request: ApiRequest) -> bool:
+    """Whether a request says "form": "symbolic"."""
+    if request.brings_npy:
+        return False
+    request.expect_batch()
+    body = await request.json(NPY)
+    return isinstance(body, dict) and body.get("form") == "symbolic"
+
+
+def _task(question: SymbolicJacobianRequest, settings: Settings) -> SymbolicTask:
+    return SymbolicTask(
+        parts=(FormPart.JACOBIAN,),
+        frames=(question.frame,) if question.frame else tuple(JacobianFrame),
+        angles=None if question.angles is None else question.angles.sequence(),
+        **exact_question(question, settings),
+    )
 
 
 class _Answer:

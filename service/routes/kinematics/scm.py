@@ -23,7 +23,7 @@ from kinematics.se3 import inverse_transform
 from service.http.calls import Calls
 from service.http.routing import ApiRequest, BytesResponse, OneRobotRoute
 from service.schemas.base import LONGEST_LIST, Matrix4, OneOf, Real, Vector3
-from service.schemas.kinematics.forward_kinematics import AxisAngleModel, Orientation
+from service.schemas.kinematics.orientations import AxisAngleModel, Orientation
 from service.schemas.kinematics.scm import ChainQuestion, ScmJoints
 from service.schemas.kinematics.scm_examples import LENGTHS, SCARA, STANFORD
 from service.schemas.tables import Units, units_of

@@ -24,7 +24,7 @@ from service.http.routing import ApiRequest, BytesResponse, OneRobotRoute
 from service.http.validation import CHOICE
 from service.schemas.base import LONGEST_LIST, Matrix4, OneOf, Real, Wire
 from service.schemas.kinematics.scm import ENTRIES, ListedPlacement, PlacementModel, SixEntries
-from service.schemas.kinematics.symbolic_request import SomeParameters, WrittenJacobians, WrittenMatrix
+from service.schemas.kinematics.written_matrices import SomeParameters, WrittenJacobians, WrittenMatrix
 from service.schemas.tables import SHORT_CELL, Units
 from service.wire.kinematics.chain_forms import DEFAULT_FORMATS
 from service.wire.kinematics.exact_values import exact_values

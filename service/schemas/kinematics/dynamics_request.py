@@ -13,7 +13,7 @@ from kinematics.printing import Notation
 from service.schemas.base import LONGEST_LIST, Listed, OneOf, Real, Wire
 from service.schemas.examples import TWO_LINKS
 from service.schemas.kinematics.robot_question import RobotQuestion
-from service.schemas.kinematics.symbolic_request import (
+from service.schemas.kinematics.written_matrices import (
     STANDARD_FORMATS,
     Formats,
     SomeParameters,

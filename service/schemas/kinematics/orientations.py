@@ -130,3 +130,26 @@ class FamilyModel(Wire):
     middle: Real
     combination: OneOf[Combination] = Field(description="first + last, or first − last")
     value: Real = Field(description="of it")
+
+
+class AxisAngleModel(Wire):
+    """A rotation by an angle about a unit vector."""
+
+    axis: Vector3 | list[Vector3] = Field(description="unit vector")
+    angle: Real | list[Real] = Field(description="0 … π, in the answer's angle unit")
+
+
+SixNumbers: TypeAlias = Annotated[list[Real], Field(min_length=6, max_length=6)]
+
+
+class Orientation(Wire):
+    """The orientation of the end frame, in four notations."""
+
+    quaternion: Quaternion4 | list[Quaternion4] = Field(description="unit quaternion [w, x, y, z], w ≥ 0")
+    rpy: Vector3 | list[Vector3] = Field(
+        description="[roll, pitch, yaw]: R = Rot_z(yaw) Rot_y(pitch) Rot_x(roll)"
+    )
+    axis_angle: AxisAngleModel
+    xyzabc: SixNumbers | list[SixNumbers] = Field(
+        description="[X, Y, Z, A, B, C]: T = Trans(X, Y, Z) Rot_z(A) Rot_y(B) Rot_x(C)"
+    )

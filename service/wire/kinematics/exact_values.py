@@ -16,7 +16,7 @@ from kinematics.table import table_parameters
 from service.http.problems import located
 from service.schemas.kinematics.inverse_forms import SymbolicInverseRequest
 from service.schemas.kinematics.robot_question import RobotQuestion
-from service.schemas.kinematics.symbolic_request import WritingQuestion
+from service.schemas.kinematics.written_matrices import WritingQuestion
 from service.schemas.tables import units_of
 from service.settings import Settings
 from service.wire.kinematics.pose_matrices import base_and_tool

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from enum import StrEnum
 
 import numpy as np
 import orjson
@@ -21,12 +22,12 @@ from kinematics.poses import pose_notations
 from kinematics.se3 import inverse_transform
 from kinematics.table import JointType
 from service.http.npy import npy_data, npy_header
-from service.schemas.kinematics.forward_kinematics import STANDARD_PARTS, LinkPoint, PoseQuantity
 from service.wire.json_chunks import blocks, list_chunks, written
 from service.wire.kinematics.prepared_robots import PreparedRobot
 
 Floats = NDArray[np.float64]
 Matrix = Sequence[Sequence[float]]
+LinkPoint = tuple[int, Sequence[float]]
 
 JSON_BLOCK = 256
 NPY_BLOCK = 16384
@@ -35,6 +36,26 @@ _SAFE_REACH = 1e150
 """Lengths below it can be squared and summed within a double's range."""
 _QUATERNION, _RPY, _XYZABC, _AXIS, _ANGLE = slice(0, 4), slice(4, 7), slice(7, 13), slice(13, 16), 16
 _POSITION = slice(7, 10)
+
+
+class PoseQuantity(StrEnum):
+    """A part of the answer that may be asked for."""
+
+    TRANSFORM = "transform"
+    LINKS = "links"
+    FRAMES = "frames"
+    POSITION = "position"
+    ORIENTATION = "orientation"
+    INVERSE = "inverse"
+
+
+STANDARD_PARTS = (
+    PoseQuantity.TRANSFORM,
+    PoseQuantity.LINKS,
+    PoseQuantity.FRAMES,
+    PoseQuantity.POSITION,
+    PoseQuantity.ORIENTATION,
+)
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -47,7 +68,7 @@ class PoseQuestion:
         base: pose of frame 0 in the world, or None.
         tool: pose of the tool in frame N, or None.
         parts: what is wanted of the answer.
-        points: points of links whose places are wanted.
+        points: of links, whose places are wanted: the number of the frame, from 1, and coordinates in it.
     """
 
     robot: PreparedRobot
@@ -104,9 +125,9 @@ def check_points(robot: PreparedRobot, points: Sequence[LinkPoint]) -> None:
     """
     count = len(robot.table.rows)
     faults = [
-        Fault.at("frame_unknown", "points", i, "frame", given=point.frame, count=count)
-        for i, point in enumerate(points)
-        if point.frame > count
+        Fault.at("frame_unknown", "points", i, "frame", given=frame, count=count)
+        for i, (frame, _) in enumerate(points)
+        if frame > count
     ]
     if faults:
         raise TableError(faults)
@@ -116,11 +137,10 @@ def _mapped(question: PoseQuestion, poses: ForwardKinematics) -> list[dict[str, 
     """Places of the points of links: seed 003 eq. 1 and 8."""
     return [
         {
-            name: array[..., point.frame - 1, :3, :3] @ np.array(point.at)
-            + array[..., point.frame - 1, :3, 3]
+            name: array[..., frame - 1, :3, :3] @ np.array(at) + array[..., frame - 1, :3, 3]
             for name, array in (("previous", poses.links), ("world", poses.frames))
         }
-        for point in question.points
+        for frame, at in question.points
     ]
 
 
