@@ -43,12 +43,16 @@ class Calls(APIRouter):
     def __init__(self, tag: str, route_class: type[ApiRoute] = ApiRoute) -> None:
         super().__init__(prefix=API_PREFIX, tags=[tag], route_class=route_class)
 
+    def judge(self, path: str, summary: str, examples: Mapping[str, Any]) -> Callable[[_Function], _Function]:
+        """Return what makes a function answer POST at a path in the threads in which answers are judged."""
+        return self.call(path, summary, examples, kind=WorkKind.GRADING)
+
     def call(
         self,
         path: str,
-        *,
         summary: str,
         examples: Mapping[str, Any],
+        *,
         kind: WorkKind | None = None,
         answer: Any = None,
         exclude_none: bool = False,

@@ -31,7 +31,6 @@ from service.schemas.tables import Cell, Units, units_of
 from service.settings import Settings
 from service.wire.kinematics.answer_functions import read_row, roundings_of
 from service.wire.kinematics.dynamics import parameter_numbers, weighed
-from service.work.limiters import WorkKind
 
 EquationRow = Annotated[list[Cell], Field(max_length=16)]
 EquationRows = Annotated[list[EquationRow], Field(max_length=16)]
@@ -89,12 +88,7 @@ _EXAMPLES: dict[str, Any] = {
 router = Calls("kinematics")
 
 
-@router.call(
-    "/check-dynamics",
-    summary="Are these M, C and g those of the robot?",
-    examples=_EXAMPLES,
-    kind=WorkKind.GRADING,
-)
+@router.judge("/check-dynamics", "Are these M, C and g those of the robot?", _EXAMPLES)
 def check_dynamics(body: CheckDynamicsRequest, settings: Settings, language: str) -> CheckDynamicsAnswer:
     """Judge M and g entry by entry, and C by C q̇: every C with the right C q̇ is right.
 

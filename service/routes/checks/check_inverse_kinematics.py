@@ -125,9 +125,7 @@ class _Asked(NamedTuple):
 
 
 @router.call(
-    "/check-inverse-kinematics",
-    summary="Do these joint values reach the pose, and are they all?",
-    examples=_EXAMPLES,
+    "/check-inverse-kinematics", "Do these joint values reach the pose, and are they all?", _EXAMPLES
 )
 async def check_inverse_kinematics(
     body: CheckInverseKinematicsRequest, robot: PreparedRobot, resources: Resources, language: str

@@ -36,7 +36,6 @@ from service.wire.kinematics.answer_functions import (
 )
 from service.wire.kinematics.joint_values import values_in_radians
 from service.wire.kinematics.prepared_robots import PreparedRobot
-from service.work.limiters import WorkKind
 
 Columns = Annotated[list[Real], Field(max_length=64)]
 FormRow = Annotated[list[Cell], Field(max_length=16)]
@@ -158,11 +157,7 @@ _IN_CLOSED_FORM: dict[str, Any] = {
 }
 
 
-@router.call(
-    "/check-jacobian",
-    summary="Are this Jacobian and these joint forces those of the table?",
-    examples=_IN_NUMBERS,
-)
+@router.call("/check-jacobian", "Are this Jacobian and these joint forces those of the table?", _IN_NUMBERS)
 def check_jacobian(body: CheckJacobianRequest, robot: PreparedRobot, language: str) -> CheckJacobianAnswer:
     """Return the Jacobian of the last frame's origin, in either order of the rows, and τ = Jᵀ (f, m).
 
@@ -204,11 +199,10 @@ def check_jacobian(body: CheckJacobianRequest, robot: PreparedRobot, language: s
     )
 
 
-@router.call(
+@router.judge(
     "/check-jacobian-form",
-    summary="Are this Jacobian and these joint forces, as functions, those of the table?",
-    examples=_IN_CLOSED_FORM,
-    kind=WorkKind.GRADING,
+    "Are this Jacobian and these joint forces, as functions, those of the table?",
+    _IN_CLOSED_FORM,
 )
 def check_jacobian_form(
     body: CheckJacobianFormRequest, robot: PreparedRobot, language: str

@@ -91,7 +91,7 @@ _EXAMPLES: dict[str, Any] = {
 }
 
 
-@router.call("/check-rotation", summary="Does an answer mean this orientation?", examples=_EXAMPLES)
+@router.call("/check-rotation", "Does an answer mean this orientation?", _EXAMPLES)
 def check_rotation(body: CheckRotationRequest, language: str) -> CheckRotationAnswer:
     """Return whether an answer in any notation means the orientation, and what a wrong one looks like.
 

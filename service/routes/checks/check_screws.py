@@ -21,7 +21,6 @@ from service.wire.fault_pointers import traced
 from service.wire.kinematics.joint_values import in_request_units
 from service.wire.kinematics.pose_matrices import pose_matrix
 from service.wire.kinematics.prepared_robots import PreparedRobot
-from service.work.limiters import WorkKind
 
 ScrewRowModel = Annotated[list[Real], Field(min_length=6, max_length=6)]
 
@@ -79,12 +78,7 @@ _EXAMPLES: dict[str, Any] = {
 }
 
 
-@router.call(
-    "/check-screws",
-    summary="Are these screws and this home pose the robot?",
-    examples=_EXAMPLES,
-    kind=WorkKind.GRADING,
-)
+@router.judge("/check-screws", "Are these screws and this home pose the robot?", _EXAMPLES)
 def check_screws(body: CheckScrewsRequest, robot: PreparedRobot, language: str) -> CheckScrewsAnswer:
     """Judge screws: either sense of an axis, any point on it, any zero, space or body, any prismatic length.
 

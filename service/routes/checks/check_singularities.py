@@ -27,7 +27,6 @@ from service.wire.fault_pointers import traced
 from service.wire.kinematics.answer_functions import check_count, form_values, known_functions
 from service.wire.kinematics.joint_values import in_request_units, values_in_radians
 from service.wire.kinematics.prepared_robots import PreparedRobot
-from service.work.limiters import WorkKind
 
 
 class CheckSingularitiesRequest(RobotQuestion):
@@ -108,12 +107,7 @@ _EXAMPLES: dict[str, Any] = {
 }
 
 
-@router.call(
-    "/check-singularities",
-    summary="Is the arm singular just where these conditions hold?",
-    examples=_EXAMPLES,
-    kind=WorkKind.GRADING,
-)
+@router.judge("/check-singularities", "Is the arm singular just where these conditions hold?", _EXAMPLES)
 def check_singularities(
     body: CheckSingularitiesRequest, robot: PreparedRobot, language: str
 ) -> CheckSingularitiesAnswer:

@@ -47,7 +47,7 @@ LARGEST_BODY = 2 * LARGEST_ARCHIVE
 """Of an archive in base64, with what is around it."""
 
 
-@router.call("/author/start", summary="Start an exercise", examples=examples.START, answer=wire.StartAnswer)
+@router.call("/author/start", "Start an exercise", examples.START, answer=wire.StartAnswer)
 async def start_draft(body: wire.StartRequest, request: ApiRequest) -> Response:
     """Start a draft from a catalogue robot, a DH table, drawn joint axes, an SCM chain or a URDF description.
 
@@ -58,12 +58,7 @@ async def start_draft(body: wire.StartRequest, request: ApiRequest) -> Response:
     return _json({**draft_body(draft), "axes": axes}, language_of(request))
 
 
-@router.call(
-    "/author/preview",
-    summary="A draft as students will see it",
-    examples=examples.DRAFT,
-    answer=wire.PreviewAnswer,
-)
+@router.call("/author/preview", "A draft as students will see it", examples.DRAFT, answer=wire.PreviewAnswer)
 async def preview_draft(body: wire.DraftRequest, request: ApiRequest) -> Response:
     """Return the exercise with its figure, and what the policy leaves free for this robot.
 
@@ -77,12 +72,7 @@ async def preview_draft(body: wire.DraftRequest, request: ApiRequest) -> Respons
     return _json(found, language)
 
 
-@router.call(
-    "/author/check",
-    summary="A round of a draft's self-test",
-    examples=examples.CHECK,
-    answer=wire.SelfTestAnswer,
-)
+@router.call("/author/check", "A round of a draft's self-test", examples.CHECK, answer=wire.SelfTestAnswer)
 async def check_draft(body: wire.CheckRequest, request: ApiRequest) -> Response:
     """Run `framewise exercises check` for the values of one seed, with some of the listed mistakes."""
     language = language_of(request)
@@ -92,10 +82,7 @@ async def check_draft(body: wire.CheckRequest, request: ApiRequest) -> Response:
 
 
 @router.call(
-    "/author/right-answers",
-    summary="Right answers that look different",
-    examples=examples.DRAFT,
-    answer=wire.RehearsalAnswer,
+    "/author/right-answers", "Right answers that look different", examples.DRAFT, answer=wire.RehearsalAnswer
 )
 async def right_answers_of_draft(body: wire.RightAnswersRequest, request: ApiRequest) -> Response:
     """Return right tables with other frames, signs, zeros and conventions, as far as the policy allows."""
@@ -104,8 +91,8 @@ async def right_answers_of_draft(body: wire.RightAnswersRequest, request: ApiReq
 
 @router.call(
     "/author/mistakes",
-    summary="The commonest wrong answers and their marks",
-    examples=examples.DRAFT,
+    "The commonest wrong answers and their marks",
+    examples.DRAFT,
     answer=wire.RehearsalAnswer,
 )
 async def mistakes_of_draft(body: wire.DraftRequest, request: ApiRequest) -> Response:
@@ -116,7 +103,7 @@ async def mistakes_of_draft(body: wire.DraftRequest, request: ApiRequest) -> Res
     return await _rehearsed(request, rehearsed_mistakes, body.draft)
 
 
-@router.call("/author/grade", summary="Judge an answer to a draft", examples=examples.TRY, answer=GradedModel)
+@router.call("/author/grade", "Judge an answer to a draft", examples.TRY, answer=GradedModel)
 async def grade_against_draft(body: wire.TryRequest, request: ApiRequest) -> Response:
     """Return the verdict that a student would get. Nothing is recorded."""
     language = language_of(request)

@@ -17,7 +17,6 @@ from service.schemas.exercises.verdicts import PolicyModel
 from service.schemas.spoken import SpokenFeedback, spoken
 from service.schemas.tables import Parameters, Table
 from service.wire.kinematics.written_tables import table_in_units_of
-from service.work.limiters import WorkKind
 
 router = Calls("exercises")
 
@@ -89,12 +88,7 @@ _OTHERS = {"an elbow arm, in its own convention": {"table": _ELBOW, "policy": {"
 _COMPARE = {"the axes of joints 2 and 3 reversed": {"first": _ELBOW, "second": _REVERSED}}
 
 
-@router.call(
-    "/compare-tables",
-    summary="Do two tables describe the same robot, and why?",
-    examples=_COMPARE,
-    kind=WorkKind.GRADING,
-)
+@router.judge("/compare-tables", "Do two tables describe the same robot, and why?", _COMPARE)
 def compare_tables(body: CompareTablesRequest, limits: Limits, language: str) -> CompareTablesAnswer:
     """Return whether they are one robot, whichever way frames, zeros, directions and conventions were chosen.
 
@@ -112,9 +106,7 @@ def compare_tables(body: CompareTablesRequest, limits: Limits, language: str) ->
     )
 
 
-@router.call(
-    "/other-tables", summary="Other tables of the same robot", examples=_OTHERS, kind=WorkKind.GRADING
-)
+@router.judge("/other-tables", "Other tables of the same robot", _OTHERS)
 def write_other_tables(body: OtherTablesRequest, limits: Limits) -> OtherTablesAnswer:
     """Return tables of a given one's robot that keep a policy, with what differs in their frames.
 

@@ -29,7 +29,6 @@ from service.schemas.kinematics.joint_axes import AxisModel
 from service.schemas.spoken import option_name
 from service.schemas.tables import Parameters, Table
 from service.wire.kinematics.written_tables import table_in_units_of
-from service.work.limiters import WorkKind
 
 Way = TypeVar("Way")
 router = Calls("exercises")
@@ -136,12 +135,7 @@ _IN_FRAMES: dict[str, Any] = {
 }
 
 
-@router.call(
-    "/plant-mistake",
-    summary="A right table in, a table with one mistake out",
-    examples=_IN_TABLE,
-    kind=WorkKind.GRADING,
-)
+@router.judge("/plant-mistake", "A right table in, a table with one mistake out", _IN_TABLE)
 def plant_mistake(body: PlantMistakeRequest, limits: Limits, language: str) -> PlantMistakeAnswer:
     """Plant a mistake of the catalogue, in one row, that makes the table another robot or breaks its policy.
 
@@ -164,12 +158,7 @@ def plant_mistake(body: PlantMistakeRequest, limits: Limits, language: str) -> P
     )
 
 
-@router.call(
-    "/plant-matrix-mistake",
-    summary="A right table in, one of its matrices with a mistake out",
-    examples=_IN_MATRIX,
-    kind=WorkKind.GRADING,
-)
+@router.judge("/plant-matrix-mistake", "A right table in, one of its matrices with a mistake out", _IN_MATRIX)
 def plant_matrix_mistake(
     body: PlantMatrixMistakeRequest, limits: Limits, language: str
 ) -> PlantMatrixMistakeAnswer:
@@ -194,12 +183,7 @@ def plant_matrix_mistake(
     )
 
 
-@router.call(
-    "/plant-frame-mistake",
-    summary="Joint axes in, frames with a mistake out",
-    examples=_IN_FRAMES,
-    kind=WorkKind.GRADING,
-)
+@router.judge("/plant-frame-mistake", "Joint axes in, frames with a mistake out", _IN_FRAMES)
 def plant_frame_mistake(body: PlantFrameMistakeRequest, language: str) -> PlantFrameMistakeAnswer:
     """Return the frames by the procedure of the lecture, one of which breaks one rule of the convention.
 

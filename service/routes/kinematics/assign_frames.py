@@ -187,7 +187,7 @@ _CHECK: dict[str, Any] = {
 }
 
 
-@router.call("/assign-frames", summary="Joint axes in, a DH table out", examples=_ASSIGN)
+@router.call("/assign-frames", "Joint axes in, a DH table out", _ASSIGN)
 def assign(body: AssignFramesRequest, language: str) -> AssignFramesAnswer:
     """Assign frames by the procedure of the lecture documents, each with its rule and its free choices.
 
@@ -216,7 +216,7 @@ def assign(body: AssignFramesRequest, language: str) -> AssignFramesAnswer:
     )
 
 
-@router.call("/check-frames", summary="A student's frames, judged rule by rule", examples=_CHECK)
+@router.call("/check-frames", "A student's frames, judged rule by rule", _CHECK)
 def check(body: CheckFramesRequest, language: str) -> CheckFramesAnswer:
     """Return the rules that the chosen frames break, the choices there are, and the rows that follow."""
     judged = check_frames(

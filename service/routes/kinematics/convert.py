@@ -12,7 +12,7 @@ from service.wire.kinematics.conversion import converted
 router = Calls("kinematics", route_class=OneRobotRoute)
 
 
-@router.call("/convert", summary="From one description of a robot to another", examples=examples.CONVERT)
+@router.call("/convert", "From one description of a robot to another", examples.CONVERT)
 def convert(body: ConvertRequest, settings: Settings) -> ConvertAnswer:
     """Return another description of the same robot, without loss.
 

@@ -53,8 +53,8 @@ _EXAMPLES = {
 
 @router.call(
     "/inverse-kinematics",
-    summary="A pose to the joint values that reach it",
-    examples=_EXAMPLES | SYMBOLIC_INVERSE,
+    "A pose to the joint values that reach it",
+    _EXAMPLES | SYMBOLIC_INVERSE,
     answer=InverseKinematicsAnswer | InverseKinematicsAnswers | SymbolicInverseAnswer,
     exclude_none=True,
 )

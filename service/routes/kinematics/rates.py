@@ -97,9 +97,7 @@ _EXAMPLES: dict[str, Any] = {
 }
 
 
-@router.call(
-    "/rates", summary="Velocities, accelerations and forces at one configuration", examples=_EXAMPLES
-)
+@router.call("/rates", "Velocities, accelerations and forces at one configuration", _EXAMPLES)
 def rates(body: RatesRequest, robot: PreparedRobot) -> RatesAnswer:
     """Return (v, ω) = J0 q̇, J0 q̈ + J̇0 q̇, the analytic Jacobian, τ = J0ᵀ (f, m) and ellipsoids.
 

@@ -61,7 +61,7 @@ _EXAMPLES: dict[str, Any] = {
 }
 
 
-@router.call("/rotations", summary="One orientation in every notation", examples=_EXAMPLES)
+@router.call("/rotations", "One orientation in every notation", _EXAMPLES)
 def rotations(body: RotationsRequest) -> RotationsAnswer:
     """Return the matrix, quaternion, axis and angle, and both solutions for the angles of all 24 sequences.
 

@@ -144,10 +144,7 @@ _JACOBIAN: dict[str, Any] = {
 
 
 @router.call(
-    "/scm/forward-kinematics",
-    summary="Direct kinematics of an SCM chain",
-    examples=_FORWARD_KINEMATICS,
-    exclude_none=True,
+    "/scm/forward-kinematics", "Direct kinematics of an SCM chain", _FORWARD_KINEMATICS, exclude_none=True
 )
 async def forward_kinematics(
     body: ScmForwardKinematicsRequest, request: ApiRequest
@@ -171,8 +168,8 @@ async def forward_kinematics(
 
 @router.call(
     "/scm/inverse-transform",
-    summary="Inverse of the direct kinematics of an SCM chain",
-    examples=_INVERSE_TRANSFORM,
+    "Inverse of the direct kinematics of an SCM chain",
+    _INVERSE_TRANSFORM,
     exclude_none=True,
 )
 async def inverse_of_transform(
@@ -189,7 +186,7 @@ async def inverse_of_transform(
     return ScmInverseTransformAnswer(**units_of(prepared.read), transform=plain_lists(inverse))
 
 
-@router.call("/scm/jacobian", summary="J0 and Jn of an SCM chain", examples=_JACOBIAN, exclude_none=True)
+@router.call("/scm/jacobian", "J0 and Jn of an SCM chain", _JACOBIAN, exclude_none=True)
 async def jacobian(body: ScmJacobianRequest, request: ApiRequest) -> ScmJacobianAnswer | BytesResponse:
     """Return J0 and Jn, by inspection (scm(manipulator, 1) and 2) or by differentiating the matrix (h2j).
 

@@ -83,12 +83,7 @@ _DRAWN: dict[str, Any] = {
 }
 
 
-@router.call(
-    "/scm/inverse-kinematics",
-    summary="Inverse kinematics of an SCM chain",
-    examples=_TARGETS,
-    exclude_none=True,
-)
+@router.call("/scm/inverse-kinematics", "Inverse kinematics of an SCM chain", _TARGETS, exclude_none=True)
 async def inverse_kinematics(
     body: ScmInverseKinematicsRequest, request: ApiRequest
 ) -> InverseKinematicsAnswer:
@@ -111,7 +106,7 @@ async def inverse_kinematics(
     return InverseKinematicsAnswer(**units_of(prepared.read), **target_answer(found, prepared))
 
 
-@router.call("/scm/random-configuration", summary="Random joint values for an SCM chain", examples=_DRAWN)
+@router.call("/scm/random-configuration", "Random joint values for an SCM chain", _DRAWN)
 async def random_configuration(
     body: RandomConfigurationRequest, request: ApiRequest
 ) -> RandomConfigurationAnswer:

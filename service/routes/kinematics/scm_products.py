@@ -180,11 +180,7 @@ _PRODUCTS: dict[str, Any] = {
 
 
 @router.call(
-    "/scm/products",
-    summary="Products of motions, compared",
-    examples=_PRODUCTS,
-    answer=ScmProductsAnswer,
-    exclude_none=True,
+    "/scm/products", "Products of motions, compared", _PRODUCTS, answer=ScmProductsAnswer, exclude_none=True
 )
 async def products(body: ScmProductsRequest, request: ApiRequest) -> BytesResponse:
     """Multiply motions and matrices: HRX … HTZ, GEO, SCZIP, S2D and H2J of the toolbox.

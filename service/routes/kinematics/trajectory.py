@@ -62,7 +62,7 @@ _EXAMPLES: dict[str, Any] = {
 }
 
 
-@router.call("/trajectory", summary="Joint trajectory between two configurations", examples=_EXAMPLES)
+@router.call("/trajectory", "Joint trajectory between two configurations", _EXAMPLES)
 def trajectory(body: TrajectoryRequest, robot: PreparedRobot) -> TrajectoryAnswer:
     """Return a motion from `start` to `end`, joints together: q(t) = start + s(t / duration) (end − start).
 

@@ -132,7 +132,7 @@ _EXAMPLES: dict[str, Any] = {
 }
 
 
-@router.call("/trees", summary="Frames, Jacobians and tables of an arm that branches", examples=_EXAMPLES)
+@router.call("/trees", "Frames, Jacobians and tables of an arm that branches", _EXAMPLES)
 def trees(body: TreeRequest, limits: Limits) -> TreeAnswer:
     """Return the poses of all frames of a tree (Khalil, Kleinfinger), and each tip's Jacobian and table.
 

@@ -131,9 +131,7 @@ _EXAMPLES: dict[str, Any] = {
 }
 
 
-@router.call(
-    "/workspace", summary="Radii, box and points of the workspace", examples=_EXAMPLES, exclude_none=True
-)
+@router.call("/workspace", "Radii, box and points of the workspace", _EXAMPLES, exclude_none=True)
 async def reach(body: WorkspaceRequest, robot: PreparedRobot, resources: Resources) -> WorkspaceResponse:
     """Return the least and greatest distance of the end frame's origin, and the box that contains it.
 
