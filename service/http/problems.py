@@ -21,7 +21,7 @@ Errors of `kinematics` and `exercises` carry faults of the same shape and know n
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, field
 from enum import StrEnum
@@ -207,15 +207,23 @@ def cause(error: _Refusal) -> _Refusal:
 
 
 @contextmanager
+def moved(place: Callable[[Fault], Fault]) -> Iterator[None]:
+    """Tell the faults of what is computed inside at other places of the request."""
+    try:
+        yield
+    except KinematicsError as error:
+        raise type(error)(map(place, error.faults)) from cause(error)
+
+
+@contextmanager
 def located(*prefix: str | int) -> Iterator[None]:
     """Place the faults of what is read inside: an object at `prefix` of the request's body.
 
     The server's own trouble stands nowhere in the request.
     """
     try:
-        yield
-    except KinematicsError as error:
-        raise type(error)(fault.within(*prefix) for fault in error.faults) from cause(error)
+        with moved(lambda fault: fault.within(*prefix)):
+            yield
     except (BusyError, UnavailableError):
         raise
     except ServiceError as error:

@@ -10,7 +10,6 @@ from typing import Annotated, Any, TypeAlias
 from pydantic import Discriminator, Field, Tag, WithJsonSchema
 
 from kinematics.cells import AngleUnit, LengthUnit, Limits, ParameterKind
-from kinematics.errors import DescriptionError
 from kinematics.printing import Format, Notation
 from kinematics.scm.products import (
     LARGEST_VARIABLE,
@@ -20,6 +19,7 @@ from kinematics.scm.products import (
 )
 from kinematics.symbolic import ProofStatus
 from service.http.calls import Calls
+from service.http.problems import moved
 from service.http.routing import ApiRequest, BytesResponse, OneRobotRoute
 from service.http.validation import CHOICE
 from service.schemas.base import LONGEST_LIST, Matrix4, OneOf, Real, Wire
@@ -199,11 +199,8 @@ def _task(body: ScmProductsRequest, limits: Limits) -> ProductsTask:
     Raises:
         KinematicsError: motions that cannot be read, values that do not fit; every fault at its place.
     """
-    try:
+    with moved(lambda fault: replace(fault, where=body.place(fault.where))):
         read = read_products(body.raw(), body.angle_unit, body.length_unit, limits, body.variables)
-    except DescriptionError as error:
-        placed = [replace(fault, where=body.place(fault.where)) for fault in error.faults]
-        raise DescriptionError(placed) from error
     return ProductsTask(
         read=read,
         values=exact_values(read, body.parameters),

@@ -8,7 +8,7 @@ from typing import Annotated, Any
 from pydantic import Field
 
 from kinematics.cells import AngleUnit, LengthUnit, Limits, RawRow
-from kinematics.errors import Fault, KinematicsError, TableError
+from kinematics.errors import Fault, TableError
 from kinematics.inverse.lengths import check_lengths
 from kinematics.table import JointType
 from kinematics.tree_structures import (
@@ -20,7 +20,7 @@ from kinematics.tree_structures import (
     tree_jacobian,
 )
 from service.http.calls import Calls
-from service.http.problems import located
+from service.http.problems import located, moved
 from service.schemas.base import LONGEST_LIST, WHOLE, Matrix4, Matrix6, OneOf, Real, Whole, Wire
 from service.schemas.tables import AnsweredTable, Cell, Parameters, Units
 from service.wire.json_chunks import plain_lists
@@ -142,11 +142,9 @@ def trees(body: TreeRequest, limits: Limits) -> TreeAnswer:
     """
     with located("tree"):
         tree = read_tree(body.tree.raw(), body.tree.angle_unit, body.tree.length_unit, limits)
-    try:
+    with moved(_placed):
         robot = robot_of(tree.read, body.parameters)
         check_lengths(robot.table)
-    except KinematicsError as error:
-        raise type(error)(map(_placed, error.faults)) from None
     joints = values_in_radians(body.joints, robot.joint_units, "joints")
     count = len(tree.after)
     unknown = [

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from kinematics.errors import Fault, JointValueError
 from kinematics.inverse.lengths import is_long, too_long
 from kinematics.joint_values import one_configuration
-from service.http.problems import BodySizeError, RequestError
+from service.http.problems import BodySizeError, RequestError, moved
 from service.wire.kinematics.prepared_robots import PreparedRobot
 
 Floats = NDArray[np.float64]
@@ -58,12 +58,8 @@ def values_in_radians(given: Sequence[float], units: Sequence[float], field: str
     Raises:
         JointValueError: not one finite number for each joint, or one too large to be computed with.
     """
-    try:
+    with moved(lambda fault: replace(fault, where=(field, *fault.where[1:]))):
         values = one_configuration(list(given), len(units))
-    except JointValueError as error:
-        raise JointValueError(
-            replace(fault, where=(field, *fault.where[1:])) for fault in error.faults
-        ) from error
     far = [too_long((field, i)) for i, value in enumerate(values) if is_long(value)]
     if far:
         raise JointValueError(far)

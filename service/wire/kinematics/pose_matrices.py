@@ -11,6 +11,7 @@ from kinematics.errors import Fault, PoseError
 from kinematics.inverse.lengths import is_long, too_long
 from kinematics.poses import transform_from_quaternion, transform_from_xyzabc
 from kinematics.se3 import perpendicular, unit
+from service.http.problems import located
 from service.schemas.kinematics.pose_input import PlacedPose, PoseInput
 
 Matrix: TypeAlias = Any
@@ -51,14 +52,12 @@ def pose_matrix(pose: PoseInput, angle: float, *where: str | int) -> Matrix:
         PoseError: six numbers or a quaternion that are no pose. What is no 4×4 matrix is left to whoever
             reads it.
     """
-    try:
+    if not isinstance(pose, PlacedPose) and (len(pose) != 6 or isinstance(pose[0], list)):
+        return pose
+    with located(*where):
         if isinstance(pose, PlacedPose):
             return transform_from_quaternion(pose.quaternion, pose.position).tolist()
-        if len(pose) != 6 or isinstance(pose[0], list):
-            return pose
         return transform_from_xyzabc([*pose[:3], *(value * angle for value in pose[3:])]).tolist()
-    except PoseError as error:
-        raise PoseError(fault.within(*where) for fault in error.faults) from None
 
 
 def placed_matrix(

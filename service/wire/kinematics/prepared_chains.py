@@ -7,9 +7,9 @@ from contextlib import contextmanager
 from dataclasses import dataclass, replace
 
 from kinematics.cells import Limits, parameter_values
-from kinematics.errors import DescriptionError, KinematicsError
+from kinematics.errors import DescriptionError, Fault
 from kinematics.scm import ReadChain, ScmChain, check_values, read_chain, verify, with_values
-from service.http.problems import cause
+from service.http.problems import moved
 from service.schemas.kinematics.scm import ChainQuestion, ScmChainModel, Verification
 from service.wire.kinematics.exact_values import exact_values
 from service.wire.kinematics.prepared_robots import joint_units, listed_robot
@@ -77,13 +77,12 @@ def written_structure(question: ChainQuestion, limits: Limits) -> ReadChain:
 @contextmanager
 def in_chain(field: str, chain: ScmChainModel | None) -> Iterator[None]:
     """Place the faults of a chain's entries where the chain was sent, or at `robot` if none was."""
-    try:
+
+    def place(fault: Fault) -> Fault:
+        return replace(fault, where=("robot",) if chain is None else (field, *chain.place(fault.where)))
+
+    with moved(place):
         yield
-    except KinematicsError as error:
-        raise type(error)(
-            replace(fault, where=("robot",) if chain is None else (field, *chain.place(fault.where)))
-            for fault in error.faults
-        ) from cause(error)
 
 
 def prepared_chain(question: ChainQuestion, limits: Limits) -> PreparedChain:

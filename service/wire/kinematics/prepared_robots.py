@@ -17,9 +17,9 @@ import orjson
 from kinematics import catalogue
 from kinematics.caching import USUAL_TABLE
 from kinematics.cells import Limits, ReadTable, bind_parameters
-from kinematics.errors import Fault, KinematicsError
+from kinematics.errors import Fault
 from kinematics.table import JointType, NumericTable
-from service.http.problems import RequestError
+from service.http.problems import RequestError, moved
 from service.schemas.kinematics.robot_question import RobotQuestion
 from service.schemas.tables import units_of
 from service.settings import Settings
@@ -120,12 +120,8 @@ def robot_of(read: ReadTable, parameters: Mapping[str, float]) -> PreparedRobot:
     Raises:
         KinematicsError: the parameters do not fit, at ("parameters", name) or ("table", "rows", i, cell).
     """
-    try:
+    with moved(lambda fault: fault if fault.where[:1] == ("parameters",) else fault.within("table")):
         table = bind_parameters(read, parameters)
-    except KinematicsError as error:
-        raise type(error)(
-            fault if fault.where[:1] == ("parameters",) else fault.within("table") for fault in error.faults
-        ) from None
     angle = read.angle_unit.radians
     return PreparedRobot(
         read=read,

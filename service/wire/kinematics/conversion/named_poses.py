@@ -33,6 +33,7 @@ from kinematics.expressions import (
 from kinematics.scm.products import read_products
 from kinematics.se3 import Transform, check_transform
 from kinematics.symbolic import Matrix
+from service.http.problems import located, moved
 from service.schemas.kinematics.conversion import ConvertRequest, has_names
 
 _ROUNDING = 1e-15
@@ -97,11 +98,8 @@ def x_screw_entries(screw: XScrew[Expression]) -> Matrix:
 def _read(
     cells: Sequence[Sequence[float | str]], read: ReadTable, limits: Limits, where: str
 ) -> tuple[Matrix, Mapping[str, ParameterKind]]:
-    try:
+    with moved(lambda fault: replace(fault, where=(where, *fault.where[3:]))):
         found = read_products([[cells]], read.angle_unit, read.length_unit, limits)
-    except DescriptionError as error:
-        placed = [replace(fault, where=(where, *fault.where[3:])) for fault in error.faults]
-        raise DescriptionError(placed) from None
     pose = found.products[0][0]
     assert isinstance(pose, tuple)
     for i, row in enumerate(pose):
@@ -116,10 +114,8 @@ def _read(
 def _rigid(pose: Matrix, values: Mapping[str, float], where: str) -> Transform:
     numbers = np.eye(4)
     for i, j in np.ndindex(4, 4):
-        try:
+        with located(where, i, j):
             numbers[i, j] = evaluate(pose[i][j], values)
-        except ParameterError as error:
-            raise ParameterError(fault.within(where, i, j) for fault in error.faults) from None
     return check_transform(numbers, where=(where,))
 
 
