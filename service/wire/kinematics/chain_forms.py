@@ -20,7 +20,7 @@ from kinematics.scm import (
 )
 from kinematics.symbolic import Matrix
 from service.schemas.tables import units_of
-from service.wire.kinematics.symbolic_forms import written_out
+from service.wire.kinematics.symbolic_forms import Writing
 
 DEFAULT_FORMATS = (Format.TEXT, Format.LATEX)
 _QUICK_JOINTS = 8
@@ -95,16 +95,13 @@ def written_chain(task: ChainTask) -> bytes:
         variables=task.variables,
         notation=task.notation,
     )
-    answer: dict[str, Any] = dict(task.head)
-    written: list[Matrix] = []
+    writing = Writing(printer, task.formats, task.notation)
+    answer: dict[str, Any] = {}
     for name, found in _matrices(task).items():
         matrices = found if isinstance(found, list) else [found]
-        forms = [printer.write(matrix, task.formats, _PURPOSES[name]) for matrix in matrices]
+        forms = [writing.matrix(matrix, _PURPOSES[name]) for matrix in matrices]
         answer[name] = forms if isinstance(found, list) else forms[0]
-        written += matrices
-    if task.notation is Notation.SHORT:
-        answer["symbols"] = printer.symbols(written)
-    return written_out(answer)
+    return writing.answer(**task.head, **answer)
 
 
 def _matrices(task: ChainTask) -> dict[str, Matrix | list[Matrix]]:

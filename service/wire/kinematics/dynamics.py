@@ -17,8 +17,7 @@ from kinematics.dynamics.reading import ReadBodies, read_bodies
 from kinematics.errors import DescriptionError, Fault, TableError
 from kinematics.expressions import Expression, Number, evaluate, parameters_in
 from kinematics.inverse.lengths import check_lengths
-from kinematics.printing import Format, MatrixPrinter, Notation, Purpose
-from kinematics.symbolic import Matrix
+from kinematics.printing import Format, Purpose
 from kinematics.table import JointType, SymbolicTable, bind
 from service.http.problems import located
 from service.schemas.kinematics.dynamics_request import (
@@ -34,7 +33,7 @@ from service.wire.json_chunks import plain_lists
 from service.wire.kinematics.exact_values import exact_values
 from service.wire.kinematics.joint_values import values_in_radians
 from service.wire.kinematics.prepared_robots import joint_units, listed_robot
-from service.wire.kinematics.symbolic_forms import FormTask, written_out
+from service.wire.kinematics.symbolic_forms import FormTask
 
 QUICK_JOINTS = 3
 """Joints up to which equations of motion take some milliseconds."""
@@ -216,23 +215,13 @@ def written_dynamics(task: DynamicsTask) -> bytes:
         FormSizeError: they are too large to be derived or written out.
     """
     found = Derivation(task.table, task.links, task.gravity)
-    printer = MatrixPrinter(
-        n_joints=task.table.n_joints,
-        parameters=(*task.head["parameters"], *task.head["rates"]),
-        variables=task.variables,
-        notation=task.notation,
-    )
-    answer: dict[str, Any] = dict(task.head)
-    matrices: list[Matrix] = []
+    writing = task.writing((*task.head["parameters"], *task.head["rates"]))
+    answer: dict[str, Any] = {}
     for part in task.parts:
         attribute, name, meaning = _PARTS[part]
-        matrix: Matrix = getattr(found, attribute)
-        matrices.append(matrix)
         purpose = Purpose(name=name, meaning=meaning, result=part.value)
-        answer[part.value] = printer.write(matrix, task.formats, purpose)
-    if task.notation is Notation.SHORT:
-        answer["symbols"] = printer.symbols(matrices)
-    return written_out(answer)
+        answer[part.value] = writing.matrix(getattr(found, attribute), purpose)
+    return writing.answer(**task.head, **answer)
 
 
 _PARTS = {

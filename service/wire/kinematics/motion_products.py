@@ -26,7 +26,7 @@ from kinematics.scm.products import (
 from kinematics.se3 import check_transform
 from kinematics.symbolic import Matrix
 from service.schemas.tables import units_of
-from service.wire.kinematics.symbolic_forms import written_out
+from service.wire.kinematics.symbolic_forms import Writing
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -71,11 +71,10 @@ def written_products(task: ProductsTask) -> bytes:
     printer = MatrixPrinter(
         n_joints=read.n_joints, parameters=parameters, variables=read.variables, notation=task.notation
     )
-    written: list[Matrix] = []
+    writing = Writing(printer, task.formats, task.notation)
 
     def write(matrix: Matrix, name: str, meaning: str) -> dict[str, Any]:
-        written.append(matrix)
-        return printer.write(matrix, task.formats, Purpose(name=name, meaning=meaning))
+        return writing.matrix(matrix, Purpose(name=name, meaning=meaning))
 
     products = []
     for i, matrix in enumerate(matrices, start=1):
@@ -85,16 +84,13 @@ def written_products(task: ProductsTask) -> bytes:
                 J = jacobian_of_product(matrix, read.n_joints, frame)
                 product[name] = write(J, f"{name}_{i}", f"Jacobian {name} of product {i}, linear rows first.")
         products.append(product | _numbers(matrix, task))
-    answer: dict[str, Any] = {
+    return writing.answer(
         **units_of(read),
-        "variables": list(read.variables),
-        "parameters": list(parameters),
-        "products": products,
-        "equal_to_first": [compare_matrices(matrices[0], matrix).value for matrix in matrices],
-    }
-    if task.notation is Notation.SHORT:
-        answer["symbols"] = printer.symbols(written)
-    return written_out(answer)
+        variables=list(read.variables),
+        parameters=list(parameters),
+        products=products,
+        equal_to_first=[compare_matrices(matrices[0], matrix).value for matrix in matrices],
+    )
 
 
 def _with_values(factor: Factor, values: Mapping[str, Expression]) -> Factor:

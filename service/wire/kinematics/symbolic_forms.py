@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 from fractions import Fraction
@@ -65,6 +65,16 @@ class FormTask(Generic[AnyFormat]):
         """Names of the parameters that are left."""
         return table_parameters(self.table)
 
+    def writing(self: FormTask[Format], parameters: tuple[str, ...]) -> Writing:
+        """Return what writes its matrices, whose functions take these parameters."""
+        printer = MatrixPrinter(
+            n_joints=self.table.n_joints,
+            parameters=parameters,
+            variables=self.variables,
+            notation=self.notation,
+        )
+        return Writing(printer, self.formats, self.notation)
+
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class SymbolicTask(FormTask[Format]):
@@ -97,43 +107,46 @@ class SymbolicTask(FormTask[Format]):
         return cost <= QUICK_COST and nodes <= QUICK_NODES
 
 
+class Writing:
+    """What writes the matrices of one answer."""
+
+    def __init__(self, printer: MatrixPrinter, formats: Sequence[Format], notation: Notation) -> None:
+        self._printer, self._formats, self._notation = printer, formats, notation
+        self._written: list[Matrix] = []
+
+    def matrix(self, matrix: Matrix, purpose: Purpose) -> dict[str, Any]:
+        """Return a matrix in the formats that were asked for.
+
+        Raises:
+            FormSizeError: it has too many operations to be written out.
+        """
+        self._written.append(matrix)
+        return self._printer.write(matrix, self._formats, purpose)
+
+    def answer(self, **found: Any) -> bytes:
+        """Return the answer as JSON, with the meaning of short names.
+
+        Raises:
+            FormSizeError: an entry is nested too deeply for JSON.
+        """
+        if self._notation is Notation.SHORT:
+            found["symbols"] = self._printer.symbols(self._written)
+        try:
+            return orjson.dumps(found)
+        except orjson.JSONEncodeError as error:
+            if "ecursion" not in str(error):
+                raise
+            raise FormSizeError(Fault.at("closed_form_too_deep")) from None
+
+
 def written_answer(task: SymbolicTask) -> bytes:
     """Return the answer to a task, as JSON.
 
     Raises:
         FormSizeError: a matrix has too many operations to be written out.
     """
-    answer: dict[str, Any] = dict(task.head)
-    printer = MatrixPrinter(
-        n_joints=task.table.n_joints,
-        parameters=task.parameters,
-        variables=task.variables,
-        notation=task.notation,
-    )
-    matrices: list[Matrix] = []
-
-    def write(matrix: Matrix, purpose: Purpose) -> dict[str, Any]:
-        matrices.append(matrix)
-        return printer.write(matrix, task.formats, purpose)
-
-    answer.update(_parts(task, write))
-    if task.notation is Notation.SHORT:
-        answer["symbols"] = printer.symbols(matrices)
-    return written_out(answer)
-
-
-def written_out(answer: Mapping[str, Any]) -> bytes:
-    """Return the matrices of an answer, written, as JSON.
-
-    Raises:
-        FormSizeError: an entry is nested too deeply for JSON.
-    """
-    try:
-        return orjson.dumps(answer)
-    except orjson.JSONEncodeError as error:
-        if "ecursion" not in str(error):
-            raise
-        raise FormSizeError(Fault.at("closed_form_too_deep")) from None
+    writing = task.writing(task.parameters)
+    return writing.answer(**task.head, **_parts(task, writing.matrix))
 
 
 def written_jacobians(task: SymbolicTask) -> bytes:
