@@ -11,7 +11,7 @@ from typing import Any
 
 from kinematics.catalogue import robot_ids
 from service.schemas.examples import TWO_LINKS
-from service.schemas.kinematics.scm_examples import SCARA
+from service.schemas.kinematics.scm import SCARA
 
 CELLS = [0, 1, -0.5, 0.3, "pi/2", "-pi/2", "L1", "2*L1 + 0.1", "L2", "sqrt(2)/2"]
 TURNS = ["q1", "q2", "q3 + pi/2", "0"]

@@ -21,7 +21,7 @@ from service.routes.kinematics.workspace import WorkspaceRequest
 from service.schemas.examples import TWO_LINKS
 from service.schemas.kinematics.conversion import ConvertRequest
 from service.schemas.kinematics.inverse_kinematics import NumericInverseKinematicsRequest
-from service.schemas.kinematics.scm_examples import SCARA
+from service.schemas.kinematics.scm import SCARA
 from tests.conftest import EXPLORE
 from tests.document import DOCUMENT
 from tests.drawn_calls import for_each_call

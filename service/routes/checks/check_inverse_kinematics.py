@@ -28,9 +28,7 @@ from service.http.problems import located
 from service.resources import Resources
 from service.schemas import examples
 from service.schemas.base import Matrix4, OneOf, Real, Wire
-from service.schemas.kinematics.joints import JointRanges, domain_limits
-from service.schemas.kinematics.pose_input import PoseInput
-from service.schemas.kinematics.robot_question import RobotQuestion
+from service.schemas.kinematics.robot_question import JointRanges, PoseInput, RobotQuestion, domain_limits
 from service.schemas.spoken import SpokenFeedback, spoken
 from service.schemas.tables import Table, Units
 from service.wire.fault_pointers import traced

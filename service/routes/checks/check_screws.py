@@ -13,8 +13,7 @@ from service.http.calls import Calls
 from service.schemas import examples
 from service.schemas.base import Matrix4, OneOf, Real, Wire
 from service.schemas.exercises.verdicts import PolicyModel
-from service.schemas.kinematics.pose_input import PoseInput
-from service.schemas.kinematics.robot_question import RobotQuestion
+from service.schemas.kinematics.robot_question import PoseInput, RobotQuestion
 from service.schemas.spoken import feedback_sentence
 from service.schemas.tables import Units
 from service.wire.fault_pointers import traced

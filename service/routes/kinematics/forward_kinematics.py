@@ -14,10 +14,8 @@ from service.http.problems import RequestError
 from service.http.routing import JSON, NPY, ApiRequest, BytesResponse, DirectRoute, api_router
 from service.schemas import examples
 from service.schemas.base import LONGEST_LIST, WHOLE, Matrix4, OneOf, Vector3, Wire
-from service.schemas.kinematics.joints import Joints
 from service.schemas.kinematics.orientations import Orientation
-from service.schemas.kinematics.pose_input import PoseInput
-from service.schemas.kinematics.robot_question import RobotQuestion
+from service.schemas.kinematics.robot_question import Joints, PoseInput, RobotQuestion
 from service.schemas.tables import Units
 from service.wire.kinematics.pose_answers import (
     ARRAY_PARTS,

@@ -18,10 +18,8 @@ from service.http.openapi import NPY_QUERY, problems, request_body
 from service.http.routing import JSON, NPY, ApiRequest, BytesResponse, DirectRoute, api_router
 from service.schemas import examples
 from service.schemas.base import Matrix6, OneOf, Real, Wire
-from service.schemas.kinematics.joints import Joints
 from service.schemas.kinematics.orientations import RatesOfAngles
-from service.schemas.kinematics.pose_input import PoseInput
-from service.schemas.kinematics.robot_question import NumericForm, RobotQuestion
+from service.schemas.kinematics.robot_question import Joints, NumericForm, PoseInput, RobotQuestion
 from service.schemas.kinematics.written_matrices import (
     WritingAnswer,
     WritingQuestion,

@@ -14,8 +14,7 @@ from kinematics.se3 import check_transform
 from service.http.calls import Calls
 from service.schemas.base import Matrix6, Real, Vector3, Vector6, Wire
 from service.schemas.kinematics.orientations import RatesOfAngles
-from service.schemas.kinematics.pose_input import PoseInput
-from service.schemas.kinematics.robot_question import RobotQuestion
+from service.schemas.kinematics.robot_question import PoseInput, RobotQuestion
 from service.schemas.tables import Units
 from service.wire.fault_pointers import traced
 from service.wire.json_chunks import plain_lists

@@ -24,8 +24,7 @@ from service.http.calls import Calls
 from service.http.routing import ApiRequest, BytesResponse, OneRobotRoute
 from service.schemas.base import LONGEST_LIST, Matrix4, OneOf, Real, Vector3
 from service.schemas.kinematics.orientations import AxisAngleModel, Orientation
-from service.schemas.kinematics.scm import ChainQuestion, ScmJoints
-from service.schemas.kinematics.scm_examples import LENGTHS, SCARA, STANFORD
+from service.schemas.kinematics.scm import LENGTHS, SCARA, STANFORD, ChainQuestion, ScmJoints
 from service.schemas.tables import Units, units_of
 from service.wire.json_chunks import plain_lists
 from service.wire.kinematics.chain_forms import ChainTask, Wanted, is_quick, written_chain

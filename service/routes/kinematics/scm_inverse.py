@@ -19,10 +19,8 @@ from service.http.calls import Calls
 from service.http.routing import ApiRequest, OneRobotRoute
 from service.schemas.base import LONGEST_LIST, WHOLE, Real
 from service.schemas.kinematics.inverse_kinematics import InverseKinematicsAnswer
-from service.schemas.kinematics.joints import domain_limits
-from service.schemas.kinematics.pose_input import PoseInput
-from service.schemas.kinematics.scm import ChainQuestion, ScmJoints
-from service.schemas.kinematics.scm_examples import LENGTHS, STANFORD
+from service.schemas.kinematics.robot_question import PoseInput, domain_limits
+from service.schemas.kinematics.scm import LENGTHS, STANFORD, ChainQuestion, ScmJoints
 from service.schemas.tables import Units, units_of
 from service.wire.fault_pointers import traced
 from service.wire.kinematics.inverse_solutions import TargetQuestion, answer_to, target_answer

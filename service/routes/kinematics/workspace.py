@@ -17,9 +17,13 @@ from service.resources import Resources
 from service.schemas import examples
 from service.schemas.base import WHOLE, Real, Vector3, Wire
 from service.schemas.choices import forbidding, together
-from service.schemas.kinematics.joints import JointRanges, domain_limits
-from service.schemas.kinematics.pose_input import PoseInput
-from service.schemas.kinematics.robot_question import NO_ROBOT, RobotQuestion
+from service.schemas.kinematics.robot_question import (
+    NO_ROBOT,
+    JointRanges,
+    PoseInput,
+    RobotQuestion,
+    domain_limits,
+)
 from service.schemas.tables import Units
 from service.wire.fault_pointers import traced
 from service.wire.kinematics.joint_values import in_request_units

@@ -14,14 +14,15 @@ from kinematics.urdf import MAX_CHARACTERS
 from service.http.validation import CHOICE
 from service.schemas.base import GivenMatrix4, OneOf, Real, Vector3, Wire
 from service.schemas.choices import forbidding, not_one_of, together
-from service.schemas.kinematics.joints import JointRanges, Range
-from service.schemas.kinematics.pose_input import (
+from service.schemas.kinematics.robot_question import (
     MATRIX,
     PLACED,
     POSE_SHAPES,
     XYZABC,
+    JointRanges,
     PlacedPose,
     PoseInput,
+    Range,
     XyzabcPose,
     notation_of,
 )

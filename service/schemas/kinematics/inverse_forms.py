@@ -12,8 +12,7 @@ from kinematics.printing.formats import EquationFormat
 from service.http.validation import CHOICE
 from service.schemas.base import LONGEST_LIST, OneOf, Wire
 from service.schemas.kinematics.inverse_kinematics import NumericInverseKinematicsRequest
-from service.schemas.kinematics.pose_input import PoseInput
-from service.schemas.kinematics.robot_question import RobotQuestion
+from service.schemas.kinematics.robot_question import PoseInput, RobotQuestion
 from service.schemas.kinematics.written_matrices import SomeParameters
 from service.schemas.tables import Units
 

@@ -10,9 +10,13 @@ from pydantic_core import PydanticCustomError
 from kinematics.inverse.results import IKStatus, Isolation, Method, UnreachableReason
 from service.schemas.base import FaultEntry, Matrix4, Real, Vector3, Wire
 from service.schemas.choices import forbidding, not_one_of, together
-from service.schemas.kinematics.joints import JointRanges
-from service.schemas.kinematics.pose_input import PoseInput
-from service.schemas.kinematics.robot_question import NO_ROBOT, NumericForm, RobotQuestion
+from service.schemas.kinematics.robot_question import (
+    NO_ROBOT,
+    JointRanges,
+    NumericForm,
+    PoseInput,
+    RobotQuestion,
+)
 from service.schemas.tables import Units
 
 MOST_TARGETS = 1000

@@ -11,7 +11,7 @@ from kinematics.frames.axes import Gripper, JointAxis
 from kinematics.table import Convention, JointType
 from service.http.validation import CHOICE
 from service.schemas.base import Coordinates, OneOf, Wire
-from service.schemas.kinematics.pose_input import PoseInput
+from service.schemas.kinematics.robot_question import PoseInput
 
 
 class AxisModel(Wire):

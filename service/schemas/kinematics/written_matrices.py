@@ -8,8 +8,7 @@ from pydantic import ConfigDict, Field
 
 from kinematics.printing import SOURCES, Format, Notation
 from service.schemas.base import LONGEST_LIST, OneOf, Real, Wire
-from service.schemas.kinematics.pose_input import PoseInput
-from service.schemas.kinematics.robot_question import RobotQuestion
+from service.schemas.kinematics.robot_question import PoseInput, RobotQuestion
 from service.schemas.tables import Units
 
 STANDARD_FORMATS = (Format.LATEX, Format.TEXT)

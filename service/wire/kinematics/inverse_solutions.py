@@ -25,7 +25,7 @@ from service.schemas.kinematics.inverse_kinematics import (
     SolutionFamily,
     TargetAnswer,
 )
-from service.schemas.kinematics.joints import DomainLimits, domain_limits
+from service.schemas.kinematics.robot_question import DomainLimits, domain_limits
 from service.wire.fault_pointers import fault_entries, traced
 from service.wire.json_chunks import plain_lists
 from service.wire.kinematics.joint_values import in_request_units, values_in_radians

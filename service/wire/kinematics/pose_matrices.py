@@ -12,7 +12,7 @@ from kinematics.inverse.lengths import is_long, too_long
 from kinematics.poses import transform_from_quaternion, transform_from_xyzabc
 from kinematics.se3 import perpendicular, unit
 from service.http.problems import located
-from service.schemas.kinematics.pose_input import PlacedPose, PoseInput
+from service.schemas.kinematics.robot_question import PlacedPose, PoseInput
 
 Matrix: TypeAlias = Any
 

@@ -18,8 +18,7 @@ from service.http.npy import read_npy
 from service.http.problems import BodyError, RequestError, RequestPart
 from service.http.routing import NPY, ApiRequest, BytesResponse
 from service.http.validation import faults_of, validated
-from service.schemas.kinematics.joints import Configurations
-from service.schemas.kinematics.robot_question import RobotQuestion
+from service.schemas.kinematics.robot_question import Configurations, RobotQuestion
 from service.wire.kinematics.joint_values import PIECE, plain_configuration, read_array, read_joints
 from service.wire.kinematics.prepared_robots import PreparedRobot, RobotCache
 from service.work.batches import BatchResponse

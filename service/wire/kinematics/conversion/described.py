@@ -15,7 +15,7 @@ from kinematics.se3 import Transform, check_transform
 from kinematics.symbolic import Matrix
 from kinematics.table import JointType
 from kinematics.urdf import check_joint_names, check_link_names
-from service.schemas.kinematics.joints import domain_limits
+from service.schemas.kinematics.robot_question import domain_limits
 from service.wire.kinematics.prepared_robots import joint_units
 from service.wire.kinematics.written_tables import Spellings, WireCell
 

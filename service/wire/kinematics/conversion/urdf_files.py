@@ -8,7 +8,7 @@ from kinematics.table import Convention, JointType
 from kinematics.urdf import BASE_LINK, TIP_LINK, table_from_urdf, urdf_from_table
 from service.http.problems import located
 from service.schemas.kinematics.conversion import ConvertRequest, Target, UrdfAnswer
-from service.schemas.kinematics.joints import domain_limits
+from service.schemas.kinematics.robot_question import domain_limits
 from service.settings import Settings
 from service.wire.fault_pointers import traced
 from service.wire.kinematics.conversion.described import RobotDescription
