@@ -43,11 +43,12 @@ async def closed_form(
         RequestError: the body is not of that shape.
         KinematicsError: what it says cannot be meant.
     """
+    typed = await request.json()
     question = write.__name__.encode() + await request.body()
     known = request.resources.symbolic_answers.get(question)
     if known is not None:
         return BytesResponse(known)
-    asked = validated(shape, await request.json())
+    asked = validated(shape, typed)
     task = await request.in_turn(partial(task_of, asked, request.settings))
     return await answered(request, task, question, write)
 
