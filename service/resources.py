@@ -31,6 +31,8 @@ from service.work.workers import Workers
 
 UPLOADS = 4
 """So many bodies of the largest size may be in memory at a time."""
+TURNS = 4
+"""Requests that go on between two looks of the event loop at its connections, if they are quick."""
 CROWD = 8
 """When more answers wait to be judged, those that were judged share their transactions."""
 
@@ -59,7 +61,7 @@ class Resources:
     def __init__(self, settings: Settings) -> None:
         self.settings = settings
         self.limiters = limiters(settings)
-        self.turns = FairQueue(slots=1, capacity=settings.grading_queue, timeout=settings.queue_seconds)
+        self.turns = FairQueue(slots=TURNS, capacity=settings.grading_queue, timeout=settings.queue_seconds)
         self.courses = (
             CourseResources(settings, lambda: self.grading.queue.waiting > CROWD)
             if settings.storage == "on"

@@ -28,9 +28,12 @@ from service.http.problems import busy
 
 @dataclass(frozen=True, slots=True)
 class Proven:
-    """Who has proved who they are: a person by a session, however many they have, or a program by its key."""
+    """Who has proved who they are: a person by a session, however many they have, or a program by its key.
 
-    kind: Literal["person", "key"]
+    What a person hands in counts by itself: it does not wait behind what they have looked at and typed.
+    """
+
+    kind: Literal["person", "hand-in", "key"]
     id: int | str
 
 
@@ -45,6 +48,9 @@ AHEAD = 0.02
 """Seconds of use by which a newcomer is ahead of those who are being served: the cost of some answers."""
 CLIENTS = 4096
 """Clients whose use is stored; the one that was idle longest is dropped first."""
+
+ROUND = 0.001
+"""Seconds that requests in the event loop take one after another before it looks at its connections again."""
 
 current_client: ContextVar[Client] = ContextVar("current_client", default=("", 0))
 """The client for whom work is being done; set for each request by the outer middleware."""
@@ -98,6 +104,7 @@ class FairQueue:
         self._line = _Line(self._use)
         self._used: OrderedDict[Name | Client, float] = OrderedDict()
         self._served: OrderedDict[Name | None, float] = OrderedDict()
+        self._round: float | None = None
         self.running = 0
 
     @property
@@ -136,14 +143,26 @@ class FairQueue:
     async def turn(self) -> None:
         """Wait for a slot and keep it for what follows at once, until the next wait for anything.
 
-        Requests whose bodies have come go on in the order of their clients' use, one between two looks of
-        the event loop at its connections: whoever sends many waits behind whoever sends one.
+        Requests whose bodies have come go on in the order of their clients' use, between two looks of the
+        event loop at its connections as many as there are slots, and none once they have taken `ROUND`:
+        whoever sends many waits behind whoever sends one.
 
         Raises:
             BusyError: as in `acquire`.
         """
-        slot = await self.acquire()
-        asyncio.get_running_loop().call_soon(slot.release)
+        loop, slot = asyncio.get_running_loop(), await self.acquire()
+        while self._round is not None and time.monotonic() - self._round > ROUND:
+            slot.give_back()  # somebody who has used less may have come
+            await asyncio.sleep(0)
+            slot = await self.acquire()
+        if self._round is None:
+            self._round = time.monotonic()
+            loop.call_soon(self._end_round)
+        slot.begin()
+        loop.call_soon(slot.release)
+
+    def _end_round(self) -> None:
+        self._round = None
 
     def release(self, client: Client, seconds: float) -> None:
         """Give a slot back that the client used for so long, and hand it to the next."""
@@ -288,7 +307,17 @@ class Slot:
     def __init__(self, queue: FairQueue, client: Client) -> None:
         self._queue: FairQueue | None = queue
         self._client = client
+        self.begin()
+
+    def begin(self) -> None:
+        """Count use from now on."""
         self._since = time.monotonic()
+
+    def give_back(self) -> None:
+        """Release a slot that was not used."""
+        if self._queue is not None:
+            queue, self._queue = self._queue, None
+            queue.release(self._client, 0.0)
 
     def release(self) -> None:
         """Give the slot back; once is enough, twice does no harm."""

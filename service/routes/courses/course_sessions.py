@@ -27,6 +27,7 @@ from service.schemas.exercises.exercises import AnswerBase, ExerciseAnswer
 from service.wire.courses.session_views import attempt_view, masked, session_view, stored_report
 from service.wire.exercises.ungraded import answer_refused
 from service.wire.exercises.verdicts import report_body
+from service.work.fair_queue import Proven, proven
 from service.work.limiters import WorkKind
 from service.work.session_grading import Grader, judged_submission
 
@@ -84,6 +85,7 @@ async def submit(request: ApiRequest) -> Response:
     """Judge an answer, store it, and only then answer, as far as the rules let it be shown."""
     language, begun = language_of(request), now()
     courses, session = await signed_in(request)
+    proven(Proven("hand-in", session.person.id))
     with answer_refused():
         typed = await request.json()
         arrived = begun + timedelta(seconds=request.body_seconds)
