@@ -8,6 +8,7 @@ explanation      what is told, and what is earned
 coarse           is it right, but rounded too much?
 findings         what is said, by level of help
 facts, score     which facts of the robot are right, and what they earn
+alignments       which links and joints of an answer are compared with which of the key
 standard         what they are worth
 across_prismatic   which facts go together
 """

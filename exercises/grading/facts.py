@@ -8,14 +8,15 @@ that leaves the most facts right.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Collection, Sequence
+from dataclasses import dataclass, field
 from functools import lru_cache
-from itertools import combinations, islice
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from exercises.grading.alignments import NOT_THERE, alignments
 from kinematics.caching import USUAL_ROWS, cached_by_size
 from kinematics.chain import Axis
 from kinematics.equivalence import BaseRule, Policy, ToolRule
@@ -23,14 +24,12 @@ from kinematics.equivalence.batches import axis_batch
 from kinematics.equivalence.groups import outside
 from kinematics.equivalence.invariants import Invariants
 from kinematics.equivalence.measures import Measure, Shape
-from kinematics.se3 import Vector, cross, dot, norm, unit
+from kinematics.se3 import IDENTITY, Vector, compose, cross, dot, move, norm, rotate, unit
 
 Floats = NDArray[np.float64]
 
 # Axes less than this apart [rad] count as parallel: rounded entries turn them by less, mistakes by more.
 NEARLY = 0.01
-# In how many ways joints are placed beside the key's at the most: any three of ten that are missing.
-MOST_PLACINGS = 120
 # Whether one of two axes is turned round and the other is not: by whether the first is, and the second.
 _TURNED = np.array(((0, 1), (1, 0)))
 
@@ -77,6 +76,7 @@ class Facts:
         worth: (q,) what each of these is worth.
         sign: the share of a fact that is lost where only its sign is wrong.
         to_earn: the weight of the facts that a table of zeros does not have.
+        earned: (q,) what each of these is worth, and nothing of the others.
         joint: the share of what an answer has of these that it loses by a joint too many or too few.
         type: the share that it loses by a joint of another type.
     """
@@ -87,6 +87,7 @@ class Facts:
     worth: Floats
     sign: float
     to_earn: float = 0.0
+    earned: Floats = field(default_factory=lambda: np.zeros(1))
     joint: float = 0.0
     type: float = 0.0
 
@@ -100,17 +101,22 @@ class Facts:
             axes: its joint axes between base and tool, as those of the key.
             found: (q, 1) its invariants, if they are known; of an answer with the key's number of joints.
         """
-        kept, fits, has = self._compared(axes, found)
-        least = self._least(fits, has)
-        return float((least + np.maximum(self.to_earn - least, 0.0) * (1.0 - kept)).min())
+        compared = self._compared(axes, found)
+        least = self._least(compared.fits, compared.has, compared.unseen)
+        return float((least + np.maximum(self.to_earn - least, 0.0) * (1.0 - compared.kept)).min())
 
     def at_least_wrong(self, found: Floats) -> Floats:
         """(k,) the least that facts can weigh which answers do not have, from their invariants (q, k)."""
         fits = np.array(self.invariants.fits(found))
         return self._least(fits, np.logical_or(fits[0], fits[1]))
 
-    def _least(self, fits: NDArray[np.bool_], has: NDArray[np.bool_]) -> Floats:
-        costs = np.where(fits & has, 0.0, np.where(has, self.sign, 1.0) * self.worth[:, None])
+    def _least(
+        self, fits: NDArray[np.bool_], has: NDArray[np.bool_], unseen: NDArray[np.bool_] | None = None
+    ) -> Floats:
+        worth = np.where(has, self.sign, 1.0) * self.worth[:, None]
+        costs = np.where(fits & has, 0.0, worth)
+        if unseen is not None:
+            costs = np.where(unseen, self.earned[:, None], costs)
         return least_cost(self.invariants.shapes, len(self.axes), costs, self.fixed)
 
     def shared(self, axes: Sequence[Axis], found: Floats | None = None) -> NDArray[np.bool_]:
@@ -120,64 +126,79 @@ class Facts:
             axes: as for `wrong`.
             found: likewise.
         """
-        return np.asarray(self._compared(axes, found)[2].any(axis=1), dtype=np.bool_)
+        return np.asarray(self._compared(axes, found).has.any(axis=1), dtype=np.bool_)
 
-    def _compared(
-        self, axes: Sequence[Axis], found: Floats | None
-    ) -> tuple[Floats, NDArray[np.bool_], NDArray[np.bool_]]:
-        """An answer compared with the key, its joints placed beside the key's in k ways.
-
-        Returns:
-            (k,) the share that wrong joints leave of what is right; (2, q, k) which invariants fit as the
-            axes point, and with one of them turned round; (q, k) which do either way and mean the same.
-        """
-        shift = len(axes) - len(self.axes)
-        placings = _placings(len(self.axes), len(axes))
+    def _compared(self, axes: Sequence[Axis], found: Floats | None) -> _Compared:
+        """An answer compared with the key, its links beside the key's in k ways."""
+        shift = len(self.axes) - len(axes)
+        ways = alignments(*(tuple(axis.prismatic for axis in some) for some in (self.axes, axes)))
+        if not shift:
+            return self._compared_one_by_one(axes, found, ways.others[0])
+        shifts = range(min(shift, 0), max(shift, 0) + 1)
         besides = [
-            [self.axes[i] if place is None else axes[place] for i, place in enumerate(places)]
-            for places in placings
+            [axes[i - by] if 0 <= i - by < len(axes) else own for i, own in enumerate(self.axes)]
+            for by in shifts
         ]
-        kept = np.array([self._kept(*one) for one in zip(besides, placings, strict=True)])
-        kept *= (1.0 - self.joint) ** max(shift, 0)
+        fits = np.array(self.invariants.fits(self.invariants.measured(axis_batch(besides))))
+        shapes = self.invariants.shapes
+        means = np.array([[self._means(shape, beside) for beside in besides] for shape in shapes])
+        spans = zip(*(ends[:, 0].tolist() for ends in self.invariants.spans), strict=True)
+        there = np.array([ways.of_links(first, last) for first, last in spans])
+        column = np.clip(there - shifts[0], 0, len(shifts) - 1)
+        has = np.take_along_axis(np.logical_or(fits[0], fits[1]) & means, column, axis=1)
+        others = np.array([len(joints) for joints in ways.others])
+        return _Compared(
+            np.asarray((1.0 - self.joint) ** abs(shift) * (1.0 - self.type) ** others, dtype=np.float64),
+            np.take_along_axis(fits, column[None].repeat(2, axis=0), axis=2),
+            has & (there != NOT_THERE),
+        )
+
+    def _compared_one_by_one(
+        self, axes: Sequence[Axis], found: Floats | None, others: Sequence[int]
+    ) -> _Compared:
+        """An answer with the key's number of joints, of which some are of another type.
+
+        Such a joint is read as one of the key's type, on the line on which it was drawn. What its variable
+        changes then cannot be seen: it stood where the key has a constant.
+        """
         if found is None:
-            found = self.invariants.measured(axis_batch(besides))
+            found = self.invariants.measured(axis_batch([axes]))
         fits = np.array(self.invariants.fits(found))
         has = np.logical_or(fits[0], fits[1])
-        if shift or not has[self.invariants.arrays.twists[:, 0]].all() or not self._alike(axes):
-            shapes = self.invariants.shapes
-            for q, k in zip(*map(np.ndarray.tolist, np.nonzero(has)), strict=True):
-                has[q, k] = self._has(shapes[q], besides[k], placings[k])
-        return kept, fits, has
+        kept, unseen = 1.0, np.zeros_like(has)
+        if others:
+            has &= self._has(_moved(axes, others))
+        for joint in others:
+            other = list(self.axes)
+            other[joint] = other[joint]._replace(prismatic=not other[joint].prismatic)
+            changed = ~self._has(_moved(other, (joint,)))
+            hidden = float((self.earned * changed[:, 0]).sum())
+            if hidden < self.to_earn:
+                kept *= min((1.0 - self.type) * self.to_earn / (self.to_earn - hidden), 1.0)
+            unseen |= changed
+        if others or not has[self.invariants.arrays.twists[:, 0]].all():
+            for q in np.flatnonzero(has[:, 0]).tolist():
+                has[q] = self._is_defined(self.invariants.shapes[q], axes)
+        return _Compared(np.array([kept]), fits, has & ~unseen, unseen)
 
-    def _alike(self, axes: Sequence[Axis]) -> bool:
-        return all(one.prismatic is other.prismatic for one, other in zip(self.axes, axes, strict=True))
+    def _has(self, axes: Sequence[Axis]) -> NDArray[np.bool_]:
+        """(q, 1) which invariants have the key's values, but for signs."""
+        return np.logical_or(*self.invariants.fits(self.invariants.measured(axis_batch([axes]))))
 
-    def _kept(self, beside: Sequence[Axis], places: Sequence[int | None]) -> float:
-        """The share that joints which are missing or of another type leave of what is right."""
-        missing = sum(place is None for place in places[1:-1])
-        others = sum(
-            place is not None and one.prismatic is not other.prismatic
-            for place, one, other in zip(places[1:-1], beside[1:-1], self.axes[1:-1], strict=True)
-        )
-        return float((1.0 - self.joint) ** missing * (1.0 - self.type) ** others)
-
-    def _has(self, shape: Shape, axes: Sequence[Axis], places: list[int | None]) -> bool:
-        """Whether an invariant means in the answer what it means in the key."""
-        span = range(min(shape.axes), max(shape.axes) + 1)
-        first = places[span[0]]
-        if first is None or places[span[0] : span[-1] + 1] != list(range(first, first + len(span))):
-            return False
+    def _means(self, shape: Shape, axes: Sequence[Axis]) -> bool:
+        """Whether an invariant means in an answer with other joints what it means in the key."""
         if shape.measure is Measure.ANGLE:
             return True
         alike = all(self.axes[i].prismatic is axes[i].prismatic for i in shape.axes)
-        return alike and self._is_defined(shape, axes, span)
+        return alike and self._is_defined(shape, axes)
 
-    def _is_defined(self, shape: Shape, axes: Sequence[Axis], span: range) -> bool:
+    def _is_defined(self, shape: Shape, axes: Sequence[Axis]) -> bool:
         """Whether a length means in the answer what it means in the key, whatever frames were chosen.
 
         An offset runs along parallel axes between axes that are not; a turn is about parallel prismatic
         joints; a distance beside prismatic joints disregards the directions of all axes in between.
         """
+        span = range(min(shape.axes), max(shape.axes) + 1)
         if shape.measure is Measure.TURN:
             return all(self._is_as_parallel(axes, i, i + 1) for i in range(shape.axes[1], shape.axes[2] - 1))
         if shape.measure is Measure.OFFSET:
@@ -199,38 +220,32 @@ class Facts:
         return _are_parallel(axes[i], axes[j]) is _are_parallel(self.axes[i], self.axes[j])
 
 
-@lru_cache(maxsize=256)
-def _placings(ours: int, theirs: int) -> list[list[int | None]]:
-    """For each axis of the key the answer's, in all ways; both ends stay where they are.
+class _Compared(NamedTuple):
+    """An answer compared with a key in k ways.
 
-    Joints that are missing or superfluous may stand next to each other or apart.
+    Attributes:
+        kept: (k,) the share that wrong joints leave of what is right.
+        fits: (2, q, k) which invariants fit as the axes point, and with one of them turned round.
+        has: (q, k) which do either way and mean the same.
+        unseen: (q, k) which nobody can see, whatever they are.
     """
-    fewer, more = sorted((ours, theirs))
-    placings: list[list[int | None]] = []
-    for apart in islice(_apart(fewer - 2, more - fewer), MOST_PLACINGS):
-        left_out = {joint + 1 for joint in apart}
-        kept = [i for i in range(more) if i not in left_out]
-        if ours == fewer:
-            placings.append([*kept])
-        else:
-            beside = dict(zip(kept, range(fewer), strict=True))
-            placings.append([beside.get(i) for i in range(more)])
-    return placings
+
+    kept: Floats
+    fits: NDArray[np.bool_]
+    has: NDArray[np.bool_]
+    unseen: NDArray[np.bool_] | None = None
 
 
-def _apart(kept: int, others: int) -> Iterator[list[int]]:
-    """Where other joints may stand among those that are kept, from 0: all together first, then apart."""
-    if not others:
-        yield []
-    for groups in range(1, others + 1):
-        for before in combinations(range(kept + 1), groups):
-            for cuts in combinations(range(1, others), groups - 1):
-                ends = [*cuts, others]
-                yield [
-                    place + k
-                    for place, start, end in zip(before, [0, *cuts], ends, strict=True)
-                    for k in range(start, end)
-                ]
+def _moved(axes: Sequence[Axis], joints: Collection[int]) -> list[Axis]:
+    """The axes where some joints have other values."""
+    far = 1.0 + max(norm(axis.point) for axis in axes)
+    carried, found = IDENTITY, []
+    for i, axis in enumerate(axes):
+        direction, point = rotate(carried, axis.direction), move(carried, axis.point)
+        found.append(axis._replace(direction=direction, point=point))
+        if i in joints:
+            carried = compose(carried, axis.motion(far if axis.prismatic else 1.0))
+    return found
 
 
 def fixed_ends(axes: int, policy: Policy) -> tuple[int, ...]:

@@ -74,7 +74,7 @@ def score_of(decision: Decision, repairs: Sequence[Repaired], work: Work, weight
             off = min(off, max(_cost(slip, weights, nothing), _size_across_prismatic(work, standard, slip)))
         elif slip is not None:
             off = min(off, max(CELL, wrong_of(work, standard) - shared_across_prismatic(work, standard)))
-        elif not work.has_the_joints():
+        elif work.excess:
             pairs = [repair.changes for repair in repairs if _is_something(work, repair.changes, standard)]
             off = min([off, *(sum(_cost(change, weights, nothing) for change in pair) for pair in pairs)])
         if off > CELL and _has_one_other_twist(work):
@@ -118,7 +118,8 @@ def _lost_beside_a_slip(work: Work, weights: Weights, standard: Standard, most: 
             continue
         other = _without(change, work)
         rules = _lost_by_rules(other, weights)
-        if cost + rules < most and other.has_the_joints():
+        as_many = other.has_the_joints() or other.table.joint_types == work.table.joint_types
+        if cost + rules < most and not other.excess and as_many:
             undone.append((cost, rules, other))
     if not undone:
         return most
@@ -229,7 +230,8 @@ def _slips(work: Work) -> Iterator[Change]:
     """What undoes each slip in a row or throughout the table that may have been made besides others."""
     for misconception in CATALOGUE:
         for change in misconception.changes(work) if misconception.beforehand else ():
-            if not hides_an_entry(work, change):
+            # a joint of another type is read as one of the key's type wherever facts are counted
+            if change.code != "joint_type" and not hides_an_entry(work, change):
                 yield change
 
 

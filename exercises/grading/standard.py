@@ -71,7 +71,8 @@ def standard_of(reference: Reference, policy: Policy, weights: Weights) -> Stand
         joint, other = (
             min(cost / wrong, MOST_OF_A_JOINT) for cost in (weights.joint, OF_A_TYPE * weights.joint)
         )
-        facts = replace(facts, to_earn=wrong, joint=joint, type=other)
+        earned = np.where(given, 0.0, worth)
+        facts = replace(facts, to_earn=wrong, earned=earned, joint=joint, type=other)
     return Standard(facts, wrong, wrong + rules)
 
 
@@ -89,9 +90,10 @@ def wrong_of(work: Work, standard: Standard) -> float:
 
 
 def at_least_lost(works: Sequence[Work], standard: Standard) -> list[float]:
-    """Return for tables with the key's joints what the facts weigh at the least that they have wrong.
+    """Return for tables with as many joints as the key the least that the facts weigh which they have wrong.
 
-    What is wrong across one group of prismatic joints counts as no more than one.
+    What is wrong across one group of prismatic joints counts as no more than one; where joints are of another
+    type, it is not known.
     """
     facts = replace(standard.facts, invariants=works[0].facts)
     policy = works[0].policy
@@ -99,7 +101,8 @@ def at_least_lost(works: Sequence[Work], standard: Standard) -> list[float]:
     shapes, variations = facts.invariants.shapes, [(k, ()) for k in range(len(tables))]
     least = facts.at_least_wrong(measured_of_tables(shapes, tables, variations, fixing_frames(policy)))
     spare = max((float(facts.worth[of_gap].sum()) for of_gap in across_prismatic(facts)), default=0.0)
-    found: list[float] = (least - max(spare - CELL, 0.0)).tolist()
+    alike = np.array([work.has_the_joints() for work in works])
+    found: list[float] = np.where(alike, least - max(spare - CELL, 0.0), 0.0).tolist()
     return found
 
 
@@ -125,6 +128,8 @@ def without_each_gap(standard: Standard) -> list[Standard]:
     """The standard without what lies across prismatic joints, for each group of them."""
     facts = standard.facts
     return [
-        standard._replace(facts=replace(facts, worth=np.where(of_gap, 0.0, facts.worth)))
+        standard._replace(
+            facts=replace(facts, worth=np.where(of_gap, 0.0, facts.worth), earned=facts.earned * ~of_gap)
+        )
         for of_gap in across_prismatic(facts)
     ]

@@ -86,6 +86,24 @@ def drawn_by_hand(reference: NumericTable, rng: Random) -> NumericTable | None:
     return None
 
 
+def redrawn(wrong: NumericTable, key: NumericTable, rng: Random) -> NumericTable | None:
+    """A wrong table in other frames; a slider that should turn stays on the line on which it was drawn.
+
+    Elsewhere it would still be that slider, but not a joint of the key with a wrong type.
+    """
+    types = dict(zip(wrong.joint_rows, key.joint_types, strict=True))
+    turning = {i for i, joint in types.items() if joint is JointType.REVOLUTE}
+    drawn = drawn_by_hand(_of_types(wrong, dict.fromkeys(turning, JointType.REVOLUTE)), rng)
+    if drawn is None:
+        return None
+    return _of_types(drawn, dict(zip(drawn.joint_rows, wrong.joint_types, strict=True)))
+
+
+def _of_types(table: NumericTable, types: dict[int, JointType]) -> NumericTable:
+    rows = (replace(row, joint=types.get(i, row.joint)) for i, row in enumerate(table.rows))
+    return replace(table, rows=tuple(rows))
+
+
 def is_mended(mutation: Mutation, repairs: tuple[Repair, ...]) -> bool:
     """Whether a single edit was found, in the right row."""
     single = [repair.edits[0] for repair in repairs if len(repair.edits) == 1]
@@ -96,6 +114,7 @@ def is_mended(mutation: Mutation, repairs: tuple[Repair, ...]) -> bool:
 MOST_WRONG = 5
 PADDED = 0.2
 IN_KEY_FRAMES = 0.3
+WITH_A_TYPE = 0.5
 PADDING = DHRow(joint=JointType.FIXED, theta=0.0, d=0.0, a=0.0, alpha=0.0)
 
 
@@ -103,9 +122,9 @@ def score_chains(block: int, tables: int = TABLES_PER_BLOCK) -> Outcome:
     """Tables with one more cell wrong every time, each drawn in other frames: the score never rises.
 
     The cells are changed in the key's own frames, each once and by a random amount, so that no change undoes
-    another; then the robot that results is drawn as a person would. Some tables stay in the key's frames, and
-    of these the types of joints become wrong as well. Failures are scores that rise or that depend on rows of
-    zeros, and tables of zeros that earn anything.
+    another; one of them may be the type of a joint. Then the robot that results is drawn as a person would,
+    or stays in the key's frames. Failures are scores that rise or that depend on rows of zeros, and tables of
+    zeros that earn anything.
     """
     rng = Random(f"chains {block}")
     known = references()
@@ -121,13 +140,12 @@ def score_chains(block: int, tables: int = TABLES_PER_BLOCK) -> Outcome:
         verdict = grade(key, written(zeros), policy)
         if not verdict.correct and verdict.score != 0.0:
             outcome.failures.append(f"zeros earn {verdict.score}: {name}")
-        before, wrong, redrawn = 1.0, reference, rng.random() > IN_KEY_FRAMES
-        for cell in _some_cells(reference, rng, types=not redrawn):
-            wrong = _spoiled(wrong, cell, rng)
-            answer = drawn_by_hand(wrong, rng) if redrawn else wrong
+        before, elsewhere, types = 1.0, rng.random() > IN_KEY_FRAMES, rng.random() < WITH_A_TYPE
+        for wrong in spoiled_tables(reference, rng, cells=MOST_WRONG, types=types):
+            answer = redrawn(wrong, reference, rng) if elsewhere else wrong
             if answer is None:
                 break
-            place = f"{name}, block {block}, {cell}"
+            place = f"{name}, block {block}"
             score = with_rows = grade(key, written(answer), policy).score
             if rng.random() < PADDED:
                 padded = DHTable(convention=answer.convention, rows=(*answer.rows, PADDING, PADDING))
@@ -158,6 +176,15 @@ def _some_cells(table: NumericTable, rng: Random, *, types: bool) -> list[tuple[
     if types:
         chosen[rng.randrange(len(chosen))] = rng.choice(joints)
     return chosen
+
+
+def spoiled_tables(key: NumericTable, rng: Random, *, cells: int, types: bool) -> list[NumericTable]:
+    """A key with one more cell wrong every time; one of them may be the type of a joint."""
+    wrong, found = key, []
+    for cell in _some_cells(key, rng, types=types)[:cells]:
+        wrong = _spoiled(wrong, cell, rng)
+        found.append(wrong)
+    return found
 
 
 _OTHER_TYPE = {JointType.REVOLUTE: JointType.PRISMATIC, JointType.PRISMATIC: JointType.REVOLUTE}

@@ -1,0 +1,121 @@
+"""Laws of the mark: it does not depend on the frames, and it never rises for one more thing wrong."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import pairwise
+from random import Random
+
+import pytest
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+
+from exercises.grading import DirectionRule, Policy, ToolRule, ZeroRule, grade
+from exercises.grading.alignments import MOST_ALIGNMENTS, NOT_THERE, alignments
+from kinematics.table import NumericTable
+from tests.exercises.grading.campaign import redrawn, spoiled_tables
+from tests.exercises.grading.written import read, written
+from tests.kinematics.equivalence import tables
+from tests.kinematics.equivalence.campaign import references
+from tests.kinematics.equivalence.tables import HALF, P, R
+
+FREE = Policy(tool=ToolRule.FREE)
+SEEDS = st.integers(0, 10**6)
+
+
+def score(key: NumericTable, answer: NumericTable, policy: Policy = FREE) -> float:
+    return grade(written(key), written(answer), policy).score
+
+
+@settings(max_examples=20)
+@given(SEEDS)
+def test_a_wrong_type_beside_wrong_cells_costs_the_same_in_all_frames(seed: int) -> None:
+    """The joint is read as one of the key's type, on the line on which it was drawn."""
+    rng = Random(seed)
+    _, key = rng.choice(references())
+    *_, wrong = spoiled_tables(key, rng, cells=rng.choice((1, 2, 3)), types=True)
+    assume(wrong.joint_types != key.joint_types)
+    drawn = redrawn(wrong, key, rng)
+    assume(drawn is not None)
+    assert drawn
+    assert abs(score(key, drawn) - score(key, wrong)) < 0.011
+
+
+@given(SEEDS)
+def test_a_wrong_type_and_cells_one_after_the_other_never_raise_the_mark(seed: int) -> None:
+    rng = Random(seed)
+    _, key = rng.choice(references())
+    scores = [score(key, wrong) for wrong in spoiled_tables(key, rng, cells=4, types=True)]
+    assert scores == sorted(scores, reverse=True)
+
+
+def test_a_wrong_type_hides_no_length_beside_it() -> None:
+    """A slider has no place, but it was drawn where the joint is."""
+    for row in (2, 3):
+        turned = tables.changed(tables.PUMA, row, joint=P)
+        alone = score(tables.PUMA, turned)
+        for cell in ((row, "a"), (row - 1, "a"), (row, "alpha")):
+            wrong = tables.changed(turned, cell[0], **{cell[1]: 0.7})
+            assert score(tables.PUMA, wrong) < alone
+
+
+LADDER = tables.modified(
+    (R, 2 * HALF, 0, 0, HALF / 2),
+    (R, HALF / 3, 0.444, 0.153, 0),
+    (P, -HALF / 2, 0.572, -0.82, HALF),
+    (R, 0, 0.7, 0.894, 0),
+    (R, HALF / 6, 0, 0, HALF),
+    (R, 0, 0, 0.37, 2 * HALF),
+)
+STRICT = Policy(tool=ToolRule.FREE, zero=ZeroRule.FIGURE, direction=DirectionRule.FIGURE)
+
+
+@pytest.mark.parametrize("policy", [FREE, STRICT], ids=["free", "strict"])
+def test_a_third_row_missing_brings_no_link_back(policy: Policy) -> None:
+    """The link of row 5 stands there whether row 4 does or not."""
+    wrong = tables.changed(tables.changed(LADDER, 1, d=0.5, alpha=1.0), 6, d=-0.9)
+    rows, scores = list(wrong.rows), []
+    for missing in (3, 1, 1):
+        del rows[missing]
+        scores.append(score(LADDER, replace(wrong, rows=tuple(rows)), policy))
+    assert scores == sorted(scores, reverse=True)
+
+
+@given(SEEDS)
+def test_rows_missing_one_after_the_other_never_raise_the_mark(seed: int) -> None:
+    rng = Random(seed)
+    _, key = rng.choice(references())
+    rows, scores = list(key.rows), [1.0]
+    for _ in range(min(3, len(rows) - 1)):
+        del rows[rng.randrange(len(rows))]
+        answer = replace(key, rows=tuple(rows))
+        if answer.n_joints and not (verdict := grade(written(key), written(answer), FREE)).correct:
+            scores.append(verdict.score)
+    assert scores == sorted(scores, reverse=True)
+
+
+TYPES = st.lists(st.booleans(), min_size=3, max_size=8).map(lambda joints: (False, *joints, False))
+
+
+@given(TYPES, TYPES)
+def test_alignments_keep_both_ends_and_the_order(ours: tuple[bool, ...], theirs: tuple[bool, ...]) -> None:
+    """As many links are matched as the shorter of the two has, each with one link of the other."""
+    ways = alignments(ours, theirs)
+    links, other = len(ours) - 1, len(theirs) - 1
+    assert 0 < len(ways.shifts) <= MOST_ALIGNMENTS
+    for shifts, others in zip(ways.shifts.tolist(), ways.others, strict=True):
+        matched = [(i, i - shift) for i, shift in enumerate(shifts) if shift != NOT_THERE]
+        assert len(matched) == min(links, other)
+        assert (matched[0], matched[-1]) == ((0, 0), (links - 1, other - 1))
+        assert all(i < k and j < m for (i, j), (k, m) in pairwise(matched))
+        for (i, j), (k, m) in pairwise(matched):
+            alike = set(ours[i + 1 : k + 1]) & set(theirs[j + 1 : m + 1])
+            assert (i + 1 in others) == (not alike)
+
+
+def test_an_offset_that_another_type_hides_is_neither_right_nor_wrong() -> None:
+    """Where the variable stands now, the key has a constant; the rest is worth as much as all was."""
+    slides = read("standard", [("pi/2", 0, 0.4, "q1"), (0, 0.5, 0.3, "q2"), ("pi/2", 0.2, 0.1, "q3")])
+    for offset in ("q2", "q2 + 0.7"):
+        answer = read("standard", [("pi/2", 0, 0.4, "q1"), (0, 0.5, offset, 0), ("pi/2", 0.2, 0.1, "q3")])
+        assert grade(slides, answer, FREE).score == 0.5
