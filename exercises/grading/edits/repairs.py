@@ -1,4 +1,7 @@
-"""The smallest edits that make a wrong table right: one from the catalogue of misconceptions, else two."""
+"""The smallest edits that make a wrong table right: one from the catalogue of misconceptions, else two.
+
+Three only where the number of joints is wrong, and one of them is the convention, which spoils all facts.
+"""
 
 from __future__ import annotations
 
@@ -14,6 +17,7 @@ from exercises.grading.edits.fitting import MOST_SIGNS
 from exercises.grading.edits.misconceptions import RANKS
 from exercises.grading.edits.row_edits import any_row_left_out, joint_left_out, row_left_out
 from exercises.grading.edits.sieve import Sieve
+from exercises.grading.edits.table_edits import other_convention
 from exercises.grading.edits.trials import (
     Catalogue,
     Trial,
@@ -43,6 +47,8 @@ MOST_ROWS_TOGETHER = 160
 MOST_REPAIRS = 6
 # A convention is declared once: likelier wrong than a row, less likely than a cell.
 DECLARED = (Extent.CELL.value + Extent.ROW.value) / 2
+# of fewer, three edits make almost anything
+FEWEST_JOINTS = 3
 # a single edit adds or removes one joint
 MOST_JOINTS_APART = 2
 
@@ -77,7 +83,19 @@ def find_repairs(work: Work, *, pairs: bool = True) -> tuple[Repaired, ...]:
     with suppress(WorkExhaustedError):
         for repaired in islice(_found(work, pairs=pairs), MOST_REPAIRS):
             found.append(repaired)  # noqa: PERF402 - what was found before the work ran out counts
+    if not found and pairs and work.excess and work.table.n_joints >= FEWEST_JOINTS:
+        found += _in_the_other_convention(work)
     return tuple(found)
+
+
+def _in_the_other_convention(work: Work) -> Iterator[Repaired]:
+    """What mends the table if its rows are meant in the other convention, after that has been declared."""
+    for declared in other_convention(work):
+        comparison = work.comparison.declared(declared.of(work.table).convention)
+        other = replace(work, comparison=comparison, table=comparison.meant[work.draw])
+        with suppress(WorkExhaustedError):
+            for repaired in islice(_found(other, pairs=True), MOST_REPAIRS):
+                yield Repaired((declared, *repaired.changes))
 
 
 def _found(work: Work, *, pairs: bool) -> Iterator[Repaired]:

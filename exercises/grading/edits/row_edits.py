@@ -12,9 +12,11 @@ from exercises.grading.edits.changes import ROW_CELLS, Change, Extent, with_row,
 from exercises.grading.edits.fitting import fitted_table
 from exercises.grading.edits.last_row import last_row
 from exercises.grading.edits.work import Work
+from exercises.grading.facts import NEARLY
 from exercises.grading.judging.typed import Place
 from kinematics.equivalence import ToolRule
 from kinematics.equivalence.batches import CellChange
+from kinematics.se3 import cross, norm
 from kinematics.table import CELLS, VARIABLE_CELLS, DHRow, JointType, NumericRow, NumericTable
 
 # In longer tables only neighbouring rows are exchanged.
@@ -71,7 +73,10 @@ def _of_type(work: Work, code: str, index: int, joint: JointType) -> Change:
 
 
 def rows_swapped(work: Work) -> Iterator[Change]:
-    """Exchange two rows."""
+    """Exchange two rows; none of which the types alone are wrong, unless their joints are neighbours in line.
+
+    A slider and a joint that turns about a parallel axis make the same motions in either order.
+    """
     rows = work.table.rows
     entries = [(row.alpha, row.a, row.d, row.theta) for row in rows]
     kept = work.kept_rows
@@ -79,6 +84,8 @@ def rows_swapped(work: Work) -> Iterator[Change]:
     for (i, one), (j, other) in combinations(enumerate(rows), 2):
         differ = one.joint is not other.joint or one.sign != other.sign
         if j - i > farthest or i in kept or j in kept or not work.is_near(i, j, moves=differ):
+            continue
+        if differ and work.has_wrong_types_alone and not _commute(work, i, j):
             continue
         cells: list[CellChange] = []
         table = None
@@ -93,6 +100,13 @@ def rows_swapped(work: Work) -> Iterator[Change]:
         if cells or table:
             params = (("other", j + 1),)
             yield Change("rows_swapped", Extent.ROW, i, None, tuple(cells), table, _both(i, j), params)
+
+
+def _commute(work: Work, i: int, j: int) -> bool:
+    """Whether joints of the key in two rows of a table follow each other along parallel axes."""
+    first, *between = (joint for joint, row in enumerate(work.table.joint_rows) if i <= row <= j)
+    axes = work.reference.chain.axes
+    return between == [first + 1] and norm(cross(axes[first].direction, axes[first + 1].direction)) <= NEARLY
 
 
 def _whole(row: int) -> tuple[Place, ...]:

@@ -11,7 +11,7 @@ from typing import TypeAlias
 import numpy as np
 
 from exercises.grading.edits.changes import ROW_CELLS, Change, TableSlip
-from exercises.grading.facts import Floats
+from exercises.grading.facts import Facts, Floats, fixed_ends
 from exercises.grading.judging.comparison import Comparison
 from exercises.grading.judging.end_lines import ends_beyond_digits
 from exercises.grading.judging.judgement import share_of
@@ -21,7 +21,7 @@ from kinematics.chain import chain_of_table
 from kinematics.equivalence import Policy
 from kinematics.equivalence.batches import CellChange
 from kinematics.equivalence.decision import convention_fits, is_certified
-from kinematics.equivalence.invariants import Invariants, invariants_of
+from kinematics.equivalence.invariants import Invariants, axes_of, invariants_of
 from kinematics.equivalence.meter import PER_ROW, Meter
 from kinematics.equivalence.reference import Reference
 from kinematics.equivalence.search import Effort
@@ -154,6 +154,16 @@ class Work:
     def has_the_joints(self, table: NumericTable | None = None) -> bool:
         """Return whether the table, or another, has the key's types of joints in order."""
         return (table or self.table).joint_types == self.reference.table.joint_types
+
+    @cached_property
+    def has_wrong_types_alone(self) -> bool:
+        """Whether joints are of another type, and the facts are right if they are read as the key's."""
+        if self.excess or self.has_the_joints():
+            return False
+        key = axes_of(self.reference.chain, self.policy)
+        worth, fixed = np.ones(self.n_facts), fixed_ends(len(key), self.policy)
+        facts = Facts(key, self.facts, fixed, worth, sign=1.0)
+        return facts.wrong(axes_of(chain_of_table(self.table), self.policy)) == 0.0
 
     def is_a_joint_off(self, table: NumericTable) -> bool:
         """Return whether one joint of a table is missing, superfluous or of another type, and no more."""

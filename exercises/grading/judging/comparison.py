@@ -27,7 +27,7 @@ from kinematics.caching import USUAL_ROWS, cached_by_size
 from kinematics.cells import AngleUnit, ReadTable, in_length_unit
 from kinematics.errors import Fault, ParameterError
 from kinematics.expressions import ZERO, Expression, parameters_in
-from kinematics.table import CELLS, DHTable, NumericTable, SymbolicTable, bind
+from kinematics.table import CELLS, Convention, DHTable, NumericTable, SymbolicTable, bind
 
 # Two unequal sums of names agree at a random draw with probability zero; three leave room for signs.
 DRAWS = 3
@@ -114,6 +114,12 @@ class Comparison:
     def typed_exactly(self) -> bool:
         """Whether no entry was rounded."""
         return self.drawn[0].meant is self.drawn[0].submission
+
+    def declared(self, convention: Convention) -> Comparison:
+        """Return the same, with the answer declared in a convention."""
+        drawn = (one._replace(meant=replace(one.meant, convention=convention)) for one in self.drawn)
+        table = replace(self.meant_table, convention=convention)
+        return replace(self, drawn=tuple(drawn), meant_table=table)
 
     def with_first(self, draw: int) -> Comparison:
         """Return the same, with a draw (its number, from 0) moved to the front."""

@@ -12,7 +12,8 @@ import pytest
 from exercises.grading import BaseRule, DirectionRule, HelpLevel, Policy, ToolRule, Verdict, ZeroRule, grade
 from kinematics.table import Convention, DHTable, NumericRow, NumericTable
 from tests.exercises.grading.campaign import drawn_by_hand
-from tests.exercises.grading.written import written
+from tests.exercises.grading.test_grade import Rows, with_cells
+from tests.exercises.grading.written import read, written
 from tests.kinematics.equivalence.campaign import catalogue
 from tests.kinematics.equivalence.tables import HALF, PUMA, F, P, R, changed, standard
 
@@ -146,3 +147,56 @@ def test_no_explanation_of_a_forgotten_row_and_an_angle_in_degrees_fails(name: s
             del rows[missing - 1]
             wrong = DHTable(convention=table.convention, rows=tuple(rows))
             assert not grade(written(key), written(wrong), FREE, help_level=HelpLevel.REPAIR).correct
+
+
+def test_two_wrong_types_are_no_rows_exchanged() -> None:
+    """Rows 3 and 5 exchanged would explain the table as well; but of all the rest nothing is wrong."""
+    key = dict(catalogue())["stanford"]
+    wrong = changed(changed(key, 3, joint=R), 5, joint=P)
+    verdict = grade(written(key), written(wrong), Policy(tool=ToolRule.FREE))
+    assert [(edit.code, edit.row) for edit in verdict.repairs[0].edits] == [
+        ("joint_type", 3),
+        ("joint_type", 5),
+    ]
+    assert verdict.score == 0.44
+
+
+def test_neighbours_in_line_are_exchanged() -> None:
+    """The last two joints of a SCARA make the same motions in either order."""
+    key = dict(catalogue())["scara"]
+    wrong = changed(changed(key, 3, joint=R), 4, joint=P)
+    verdict = grade(written(key), written(wrong), Policy(tool=ToolRule.FREE))
+    assert [(edit.code, edit.row) for edit in verdict.repairs[0].edits] == [("rows_swapped", 3)]
+
+
+@pytest.mark.parametrize(("missing", "row", "cell"), [(3, 5, "alpha"), (5, 2, "a"), (2, 4, "d")])
+def test_a_wrong_cell_is_told_beside_a_missing_row_in_the_wrong_convention(
+    missing: int, row: int, cell: str
+) -> None:
+    wrong = changed(PUMA, row, **{cell: 0.37})
+    rows = tuple(given for i, given in enumerate(wrong.rows, 1) if i != missing)
+    answer = DHTable(convention=Convention.MODIFIED, rows=rows)
+    verdict = grade(written(PUMA), written(answer), FREE)
+    edits = [(edit.code, edit.row) for edit in verdict.repairs[0].edits]
+    assert edits[0] == ("convention", None)
+    assert {code for code, _ in edits[1:]} == {"row_missing", f"{cell}_value"}
+    place = row - (row > missing)
+    assert {at for code, at in edits if code != "row_missing"} == {None, place}
+    assert verdict.score == round(1 - (3 + 2 + 1) / 9, 2)
+
+
+def test_three_slips_in_names_are_told_as_well() -> None:
+    key: Rows = [
+        ("pi/2", 0, 0, "q1"),
+        (0, "a2", 0, "q2"),
+        ("-pi/2", "a3", "d3", "q3"),
+        ("pi/2", 0, "d4", "q4"),
+    ]
+    key += [("-pi/2", 0, 0, "q5"), (0, 0, 0, "q6")]
+    rows = with_cells([*key[:4], key[5]], (2, 1, "a3"), (5, 3, "q5"))
+    verdict = grade(read("standard", key), read("modified", rows), FREE)
+    assert [(edit.code, edit.row) for edit in verdict.repairs[0].edits] == [
+        ("convention", None),
+        ("cell_parameter", 2),
+        ("row_missing", 5),
+    ]
