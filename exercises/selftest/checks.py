@@ -38,7 +38,9 @@ from kinematics.table import JointType, NumericTable, bind
 
 CONFIGURATIONS = 5
 """Joint values, drawn anew for each seed, at which a certificate is evaluated: one would show a wrong one."""
-LOST = frozenset({"columns_late", "columns_early", "row_missing", "joint_fixed"})
+LOST = frozenset(
+    {"columns_late", "columns_early", "twists_late", "twists_early", "row_missing", "joint_fixed"}
+)
 """Mistakes that may lose what the table said; then no edit can tell it again."""
 
 

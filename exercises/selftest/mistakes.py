@@ -99,6 +99,16 @@ def _twists_all_reversed(read: ReadTable) -> Iterator[ReadTable]:
         yield _rows(read, rows)
 
 
+def _twists_late(read: ReadTable) -> Iterator[ReadTable]:
+    twists = [ZERO, *(row.alpha for row in read.table.rows[:-1])]
+    yield _shifted(read, [(twist, row.a) for twist, row in zip(twists, read.table.rows, strict=True)])
+
+
+def _twists_early(read: ReadTable) -> Iterator[ReadTable]:
+    twists = [*(row.alpha for row in read.table.rows[1:]), ZERO]
+    yield _shifted(read, [(twist, row.a) for twist, row in zip(twists, read.table.rows, strict=True)])
+
+
 def _columns_late(read: ReadTable) -> Iterator[ReadTable]:
     columns = [(ZERO, ZERO), *((row.alpha, row.a) for row in read.table.rows[:-1])]
     yield _shifted(read, columns)
@@ -176,6 +186,8 @@ MISTAKES: dict[str, Mistake] = {
     "length_unit": _length_unit,
     "columns_late": _columns_late,
     "columns_early": _columns_early,
+    "twists_late": _twists_late,
+    "twists_early": _twists_early,
     "parameter_misnamed": _parameter_misnamed,
     "parameters_swapped": _parameters_swapped,
     "alpha_sign": _each_row(_twist_reversed),

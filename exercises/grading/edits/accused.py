@@ -64,19 +64,33 @@ def accused(repairs: Sequence[Repaired], table: NumericTable, key: NumericTable)
         )
         return Accused((), alike) if alike else Accused(best, ())
     if repairs[0].of(table) is None:
-        return Accused(best, ())
-    choices = [(held, _beside(held, repairs)) for held in best]
+        return _choice_of_places(repairs)
+    choices = [(held, _beside((held,), repairs)) for held in best]
     held, others = max(choices, key=lambda choice: len(choice[1]))
     alike = _equally_good(others, held.of(table), key) if len(others) > 1 else ()
     return Accused((held,), alike) if alike else Accused(best, ())
 
 
-def _beside(held: Change, repairs: Sequence[Repaired]) -> list[Change]:
-    """The other edits of those pairs of which one edit is this one."""
+def _choice_of_places(repairs: Sequence[Repaired]) -> Accused:
+    """Of edits of which one is of more than cells those that may stand elsewhere, if all the others are made.
+
+    Of two rows of a wrist nobody can say which one is missing, whatever else is wrong.
+    """
+    best = repairs[0].changes
+    for one in best:
+        held = tuple(change for change in best if change is not one)
+        alike = tuple(other for other in _beside(held, repairs) if other.code == one.code)
+        if one.row is not None and len({other.row for other in alike}) > 1:
+            return Accused(held, alike)
+    return Accused(best, ())
+
+
+def _beside(held: Sequence[Change], repairs: Sequence[Repaired]) -> list[Change]:
+    """The other edit of those repairs of which all edits but one are these."""
     found = []
     for repair in repairs:
-        others = [change for change in repair.changes if not change.is_nearly(held)]
-        if len(others) == len(repair.changes) - 1 == 1:
+        others = [change for change in repair.changes if not any(map(change.is_nearly, held))]
+        if len(others) == len(repair.changes) - len(held) == 1:
             found.append(others[0])
     return found
 

@@ -45,6 +45,8 @@ from exercises.grading.edits.table_edits import (
     other_convention,
     parameter_misnamed,
     parameters_swapped,
+    twists_a_row_early,
+    twists_a_row_late,
 )
 from exercises.grading.edits.work import Work
 from exercises.grading.judging.typed import ANGLES
@@ -126,6 +128,20 @@ CATALOGUE: tuple[Misconception, ...] = (
         hint="columns_throughout",
         beforehand=True,
         sizes=ALONG_X,
+    ),
+    Misconception(
+        code="twists_late",
+        changes=twists_a_row_late,
+        hint="twists_out_of_place",
+        beforehand=True,
+        sizes=TWISTS,
+    ),
+    Misconception(
+        code="twists_early",
+        changes=twists_a_row_early,
+        hint="twists_out_of_place",
+        beforehand=True,
+        sizes=TWISTS,
     ),
     Misconception(
         code="columns_exchanged", changes=columns_exchanged, hint="columns_in_disorder", beforehand=True

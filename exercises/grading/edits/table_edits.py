@@ -19,6 +19,7 @@ from kinematics.expressions import Expression, evaluate
 from kinematics.table import Convention, DHTable, JointType, NumericRow
 
 ALONG_X = ("alpha", "a")
+LATE, EARLY = {"columns_late", "twists_late"}, {"columns_early", "twists_early"}
 # Metres, decimetres, centimetres and millimetres for one another, the likeliest first.
 LENGTH_RATIOS = (1000.0, 0.001, 100.0, 0.01, 10.0, 0.1)
 # Parts of the robot's size, a sieve: what all lengths of a table come to, if it may be this robot at all.
@@ -120,15 +121,28 @@ def columns_a_row_early(work: Work) -> Iterator[Change]:
     return _along_x_of(work, "columns_early", [None, *rows[:-1]])
 
 
-def _along_x_of(work: Work, code: str, others: Sequence[NumericRow | None]) -> Iterator[Change]:
-    """A and α of every row as they stand in another, or zero."""
-    if not work.leaves(ALONG_X):
+def twists_a_row_late(work: Work) -> Iterator[Change]:
+    """Move α alone up by a row."""
+    return _along_x_of(work, "twists_late", [*work.table.rows[1:], None], ("alpha",))
+
+
+def twists_a_row_early(work: Work) -> Iterator[Change]:
+    """Move α alone down by a row."""
+    return _along_x_of(work, "twists_early", [None, *work.table.rows[:-1]], ("alpha",))
+
+
+def _along_x_of(
+    work: Work, code: str, others: Sequence[NumericRow | None], columns: tuple[str, ...] = ALONG_X
+) -> Iterator[Change]:
+    """A and α of every row, or one of them, as they stand in another, or zero."""
+    if not work.leaves(columns):
         return iter(())
-    touched = _places(tuple(range(len(others))), ALONG_X)
+    # what stood in the row in which nothing stands now is lost, and may have to be put there again
+    touched = _places(tuple(i for i, other in enumerate(others) if other is not None), columns)
     cells = [
         (i, name, now)
         for i, (row, other) in enumerate(zip(work.table.rows, others, strict=True))
-        for name in ALONG_X
+        for name in columns
         if (now := 0.0 if other is None else getattr(other, name)) != getattr(row, name)
     ]
     return _throughout(code, touched, cells)
@@ -146,13 +160,15 @@ def hides_an_entry(work: Work, change: Change) -> bool:
             cell == "alpha" and abs(value) <= least < abs(work.table.rows[row].alpha)
             for row, cell, value in change.cells
         )
-    if change.code not in ("columns_late", "columns_early"):
+    if change.code not in LATE | EARLY:
         return False
-    row, key = (0 if change.code == "columns_late" else -1), work.reference.table.rows
+    row, key = (0 if change.code in LATE else -1), work.reference.table.rows
     tolerance = {
         "alpha": work.policy.tolerance.angle,
         "a": work.policy.tolerance.length * work.reference.size,
     }
+    if change.code.startswith("twists"):
+        del tolerance["a"]
     return any(
         all(abs(abs(value) - abs(known)) > slack for known in (0.0, *(getattr(each, cell) for each in key)))
         for table in (work.table, change.of(work.table))

@@ -223,6 +223,8 @@ THROUGHOUT = {
     ],
     "columns_late": ["α1 0° a1 0.4 α2 30° a2 0.3 α3 5157° a3 0.05 α4 0° a4 0"],
     "columns_early": ["α1 0° a1 0 α2 28.65° a2 0.1 α3 0° a3 0.4 α4 30° a4 0.3"],
+    "twists_late": ["α1 0° α2 30° α3 5157° α4 0°"],
+    "twists_early": ["α1 0° α2 28.65° α3 0° α4 30°"],
     "columns_exchanged": [
         "α1 5.73° a1 0.5 α2 22.92° a2 0 α3 17.19° a3 0.5236 α4 2.865° a4 90",
         "d1 0.1 a1 0 d2 0.4 a2 200 d4 0.05 a4 0",
@@ -521,7 +523,15 @@ def test_before_a_joint_too_few_what_leaves_one_too_few_is_undone() -> None:
     codes = {change.code for change in changes_beforehand(on)}
     assert codes == {
         *("convention", "angles_in_degrees", "length_unit", "columns_late", "columns_early"),
-        *("columns_exchanged", "columns_reordered", "twists_all_reversed", "joint_type", "rows_swapped"),
+        *(
+            "twists_late",
+            "twists_early",
+            "columns_exchanged",
+            "columns_reordered",
+            "twists_all_reversed",
+            "joint_type",
+            "rows_swapped",
+        ),
     }
     named = read("standard", [("beta", "a2", 0, "q1"), (0, "b", "h", 0)])
     key = read("standard", [("beta", "a1", 0, "q1"), (0, "a2", "h", "q2")])

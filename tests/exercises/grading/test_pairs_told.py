@@ -200,3 +200,43 @@ def test_three_slips_in_names_are_told_as_well() -> None:
         ("cell_parameter", 2),
         ("row_missing", 5),
     ]
+
+
+def with_twists(key: NumericTable, twists: Sequence[float]) -> NumericTable:
+    """A table with other twists, from the first row on."""
+    table = key
+    for row, alpha in enumerate(twists, 1):
+        table = changed(table, row, alpha=alpha)
+    return table
+
+
+def test_twists_that_alone_stand_in_the_next_row_are_told_as_that() -> None:
+    """The lengths are right: that of row 3 was called wrong."""
+    twists = [row.alpha for row in PUMA.rows]
+    verdict = grade(written(PUMA), written(with_twists(PUMA, [0.0, *twists[:-1]])), FREE)
+    assert [edit.code for edit in verdict.repairs[0].edits] == ["twists_late"]
+    assert [entry.code for entry in verdict.feedback] == ["not_equivalent", "twists_out_of_place"]
+    assert verdict.score == round(1 - 3 / 9, 2)
+    once_more = grade(written(PUMA), written(changed(with_twists(PUMA, [0.0, *twists[:-1]]), 2, a=0.7)), FREE)
+    assert once_more.score == round(1 - 4 / 9, 2)
+
+
+def test_of_twists_in_the_row_before_the_first_is_lost() -> None:
+    twists = [row.alpha for row in PUMA.rows]
+    verdict = grade(written(PUMA), written(with_twists(PUMA, [*twists[1:], 0.0])), FREE)
+    assert [(edit.code, edit.row) for edit in verdict.repairs[0].edits] == [
+        ("twists_early", None),
+        ("alpha_value", 1),
+    ]
+
+
+def test_which_of_two_rows_is_missing_is_left_open_beside_a_wrong_cell() -> None:
+    """Row 5 of the wrist was told to be missing, where row 6 was."""
+    wrong = changed(PUMA, 2, a=0.7)
+    verdict = grade(written(PUMA), written(DHTable(convention=PUMA.convention, rows=wrong.rows[:5])), FREE)
+    assert accused(verdict) == [
+        ("length_wrong", 2),
+        ("one_of_these", None),
+        ("row_missing", 5),
+        ("row_missing", 6),
+    ]
