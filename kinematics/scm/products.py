@@ -38,9 +38,10 @@ from kinematics.scm.chain import Entry, Placement
 from kinematics.scm.differentiation import jacobian_by_differentiation
 from kinematics.scm.rows import RIGHT_ANGLE
 from kinematics.se3 import ORTHONORMAL_TOLERANCE
-from kinematics.symbolic import Matrix, ProofStatus, canonical, compare, count_operations
+from kinematics.symbolic import Matrix, ProofStatus, compare
 from kinematics.symbolic.motions import Motion
 from kinematics.symbolic.runs import Runs
+from kinematics.symbolic.shortening import shortened
 from kinematics.symbolic.writing import MatrixWriter
 
 RawMatrix: TypeAlias = Sequence[Sequence[Cell]]
@@ -172,7 +173,7 @@ def compare_matrices(left: Matrix, right: Matrix) -> ProofStatus:
 
 
 def jacobian_of_product(product: Matrix, n_joints: int, frame: JacobianFrame) -> Matrix:
-    """Return J0 or Jn of any matrix of direct kinematics (H2J), each entry as short as it can be.
+    """Return J0 or Jn of any matrix of direct kinematics (H2J), each entry in the shortest form found.
 
     Raises:
         DescriptionError: a joint variable stands in a function of which no transform consists.
@@ -183,16 +184,7 @@ def jacobian_of_product(product: Matrix, n_joints: int, frame: JacobianFrame) ->
         J = jacobian_by_differentiation(product, n_joints, frame)
     except ValueError:
         raise DescriptionError(Fault.at("no_derivative", "products")) from None
-    return tuple(tuple(_shorter(entry) for entry in row) for row in J)
-
-
-def _shorter(entry: Expression) -> Expression:
-    """The entry, or its normal form where that has fewer operations."""
-    try:
-        normal = canonical(entry).expression()
-    except (FormSizeError, ZeroDivisionError):
-        return entry
-    return normal if count_operations([normal]) < count_operations([entry]) else entry
+    return shortened(J)
 
 
 def check_rotations(factors: Sequence[Factor], product: int) -> None:

@@ -9,6 +9,7 @@ Matrices to be read, nested as people nest them:
   closed_form       link matrices, frames and ⁰T_N
   differential      columns of Jacobians
   analytic          the Jacobian of three angles
+  shortening        entries of any matrix in a short form
 Decisions, in a ring in which every function has one normal form:
   elements, ring    symbols, monomials, forms, and their arithmetic
   key_layout        the exponents of a term in one integer

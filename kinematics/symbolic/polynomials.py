@@ -25,6 +25,7 @@ from kinematics.expressions import (
     Power,
     Product,
     Sum,
+    call,
     terms_of,
 )
 
@@ -36,7 +37,7 @@ Symbol: TypeAlias = JointVariable | Parameter
 PRODUCTS = 20_000
 """Products of terms that one reader may form, some 5 ms."""
 _BITS = 12
-_FIELD = (1 << _BITS) - 1
+FIELD = (1 << _BITS) - 1
 _LARGEST_POWER = 64
 _LARGEST_MULTIPLE = 24
 """Bits of an exponent; the largest power, and multiple of an angle, that are read: far below half a field,
@@ -90,6 +91,23 @@ class PolynomialReader:
         except _NotReadError:
             return None
 
+    def take(self, angle: Expression, name: Symbol) -> None:
+        """Count an angle as a whole from now on, also where it is a sum: as the angle of this name."""
+        self._pairs[angle] = self._multiple(name, 1)
+
+    def factors(self, wholes: Mapping[Symbol, Expression]) -> dict[Expression, int]:
+        """Return the place of the exponent in a key for each name, and each cosine and sine of an angle.
+
+        Args:
+            wholes: the angles that were taken as wholes, by their names.
+        """
+        found: dict[Expression, int] = {}
+        found.update(self._names.items())
+        for name, shift in self._angles.items():
+            angle = wholes.get(name, name)
+            found |= {call(Function.COS, angle): shift, call(Function.SIN, angle): shift + _BITS}
+        return found
+
     def product(self, polynomials: Iterable[Polynomial]) -> Polynomial | None:
         """Return a product; None if it has very many terms."""
         result = ONE
@@ -104,11 +122,11 @@ class PolynomialReader:
         """Return the degree in the sine and cosine of each angle and in each prismatic variable."""
         found: dict[Symbol, int] = {}
         for symbol, shift in self._angles.items():
-            powers = [(key >> shift & _FIELD) + (key >> shift + _BITS & _FIELD) for key in polynomial]
+            powers = [(key >> shift & FIELD) + (key >> shift + _BITS & FIELD) for key in polynomial]
             found[symbol] = max(powers, default=0)
         for symbol, shift in self._names.items():
             if type(symbol) is JointVariable and not found.get(symbol):
-                found[symbol] = max((key >> shift & _FIELD for key in polynomial), default=0)
+                found[symbol] = max((key >> shift & FIELD for key in polynomial), default=0)
         return {symbol: degree for symbol, degree in found.items() if degree}
 
     def normalised(self, polynomial: Polynomial) -> Polynomial:
@@ -116,7 +134,7 @@ class PolynomialReader:
         common = 0
         for symbol, shift in self._names.items():
             if isinstance(symbol, Parameter):
-                common += min(key >> shift & _FIELD for key in polynomial) << shift
+                common += min(key >> shift & FIELD for key in polynomial) << shift
         lead = polynomial[max(polynomial)]
         return {key - common: Fraction(weight) / lead for key, weight in polynomial.items()}
 
@@ -265,7 +283,7 @@ class PolynomialReader:
         shift = self._angles.get(symbol)
         if shift is None:
             shift = self._angles[symbol] = self._field(1 << _BITS - 1)
-            self._field(_FIELD - 1)
+            self._field(FIELD - 1)
         return shift
 
     def _field(self, beyond: int) -> int:

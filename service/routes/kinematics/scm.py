@@ -218,7 +218,7 @@ async def _closed(body: ClosedFormQuestion, wanted: Wanted, request: ApiRequest)
     """The answer in closed form, from a worker process."""
     read = await request.in_turn(partial(written_structure, body, request.settings.cell_limits))
     task = ChainTask.of(read, wanted, body.formats, body.notation)
-    lane = Lane.QUICK if is_quick(read.chain) else Lane.SLOW
+    lane = Lane.QUICK if is_quick(read.chain, wanted) else Lane.SLOW
     return BytesResponse(await request.resources.workers.run(lane, written_chain, task))
 
 

@@ -14,17 +14,19 @@ from kinematics.scm import (
     ScmChain,
     closed_form_scm,
     inverse_closed_form_scm,
-    jacobian_by_differentiation,
     jacobian_closed_form_scm,
     verify,
 )
+from kinematics.scm.products import jacobian_of_product
 from kinematics.symbolic import Matrix
 from service.schemas.tables import units_of
 from service.wire.kinematics.symbolic_forms import Writing
 
 DEFAULT_FORMATS = (Format.TEXT, Format.LATEX)
 _QUICK_JOINTS = 8
-"""Joints of a chain whose closed forms are answered at once, without a process of their own."""
+_QUICK_DERIVATIVES = 4
+"""Joints of a chain whose closed forms are answered at once, without a process of their own; of one whose
+matrix is differentiated, too."""
 
 
 class Wanted(StrEnum):
@@ -78,9 +80,10 @@ class ChainTask:
         )
 
 
-def is_quick(chain: ScmChain) -> bool:
-    """Return whether closed forms of a chain are certain to be small."""
-    return chain.n_joints <= _QUICK_JOINTS and not verify(chain)
+def is_quick(chain: ScmChain, wanted: Wanted) -> bool:
+    """Return whether closed forms of a chain are certain to be small, and found at once."""
+    most = _QUICK_DERIVATIVES if wanted is Wanted.DIFFERENTIATED_JACOBIANS else _QUICK_JOINTS
+    return chain.n_joints <= most and not verify(chain)
 
 
 def written_chain(task: ChainTask) -> bytes:
@@ -116,8 +119,8 @@ def _matrices(task: ChainTask) -> dict[str, Matrix | list[Matrix]]:
     form = closed_form_scm(chain)
     if task.wanted is Wanted.DIFFERENTIATED_JACOBIANS:
         return {
-            "J0": jacobian_by_differentiation(form.transform, chain.n_joints, JacobianFrame.BASE),
-            "Jn": jacobian_by_differentiation(form.transform, chain.n_joints, JacobianFrame.END),
+            "J0": jacobian_of_product(form.transform, chain.n_joints, JacobianFrame.BASE),
+            "Jn": jacobian_of_product(form.transform, chain.n_joints, JacobianFrame.END),
         }
     return {
         "transform": form.transform,

@@ -31,7 +31,8 @@ from kinematics.scm import (
     jacobian_end_by_inspection,
     jacobian_numbers_by_differentiation,
 )
-from kinematics.symbolic import same_function
+from kinematics.scm.products import jacobian_of_product
+from kinematics.symbolic import count_operations, same_function
 from tests.conftest import EXPLORE
 
 from .chains import STANFORD, chain_of, loose_chains
@@ -79,6 +80,21 @@ def test_inspection_and_differentiation_give_the_same_functions(robot_id, frame)
     for row, other in zip(inspected[proved], differentiated[proved], strict=True):
         for entry, derived in zip(row, other, strict=True):
             assert same_function(entry, derived)
+
+
+@ROBOTS
+def test_what_differentiation_leaves_is_as_short_as_what_inspection_writes(robot_id):
+    """J0: before s² + c² is 1, an angular entry of six joints has hundreds of operations."""
+    chain = catalogue.robot(robot_id).chain.read
+    lengths = {name: 0.3 + 0.2 * i for i, name in enumerate(chain.parameters)}
+    q = [0.4 + 0.3 * i * (-1) ** i for i in range(chain.chain.n_joints)]
+    inspected = jacobian_closed_form_scm(chain.chain)
+    transform = closed_form_scm(chain.chain).transform
+    differentiated = jacobian_of_product(transform, chain.chain.n_joints, JacobianFrame.BASE)
+    expected = numbers_of(inspected, lengths, q)
+    np.testing.assert_allclose(numbers_of(differentiated, lengths, q), expected, atol=1e-13)
+    written = [count_operations([entry for row in J for entry in row]) for J in (differentiated, inspected)]
+    assert written[0] <= written[1]
 
 
 @settings(max_examples=50 if EXPLORE else 10)
