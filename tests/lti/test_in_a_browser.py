@@ -14,7 +14,7 @@ from playwright.sync_api import Frame, Page, Route, expect, sync_playwright
 
 from tests.lti.classes import TEACHER, Browser, Lms, eventually, hint
 from tests.lti.test_launches import CUSTOM, RIGHT
-from tests.web.conftest import ARGUMENTS, CHROMIUM
+from tests.web.conftest import ARGUMENTS, CHROMIUM, new_context
 from tests.web.driving import PUMA
 
 BLOCKED = "--test-third-party-cookie-phaseout"
@@ -37,7 +37,7 @@ def chromium() -> Iterator[Chromium]:
 @pytest.fixture
 def page(chromium: Chromium) -> Iterator[Page]:
     """A page whose complaints fail the test."""
-    context = chromium.new_context(viewport={"width": 1280, "height": 1000}, locale="en", timezone_id="UTC")
+    context = new_context(chromium, viewport={"width": 1280, "height": 1000}, locale="en", timezone_id="UTC")
     context.set_default_timeout(PATIENCE)
     opened = context.new_page()
     said: list[str] = []
@@ -125,7 +125,7 @@ def test_a_lost_answer_costs_no_second_attempt(
     chromium: Chromium, lms: Lms, service: str, browser: Browser
 ) -> None:
     """The service stores the attempt, its answer never arrives; the next press asks for the same attempt."""
-    context = chromium.new_context(viewport={"width": 1280, "height": 1000}, locale="en", timezone_id="UTC")
+    context = new_context(chromium, viewport={"width": 1280, "height": 1000}, locale="en", timezone_id="UTC")
     context.set_default_timeout(PATIENCE)
     page = context.new_page()
     keys: list[str | None] = []

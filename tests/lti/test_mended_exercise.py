@@ -24,6 +24,7 @@ from tests.exercises.folders import TWO_LINKS, changed, folder, with_part
 from tests.live_service import running
 from tests.lti.test_in_a_browser import PATIENCE, chromium  # noqa: F401
 from tests.lti.test_session_grading import WRONG
+from tests.web.conftest import new_context
 
 MENDED = changed("L1.value = 0.5", "L1.value = 0.6")
 
@@ -161,7 +162,7 @@ def test_the_page_says_so(tmp_path: Path, settings: Settings, chromium: Chromium
         form = {"table": {**WRONG["table"], "angleUnit": "deg", "lengthUnit": "m"}, "parts": {}}
         Student(origin, settings).submit({**WRONG, "form": form}, "one")
     folder(tmp_path / "own", MENDED)
-    context = chromium.new_context(viewport={"width": 1280, "height": 1000}, locale="en")
+    context = new_context(chromium, viewport={"width": 1280, "height": 1000}, locale="en")
     context.set_default_timeout(PATIENCE)
     page = context.new_page()
     with running(settings) as origin:

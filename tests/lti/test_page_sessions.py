@@ -12,7 +12,7 @@ from playwright.sync_api import Page, Route, expect
 from tests.lti.classes import Browser, hint
 from tests.lti.test_in_a_browser import chromium, page
 from tests.lti.test_launches import CUSTOM
-from tests.web.conftest import wait_ready
+from tests.web.conftest import WITHOUT_FRAGMENT, new_context, wait_ready
 from tests.web.driving import cell, switch_language
 from tests.web.walking import assigned, by_lecture, ready, walk
 
@@ -48,7 +48,7 @@ def test_without_storage_other_pages_know_who_is_signed_in(
     page.locator("html[data-page=exercise][data-ready=true]").wait_for(state="attached")
     expect(page.locator(".session-banner")).to_contain_text("Robotics 1")
     expect(cell(page, 1, "a")).to_have_value("0.5")
-    assert "#" not in page.url
+    expect(page).to_have_url(WITHOUT_FRAGMENT)
 
 
 def test_without_storage_no_address_that_stays_holds_the_session(
@@ -66,11 +66,11 @@ def test_without_storage_no_address_that_stays_holds_the_session(
     assert "#" not in str(crumb.get_attribute("href"))
     crumb.click()
     page.locator("html[data-page=home][data-ready=true]").wait_for(state="attached")
-    assert "#" not in page.url
+    expect(page).to_have_url(WITHOUT_FRAGMENT)
     page.goto(f"{service}/?lang=en#kept=%5B%5B%22session%22")
     page.reload()
     page.locator("html[data-page=home][data-ready=true]").wait_for(state="attached")
-    assert "#" not in page.url
+    expect(page).to_have_url(WITHOUT_FRAGMENT)
 
 
 def test_an_address_that_somebody_else_made_signs_nobody_in(
@@ -94,7 +94,7 @@ def test_a_session_that_has_ended_is_not_taken_for_nobody(
     chromium: Chromium, browser: Browser, service: str
 ) -> None:
     """The service says so while somebody types, and after a reload the page is no practice page unawares."""
-    page = chromium.new_page(locale="en")
+    page = new_context(chromium, locale="en").new_page()
     launched(page, browser, service, "olga")
     warning = page.locator(".notice-warn")
 
@@ -114,7 +114,7 @@ def test_a_session_that_has_ended_is_not_taken_for_nobody(
     page.goto("about:blank")
     launched(page, browser, service, "olga")
     expect(cell(page, 1, "a")).to_have_value("0.5")
-    page.close()
+    page.context.close()
 
 
 def test_a_table_from_the_trainer_arrives_in_the_course(page: Page, browser: Browser, service: str) -> None:
@@ -141,7 +141,7 @@ def test_an_address_that_was_used_leads_nowhere_unawares(
     answer = browser.post(browser.authorized(browser.login("uma", hint(resource="page-uma", custom=CUSTOM))))
     address = urljoin(service, answer.headers["location"])
     for _ in range(2):
-        page = chromium.new_page(locale="en")
+        page = new_context(chromium, locale="en").new_page()
         page.goto(address)
         wait_ready(page)
     expect(page.locator("#answer")).to_contain_text("Open the exercise from your course again.")
@@ -149,14 +149,14 @@ def test_an_address_that_was_used_leads_nowhere_unawares(
     page.reload()
     wait_ready(page)
     expect(page.locator(".notice-warn")).to_contain_text("answers that you give here do not count")
-    page.close()
+    page.context.close()
 
 
 def test_a_launch_whose_first_call_is_lost_can_be_tried_again(
     chromium: Chromium, browser: Browser, service: str
 ) -> None:
     """The code had left the address before the service was asked."""
-    page = chromium.new_page(locale="en")
+    page = new_context(chromium, locale="en").new_page()
     page.route("**/session/open", lambda route: route.abort())
     link = hint(resource="page-vera", custom=CUSTOM)
     answer = browser.post(browser.authorized(browser.login("vera", link)))
@@ -166,5 +166,5 @@ def test_a_launch_whose_first_call_is_lost_can_be_tried_again(
     page.unroute_all()
     again.click()
     expect(page.locator(".session-banner")).to_contain_text("Robotics 1")
-    assert "#" not in page.url
-    page.close()
+    expect(page).to_have_url(WITHOUT_FRAGMENT)
+    page.context.close()

@@ -6,6 +6,7 @@ Where Chromium is missing, tests that need it are skipped with the reason; in CI
 from __future__ import annotations
 
 import os
+import re
 import shutil
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -29,12 +30,24 @@ ARGUMENTS = [
     "--disable-component-update",
     "--disable-sync",
     "--process-per-site",
+    "--in-process-gpu",
     "--force-prefers-reduced-motion",
 ]
 PATIENCE = 60_000
 """Milliseconds until what should happen counts as not happening; much, because machines may be busy."""
 
 expect.set_options(timeout=PATIENCE)
+
+WITHOUT_WEBGL = """
+const real = HTMLCanvasElement.prototype.getContext;
+HTMLCanvasElement.prototype.getContext = function (kind, ...more) {
+  return kind.startsWith("webgl") ? null : real.call(this, kind, ...more);
+};
+"""
+"""Has scenes drawn as SVG, whose shapes can be counted."""
+
+WITHOUT_FRAGMENT = re.compile("^[^#]*$")
+"""An address that a page has when it has taken away what was handed over behind its `#`."""
 
 LANGUAGES = ("en", "ro", "pt", "fr", "uk", "es")
 
@@ -63,6 +76,18 @@ def browser() -> Iterator[Browser]:
         started.close()
 
 
+def new_context(browser: Browser, *, webgl: bool = False, **options: Any) -> BrowserContext:
+    """A browser profile in which nothing moves by itself and scenes are SVG, unless it is to be otherwise.
+
+    Drawing by WebGL takes a third of what a page costs, where it is done in software; a film far more.
+    """
+    context = browser.new_context(**{"reduced_motion": "reduce", **options})
+    context.set_default_timeout(PATIENCE)
+    if not webgl:
+        context.add_init_script(WITHOUT_WEBGL)
+    return context
+
+
 class Visits:
     """One browser profile for the tests of the folder: what a page loads is fetched and compiled once.
 
@@ -71,8 +96,7 @@ class Visits:
     """
 
     def __init__(self, browser: Browser, origin: str) -> None:
-        self.context = browser.new_context(reduced_motion="reduce")
-        self.context.set_default_timeout(PATIENCE)
+        self.context = new_context(browser, webgl=True)
         self._origin = origin
         self._first_page = self.context.new_page()
         self._first_page.goto(f"{origin}/version")
@@ -144,6 +168,8 @@ def open_page(browser: Browser, web: str, watch: Watch, visits: Visits) -> Itera
     Waits until the page is ready; fails the test at its end if a console error, a violation of the content
     security policy or a failed load was seen. Every page has a profile of its own; the first of a test, if
     neither that nor anything else is asked of it, one that has the scripts and styles already.
+
+    Scenes are drawn as SVG, as in a browser without WebGL, unless a test asks for `webgl`.
     """
     contexts: list[BrowserContext] = []
     visited = False
@@ -158,16 +184,12 @@ def open_page(browser: Browser, web: str, watch: Watch, visits: Visits) -> Itera
         ready: bool = True,
         before: Callable[[Page], Any] | None = None,
         fresh: bool = False,
+        webgl: bool = False,
         **options: Any,
     ) -> Page:
         nonlocal visited
         if options or origin or fresh or visited:
-            context = browser.new_context(
-                viewport={"width": width, "height": height},
-                reduced_motion=options.pop("reduced_motion", "reduce"),
-                **options,
-            )
-            context.set_default_timeout(PATIENCE)
+            context = new_context(browser, webgl=True, viewport={"width": width, "height": height}, **options)
             contexts.append(context)
             page = context.new_page()
         else:
@@ -175,6 +197,8 @@ def open_page(browser: Browser, web: str, watch: Watch, visits: Visits) -> Itera
             page = visits.context.new_page()
             page.set_viewport_size({"width": width, "height": height})
         watch.follow(page)
+        if not webgl:
+            page.add_init_script(WITHOUT_WEBGL)
         if before is not None:
             before(page)
         query = ("&" if "?" in path else "?") + f"lang={lang}" if lang else ""
@@ -196,52 +220,65 @@ def wait_ready(page: Any) -> None:
     page.locator("html[data-ready=true]").wait_for(state="attached")
 
 
+_RULES = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"]
+_OF_COLOURS = ["color-contrast", "link-in-text-block"]
+"""The rules that depend on nothing but colours and sizes of text: the others see one page, light or dark."""
+_FINDINGS = """([rules, switched]) => axe.run(document, {
+  runOnly: rules, rules: switched, resultTypes: ["violations"], selectors: false, preload: false,
+})"""
+EVERYTHING = bool(os.environ.get("EVERYTHING"))
+"""All rules in all colours at every width (`make accessibility`)."""
+
+
+class Axe:
+    """axe-core's findings on a page as it stands now."""
+
+    def __init__(self, source: str) -> None:
+        self._source = source
+
+    def assert_accessible(self, page: Page, *, light_colours: bool = True, dark_colours: bool = True) -> None:
+        """Fail with what is found in a light page and, by the rules of colours, in a dark one.
+
+        Where the system forces its colours, axe-core takes the dark ones of the style sheet for the text's.
+        """
+        if page.evaluate("() => !window.axe"):
+            page.evaluate(self._source)
+        off = {} if light_colours or EVERYTHING else {rule: {"enabled": False} for rule in _OF_COLOURS}
+        assert self._findings(page, _RULES, off) == []
+        if page.evaluate("matchMedia('(forced-colors: active)').matches"):
+            return
+        if not dark_colours and not EVERYTHING:
+            return
+        page.emulate_media(color_scheme="dark")
+        assert (
+            self._findings(page, _RULES if EVERYTHING else {"type": "rule", "values": _OF_COLOURS}, {}) == []
+        )
+        page.emulate_media(color_scheme="light")
+
+    def _findings(self, page: Page, rules: Any, switched: dict[str, Any]) -> list[str]:
+        return [
+            f"{violation['id']}: {violation['help']}: "
+            + "; ".join(f"{node['html']} {node['failureSummary']}" for node in violation["nodes"][:4])
+            for violation in page.evaluate(_FINDINGS, [rules, switched])["violations"]
+        ]
+
+
 @pytest.fixture(scope="session")
-def axe() -> str:
-    """The source of axe-core, from the development packages that `make` installs."""
+def axe() -> Axe:
+    """axe-core, from the development packages that `make` installs."""
     source = ROOT / "node_modules" / "axe-core" / "axe.min.js"
     if not source.is_file():
         reason = "axe-core is not installed (`make vendor` installs it)"
         if os.environ.get("CI"):
             pytest.fail(reason)
         pytest.skip(reason)
-    return source.read_text(encoding="utf-8")
-
-
-_RULES = ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa", "wcag22aa", "best-practice"]
-_OF_COLOURS = ["color-contrast", "link-in-text-block"]
-"""The rules that depend on nothing but colours and sizes of text: the others see one page, light or dark."""
-_FINDINGS = """rules => axe.run(document, {
-  runOnly: rules, resultTypes: ["violations"], selectors: false, preload: false,
-})"""
-EVERYTHING = bool(os.environ.get("EVERYTHING"))
-"""All rules in all colours at every width (`make accessibility`)."""
+    return Axe(source.read_text(encoding="utf-8"))
 
 
 @pytest.fixture
-def assert_accessible(axe: str) -> Callable[[Page], None]:
-    """Fails with axe-core's findings on the page as it stands now, light and dark.
-
-    Where the system forces its colours, axe-core takes the dark ones of the style sheet for the text's.
-    """
-
-    def check(page: Page) -> None:
-        page.evaluate(axe)
-        assert findings(page, _RULES) == []
-        if page.evaluate("matchMedia('(forced-colors: active)').matches"):
-            return
-        page.emulate_media(color_scheme="dark")
-        assert findings(page, _RULES if EVERYTHING else {"type": "rule", "values": _OF_COLOURS}) == []
-        page.emulate_media(color_scheme="light")
-
-    def findings(page: Page, rules: Any) -> list[str]:
-        return [
-            f"{violation['id']}: {violation['help']}: "
-            + "; ".join(f"{node['html']} {node['failureSummary']}" for node in violation["nodes"][:4])
-            for violation in page.evaluate(_FINDINGS, rules)["violations"]
-        ]
-
-    return check
+def assert_accessible(axe: Axe) -> Callable[[Page], None]:
+    """Fails with axe-core's findings on the page as it stands now, light and dark."""
+    return axe.assert_accessible
 
 
 SIZES = ((320, 600), (1280, 900))
@@ -249,10 +286,11 @@ SIZES = ((320, 600), (1280, 900))
 
 
 @pytest.fixture
-def assert_accessible_at_both_sizes(
-    assert_accessible: Callable[[Page], None],
-) -> Callable[[Page], None]:
+def assert_accessible_at_both_sizes(axe: Axe) -> Callable[[Page], None]:
     """Fails with axe-core's findings in a small window and in a large one, and where a page is wider than it.
+
+    Contrasts, which cost two thirds of it, are those of a light page in the small window and of a dark one in
+    the large one; `make accessibility` sees both in both.
 
     A page that is resized is laid out as one that is opened so; opening it again would take longer than this.
     """
@@ -260,7 +298,8 @@ def assert_accessible_at_both_sizes(
     def check(page: Page) -> None:
         for width, height in SIZES:
             page.set_viewport_size({"width": width, "height": height})
-            assert_accessible(page)
+            small = width == SIZES[0][0]
+            axe.assert_accessible(page, light_colours=small, dark_colours=not small)
             assert page.evaluate("document.documentElement.scrollWidth <= window.innerWidth"), width
 
     return check

@@ -64,11 +64,6 @@ def open_part(page: Page, kind: str) -> Locator:
     return part
 
 
-def without_webgl(page: Page) -> None:
-    """Have scenes drawn as SVG, whose shapes can be counted: `open_page(…, before=without_webgl)`."""
-    page.add_init_script("HTMLCanvasElement.prototype.getContext = () => null")
-
-
 def fill_matrix(fields: Locator, matrix: Sequence[Sequence[str]]) -> None:
     """Type the first three rows of a 4×4; the last one stands there already."""
     for i in range(3):

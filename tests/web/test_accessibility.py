@@ -80,7 +80,7 @@ def test_no_violation_in_any_state(
 ) -> None:
     if path.endswith("nowhere"):
         watch.allow("404")
-    page = open_page(path)
+    page = open_page(path, webgl=True)
     for bring_about in STATES[path]:
         bring_about(page)
         assert_accessible(page)

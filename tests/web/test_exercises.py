@@ -33,7 +33,7 @@ def fill_everything(page: Page, answer: dict[str, Any]) -> None:
 
 @pytest.mark.parametrize("exercise", ["puma560", "scara", "rx90"])
 def test_from_an_empty_form_to_full_marks(open_page: OpenPage, exercise: str) -> None:
-    page = open_page(f"/exercises/{exercise}")
+    page = open_page(f"/exercises/{exercise}", webgl=exercise == "scara")
     fill_everything(page, ANSWERS[exercise])
     submit(page)
     failed = page.locator("#verdict .part-report:has(.badge.bad), #verdict .part-report:has(.badge.warn)")

@@ -108,7 +108,7 @@ def test_a_right_answer_says_how_its_frames_differ_and_shows_both_robots(open_pa
 
 @pytest.mark.parametrize(("table", "width"), [(SCARA, 360), (RX90, 1280)])
 def test_a_moving_robot_stays_in_the_picture(open_page: OpenPage, table: Any, width: int) -> None:
-    page = open_page("/exercises/scara" if table is SCARA else "/exercises/rx90", width=width)
+    page = open_page("/exercises/scara" if table is SCARA else "/exercises/rx90", width=width, webgl=True)
     put_table(page, wrong(table, 1, alpha="45"))
     verdict = submit(page)
     scene = verdict.locator("robot-scene")

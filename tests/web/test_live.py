@@ -49,7 +49,7 @@ def first_number(page: Page) -> str:
 
 def test_the_scene_follows_a_slider_without_the_network(open_page: OpenPage, watch: Watch) -> None:
     watch.allow("ERR_FAILED")
-    page = open_page("/exercises/scara")
+    page = open_page("/exercises/scara", webgl=True)
     put_table(page, SCARA)
     expect(page.locator("#own")).to_contain_text("Drawn from your table: 4 joints.")
     page.wait_for_load_state("networkidle")
@@ -178,7 +178,7 @@ def test_the_first_load_is_small_and_all_our_own(open_page: OpenPage, web: str) 
         sizes = transferred(page, session)
 
     for path in ("/", "/exercises/puma560"):
-        page = open_page(path, height=2000, before=listen, fresh=True)
+        page = open_page(path, height=2000, before=listen, fresh=True, webgl=True)
         if "exercises" in path:
             put_table(page, PUMA)
             expect(page.locator("#own robot-scene")).to_have_attribute("data-renderer", "webgl")

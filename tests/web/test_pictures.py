@@ -20,7 +20,7 @@ def until_drawn(page: Page, frames: int) -> None:
 
 
 def test_the_robot_grows_row_by_row(open_page: OpenPage) -> None:
-    page = open_page("/exercises/scara")
+    page = open_page("/exercises/scara", webgl=True)
     order = ("theta", "d", "a", "alpha")
     until_drawn(page, 1)
     for i, row in enumerate(
@@ -101,7 +101,7 @@ def test_a_cell_and_what_it_is_drawn_as_light_each_other(open_page: OpenPage) ->
 
 def test_a_row_is_gone_through_step_by_step_and_back(open_page: OpenPage) -> None:
     """Without motion the film goes on in stills; its last one is where the service has the frame."""
-    page = open_page("/exercises/scara")
+    page = open_page("/exercises/scara", webgl=True)
     put_table(page, SCARA)
     expect(page.locator("#own")).to_contain_text("Drawn from your table")
     page.get_by_role("button", name="Play row 2 in the picture").click()
@@ -137,7 +137,7 @@ def test_rows_stay_the_same_elements(open_page: OpenPage) -> None:
 
 
 def test_a_scene_is_kept_as_a_picture_and_fills_the_screen(open_page: OpenPage) -> None:
-    page = open_page("/exercises/scara")
+    page = open_page("/exercises/scara", webgl=True)
     put_table(page, SCARA)
     expect(page.locator("#own")).to_contain_text("Drawn from your table")
     data: str = page.evaluate(
@@ -162,7 +162,7 @@ def test_a_scene_is_kept_as_a_picture_and_fills_the_screen(open_page: OpenPage) 
 def test_the_lesson_moves_its_frames_and_is_reached_from_the_terms(
     open_page: OpenPage, language: str
 ) -> None:
-    page = open_page("/exercises/twolink", lang=language)
+    page = open_page("/exercises/twolink", lang=language, webgl=language == "en")
     for place in ("theta", "d", "a", "alpha", "variable", "conventions"):
         assert page.locator(f'a[href*="/lesson?lang={language}#{place}"]').count() > 0, place
     page.locator('a.term[href$="#alpha"]').click()

@@ -18,7 +18,7 @@ from playwright.sync_api import Browser, Page, expect
 
 from service.settings import Settings
 from tests.live_service import running
-from tests.web.conftest import PATIENCE, ROOT
+from tests.web.conftest import PATIENCE, ROOT, new_context
 from tests.web.driving import cell, fill_table
 
 RUNTIME = ROOT / "node_modules" / "scorm-again" / "dist"
@@ -113,7 +113,7 @@ def exercise(page: Page) -> Any:
 @pytest.mark.parametrize("lms", list(VERSIONS), indirect=True)
 def test_launch_wrong_right_leave_return(browser: Browser, lms: tuple[str, dict[str, str]]) -> None:
     address, names = lms
-    context = browser.new_context()
+    context = new_context(browser)
     try:
         page = context.new_page()
         page.goto(f"{address}/index.html")

@@ -12,7 +12,7 @@ from playwright.sync_api import Page, expect
 from tests.conftest import EXPLORE
 from tests.exercises.packaged import table_ids
 from tests.web.conftest import LANGUAGES, OpenPage
-from tests.web.driving import Held, without_webgl
+from tests.web.driving import Held
 from tests.web.walking import (
     assigned,
     at_random,
@@ -48,7 +48,7 @@ def option(page: Page, text: str) -> None:
 @pytest.mark.parametrize("name", WALKED)
 def test_the_walk_of_the_lecture_makes_a_right_table(open_page: OpenPage, web: str, name: str) -> None:
     """What the trainer calls complete the exercise calls right, in its own convention, names and units."""
-    page = open_page(f"/trainer/{name}", before=without_webgl)  # which draws each choice in less time
+    page = open_page(f"/trainer/{name}")
     ready(page)
     exercise = exercise_of(page, web, name)
     assert walk(page, len(exercise["joints"]) + 1, by_lecture(assigned(page, web, exercise)))
@@ -63,7 +63,7 @@ def test_the_walk_of_the_lecture_makes_a_right_table(open_page: OpenPage, web: s
 
 def test_habits_lead_nowhere(open_page: OpenPage, web: str) -> None:
     """Always the first option, always the last, any: at most one walk in twenty reaches the table."""
-    page = open_page("/trainer/onelink", before=without_webgl)
+    page = open_page("/trainer/onelink")
     done = 0
     walks = 0
     for name in WALKED_BY_HABIT:
@@ -189,11 +189,12 @@ def test_choices_survive_a_reload_and_another_convention_starts_again(open_page:
     expect(page.locator("#frames .step-whole")).to_have_count(0)
 
 
-def test_without_webgl_the_drawing_is_there(open_page: OpenPage) -> None:
-    page = open_page("/trainer/puma560", before=without_webgl)
+@pytest.mark.parametrize(("webgl", "renderer"), [(True, "webgl"), (False, "svg")])
+def test_the_drawing_is_there_with_and_without_webgl(open_page: OpenPage, webgl: bool, renderer: str) -> None:
+    page = open_page("/trainer/puma560", webgl=webgl)
     ready(page)
-    expect(page.locator("robot-scene")).to_have_attribute("data-renderer", "svg")
-    expect(page.locator("robot-scene svg").first).to_be_visible()
+    expect(page.locator("robot-scene")).to_have_attribute("data-renderer", renderer)
+    expect(page.locator("robot-scene canvas" if webgl else "robot-scene svg").first).to_be_visible()
 
 
 def test_accessible_with_a_broken_rule(
@@ -249,7 +250,7 @@ def test_an_arrow_is_dragged_onto_another_direction(open_page: OpenPage) -> None
 
 
 def test_an_option_lights_its_arrow(open_page: OpenPage) -> None:
-    page = open_page("/trainer/scara", before=without_webgl)
+    page = open_page("/trainer/scara")
     ready(page)
     lit = page.locator("robot-scene svg .stroke-lit")
     expect(lit).to_have_count(0)
