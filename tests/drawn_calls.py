@@ -18,11 +18,15 @@ Test = Callable[..., None]
 MOST = (
     None
     if os.environ.get("FRAMEWISE_EXPLORE")
-    else {GenerationMode.POSITIVE: 20, GenerationMode.NEGATIVE: 100}
+    else {GenerationMode.POSITIVE: 12, GenerationMode.NEGATIVE: 40}
 )
 """Covering cases of a call, allowed and forbidden; a call has up to 1 150, `make explore` sends all.
 
 What is allowed is computed as well, and so costs the most.
+"""
+DEEP = {GenerationMode.POSITIVE: (": ", 2), GenerationMode.NEGATIVE: (" -> ", 2)}
+"""By what in its description a case is about a field within fields of a body, such as a cell of a row of a
+table: calls share the shapes of those, and what is so described is sent to one of them.
 """
 
 
@@ -32,6 +36,7 @@ def for_each_call(schema: schemathesis.BaseSchema) -> Callable[[Test], Test]:
     Schemathesis's own `parametrize` draws its covering cases when tests are collected, in every worker: most
     of what collecting eleven thousand tests cost. Here a call's cases are drawn when its test runs.
     """
+    sent: dict[str, str] = {}
     operations = {found.ok().label: found.ok() for found in schema.get_all_operations()}
 
     def parametrized(check: Test) -> Test:
@@ -49,12 +54,26 @@ def for_each_call(schema: schemathesis.BaseSchema) -> Callable[[Test], Test]:
                 drawn, "hypothesis_explicit_examples", None
             )  # a test without covering cases has none
             if covering is not None:
-                drawn.hypothesis_explicit_examples = _spread(covering)
+                drawn.hypothesis_explicit_examples = _spread(_new(covering, label, sent))
             drawn(base_url=base_url)
 
         return test
 
     return parametrized
+
+
+def _new(examples: list[Any], label: str, sent: dict[str, str]) -> list[Any]:
+    """What differs from what is sent already, to this call or, of what calls share, to another."""
+    if MOST is None:
+        return examples
+    new = {}
+    for place, example in enumerate(examples):
+        meta = example.kwargs["case"].meta
+        about = f"{meta.generation.mode.value} {meta.phase.data.description}"
+        text, count = DEEP[meta.generation.mode]
+        if about.count(text) < count or sent.setdefault(about, label) == label:
+            new.setdefault(about, place)
+    return [examples[place] for place in new.values()]
 
 
 def _spread(examples: list[Any]) -> list[Any]:
