@@ -261,12 +261,8 @@ def _turned(chain: Chain, joints: Sequence[float]) -> Floats:
 def _spatial(chain: Chain, joints: Sequence[float]) -> Floats:
     """Return the Jacobian of the point of the last link that is at frame 0's origin."""
     directions, points = chain.axes_at(np.array(joints, dtype=np.float64))
-    return _with_columns(chain, directions, points, np.zeros(3))
-
-
-def _with_columns(chain: Chain, directions: Floats, points: Floats, at: Floats) -> Floats:
     columns = [
-        [*direction, 0.0, 0.0, 0.0] if axis.prismatic else [*np.cross(direction, at - point), *direction]
+        [*direction, 0.0, 0.0, 0.0] if axis.prismatic else [*np.cross(point, direction), *direction]
         for axis, direction, point in zip(chain.axes, directions, points, strict=True)
     ]
     return np.array(columns).T

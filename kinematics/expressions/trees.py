@@ -212,11 +212,18 @@ def call(function: Function, *arguments: Expression) -> Expression:
     if value is not None:
         if function is Function.ABS:
             return Number(abs(value))
-        if function is Function.SQRT and value >= 0:
-            root = Fraction(math.isqrt(value.numerator), math.isqrt(value.denominator))
-            if root * root == value:
-                return Number(root)
+        root = rational_root(value) if function is Function.SQRT else None
+        if root is not None:
+            return Number(root)
     return Call(function, arguments)
+
+
+def rational_root(value: Fraction) -> Fraction | None:
+    """Return the square root of a number that is a rational square, or None of any other."""
+    if value < 0:
+        return None
+    root = Fraction(math.isqrt(value.numerator), math.isqrt(value.denominator))
+    return root if root * root == value else None
 
 
 def with_parts(expression: Expression, change: Callable[[Expression], Expression]) -> Expression:

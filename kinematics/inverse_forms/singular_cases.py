@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from kinematics.expressions import Expression, Parameter, walk
+from kinematics.expressions import Parameter, parameters_in
 from kinematics.inverse_forms.steps import InverseForm, InverseStep, SingularCase
 
 
@@ -35,7 +35,7 @@ def form_of_case(form: InverseForm, case: SingularCase, chosen: str) -> InverseF
         elif step.name not in replaced:
             steps.append(step)
     conditions = (*case.conditions, *form.conditions)
-    steps, held = _needed(steps, {name for one in conditions for name in _names_in(one.value)})
+    steps, held = _needed(steps, {name for one in conditions for name in parameters_in(one.value)})
     return replace(
         form,
         steps=tuple(steps),
@@ -54,9 +54,5 @@ def _needed(steps: Sequence[InverseStep], held: set[str]) -> tuple[list[InverseS
         if step.joint or step.name in held:
             kept.append(step)
             values = (step.value, *(one.value for one in step.conditions))
-            held = held | {name for value in values for name in _names_in(value)}
+            held = held.union(*map(parameters_in, values))
     return kept[::-1], held
-
-
-def _names_in(value: Expression) -> set[str]:
-    return {node.name for node in walk(value) if isinstance(node, Parameter)}

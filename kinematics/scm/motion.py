@@ -16,18 +16,11 @@ from kinematics.expressions import evaluate
 from kinematics.joint_values import one_configuration
 from kinematics.poses import transform_from_xyzabc
 from kinematics.scm.chain import ChainRow, Entry, Placement, ScmChain
-from kinematics.se3 import Transform, cross_arrays
+from kinematics.se3 import Transform, cross_arrays, skew
 from kinematics.table import JointType
 
 _ENTRIES = tuple(Entry)
-_SKEW = np.array(
-    [
-        [[0, 0, 0], [0, 0, -1], [0, 1, 0]],
-        [[0, 0, 1], [0, 0, 0], [-1, 0, 0]],
-        [[0, -1, 0], [1, 0, 0], [0, 0, 0]],
-    ],
-    dtype=np.float64,
-)
+_SKEW = tuple(map(skew, np.eye(3)))
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -61,7 +61,7 @@ def canonical(expression: Expression, *, limit: int = LIMIT) -> Canonical:
         ZeroDivisionError: the expression divides by zero.
     """
     reader = FormReader(Ring(limit=limit))
-    return _export(reader, reader.form(expression))
+    return canonical_of(reader, reader.form(expression))
 
 
 def compare(a: Expression, b: Expression, *, limit: int = LIMIT) -> ProofStatus:
@@ -85,7 +85,8 @@ def same_function(a: Expression, b: Expression, *, limit: int = LIMIT) -> bool:
     return compare(a, b, limit=limit) is ProofStatus.PROVED
 
 
-def _export(reader: FormReader, form: Form) -> Canonical:
+def canonical_of(reader: FormReader, form: Form) -> Canonical:
+    """Return the normal form of what a reader has read."""
     return Canonical(frozenset(reader.ring.terms(form).items()), reader.is_exact(form))
 
 

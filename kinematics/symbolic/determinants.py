@@ -31,7 +31,7 @@ from kinematics.expressions import (
     number,
     power,
 )
-from kinematics.symbolic.canonical import Canonical
+from kinematics.symbolic.canonical import Canonical, canonical_of
 from kinematics.symbolic.elements import ONE_FORM, ZERO_FORM, Form
 from kinematics.symbolic.form_reader import FormReader
 from kinematics.symbolic.interchange import from_sympy, to_sympy
@@ -113,8 +113,7 @@ def largest_minor(table: SymbolicTable, rows: MotionRows) -> tuple[Canonical, bo
         for part, chosen in minors:
             value = _determinant(reader.ring, [[column[r] for r in chosen] for column in part])
             if not reader.ring.is_zero(value):
-                form = Canonical(frozenset(reader.ring.terms(value).items()), reader.is_exact(value))
-                return form, len(minors) == 1
+                return canonical_of(reader, value), len(minors) == 1
     return Canonical(frozenset(), True), True
 
 

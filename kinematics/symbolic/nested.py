@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, field, fields
 from fractions import Fraction
+from math import prod
 
 from kinematics.expressions import ZERO, Call, Expression, Function, Number, Power, Product, Sum, call, number
 from kinematics.symbolic.angles import Angle, cosine_and_sine
@@ -234,10 +235,7 @@ class Arena:
         return (place << NAME_BITS) + len(self._factors) - 1
 
     def _root(self, primes: Iterable[int]) -> int:
-        radicand = 1
-        for prime in primes:
-            radicand *= prime
-        return self._symbol(call(Function.SQRT, number(radicand)))
+        return self._symbol(call(Function.SQRT, number(prod(primes))))
 
     def _merged_roots(self, factors: tuple[int, ...]) -> tuple[int, tuple[int, ...]]:
         """√2·√6 is 2·√3."""

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from fractions import Fraction
 from itertools import product
-from math import gcd, isqrt, lcm
+from math import gcd, lcm
 
+from kinematics.expressions import rational_root
 from kinematics.symbolic.elements import ONE_FORM, UNIT, ZERO_FORM, Form, Monomial, RingSymbol, Terms
 from kinematics.symbolic.ring import Ring
 from kinematics.symbolic.roots import LARGEST_PRIME, square_free, square_root_of_prime
@@ -58,7 +59,7 @@ def denested_root(ring: Ring, terms: Terms) -> Form | None:
     squared = ring.terms(ring.multiply(surd, surd))
     if squared.keys() != {UNIT}:
         return None
-    d = _rational_root(rational**2 - squared[UNIT])
+    d = rational_root(rational**2 - squared[UNIT])
     if d is None or d >= rational:
         return None
     larger = root_of_rational(ring, (rational + d) / 2)
@@ -111,10 +112,3 @@ def _conjugate(ring: Ring, terms: Terms, unit: int, flips: dict[RingSymbol, int]
         rotated = {Monomial(monomial.turn * unit, monomial.exponents): weight}
         total = ring.add(total, ring.form(rotated))
     return total
-
-
-def _rational_root(value: Fraction) -> Fraction | None:
-    if value < 0:
-        return None
-    root = Fraction(isqrt(value.numerator), isqrt(value.denominator))
-    return root if root * root == value else None
