@@ -22,7 +22,7 @@ import numpy as np
 from exercises.definition import Exercise
 from exercises.drawings import shows_signs
 from exercises.figures.geometry import shown_sense
-from exercises.figures.points import posture_in_figure, rotation_rpy
+from exercises.figures.points import posture_in_figure
 from exercises.grading import Finding, Verdict
 from exercises.grading.facts import least_cost
 from exercises.grading.verdict import Matrix4
@@ -51,6 +51,7 @@ from kinematics.se3 import (
     rejection,
     rotate,
     subtract,
+    transform_from_rpy,
 )
 from kinematics.table import Convention, DHTable, JointType, NumericTable, bind
 
@@ -103,7 +104,8 @@ def departure_of(instance: Instance, read: ReadTable, verdict: Verdict) -> Depar
     if row is None:
         return None
     figure = exercise.figure
-    upright, posture = rotation_rpy(*figure.upright), posture_in_figure(figure, exercise.reference.table)
+    upright = transform_from_rpy(figure.upright)
+    posture = posture_in_figure(figure, exercise.reference.table)
     base = upright @ np.linalg.inv(certificate.base)
     start = [
         sign * value + offset

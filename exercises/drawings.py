@@ -10,8 +10,8 @@ from exercises.definition import Exercise
 from exercises.figures.description import Sentence, describe
 from exercises.figures.dimension_layout import DimensionLayout, dimension_layout
 from exercises.figures.drawing import draw_figure
-from exercises.figures.geometry import Scene, Vector, build_scene, scene_vector
-from exercises.figures.points import frames_in_figure, posture_in_figure, rotation_rpy
+from exercises.figures.geometry import Scene, build_scene, scene_vector
+from exercises.figures.points import frames_in_figure, posture_in_figure
 from exercises.figures.skeleton import usual_dimensions
 from exercises.figures.specification import DimensionMark
 from exercises.figures.svg import SvgDrawing
@@ -21,6 +21,8 @@ from exercises.grading.verdict import Matrix4
 from exercises.instance import Instance
 from kinematics.expressions import Parameter
 from kinematics.frames.wrong_frames import DrawnFrame
+from kinematics.poses import transform_from_rpy
+from kinematics.se3 import Vector
 from kinematics.table import JointType
 
 CACHED_SCENES = 2048
@@ -177,7 +179,7 @@ def key_pose(instance: Instance) -> KeyPose:
     frames = frames_in_figure(figure, table, instance.values)
     metres = float(exercise.length_unit.metres_per_unit)
     return KeyPose(
-        base=tuple(tuple(row) for row in rotation_rpy(*figure.upright).tolist()),
+        base=tuple(tuple(row) for row in transform_from_rpy(figure.upright).tolist()),
         posture=tuple(
             value * metres if joint_type is JointType.PRISMATIC else value
             for value, joint_type in zip(posture_in_figure(figure, table), table.joint_types, strict=True)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TypeAlias
 
 import numpy as np
@@ -69,14 +69,10 @@ def fitted(
         height: greatest height of the box.
         most: largest scale.
     """
-    flat = replace_scale(camera, 1.0, (0.0, 0.0)).project(np.array(list(points)))
+    flat = replace(camera, scale=1.0, shift=(0.0, 0.0)).project(np.array(list(points)))
     low, high = flat.min(axis=0), flat.max(axis=0)
     extent = np.maximum(high - low, 1e-12)
     scale = float(min(width / extent[0], height / extent[1], most))
     left = (width - extent[0] * scale) / 2
-    return replace_scale(camera, scale, (float(left - low[0] * scale), float(-low[1] * scale)))
-
-
-def replace_scale(camera: Camera, scale: float, shift: tuple[float, float]) -> Camera:
-    """Return the camera with another scale and shift."""
-    return Camera(right=camera.right, up=camera.up, eye=camera.eye, scale=scale, shift=shift)
+    shift = float(left - low[0] * scale), float(-low[1] * scale)
+    return replace(camera, scale=scale, shift=shift)

@@ -12,9 +12,9 @@ from dataclasses import dataclass
 from enum import StrEnum
 from typing import TypeAlias
 
-from exercises.figures.geometry import FigureJointAxis, Scene, Vector
+from exercises.figures.geometry import FigureJointAxis, Scene
 from exercises.figures.specification import View
-from kinematics.se3 import dot, norm, subtract
+from kinematics.se3 import Vector, dot, norm, subtract
 from kinematics.table import JointType
 
 Basis: TypeAlias = tuple[Vector, Vector, Vector]

@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import TypeAlias
 
 import numpy as np
 
@@ -13,10 +12,8 @@ from exercises.errors import DefinitionError
 from exercises.figures.camera import Array
 from exercises.figures.points import Points
 from exercises.figures.specification import DimensionMark, FigureGripper, FigureSpecification, JointMark
-from kinematics.se3 import cross
+from kinematics.se3 import Vector, cross
 from kinematics.table import JointType, SymbolicTable
-
-Vector: TypeAlias = tuple[float, float, float]
 
 ON_AXIS = 1e-6
 """How far a body may stand off its axis, and a dimension off its value, relative to the robot's size."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 
 import numpy as np
@@ -21,6 +20,7 @@ from exercises.figures.specification import (
 from kinematics.chain import frames_at
 from kinematics.errors import Fault, ParameterError
 from kinematics.expressions import Expression, evaluate
+from kinematics.poses import transform_from_rpy
 from kinematics.se3 import Transform, to_matrix
 from kinematics.table import SymbolicTable, bind
 
@@ -124,7 +124,7 @@ def frames_in_figure(
     specification: FigureSpecification, reference: SymbolicTable, values: Mapping[str, float]
 ) -> list[Transform]:
     """Return (4, 4) poses of frame 0 … N of a reference in the figure, at the figure's posture."""
-    base = rotation_rpy(*specification.upright)
+    base = transform_from_rpy(specification.upright)
     posture = posture_in_figure(specification, reference)
     return [to_matrix(frame) for frame in frames_at(bind(reference, values), posture, base)]
 
@@ -132,15 +132,3 @@ def frames_in_figure(
 def posture_in_figure(specification: FigureSpecification, reference: SymbolicTable) -> tuple[float, ...]:
     """Return the reference's joint values in the figure [rad, or the exercise's length unit]."""
     return specification.posture or (0.0,) * reference.n_joints
-
-
-def rotation_rpy(roll: float, pitch: float, yaw: float) -> Transform:
-    """Return the rotation Rot_z(yaw) Rot_y(pitch) Rot_x(roll) as a (4, 4) transform; angles in [rad]."""
-    cr, sr, cp, sp, cy, sy = (f(a) for a in (roll, pitch, yaw) for f in (math.cos, math.sin))
-    pose = np.eye(4)
-    pose[:3, :3] = [
-        [cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr],
-        [sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr],
-        [-sp, cp * sr, cp * cr],
-    ]
-    return pose
