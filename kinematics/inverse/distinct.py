@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.inverse.arm import Arm, Array
-from kinematics.inverse.residuals import errors_of
+from kinematics.inverse.residuals import errors_at
 
 SAME = 1e-6
 """Joint values this near [rad, or parts of the size] are the same."""
@@ -21,9 +21,12 @@ parts of the size]; beside a singularity an arm does not stay so near."""
 
 def differences(q: Array, other: Array, arm: Arm) -> Array:
     """Return the joint differences, turns in [-π, π), slides divided by the size."""
-    difference = q - other
-    turned = (difference + np.pi) % (2.0 * np.pi) - np.pi
-    return np.where(arm.revolute, turned, difference / arm.sliding)
+    return shorter_way((q - other) / arm.units, arm.revolute)
+
+
+def shorter_way(way: Array, revolute: NDArray[np.bool_]) -> Array:
+    """Return joint differences, (…, n), turns on the circle: in [-π, π)."""
+    return np.where(revolute, (way + np.pi) % (2.0 * np.pi) - np.pi, way)
 
 
 def distinct(arm: Arm, target: Array, joints: Array) -> Array:
@@ -52,5 +55,5 @@ def distinct(arm: Arm, target: Array, joints: Array) -> Array:
 def _between(arm: Arm, target: Array, q: Array, others: Array) -> NDArray[np.bool_]:
     scale = arm.units
     middle = others + 0.5 * differences(np.broadcast_to(q, others.shape), others, arm) * scale
-    e = errors_of(arm, arm.frames(middle)[-1], target)
+    e = errors_at(arm, middle, target)
     return np.asarray(np.linalg.norm(e, axis=1) <= UNMOVED)

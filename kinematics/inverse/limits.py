@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from kinematics.errors import Fault, JointValueError, ParamValue
 from kinematics.inverse.arm import Array
 from kinematics.inverse.lengths import is_long, too_long
-from kinematics.inverse.search import Box
+from kinematics.inverse.search import Box, unbounded
 
 JointLimits: TypeAlias = Sequence[tuple[float | None, float | None] | None]
 """For each joint (least, greatest) [rad, or m]; None where there is no limit."""
@@ -38,7 +38,7 @@ def read_limits(limits: JointLimits | None, revolute: Sequence[bool]) -> Box:
     """
     n_joints = len(revolute)
     if limits is None:
-        return Box(np.full(n_joints, -np.inf), np.full(n_joints, np.inf))
+        return unbounded(n_joints)
     if len(limits) != n_joints:
         raise JointValueError(Fault.at("limits_wrong_length", "limits", expected=n_joints, given=len(limits)))
     low, high = np.empty(n_joints), np.empty(n_joints)

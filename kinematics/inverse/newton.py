@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from kinematics.inverse.arm import Arm, Array
-from kinematics.inverse.residuals import are_solutions, errors_of
+from kinematics.inverse.residuals import are_solutions, errors_at, errors_of
 
 NEWTON_STEPS = 20
 """Newton steps at most: convergence is quadratic, and the first few may lead round a bend."""
@@ -86,7 +86,7 @@ def evened(arm: Arm, target: Array, joints: Array, tolerance: float) -> Array:
         joints: (m, n), where the sum of squares is least, weighed by the arm's size or both alike.
         tolerance: distance [m] and angle [rad] within which the target is reached.
     """
-    vectors = errors_of(arm, arm.frames(joints)[-1], target)
+    vectors = errors_at(arm, joints, target)
     reached = are_solutions(vectors, arm, tolerance)
     off = np.linalg.norm(vectors, axis=1) <= farthest_off(arm, tolerance)
     uneven = ~reached & (off | (np.hypot(*_shares(vectors, arm, tolerance)) <= math.sqrt(2.0)))
@@ -103,7 +103,7 @@ def _evened(arm: Arm, target: Array, joints: Array, tolerance: float) -> Array:
     for _ in range(WEIGHTS):
         weighed = replace(arm, size=math.sqrt(low * high))
         found = polish(weighed, target, joints[None])[0]
-        vectors = errors_of(weighed, weighed.frames(found[None])[-1], target)
+        vectors = errors_at(weighed, found[None], target)
         distance, angle = _shares(vectors, weighed, tolerance)
         if max(distance[0], angle[0]) <= 1.0:
             break

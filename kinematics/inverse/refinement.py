@@ -9,7 +9,7 @@ import numpy as np
 from kinematics.inverse.arm import Arm, Array
 from kinematics.inverse.methods.closed_form import NEARLY
 from kinematics.inverse.newton import evened, farthest_off, polish
-from kinematics.inverse.residuals import are_solutions, errors_of
+from kinematics.inverse.residuals import are_solutions, errors_at, errors_of
 from kinematics.inverse.self_motions.families import weighing_alike
 from kinematics.inverse.valleys import across_folds
 from kinematics.se3 import Transform
@@ -48,18 +48,15 @@ def refined(arm: Arm, candidates: Array, target: Transform, tolerance: float) ->
     q = candidates[np.isfinite(candidates).all(axis=1)]
     if not len(q):
         return q, q
-    vectors = errors_of(arm, arm.frames(q)[-1], target)
+    vectors = errors_at(arm, q, target)
     errors = np.linalg.norm(vectors, axis=1)
-    q, vectors, errors = (
-        q[errors < NEARLY],
-        vectors[errors < NEARLY],
-        errors[errors < NEARLY],
-    )
+    near = errors < NEARLY
+    q, vectors, errors = q[near], vectors[near], errors[near]
     rough, start = errors > AS_IT_IS, q
     if rough.any():
         q = q.copy()
         q[rough] = polish(arm, target, q[rough])
-        vectors = errors_of(arm, arm.frames(q)[-1], target)
+        vectors = errors_at(arm, q, target)
     reached = are_solutions(vectors, arm, tolerance)
     farthest = max(BESIDE * tolerance, farthest_off(arm, tolerance))
     beside = ~reached & (np.linalg.norm(vectors, axis=1) <= farthest)
@@ -67,14 +64,14 @@ def refined(arm: Arm, candidates: Array, target: Transform, tolerance: float) ->
         q, alike = q.copy(), weighing_alike(arm)
         if alike is not arm:
             q[beside] = polish(alike, target, start[beside])
-            reached = are_solutions(errors_of(arm, arm.frames(q)[-1], target), arm, tolerance)
+            reached = are_solutions(errors_at(arm, q, target), arm, tolerance)
         left = beside & ~reached
         q[left] = across_folds(alike, target, start[left], math.sqrt(tolerance))
-        vectors = errors_of(arm, arm.frames(q)[-1], target)
+        vectors = errors_at(arm, q, target)
         reached = are_solutions(vectors, arm, tolerance)
         if not reached[beside].all():
             q[beside] = evened(arm, target, q[beside], tolerance)
-            reached = are_solutions(errors_of(arm, arm.frames(q)[-1], target), arm, tolerance)
+            reached = are_solutions(errors_at(arm, q, target), arm, tolerance)
     return np.asarray(q[reached]), np.asarray(q[~reached])
 
 
@@ -109,7 +106,7 @@ def settled_on_folds(arm: Arm, target: Transform, solutions: Array) -> Array:
         slope = (lost(q + A_LITTLE * v * arm.units) - value) / A_LITTLE
         way = np.where(np.abs(slope) > LEAST_BEND, -value / np.where(slope == 0.0, 1.0, slope), 0.0)
         q = q + way[:, None] * v * arm.units
-    errors = np.linalg.norm(errors_of(arm, arm.frames(q)[-1], target), axis=1)
+    errors = np.linalg.norm(errors_at(arm, q, target), axis=1)
     before = np.linalg.norm(errors_of(arm, frames[-1][beside], target), axis=1)
     settled = errors <= np.maximum(before, ROUNDED)
     found = solutions.copy()

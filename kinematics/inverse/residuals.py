@@ -93,6 +93,17 @@ def errors_of(arm: Arm, poses: Array, target: Array) -> Array:
     return errors
 
 
+def errors_at(arm: Arm, joints: Array, target: Array) -> Array:
+    """Return the error vectors of configurations, (m, 6), as `errors_of` has them of their poses.
+
+    Args:
+        arm: the arm.
+        joints: (m, n).
+        target: (4, 4), or (m, 4, 4) one each.
+    """
+    return errors_of(arm, arm.frames(joints)[-1], target)
+
+
 def errors_and_jacobians(arm: Arm, x: Array, target: Array) -> tuple[Array, Array]:
     """Return the error vectors and Jacobians at configurations.
 

@@ -20,7 +20,7 @@ import numpy as np
 from kinematics.inverse.arm import Arm, Array, low_discrepancy
 from kinematics.inverse.distinct import distinct
 from kinematics.inverse.newton import evened, farthest_off, polish
-from kinematics.inverse.residuals import are_solutions, errors_of
+from kinematics.inverse.residuals import are_solutions, errors_at, errors_of
 from kinematics.inverse.valleys import along_valleys, least_error
 
 CONVERGED = 1e-11
@@ -236,14 +236,14 @@ def _exact(arm: Arm, target: Array, joints: Array, box: Box, tolerance: float) -
     """Those configurations that, refined and put back into the box, are solutions; the best first."""
     tolerance = max(tolerance, TOLERANCE)
     q = np.clip(polish(arm, target, joints), box.low, box.high)
-    vectors = errors_of(arm, arm.frames(q)[-1], target)
+    vectors = errors_at(arm, q, target)
     exact = are_solutions(vectors, arm, tolerance)
     if not exact.all():
         off = np.where(exact, np.inf, np.linalg.norm(vectors, axis=1))
         left = np.argsort(off, kind="stable")[: min(int((~exact).sum()), MOST_VALLEYS)]
         settled = evened(arm, target, along_valleys(arm, target, joints[left]), tolerance)
         q[left] = np.clip(settled, box.low, box.high)
-        vectors = errors_of(arm, arm.frames(q)[-1], target)
+        vectors = errors_at(arm, q, target)
         exact = are_solutions(vectors, arm, tolerance)
     return np.asarray(q[exact][np.argsort(np.linalg.norm(vectors[exact], axis=1), kind="stable")])
 

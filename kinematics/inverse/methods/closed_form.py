@@ -20,7 +20,7 @@ from kinematics.inverse.methods.general import general_arm_of
 from kinematics.inverse.methods.parallel import parallel_arm_of
 from kinematics.inverse.methods.partition import partition_of, placement_of
 from kinematics.inverse.methods.wrist import wrist_arm_of
-from kinematics.se3 import inverse_transform
+from kinematics.se3 import inverse_transform, skew
 
 NEARLY = 0.1
 """Candidates with a larger error vector than this are least-squares answers, not solutions."""
@@ -105,11 +105,11 @@ def candidates_beside(closed_form: InverseClosedForm, arm: Arm, target: Array) -
     Some poses, as of an arm folded into a plane, make its equations dependent; beside them they are not.
     """
     found = [np.empty((0, arm.n_joints))]
-    for x, y, z, a, b, c in BESIDE * (2.0 * low_discrepancy(TARGETS_BESIDE, 6) - 1.0):
-        half = 0.5 * np.array(((0.0, -c, b), (c, 0.0, -a), (-b, a, 0.0)))
+    for off in BESIDE * (2.0 * low_discrepancy(TARGETS_BESIDE, 6) - 1.0):
+        half = 0.5 * skew(off[3:])
         beside = target.copy()
         beside[:3, :3] = np.linalg.solve(np.eye(3) - half, (np.eye(3) + half) @ target[:3, :3])
-        beside[:3, 3] += arm.size * np.array((x, y, z))
+        beside[:3, 3] += arm.size * off[:3]
         candidates = closed_form.candidates(beside)
         if candidates is not None:
             found.append(candidates)

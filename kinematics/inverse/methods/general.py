@@ -25,7 +25,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.inverse.arm import Arm, Array
-from kinematics.se3 import cross_arrays, inverse_transform
+from kinematics.se3 import cross_arrays, inverse_transform, skew
 
 NEARLY_REAL = 0.05
 """Imaginary part of an angle up to which it is tried: two solutions that meet leave the real line
@@ -270,7 +270,7 @@ def _waves(q: Array) -> Array:
 
 def _rotations(z: Array, q: Array) -> Array:
     """(m, 3, 3) turns about an axis."""
-    K = np.array(((0.0, -z[2], z[1]), (z[2], 0.0, -z[0]), (-z[1], z[0], 0.0)))
+    K = skew(z)
     return np.asarray(np.eye(3) + np.sin(q)[:, None, None] * K + (1.0 - np.cos(q))[:, None, None] * (K @ K))
 
 

@@ -20,7 +20,7 @@ import numpy as np
 from kinematics.inverse.arm import Arm, Array
 from kinematics.inverse.methods.closed_form import InverseClosedForm, closed_form_of
 from kinematics.inverse.methods.general import GeneralArm
-from kinematics.inverse.residuals import errors_of
+from kinematics.inverse.residuals import errors_at
 
 VALUES = 32
 """Angles at which a joint is locked, spread over a turn."""
@@ -61,7 +61,7 @@ class LockedArms:
             if candidates is None or not len(candidates):
                 continue
             q = np.insert(candidates, joint, value, axis=1)
-            errors = np.linalg.norm(errors_of(self.arm, self.arm.frames(q)[-1], target), axis=1)
+            errors = np.linalg.norm(errors_at(self.arm, q, target), axis=1)
             near.append(q[(errors > EXACT) & (errors < NEAR)])
             if k % EVERY == 0:
                 exact.append(q[errors <= EXACT])

@@ -17,7 +17,7 @@ import numpy as np
 
 from kinematics.inverse.arm import Arm, Array
 from kinematics.inverse.methods.position import DegenerateError, Joint, place_points
-from kinematics.se3 import cross_arrays, inverse_transform
+from kinematics.se3 import cross_arrays, inverse_transform, skew
 
 LONGEST_HEAD = 3
 LONGEST_TAIL = 3
@@ -71,26 +71,27 @@ class PartitionedArm:
 
 def partition_of(arm: Arm) -> PartitionedArm | None:
     """Return the way to take an arm apart, or None if there is none."""
-    directions, points, end = arm.screws
-    joints = [
-        Joint(bool(revolute), axis, point)
-        for revolute, axis, point in zip(arm.revolute, directions, points, strict=True)
-    ]
-    if len(joints) <= LONGEST_HEAD:
-        return PartitionedArm(joints, [], arm.size * _HAND, end, arm.size)
-    return _partition(joints, end, arm.size)
+    if arm.n_joints <= LONGEST_HEAD:
+        return _undivided(arm, arm.size * _HAND)
+    return _partition(_joints_of(arm), arm.screws[2], arm.size)
 
 
 def placement_of(arm: Arm) -> PartitionedArm | None:
     """Return the way to bring the tool's origin to a place, or None of more than three joints."""
-    directions, points, end = arm.screws
-    if arm.n_joints > LONGEST_HEAD:
-        return None
-    joints = [
+    return _undivided(arm, arm.screws[2][None, :3, 3]) if arm.n_joints <= LONGEST_HEAD else None
+
+
+def _undivided(arm: Arm, points: Array) -> PartitionedArm:
+    """An arm that is all head, which places the points."""
+    return PartitionedArm(_joints_of(arm), [], points, arm.screws[2], arm.size)
+
+
+def _joints_of(arm: Arm) -> list[Joint]:
+    directions, points, _ = arm.screws
+    return [
         Joint(bool(revolute), axis, point)
         for revolute, axis, point in zip(arm.revolute, directions, points, strict=True)
     ]
-    return PartitionedArm(joints, [], end[None, :3, 3], end, arm.size)
 
 
 def _partition(joints: Sequence[Joint], end: Array, size: float) -> PartitionedArm | None:
@@ -178,8 +179,7 @@ def _turn(axis: Array, u: Array, v: Array) -> float:
 def _rotation(joint: Joint, q: float) -> Array:
     if not joint.revolute:
         return np.eye(3)
-    x, y, z = joint.axis
-    K = np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
+    K = skew(joint.axis)
     return np.asarray(np.eye(3) + np.sin(q) * K + (1.0 - np.cos(q)) * (K @ K))
 
 

@@ -20,6 +20,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.inverse.arm import Arm, Array
+from kinematics.inverse.distinct import shorter_way
 from kinematics.inverse.residuals import are_solutions, errors_and_jacobians
 from kinematics.inverse.self_motions.corrections import corrected, corrected_across
 
@@ -352,9 +353,7 @@ class Follower:
 
     def back_to(self, start: Array, x: Array) -> Array:
         """Return the way from x to the start, turns on the circle."""
-        difference = start - x
-        turned = (difference + np.pi) % (2.0 * np.pi) - np.pi
-        return np.asarray(np.where(self.arm.revolute, turned, difference))
+        return shorter_way(start - x, self.arm.revolute)
 
 
 def nearest_on(arm: Arm, path: FamilyPath, q: Array) -> tuple[Array, Array]:
@@ -362,13 +361,11 @@ def nearest_on(arm: Arm, path: FamilyPath, q: Array) -> tuple[Array, Array]:
     points = path.points / arm.units
     way = np.diff(points, axis=0)
     if path.closed:
-        back = points[0] - points[-1]
-        way = np.vstack((way, np.where(arm.revolute, (back + np.pi) % (2.0 * np.pi) - np.pi, back)))
+        way = np.vstack((way, shorter_way(points[0] - points[-1], arm.revolute)))
     start = points[: len(way)] if len(way) else points
     way = way if len(way) else np.zeros_like(points)
     # Each joint by the turn that is nearest to the middle of the chord.
-    off = q / arm.units - start - 0.5 * way
-    off = np.where(arm.revolute, (off + np.pi) % (2.0 * np.pi) - np.pi, off) + 0.5 * way
+    off = shorter_way(q / arm.units - start - 0.5 * way, arm.revolute) + 0.5 * way
     square = np.maximum((way * way).sum(axis=1), 1e-300)
     part = np.clip((off * way).sum(axis=1) / square, 0.0, 1.0)
     off = off - part[:, None] * way

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from kinematics.inverse.arm import Array
 from kinematics.inverse.newton import polish
-from kinematics.inverse.residuals import are_solutions, errors_of
+from kinematics.inverse.residuals import are_solutions, errors_at
 from kinematics.inverse.self_motions.families import FamilyPath, Follower, nearest_on
 
 WIDEST = 0.05
@@ -43,7 +43,7 @@ def way_through_gaps(follower: Follower, joints: Array, path: FamilyPath, gap: f
 def nearest_places(follower: Follower, way: FamilyPath) -> list[Array]:
     """Configurations that reach the target, one of each piece of a way and where else it comes nearest."""
     arm, points = follower.arm, way.points
-    errors = errors_of(arm, arm.frames(points)[-1], follower.target)
+    errors = errors_at(arm, points, follower.target)
     off = np.linalg.norm(errors, axis=1)
     around = (
         np.concatenate((off[-1:], off, off[:1])) if way.closed else np.pad(off, 1, constant_values=np.inf)
@@ -84,5 +84,5 @@ def _pieces(follower: Follower, way: FamilyPath, there: NDArray[np.bool_]) -> ND
 
 def _reached(follower: Follower, pairs: Array) -> Array:
     arm = follower.arm
-    errors = errors_of(arm, arm.frames(pairs.reshape(-1, arm.n_joints))[-1], follower.target)
+    errors = errors_at(arm, pairs.reshape(-1, arm.n_joints), follower.target)
     return np.array([follower.reached(e) for e in errors]).reshape(-1, 2)

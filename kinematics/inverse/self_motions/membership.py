@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.inverse.arm import Arm, Array
-from kinematics.inverse.distinct import SAME, differences
+from kinematics.inverse.distinct import SAME, differences, shorter_way
 from kinematics.inverse.self_motions.families import FamilyPath, Follower, nearest_on
 from kinematics.inverse.self_motions.isolation import ACROSS_A_FOLD, fold_length, lost_value
 from kinematics.inverse.self_motions.walks import leads
@@ -139,8 +139,7 @@ class Membership:
             if float(np.abs(way - way[:, pivot, None] * along).max()) > self._beside:
                 return np.zeros(len(apart), dtype=bool)
             on -= apart[:, pivot, None] * along
-        on = np.where(revolute, (on + np.pi) % (2.0 * np.pi) - np.pi, on)
-        return np.asarray(np.abs(on).max(axis=1) <= self._beside)
+        return np.asarray(np.abs(shorter_way(on, revolute)).max(axis=1) <= self._beside)
 
     def _are_singular(self, joints: Array) -> NDArray[np.bool_]:
         """Which of (m, n) solutions are singular to within the tolerance, if the first one is; else none.
