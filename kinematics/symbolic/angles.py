@@ -71,11 +71,6 @@ class Angle:
         return _sum(self, other, sign)
 
     @property
-    def is_nothing(self) -> bool:
-        """Whether it is zero."""
-        return not (self.parts or self.number or self.half_turns)
-
-    @property
     def quarter_turns(self) -> int | None:
         """The angle in quarter turns, in -1 … 2, if it is a whole number of them."""
         quarters = self.half_turns * 2
