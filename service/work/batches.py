@@ -1,13 +1,24 @@
-"""Batches: computed block by block in a thread, and sent while they are computed."""
+"""Batches: computed block by block in a thread, and sent while they are computed.
+
+A caller who reads slowly gives the slot back, and waits in line again for the next block: otherwise as many
+slow callers as there are slots would keep everybody else from theirs.
+"""
 
 from __future__ import annotations
 
+import asyncio
 from collections.abc import AsyncIterator, Iterator, Mapping
 
+from starlette.requests import ClientDisconnect
 from starlette.responses import StreamingResponse
-from starlette.types import Receive, Scope, Send
+from starlette.types import Message, Receive, Scope, Send
 
+from service.http.problems import BusyError
 from service.work.limiters import ThreadSlot
+
+PATIENCE = 1.0
+"""How long a caller may take over a block before the slot is given back [s]: long for any line, and short
+beside the time that others may wait for theirs."""
 
 
 class BatchResponse(StreamingResponse):
@@ -24,9 +35,24 @@ class BatchResponse(StreamingResponse):
         self._slot = slot
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Send."""
+        """Send.
+
+        Raises:
+            ClientDisconnect: the caller reads slowly, and there was no slot again for what is left.
+        """
+        loop = asyncio.get_running_loop()
+
+        async def send_patiently(message: Message) -> None:
+            patience = loop.call_later(PATIENCE, self._slot.release)
+            try:
+                await send(message)
+            finally:
+                patience.cancel()
+
         try:
-            await super().__call__(scope, receive, send)
+            await super().__call__(scope, receive, send_patiently)
+        except BusyError:
+            raise ClientDisconnect from None
         finally:
             self._slot.release()
 
@@ -35,6 +61,7 @@ async def _computed(
     blocks: Iterator[bytes | memoryview], slot: ThreadSlot
 ) -> AsyncIterator[bytes | memoryview]:
     while True:
+        await slot.regain()
         block = await slot.run(lambda: next(blocks, None))
         if block is None:
             return

@@ -313,6 +313,11 @@ class Slot:
         """Count use from now on."""
         self._since = time.monotonic()
 
+    @property
+    def held(self) -> bool:
+        """Whether it has not been given back."""
+        return self._queue is not None
+
     def give_back(self) -> None:
         """Release a slot that was not used."""
         if self._queue is not None:

@@ -53,7 +53,7 @@ class Limiter:
         Raises:
             BusyError: as many as may wait are waiting, or the slot did not come in time.
         """
-        return ThreadSlot(await self.queue.acquire(), self._threads)
+        return ThreadSlot(await self.queue.acquire(), self.queue, self._threads)
 
     async def run(self, work: Callable[[], _Result]) -> _Result:
         """Do the work in a thread, in turn.
@@ -115,13 +115,23 @@ def _timed(work: Callable[[], _Result]) -> tuple[_Result, float]:
 class ThreadSlot:
     """The right to have work done in a thread."""
 
-    def __init__(self, slot: Slot, threads: anyio.CapacityLimiter) -> None:
+    def __init__(self, slot: Slot, queue: FairQueue, threads: anyio.CapacityLimiter) -> None:
         self._slot = slot
+        self._queue = queue
         self._threads = threads
 
     async def run(self, work: Callable[[], _Result]) -> _Result:
         """Do a part of the work in a thread."""
         return await in_thread(work, limiter=self._threads)
+
+    async def regain(self) -> None:
+        """Wait for a slot again, if it was released.
+
+        Raises:
+            BusyError: as in `Limiter.acquire`.
+        """
+        if not self._slot.held:
+            self._slot = await self._queue.acquire()
 
     def release(self) -> None:
         """Give the slot back; once is enough, twice does no harm."""

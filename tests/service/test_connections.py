@@ -12,7 +12,9 @@ from collections.abc import Iterator
 import httpx
 import pytest
 
+from service.http.problems import busy
 from service.settings import Settings
+from service.work.fair_queue import FairQueue, Slot
 from tests.architecture.serving import received
 from tests.live_service import running
 
@@ -151,6 +153,39 @@ def test_who_does_not_read_is_given_up(monkeypatch: pytest.MonkeyPatch) -> None:
                         return
                     threading.Event().wait(0.1)
     raise AssertionError("the slot is still held")
+
+
+def test_who_reads_slowly_keeps_nobody_from_their_turn(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Two callers who read just fast enough held both slots for batches as long as they liked."""
+    monkeypatch.setattr("service.work.batches.PATIENCE", 0.1)
+    body = b'{"robot":"puma560","joints":[' + b",".join([b"[0,0,0,0,0,0]"] * 20_000) + b"]}"
+    with running(Settings(batch_threads=1, batch_queue=1)) as url, connected(url) as slow:
+        slow.sendall(UNFINISHED.replace(b"jacobian", b"forward-kinematics"))
+        slow.sendall(b"Connection: close\r\nContent-Length: %d\r\n\r\n" % len(body) + body)
+        begun = slow.recv(1000)
+        assert begun.startswith(b"HTTP/1.1 200 ")
+        batch = {"robot": "puma560", "joints": [[0] * 6] * 100}
+        assert patient.post(f"{url}/api/v1/forward-kinematics", json=batch).status_code == 200
+        assert (begun + received(slow)).endswith(b"}\r\n0\r\n\r\n")  # and is answered in full
+
+
+def test_who_reads_slowly_and_finds_no_place_again_is_not_told_that_this_is_all(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    monkeypatch.setattr("service.work.batches.PATIENCE", 0.1)
+
+    async def full(_: FairQueue) -> Slot:
+        raise busy()
+
+    body = b'{"robot":"puma560","joints":[' + b",".join([b"[0,0,0,0,0,0]"] * 20_000) + b"]}"
+    with running(Settings()) as url, connected(url) as slow:
+        slow.sendall(UNFINISHED.replace(b"jacobian", b"forward-kinematics"))
+        slow.sendall(b"Content-Length: %d\r\n\r\n" % len(body) + body)
+        begun = slow.recv(1000)
+        assert begun.startswith(b"HTTP/1.1 200 ")
+        monkeypatch.setattr(FairQueue, "acquire", full)
+        time.sleep(1.0)
+        assert not (begun + received(slow)).endswith(b"0\r\n\r\n")
 
 
 def test_idle_connections_make_room_for_new_ones(monkeypatch: pytest.MonkeyPatch) -> None:

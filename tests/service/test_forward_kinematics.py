@@ -212,7 +212,8 @@ def test_a_large_batch_of_json_is_one_document(client: httpx.Client) -> None:
     np.testing.assert_allclose(answer["transform"][699], expected, atol=1e-12)
 
 
-def test_batches_that_find_no_place_are_told_to_come_back() -> None:
+def test_batches_that_find_no_place_are_told_to_come_back(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("service.work.batches.PATIENCE", 120.0)
     with running(Settings(batch_threads=1, batch_queue=0)) as url, httpx.Client(base_url=url) as client:
         body = {"table": PUMA_560, "joints": [[0] * 6] * 5000}
         with client.stream("POST", PATH, json=body) as first:
