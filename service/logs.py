@@ -7,6 +7,7 @@ and routes by their templates.
 from __future__ import annotations
 
 import logging
+import re
 import time
 from enum import StrEnum
 from typing import TYPE_CHECKING, Any
@@ -17,6 +18,12 @@ if TYPE_CHECKING:
     from service.settings import Settings
 
 _access = logging.getLogger("framewise.access")
+_DETAIL = re.compile(
+    r"\n[ |]*DETAIL:.*?"
+    r"(?=\n[ |]*(\[SQL: |HINT:|CONTEXT:|\(Background on|\n[ |]*(The above|During handling))|\Z)",
+    re.DOTALL,
+)
+"""What PostgreSQL says of the row that it refused, as far as another line of the error follows."""
 _STANDARD = frozenset(vars(logging.makeLogRecord({}))) | {"message", "asctime", "color_message"}
 
 
@@ -27,7 +34,13 @@ class LogFormat(StrEnum):
     JSON = "json"
 
 
-class TextFormatter(logging.Formatter):
+class _Formatter(logging.Formatter):
+    def formatException(self, ei: Any) -> str:
+        """Write a stack trace without the row that a database refused: it may say who handed in what."""
+        return _DETAIL.sub("", super().formatException(ei))
+
+
+class TextFormatter(_Formatter):
     """Time in UTC, level, logger and message."""
 
     def __init__(self) -> None:
@@ -35,7 +48,7 @@ class TextFormatter(logging.Formatter):
         self.converter = time.gmtime
 
 
-class JsonFormatter(logging.Formatter):
+class JsonFormatter(_Formatter):
     """One object a line; what a message is made with are members of its own."""
 
     def format(self, record: logging.LogRecord) -> str:
