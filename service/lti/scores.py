@@ -98,6 +98,8 @@ def post_score(
 
 def _delivery(answer: FetchedAnswer) -> Delivery:
     status = answer.status
+    if status // 100 == 3 or _is_page(answer):
+        return Delivery.LATER
     if status // 100 == 2:
         return Delivery.TAKEN
     if status in (400, 409):
@@ -106,6 +108,12 @@ def _delivery(answer: FetchedAnswer) -> Delivery:
     if status in (401, 408, 425, 429) or status >= 500 or rate_limited:
         return Delivery.LATER
     return Delivery.REFUSED
+
+
+def _is_page(answer: FetchedAnswer) -> bool:
+    """Whether something before the gradebook has answered, with a page to sign in, say, or to wait."""
+    is_html = answer.headers.get("content-type", "").lower().startswith(("text/html", "application/xhtml"))
+    return answer.status // 100 == 2 and is_html and bool(answer.body.strip())
 
 
 def has_result(services: Services, platform: LtiPlatform, line_item: str, message: ScoreMessage) -> bool:

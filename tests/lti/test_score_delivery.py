@@ -7,6 +7,7 @@ import threading
 import time
 from datetime import datetime, timedelta
 from functools import partial
+from types import SimpleNamespace
 from typing import Any
 
 import orjson
@@ -19,7 +20,7 @@ from courses.storage import Store
 from service.course_resources import CourseResources, now
 from service.lti.fetching import FetchedAnswer
 from service.lti.launch_errors import PlatformError, unreachable
-from service.lti.scores import Delivery, DeliveryReport, ScoreMessage, has_result, line_item_for
+from service.lti.scores import Delivery, DeliveryReport, ScoreMessage, has_result, line_item_for, post_score
 from service.lti.services import Services
 from service.settings import Settings
 from service.work import score_sender
@@ -275,6 +276,40 @@ def test_what_a_gradebook_holds_is_read_whatever_it_is(results: object, holds: b
     told: Any = Platform(results)
     known: Any = None
     assert has_result(told, known, "https://lms.example/item", message) is holds
+
+
+@pytest.mark.parametrize(
+    ("status", "headers", "body", "delivery"),
+    [
+        (
+            200,
+            {"content-type": "text/html; charset=UTF-8"},
+            b"<title>Log in</title>",
+            Delivery.LATER,
+        ),
+        (302, {"location": "https://lms.example/maintenance"}, b"", Delivery.LATER),
+        (503, {"content-type": "text/html"}, b"<h1>Back soon</h1>", Delivery.LATER),
+        (200, {"content-type": "text/html; charset=UTF-8"}, b"", Delivery.TAKEN),
+        (
+            200,
+            {"content-type": "application/json"},
+            b'{"resultUrl": "https://a.b/1"}',
+            Delivery.TAKEN,
+        ),
+        (201, {}, b"", Delivery.TAKEN),
+        (204, {}, b"", Delivery.TAKEN),
+        (404, {"content-type": "text/html"}, b"<h1>Not found</h1>", Delivery.REFUSED),
+    ],
+)
+def test_a_page_that_stands_before_a_gradebook_has_not_taken_the_score(
+    status: int, headers: dict[str, str], body: bytes, delivery: Delivery
+) -> None:
+    """The page to sign in counted as success, and one that says to wait as the end of all tries."""
+    answer = FetchedAnswer(address="https://lms.example/scores", status=status, headers=headers, body=body)
+    told: Any = SimpleNamespace(call=lambda *_, **__: answer)
+    known: Any = None
+    message = ScoreMessage(user="ann", timestamp=now(), given=5.0, maximum=10.0)
+    assert post_score(told, known, "https://lms.example/item", message).delivery is delivery
 
 
 def test_a_score_of_no_points_is_held() -> None:
