@@ -9,6 +9,7 @@ Reading:
   negotiation, languages  media type and language of the answer
   idempotency      a POST that is sent again
 Who calls:
+  addresses        whom an address is counted for
   api_keys         keys of programs
   link_context, link_guard  what students of a link may use
   metering, cost_window  what callers may cost, and have

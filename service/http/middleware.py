@@ -20,6 +20,7 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 from uvicorn.middleware.proxy_headers import ProxyHeadersMiddleware
 
 from kinematics.errors import Fault
+from service.http.addresses import caller_at
 from service.http.compression import accepts_gzip, compressing
 from service.http.languages import language_for
 from service.http.problems import INTERNAL, PROBLEM_JSON, Problem, busy, problem_of
@@ -71,7 +72,8 @@ class OuterMiddleware:
     async def _serve(self, scope: Any, receive: Any, send: Any) -> None:
         begun = time.perf_counter()
         fields = dict(scope["headers"])
-        current_client.set(tuple(scope.get("client") or ("", 0)))
+        host, port = scope.get("client") or ("", 0)
+        current_client.set((caller_at(host), port))
         self._name_person(scope, fields.get(b"authorization"))
         request_id = self._open(scope, fields)
         original = scope

@@ -95,6 +95,28 @@ def test_a_limit_counts_cost_and_says_when_to_come_back() -> None:
         assert client.get("/").status_code == 200  # pages are not counted
 
 
+@pytest.mark.parametrize(
+    ("first", "second", "left"),
+    [
+        ("2001:db8::1", "2001:db8::ffff:ffff:ffff:ffff", 8),
+        ("2001:db8::1", "[2001:db8::2]:443", 8),
+        ("2001:db8::1", "2001:db8:0:1::1", 9),
+        ("192.0.2.1", "::ffff:192.0.2.1", 8),
+        ("::ffff:192.0.2.1", "::ffff:192.0.2.2", 9),
+        ("192.0.2.1", "192.0.2.2", 9),
+        ("fe80::1%eth0", "fe80::2%eth0", 8),
+        ("a:b", "a:c", 9),
+    ],
+)
+def test_whoever_has_a_subnet_is_one_caller(first: str, second: str, left: int) -> None:
+    """Each of the 2^64 addresses of an IPv6 customer had a limit of its own."""
+    with running(Settings(cost_per_minute=10)) as url, httpx.Client(base_url=url, timeout=120) as client:
+        for address in (first, second):
+            headers = {"X-Forwarded-For": address}
+            answer = client.post("/api/v1/forward-kinematics", json=FORWARD, headers=headers)
+        assert answer.headers["ratelimit-remaining"] == str(left)
+
+
 def test_a_key_has_a_limit_of_its_own(key_file: Path) -> None:
     keys = KeyFile(key_file)
     _, small = keys.add(tuple(KeyScope), cost_per_minute=5)
