@@ -19,7 +19,6 @@ from service.http.problems import located
 from service.http.routing import JSON, ApiRequest, DirectRoute, api_router
 from service.http.validation import validated
 from service.messages import robot_name
-from service.resources import resources_of
 from service.schemas.exercises import authoring as wire
 from service.schemas.exercises import examples_authoring as examples
 from service.schemas.exercises.exercises import ExerciseAnswer, GradedModel
@@ -118,7 +117,7 @@ async def grade_against_draft(body: wire.TryRequest, request: ApiRequest) -> Res
             instance = generate(exercise_of(draft), answer.seed)
             return grade(instance, parse(instance, raw, limits), answer.help, answer.attempt)
 
-        report = await resources_of(request).grading.run(work)
+        report = await request.resources.grading.run(work)
     return _json(report_body(report, language), language)
 
 
@@ -169,7 +168,7 @@ async def import_draft(request: ApiRequest) -> Response:
 
 async def _in_worker(request: ApiRequest, work: Any, *arguments: Any) -> Any:
     """Do what costs time with a draft, in a process that may only take so much of it."""
-    return await resources_of(request).workers.run(Lane.SLOW, work, *arguments)
+    return await request.resources.workers.run(Lane.SLOW, work, *arguments)
 
 
 async def _rehearsed(request: ApiRequest, work: Any, draft: wire.DraftModel, *arguments: Any) -> Response:
@@ -180,7 +179,7 @@ async def _rehearsed(request: ApiRequest, work: Any, draft: wire.DraftModel, *ar
 
 
 async def _drawn(request: ApiRequest, work: Any) -> Any:
-    return await resources_of(request).limiters[WorkKind.DRAWING].run(work)
+    return await request.resources.limiters[WorkKind.DRAWING].run(work)
 
 
 def _json(body: dict[str, Any], language: str) -> Response:

@@ -1,4 +1,4 @@
-"""Receipts: given for a verdict, verified for a lecturer, and the keys to verify them elsewhere."""
+"""POST /exercises/{exercise_id}/receipts and receipts.pdf: receipts given for a verdict."""
 
 from __future__ import annotations
 
@@ -8,34 +8,26 @@ from functools import partial
 from typing import TYPE_CHECKING, Annotated, Any
 
 import segno
-from fastapi import Query, Request, Response
-from fastapi.responses import JSONResponse
+from fastapi import Request, Response
+from pydantic import Field
 
 from exercises.answers import parse
 from exercises.grader import Report, grade
 from exercises.instance import Instance
 from exercises.parts.protocol import TABLE
 from kinematics.table import COLUMNS
-from service.adapters.gradebook import GradebookFormat, write_marks
-from service.adapters.judging import told_fault
 from service.http.languages import language_of
 from service.http.link_context import LinkContext
 from service.http.link_guard import context_of
 from service.http.openapi import body_with, problems
 from service.http.routing import api_router
 from service.messages import sentence
-from service.receipts.checking import CheckedReceipt, check_receipts, marks_of
-from service.receipts.receipt import PartScore, Receipt, answer_hash, issue
+from service.receipts.receipt import LONGEST_NAME, PartScore, Receipt, answer_hash, issue
 from service.resources import AppResources
 from service.routes.exercises.exercises import Id, help_of, refuse_beyond, seed_of
+from service.schemas.base import Real, Wire
 from service.schemas.exercises import examples_grading
-from service.schemas.exercises.receipts import (
-    IssuedReceipt,
-    KeySet,
-    ReceiptRequest,
-    VerifiedReceipts,
-    VerifyRequest,
-)
+from service.schemas.exercises.exercises import ExerciseAnswer
 from service.wire.exercises.exercise_views import attempts_of, instance_of
 from service.wire.exercises.figure_files import figure_file
 from service.wire.exercises.ungraded import answer_refused
@@ -46,9 +38,28 @@ if TYPE_CHECKING:
 
 router = api_router("receipts")
 
+
+class ReceiptRequest(ExerciseAnswer):
+    """An answer, and the name that its receipt is to bear."""
+
+    name: str = Field(
+        min_length=1,
+        max_length=LONGEST_NAME,
+        description="the name as the student typed it; nobody checks it",
+    )
+
+
+class IssuedReceipt(Wire):
+    """A receipt for a verdict."""
+
+    receipt: str = Field(description="compact JWS (RFC 7515), EdDSA")
+    qr: str = Field(description="the same as a QR code, an SVG picture")
+    points: Real
+    max_points: Real
+    issued: str = Field(description="when, in UTC (ISO 8601)")
+
+
 _RECEIPT: dict[str, Any] = {"a table": {"table": examples_grading.SCARA_BY_THE_BOOK, "name": "Ada Lovelace"}}
-_VERIFY: dict[str, Any] = {"a text that is no receipt": {"receipts": ["eyJhbGciOiJFZERTQSIsImtpZCI6"]}}
-_CSV = "text/csv; charset=utf-8"
 _PDF = "application/pdf"
 _LETTERS = {"theta": "θ", "d": "d", "a": "a", "alpha": "α"}
 _OUTSIDE = {"name", "seed", "help", "attempt"}
@@ -170,40 +181,6 @@ def _sheet(instance: Instance, receipt: Receipt, token: str, body: ReceiptReques
     )
 
 
-@router.post(
-    "/receipts/verify",
-    response_model=VerifiedReceipts,
-    responses={200: {"content": {"text/csv": {"schema": {"type": "string"}}}}},
-    summary="Verify receipts",
-)
-async def verify_receipts(
-    request: Request,
-    body: Annotated[VerifyRequest, body_with(_VERIFY)],
-    resources: AppResources,
-    gradebook: Annotated[
-        GradebookFormat | None, Query(alias="format", description="a gradebook file instead of JSON")
-    ] = None,
-) -> Any:
-    """Return what receipts say, in the order in which they were sent.
-
-    A forged one says why it is not believed.
-    """
-    language = language_of(request)
-    check = partial(check_receipts, body.receipts, resources.receipt_keys)
-    checked = await resources.grading.run(check)
-    if gradebook is not None:
-        stream = io.StringIO()
-        write_marks(marks_of(checked), stream, gradebook)
-        return Response(stream.getvalue(), media_type=_CSV)
-    return JSONResponse({"receipts": [_verified(entry, language) for entry in checked]})
-
-
-@router.get("/receipts/keys", summary="Public keys of receipts (JWK Set)", response_model=KeySet)
-async def receipt_keys(resources: AppResources) -> Response:
-    """Return the keys that verify receipts (RFC 7517); the first one signs."""
-    return JSONResponse(resources.receipt_keys.public(), headers={"Cache-Control": "public, max-age=600"})
-
-
 def _receipt(request: Request, instance: Instance, body: ReceiptRequest, report: Report) -> Receipt:
     answer = body.model_dump(mode="json", exclude=_OUTSIDE, exclude_none=True)
     context = context_of(request)
@@ -250,30 +227,3 @@ def _picture(token: str) -> str:
         stream, kind="svg", xmldecl=False, svgns=True, scale=3, dark="#000", light="#fff", omitsize=True
     )
     return stream.getvalue().decode()
-
-
-def _verified(entry: CheckedReceipt, language: str) -> dict[str, Any]:
-    receipt = entry.receipt
-    if receipt is None:
-        assert entry.fault is not None
-        said = dict.fromkeys(_CLAIMS)
-        message = told_fault(entry.fault, language)
-        return {**said, "valid": False, "code": entry.fault.code, "message": message, "repeated": False}
-    return {
-        "valid": True,
-        "code": None,
-        "message": None,
-        **{name: getattr(receipt, name) for name in _CLAIMS if name not in ("parts", "issued")},
-        "parts": {
-            kind: {"points": part.points, "max_points": part.max_points, "correct": part.correct}
-            for kind, part in receipt.parts.items()
-        },
-        "issued": receipt.time.isoformat(),
-        "repeated": entry.repeated,
-    }
-
-
-_CLAIMS = (
-    "exercise", "version", "seed", "name", "points", "max_points", "parts", "settings", "answer", "issued",
-    "service",
-)  # fmt: skip

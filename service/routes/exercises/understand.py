@@ -37,7 +37,6 @@ from service.http.link_guard import switched_off
 from service.http.openapi import body_with
 from service.http.problems import RequestError
 from service.http.routing import ApiRequest, OneRobotRoute, api_router
-from service.resources import resources_of
 from service.schemas.exercises.understanding import (
     Meaning,
     UnderstandAnswer,
@@ -89,8 +88,8 @@ async def understand(
     language = language_for(request.headers.get("accept-language"))
     response.headers["Content-Language"] = language
     response.headers["Vary"] = "Accept-Language"
-    hidden = switched_off(request, Tool.MATRICES, resources_of(request).exercises)
-    exercise = None if body.exercise is None else _exercise(body.exercise, resources_of(request).exercises)
+    hidden = switched_off(request, Tool.MATRICES, request.resources.exercises)
+    exercise = None if body.exercise is None else _exercise(body.exercise, request.resources.exercises)
     work = partial(_understood, body, exercise, request.settings, language, links=not hidden)
     return await request.in_turn(work)
 

@@ -10,7 +10,7 @@ import { problemNotice } from "../problem.js";
 
 /** A compact JWS whose header begins {"alg":"EdDSA"; an Ed25519 signature has 64 bytes. */
 const RECEIPT = /eyJhbGciOiJFZERTQSI[\w-]*\.[\w-]+\.[\w-]{86}/g;
-/** How many one call verifies (service.schemas.exercises.receipts.MOST_RECEIPTS). */
+/** How many one call verifies (service.routes.exercises.receipt_checks.MOST_RECEIPTS). */
 const AT_ONCE = 1000;
 /** Characters of a text that are sent (service.receipts.receipt.LONGEST). */
 const LONGEST = 8192;
