@@ -37,7 +37,7 @@ _GIVEN: Mapping[str, Callable[[ApiRequest], Any]] = {
 }
 
 
-class Calls(APIRouter):
+class CallRouter(APIRouter):
     """A router under /api/v1 whose calls are functions."""
 
     def __init__(self, tag: str, route_class: type[ApiRoute] = ApiRoute) -> None:

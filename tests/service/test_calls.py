@@ -11,7 +11,7 @@ import pytest
 from fastapi import FastAPI
 
 from service.app import create_app
-from service.http.calls import Calls
+from service.http.calls import CallRouter
 from service.routes.checks.check_rotation import CheckRotationRequest, check_rotation
 from service.schemas.base import Wire
 
@@ -44,12 +44,12 @@ def test_a_name_that_nobody_can_give_is_noticed_when_the_call_is_declared() -> N
         raise NotImplementedError
 
     with pytest.raises(KeyError, match="weather"):
-        Calls("kinematics").call("/ping", "Ping", {})(wants_too_much)
+        CallRouter("kinematics").call("/ping", "Ping", {})(wants_too_much)
 
 
 @pytest.mark.parametrize("way", ["call", "judge"])
 def test_answers_are_judged_in_threads_and_short_work_is_done_at_once(way: str) -> None:
-    router = Calls("kinematics")
+    router = CallRouter("kinematics")
 
     def pong(body: Ping, language: str) -> Pong:
         return Pong(text=f"{body.text} {language}", thread=threading.current_thread().name)

@@ -21,7 +21,7 @@ from kinematics.dynamics import rate_name
 from kinematics.errors import Fault, JointValueError
 from kinematics.expressions import Expression
 from kinematics.symbolic import ProofStatus
-from service.http.calls import Calls
+from service.http.calls import CallRouter
 from service.schemas.base import Real, Wire
 from service.schemas.choices import forbidding, together
 from service.schemas.kinematics.dynamics_request import DYNAMICS, WeighedRobot
@@ -85,7 +85,7 @@ _EXAMPLES: dict[str, Any] = {
 }
 
 
-router = Calls("kinematics")
+router = CallRouter("kinematics")
 
 
 @router.judge("/check-dynamics", "Are these M, C and g those of the robot?", _EXAMPLES)

@@ -23,7 +23,7 @@ from kinematics.inverse import ArmReach, InverseKinematics
 from kinematics.inverse.goals import EXACT, LARGEST_TOLERANCE, LEAST_TOLERANCE, OF_ROUNDING, rounding_of
 from kinematics.se3 import check_transform, inverse_transform
 from kinematics.table import JointType
-from service.http.calls import Calls
+from service.http.calls import CallRouter
 from service.http.problems import located
 from service.resources import Resources
 from service.schemas import examples
@@ -92,7 +92,7 @@ class CheckInverseKinematicsAnswer(Units):
     feedback: list[SpokenFeedback]
 
 
-router = Calls("kinematics")
+router = CallRouter("kinematics")
 
 _EXAMPLES: dict[str, Any] = {
     "two links, one of the two elbows": {

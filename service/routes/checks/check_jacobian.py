@@ -18,7 +18,7 @@ from kinematics.inverse.lengths import check_lengths
 from kinematics.jacobian import JacobianFrame
 from kinematics.rotations.sequences import EulerSequence
 from kinematics.symbolic import ProofStatus
-from service.http.calls import Calls
+from service.http.calls import CallRouter
 from service.http.problems import located
 from service.schemas import examples
 from service.schemas.base import OneOf, Real, Vector6, Wire
@@ -118,7 +118,7 @@ class CheckJacobianFormAnswer(CheckJacobianAnswer):
     )
 
 
-router = Calls("kinematics")
+router = CallRouter("kinematics")
 
 _IN_NUMBERS: dict[str, Any] = {
     "two links: the second column with p₁ − p₂": {

@@ -22,14 +22,14 @@ from kinematics.rotations.orientation_answers import (
 )
 from kinematics.rotations.properties import failed_properties
 from kinematics.rotations.sequences import GimbalFamily
-from service.http.calls import Calls
+from service.http.calls import CallRouter
 from service.http.problems import located
 from service.schemas.base import OneOf, Real, Vector3, Wire
 from service.schemas.choices import forbidding, not_one_of
 from service.schemas.kinematics.orientations import HALF_AN_AXIS, NOTATIONS, FamilyModel, OrientationModel
 from service.schemas.spoken import feedback_sentence
 
-router = Calls("kinematics")
+router = CallRouter("kinematics")
 
 
 class OrientationAnswerModel(OrientationModel):

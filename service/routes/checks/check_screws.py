@@ -9,7 +9,7 @@ from pydantic import Field
 
 from kinematics.answers.screw_answers import ScrewAnswer, ScrewFrame, ScrewMistake, ScrewOrder, judge_screws
 from kinematics.errors import DescriptionError, Fault
-from service.http.calls import Calls
+from service.http.calls import CallRouter
 from service.schemas import examples
 from service.schemas.base import Matrix4, OneOf, Real, Wire
 from service.schemas.exercises.verdicts import PolicyModel
@@ -62,7 +62,7 @@ class CheckScrewsAnswer(Units):
     mistakes: list[ScrewMistakeModel] = Field(description="the usual slips that explain a wrong answer")
 
 
-router = Calls("kinematics")
+router = CallRouter("kinematics")
 
 LARGEST = 1e6
 """Numbers beyond this are no screws of a robot in any unit: squares of them would not be told apart."""

@@ -16,7 +16,7 @@ from kinematics.expressions import Expression
 from kinematics.inverse.lengths import check_lengths
 from kinematics.symbolic import ProofStatus
 from kinematics.symbolic.determinants import MotionRows
-from service.http.calls import Calls
+from service.http.calls import CallRouter
 from service.schemas import examples
 from service.schemas.base import OneOf, Real, Wire
 from service.schemas.choices import forbidding, together
@@ -89,7 +89,7 @@ class CheckSingularitiesAnswer(Units):
     lost: bool | None = Field(description="whether λ is a motion that is lost; null if none was given")
 
 
-router = Calls("kinematics")
+router = CallRouter("kinematics")
 
 _EXAMPLES: dict[str, Any] = {
     "two links that position a point": {

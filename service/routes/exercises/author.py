@@ -12,7 +12,7 @@ from exercises.authoring.archive import LARGEST_ARCHIVE, archive_of_draft, draft
 from exercises.authoring.trials import new_draft, rehearsed_mistakes, rehearsed_right, self_test, trial
 from exercises.grader import grade
 from exercises.instance import generate
-from service.http.calls import Calls
+from service.http.calls import CallRouter
 from service.http.languages import language_of
 from service.http.openapi import body_with, problems, request_body
 from service.http.problems import located
@@ -35,7 +35,7 @@ from service.wire.exercises.verdicts import encoded, report_body
 from service.work.limiters import WorkKind
 from service.work.workers import Lane
 
-router = Calls("authoring")
+router = CallRouter("authoring")
 direct = api_router("authoring", route_class=DirectRoute)
 
 ZIP = "application/zip"

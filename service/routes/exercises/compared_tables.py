@@ -11,14 +11,14 @@ from exercises.alternatives import other_tables
 from exercises.grading import Policy, ToolRule, grade
 from exercises.parts.mistakes.compare_tables import ComparisonReason, true_reasons
 from kinematics.cells import Limits
-from service.http.calls import Calls
+from service.http.calls import CallRouter
 from service.schemas.base import WHOLE, Wire
 from service.schemas.exercises.verdicts import PolicyModel
 from service.schemas.spoken import SpokenFeedback, spoken
 from service.schemas.tables import Parameters, Table
 from service.wire.kinematics.written_tables import table_in_units_of
 
-router = Calls("exercises")
+router = CallRouter("exercises")
 
 MOST_TABLES = 10
 """As many as an author is shown of right answers that look different."""

@@ -19,7 +19,7 @@ from kinematics.frames.assignment import assign_frames
 from kinematics.frames.wrong_frames import plantable_in_frames, right_handed
 from kinematics.symbolic import Matrix
 from kinematics.table import Convention
-from service.http.calls import Calls
+from service.http.calls import CallRouter
 from service.http.problems import RequestError
 from service.schemas import examples
 from service.schemas.base import OneOf, Wire
@@ -31,7 +31,7 @@ from service.schemas.tables import Parameters, Table
 from service.wire.kinematics.written_tables import table_in_units_of
 
 Way = TypeVar("Way")
-router = Calls("exercises")
+router = CallRouter("exercises")
 
 PlantableCode = Literal[PLANTABLE]  # type: ignore[valid-type]
 

@@ -16,7 +16,7 @@ from kinematics.frames.rules import FrameFinding, FramePart, RuleCode, Severity
 from kinematics.frames.trainer import ChosenFrame, check_frames
 from kinematics.se3 import Transform
 from kinematics.table import JointType
-from service.http.calls import Calls
+from service.http.calls import CallRouter
 from service.messages import sentence
 from service.schemas.base import LONGEST_LIST, Coordinates, Matrix4, OneOf, Real, Vector3, Wire
 from service.schemas.kinematics.joint_axes import AxesQuestion, GripperTool
@@ -24,7 +24,7 @@ from service.schemas.tables import AnsweredTable, Units, units_of
 from service.wire.kinematics.pose_matrices import pose_matrix
 from service.wire.kinematics.written_tables import numeric_row, numeric_table
 
-router = Calls("kinematics")
+router = CallRouter("kinematics")
 
 
 class AssignFramesRequest(AxesQuestion):

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from service.http.calls import Calls
+from service.http.calls import CallRouter
 from service.http.routing import OneRobotRoute
 from service.schemas import examples
 from service.schemas.kinematics.conversion import ConvertAnswer, ConvertRequest
 from service.settings import Settings
 from service.wire.kinematics.conversion import converted
 
-router = Calls("kinematics", route_class=OneRobotRoute)
+router = CallRouter("kinematics", route_class=OneRobotRoute)
 
 
 @router.call("/convert", "From one description of a robot to another", examples.CONVERT)

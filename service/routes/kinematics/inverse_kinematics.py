@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from functools import partial
 
-from service.http.calls import Calls
+from service.http.calls import CallRouter
 from service.http.routing import ApiRequest, BytesResponse
 from service.schemas import examples
 from service.schemas.kinematics.inverse_forms import (
@@ -19,7 +19,7 @@ from service.wire.kinematics.inverse_forms import inverse_form_task, written_inv
 from service.wire.kinematics.inverse_solutions import solved, solved_each
 from service.wire.kinematics.symbolic_tasks import answered
 
-router = Calls("kinematics")
+router = CallRouter("kinematics")
 
 _TARGET = [[0, 0, 1, 0.5], [0, -1, 0, 0.2], [1, 0, 0, 0.3], [0, 0, 0, 1]]
 _EXAMPLES = {

@@ -11,7 +11,7 @@ from kinematics.ellipsoids import Ellipsoid, VelocityEllipsoids, velocity_ellips
 from kinematics.inverse.lengths import check_lengths
 from kinematics.rates import ROLL_PITCH_YAW, analytic_jacobian, jacobian_rate, joint_forces
 from kinematics.se3 import check_transform
-from service.http.calls import Calls
+from service.http.calls import CallRouter
 from service.schemas.base import Matrix6, Real, Vector3, Vector6, Wire
 from service.schemas.kinematics.orientations import RatesOfAngles
 from service.schemas.kinematics.robot_question import PoseInput, RobotQuestion
@@ -84,7 +84,7 @@ class RatesAnswer(Units):
     )
 
 
-router = Calls("kinematics")
+router = CallRouter("kinematics")
 
 _EXAMPLES: dict[str, Any] = {
     "a SCARA that turns both links, and a load of 10 N at its tool": {

@@ -11,12 +11,12 @@ from kinematics.poses import axis_angle_from_transform, quaternion_from_transfor
 from kinematics.rotations.matrices import Matrix3, as_transform
 from kinematics.rotations.properties import RotationProperty, failed_properties
 from kinematics.rotations.sequences import SEQUENCES, EulerSequence, Turning, euler_solutions
-from service.http.calls import Calls
+from service.http.calls import CallRouter
 from service.http.problems import located
 from service.schemas.base import OneOf, Real, Vector3, Wire
 from service.schemas.kinematics.orientations import FamilyModel, Matrix3Rows, OrientationModel, Quaternion4
 
-router = Calls("kinematics")
+router = CallRouter("kinematics")
 
 
 class RotationsRequest(Wire):

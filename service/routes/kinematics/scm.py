@@ -20,7 +20,7 @@ from kinematics.scm import (
     unit_vectors,
 )
 from kinematics.se3 import inverse_transform
-from service.http.calls import Calls
+from service.http.calls import CallRouter
 from service.http.routing import ApiRequest, BytesResponse, OneRobotRoute
 from service.schemas.base import LONGEST_LIST, Matrix4, OneOf, Real, Vector3
 from service.schemas.kinematics.orientations import AxisAngleModel, Orientation
@@ -32,7 +32,7 @@ from service.wire.kinematics.joint_values import values_in_radians
 from service.wire.kinematics.prepared_chains import PreparedChain, prepared_chain, written_structure
 from service.work.workers import Lane
 
-router = Calls("scm", route_class=OneRobotRoute)
+router = CallRouter("scm", route_class=OneRobotRoute)
 
 
 class JacobianMethod(StrEnum):

@@ -15,7 +15,7 @@ from kinematics.scm import (
     table_of_chain,
 )
 from kinematics.table import bind
-from service.http.calls import Calls
+from service.http.calls import CallRouter
 from service.http.routing import ApiRequest, OneRobotRoute
 from service.schemas.base import LONGEST_LIST, WHOLE, Real
 from service.schemas.kinematics.inverse_kinematics import InverseKinematicsAnswer
@@ -28,7 +28,7 @@ from service.wire.kinematics.joint_values import in_request_units, values_in_rad
 from service.wire.kinematics.pose_matrices import pose_matrix
 from service.wire.kinematics.prepared_chains import PreparedChain, prepared_chain
 
-router = Calls("scm", route_class=OneRobotRoute)
+router = CallRouter("scm", route_class=OneRobotRoute)
 
 LimitPair: TypeAlias = Annotated[list[Real | None], Field(min_length=2, max_length=2)]
 

@@ -18,7 +18,7 @@ from kinematics.scm.products import (
     read_products,
 )
 from kinematics.symbolic import ProofStatus
-from service.http.calls import Calls
+from service.http.calls import CallRouter
 from service.http.problems import moved
 from service.http.routing import ApiRequest, BytesResponse, OneRobotRoute
 from service.http.validation import CHOICE
@@ -32,7 +32,7 @@ from service.wire.kinematics.joint_values import values_in_radians
 from service.wire.kinematics.motion_products import ProductsTask, written_products
 from service.work.workers import Lane
 
-router = Calls("scm", route_class=OneRobotRoute)
+router = CallRouter("scm", route_class=OneRobotRoute)
 
 MOST_PRODUCTS = 8
 MOST_FACTORS = 32

@@ -10,7 +10,7 @@ from pydantic import Field
 from kinematics.forward import end_poses
 from kinematics.inverse.lengths import check_lengths
 from kinematics.trajectory import TimeScaling, joint_trajectory
-from service.http.calls import Calls
+from service.http.calls import CallRouter
 from service.schemas.base import WHOLE, OneOf, Real, Vector3
 from service.schemas.kinematics.robot_question import RobotQuestion
 from service.schemas.tables import Units
@@ -49,7 +49,7 @@ class TrajectoryAnswer(Units):
     path: list[Vector3] = Field(description="the origin of frame N in frame 0 at every instant")
 
 
-router = Calls("kinematics")
+router = CallRouter("kinematics")
 
 _EXAMPLES: dict[str, Any] = {
     "a PUMA 560 that stretches in two seconds": {

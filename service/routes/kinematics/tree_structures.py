@@ -19,7 +19,7 @@ from kinematics.tree_structures import (
     tree_frames,
     tree_jacobian,
 )
-from service.http.calls import Calls
+from service.http.calls import CallRouter
 from service.http.problems import located, moved
 from service.schemas.base import LONGEST_LIST, WHOLE, Matrix4, Matrix6, OneOf, Real, Whole, Wire
 from service.schemas.tables import AnsweredTable, Cell, Parameters, Units
@@ -112,7 +112,7 @@ class TreeAnswer(Units):
     ends: list[TreeEnd] = Field(description="the tips, or the frames that were asked for")
 
 
-router = Calls("kinematics")
+router = CallRouter("kinematics")
 
 _EXAMPLES: dict[str, Any] = {
     "a torso with two arms": {

@@ -11,7 +11,7 @@ from pydantic_core import PydanticCustomError
 from kinematics.inverse import ArmReach
 from kinematics.inverse.limits import JointLimits
 from kinematics.workspace import Radii, Workspace, check_reach, joint_spans, workspace
-from service.http.calls import Calls
+from service.http.calls import CallRouter
 from service.http.routing import OneRobotRoute
 from service.resources import Resources
 from service.schemas import examples
@@ -120,7 +120,7 @@ class WorkspaceResponse(Units):
     )
 
 
-router = Calls("kinematics", route_class=OneRobotRoute)
+router = CallRouter("kinematics", route_class=OneRobotRoute)
 
 _DMRA: dict[str, Any] = {"robot": "dmra"}
 _EXAMPLES: dict[str, Any] = {
