@@ -36,6 +36,7 @@ from kinematics.equivalence.invariants import axes_of, invariants_of
 from kinematics.equivalence.reference import prepared
 from kinematics.equivalence.search import Effort
 from kinematics.errors import KinematicsError
+from kinematics.poses import transform_from_rpy
 from kinematics.se3 import (
     IDENTITY,
     ORIGIN,
@@ -51,7 +52,6 @@ from kinematics.se3 import (
     rejection,
     rotate,
     subtract,
-    transform_from_rpy,
 )
 from kinematics.table import Convention, DHTable, JointType, NumericTable, bind
 
