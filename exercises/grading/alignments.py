@@ -14,8 +14,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-# In how many ways joints are placed beside the key's at the most: any six of thirteen that are missing.
 MOST_ALIGNMENTS = 1000
+"""In how many ways joints are placed beside the key's at the most."""
 NOT_THERE = 1 << 20
 """The shift of a link that the answer lacks."""
 
