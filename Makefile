@@ -146,7 +146,7 @@ campaign: $(VENV)/.dev ## the checker against two million tables, valid and wron
 	$(PY) -m tests.kinematics.equivalence $(ARGS)
 
 explore: $(VENV)/.dev vendor ## the property tests with fresh seeds, and long ones in full; what fails becomes an example (ARGS="tests/kinematics": some)
-	FRAMEWISE_EXPLORE=1 $(PY) -m pytest -n 2 --dist loadfile --no-loadscope-reorder $(or $(ARGS),tests/kinematics tests/exercises tests/service tests/courses/test_policies.py tests/web/test_trainer.py)
+	FRAMEWISE_EXPLORE=1 $(PY) -m pytest -n 2 --dist loadfile --no-loadscope-reorder $(or $(ARGS),tests/kinematics tests/exercises tests/service tests/courses/test_policies.py tests/web/test_trainer.py tests/web/test_exercises.py)
 
 campaign-answers: $(VENV)/.dev ## answers to every kind of question, right and wrong, against oracles of their own (an hour; ARGS="--only screws --answers 1000": some)
 	$(PY) -m tests.exercises.meaning $(ARGS)

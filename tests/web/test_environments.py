@@ -28,7 +28,7 @@ from tests.web.driving import (
     switch_language,
 )
 
-PAGES = ("/", "/exercises/puma560", "/exercises/scara", "/playground", "/trainer/puma560")
+PAGES = ("/", "/exercises/puma560", "/playground", "/trainer/puma560")
 TWO_FRAMES = "new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))"
 """After them is drawn what there was to draw."""
 SMALL_TARGETS = """() => [...document.querySelectorAll("a, button, input, select, textarea, summary")]
