@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
 from enum import Enum
 from typing import Any
 
@@ -17,7 +18,7 @@ from exercises.parts.registry import part_type
 from exercises.parts.task import FieldShape, FormField
 from service.messages import sentence
 from tests.exercises.packaged import exercise, exercise_ids
-from tests.web.conftest import Axe, OpenPage, Watch
+from tests.web.conftest import OpenPage, Watch
 from tests.web.driving import all_right, submit
 
 
@@ -96,9 +97,9 @@ def test_every_kind_with_such_a_form_is_tried() -> None:
 
 
 @pytest.mark.parametrize("kind", sorted(KINDS))
-def test_a_form_is_filled_in_and_judged(open_page: OpenPage, axe: Axe, kind: str) -> None:
-    """Contrasts of every other form are looked at in light, of the others in dark: forms share fields."""
-    light = sorted(KINDS).index(kind) % 2 == 0
+def test_a_form_is_filled_in_and_judged(
+    open_page: OpenPage, assert_accessible: Callable[[Page], None], kind: str
+) -> None:
     part, known = context(KINDS[kind])
     page = open_page(f"/exercises/{KINDS[kind]}", width=390, height=844)
     fields = part_type(kind).task(part, known.instance).form
@@ -107,7 +108,7 @@ def test_a_form_is_filled_in_and_judged(open_page: OpenPage, axe: Axe, kind: str
     expect(page.locator("#verdict")).to_contain_text("100 of 100 points")
     assert all_right(page)
     assert page.evaluate("document.documentElement.scrollWidth <= innerWidth")
-    axe.assert_accessible(page, light_colours=light, dark_colours=not light)
+    assert_accessible(page)
     before = page.locator(".matrix-field input, .field select").first.input_value()
     page.reload()
     expect(page.locator(".matrix-field input, .field select").first).to_have_value(before)
