@@ -29,8 +29,10 @@ from kinematics.symbolic.polynomials import FIELD, Polynomial, PolynomialReader,
 from kinematics.symbolic.size import count_operations
 from kinematics.symbolic.writing import Matrix
 
-_LIMIT = 30_000
-"""Products of terms that may be formed for the normal form of one entry, some 5 ms."""
+_LIMIT = 3_000
+"""Products of terms that may be formed for the normal form of one entry."""
+_MANY = 24
+"""A polynomial of more terms than this is left: its normal form is longer."""
 _CIRCULAR = (Function.COS, Function.SIN)
 
 
@@ -73,6 +75,8 @@ def _forms(
         yield _nested(
             polynomial, [(f, place) for f, place in factors.items() if isinstance(f, Call)], factors
         )
+        if len(polynomial) > _MANY:
+            return
     try:
         yield canonical(entry, limit=_LIMIT).expression()
     except (FormSizeError, ZeroDivisionError):
