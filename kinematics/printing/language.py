@@ -113,7 +113,7 @@ class Language(Printer):
         """Return what a reader must know: the joint variables, and parameters that had to be renamed."""
         lines = [self.purpose.meaning]
         if self.program.n_joints:
-            lines.append(f"q: the {self.program.n_joints} joint variables. All angles are in radians.")
+            lines.append(f"q: the {self._variables()}. All angles are in radians.")
         return [prefix + line for line in [*lines, *self._renamed()]]
 
     def _renamed(self) -> list[str]:
@@ -132,7 +132,11 @@ class Language(Printer):
 
     def wrong_length(self) -> str:
         """Return what is said when q does not have one element for each joint."""
-        return f"q holds {self.program.n_joints} joint variables"
+        return f"q holds {self._variables()}"
+
+    def _variables(self) -> str:
+        n = self.program.n_joints
+        return f"{n} joint variable{'' if n == 1 else 's'}"
 
     def signature(self, argument: str = "{}") -> str:
         """Return the arguments after q."""

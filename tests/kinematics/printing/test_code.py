@@ -175,9 +175,11 @@ def test_numpy_takes_one_configuration_or_a_batch() -> None:
 
 
 @pytest.mark.parametrize("chosen", [Format.PYTHON, Format.NUMPY])
-def test_python_refuses_the_wrong_number_of_joints(chosen: Format) -> None:
-    case = cases()[0]
-    with pytest.raises(ValueError, match=r"q holds \d joint variables"):
+@pytest.mark.parametrize(("n", "held"), [(1, "1 joint variable"), (2, "2 joint variables")])
+def test_python_refuses_the_wrong_number_of_joints(chosen: Format, n: int, held: str) -> None:
+    case = next(case for case in cases() if case.table.n_joints == n)
+    assert f"q: the {held}." in case.source(chosen)
+    with pytest.raises(ValueError, match=f"q holds {held}$"):
         python_function(case, chosen)([0.0] * 9, *case.values)
 
 
