@@ -207,8 +207,6 @@ class Facts:
         if shape.measure is Measure.SUM:
             return all(self._is_as_parallel(axes, i, i + 1) for i in span[:-1]) and _are_level(axes, shape)
         if shape.measure is Measure.DISTANCE:
-            if len(span) == len(shape.axes) - 2:
-                return True
             basis: tuple[Vector, ...] = ()
             for i in shape.axes[2:]:
                 rest = outside(axes[i].direction, basis)

@@ -108,13 +108,12 @@ def _lost_beside_a_slip(work: Work, weights: Weights, standard: Standard, most: 
 
     Such a slip may make all facts wrong, as the wrong convention does, though few of them are mistakes.
     """
-    affordable = most - weights.rule * unconfirmed(work.policy)
-    if affordable <= min(weights.row, weights.table, standard.nothing / 2.0):
+    if most <= min(weights.row, weights.table, standard.nothing / 2.0):
         return most
     undone = []
     for change in _slips(work):
         cost = _cost(change, weights, standard.nothing)
-        if cost >= affordable:
+        if cost >= most:
             continue
         other = _without(change, work)
         rules = _lost_by_rules(other, weights)

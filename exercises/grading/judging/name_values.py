@@ -11,7 +11,7 @@ from random import Random
 
 from kinematics.cells import AngleUnit, LengthUnit, ParameterKind, ReadTable, canonical_name, substitution
 from kinematics.errors import Fault, ParameterError
-from kinematics.expressions import Call, Number, Parameter, Power, walk
+from kinematics.expressions import Call, Number, Power, walk
 from kinematics.table import CELLS, SymbolicTable
 
 # Draws of a name that owe nothing to its given value.
@@ -122,12 +122,7 @@ def drawn_value(name: str, attempt: int, values: Values) -> float:
 def has_a_value_always(table: SymbolicTable) -> bool:
     """Whether a table has a value at every draw, which then owes nothing to given values: it has no root."""
     entries = (getattr(row, cell) for row in table.rows for cell in CELLS)
-    return not any(
-        isinstance(node, Power | Call)
-        for entry in entries
-        if type(entry) is not Number and type(entry) is not Parameter
-        for node in walk(entry)
-    )
+    return not any(isinstance(node, Power | Call) for entry in entries for node in walk(entry))
 
 
 @lru_cache(maxsize=1024)
