@@ -115,12 +115,12 @@ def _solved(work: str, peer: str, ours: float, theirs: float) -> Outcome:
 def _share(table: Any, poses: list[Any], solve: Any, tolerance: float) -> float:
     """Per cent of poses of which the peer's answer is within the tolerance."""
     from kinematics.forward import end_pose
-    from kinematics.inverse.residuals import residuals
+    from kinematics.inverse.residuals import pose_errors
 
     good = 0
     for pose in poses:
         joints = np.asarray(solve(pose)[0])
-        good += bool(residuals(end_pose(table, joints)[None], pose)[0] <= tolerance)
+        good += bool(np.hypot(*pose_errors(end_pose(table, joints)[None], pose))[0] <= tolerance)
     return 100 * good / len(poses)
 
 

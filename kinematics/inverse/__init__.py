@@ -17,8 +17,6 @@ limits         turns of a joint into its range
 solver         one target, of an arm made ready
 solve          an arm made ready
 batch          many targets
-delicate_blocks  which of many targets need care
-judging        what is asked of all their candidates, in one pass
 """
 
 from kinematics.inverse.arm import ArmReach

@@ -141,16 +141,6 @@ class Arm:
         J = self.jacobians(self.frames(q * np.where(self.revolute, 1.0, self.size / np.pi))) * self.units
         return int((np.linalg.svd(J, compute_uv=False) > FULL_RANK).sum(axis=1).max(initial=0))
 
-    @cached_property
-    def larger_five(self) -> float:
-        """Largest product of the larger five singular values of six joints' Jacobian.
-
-        The squares of all six add up to ‖J‖²: for each axis one, and the square of the reach
-        behind it in sizes; a product of five numbers with a given sum is largest where they are equal.
-        """
-        reach = np.cumsum(np.linalg.norm(self.constants[:0:-1, :3, 3], axis=1)) / self.size
-        return float(((self.n_joints + (reach * reach).sum()) / 5.0) ** 2.5)
-
     @property
     def redundancy(self) -> int:
         """Degree of redundancy: the dimension of the solutions for almost every pose in reach."""

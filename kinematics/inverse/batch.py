@@ -1,8 +1,7 @@
 """Many targets at once.
 
-Where an arm has a decomposition, its candidates for all targets are judged in the same array operations; the
-few targets that need care (near a singularity, or with candidates that have to be refined) are then solved
-one by one, as every target of an arm without a decomposition is.
+Of a level arm with a wrist at right angles the targets away from singularities are solved in the same array
+operations (`clear_blocks`); the few others are then solved one by one, as every target of other arms is.
 """
 
 from __future__ import annotations
@@ -15,23 +14,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from kinematics.errors import Fault, PoseError
-from kinematics.evaluation.plan import plan_of
-from kinematics.inverse.arm import ArmReach, Array
-from kinematics.inverse.delicate_blocks import delicate_targets
-from kinematics.inverse.distinct import SAME
-from kinematics.inverse.goals import (
-    COMPUTED_TOLERANCE,
-    LEAST_TOLERANCE,
-    Goal,
-    read_goal,
-    tolerances_of_exact,
-)
-from kinematics.inverse.judging import judge
+from kinematics.inverse.arm import Array
+from kinematics.inverse.goals import Goal, read_goal, tolerances_of_exact
 from kinematics.inverse.lengths import LARGEST_LENGTH
 from kinematics.inverse.limits import within_limits
 from kinematics.inverse.methods.clear_blocks import SOLUTIONS, clear_solutions
-from kinematics.inverse.methods.wrist import WristArm
-from kinematics.inverse.methods.wrist_blocks import candidates_of_many, has_blocks
 from kinematics.inverse.methods.wrist_scalars import ClearWrist
 from kinematics.inverse.results import IKStatus, InverseKinematics
 from kinematics.inverse.solver import Solver
@@ -39,20 +26,11 @@ from kinematics.se3 import cross_arrays
 
 Indices = NDArray[np.intp]
 
-AS_IT_IS = 1e-11
-"""A candidate this exact [m and rad] needs no Newton step."""
-
-TOGETHER = 500
-"""How many targets are solved in the same array operations: more would not fit into the cache."""
-
-FEW = 3
-"""So few targets are solved one by one: of those that need care, nothing is then computed twice."""
-
 _FREED_ONCE = 8 * 1024 * 1024
 """Several times what a batch needs at a time [byte]."""
 
 AT_ONCE = 1000
-"""The same of targets that are away from singularities, with fewer arrays."""
+"""How many targets are solved in the same array operations: more would not fit into the cache."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -96,26 +74,11 @@ def solve_many(solver: Solver, targets: ArrayLike) -> InverseKinematicsBatch:
     n = solver.arm.n_joints
     parts: list[_Part] = []
     done = np.zeros(len(poses), dtype=bool)
-    closed = solver.closed_form
-    if (
-        isinstance(closed, WristArm)
-        and has_blocks(closed)
-        and solver.arm.reach is ArmReach.POSE
-        and len(poses)
-    ):
-        left = np.arange(len(poses))
-        if solver.clear is not None:
-            for start in range(0, len(poses), AT_ONCE):
-                block = slice(start, start + AT_ONCE)
-                part, done[block] = _at_once(solver, solver.clear, poses[block], tolerances[block])
-                parts.append(part._replace(target=part.target + start))
-            left = left[~done]
-        for tolerance in (COMPUTED_TOLERANCE, LEAST_TOLERANCE):
-            alike = left[tolerances[left] == tolerance]
-            for start in range(0, len(alike) if len(alike) > FEW else 0, TOGETHER):
-                some = alike[start : start + TOGETHER]
-                part, done[some] = _together(solver, closed, poses[some], tolerance)
-                parts.append(part._replace(target=some[part.target]))
+    if solver.clear is not None:
+        for start in range(0, len(poses), AT_ONCE):
+            block = slice(start, start + AT_ONCE)
+            part, done[block] = _at_once(solver, solver.clear, poses[block], tolerances[block])
+            parts.append(part._replace(target=part.target + start))
     status = [IKStatus.SOLVED] * len(poses)
     complete = done.copy()
     for i in np.flatnonzero(~done).tolist():
@@ -223,37 +186,3 @@ def _at_once(
     inside, fits = within_limits(found.joints, solver.arm.revolute, solver.box, solver.arm.size)
     done &= np.bincount(found.target[fits], minlength=len(poses)) > 0
     return _Part(inside[fits], found.target[fits], position.ravel()[fits], angle.ravel()[fits]), done
-
-
-def _together(
-    solver: Solver, wrist: WristArm, poses: Array, tolerance: float
-) -> tuple[_Part, NDArray[np.bool_]]:
-    """Solutions of the targets of one tolerance that need no care, and which targets those are."""
-    joints, counts = candidates_of_many(wrist, poses)
-    if not len(joints):
-        nothing = np.empty(0)
-        return _Part(joints, np.empty(0, dtype=np.intp), nothing, nothing), np.zeros(len(poses), dtype=bool)
-    owner = np.repeat(np.arange(len(poses)), counts)
-    plan = plan_of(solver.table, solver.base, solver.tool)
-    position, angle, volume, fingerprint = judge(plan, joints, poses, counts)
-    exact = (position <= max(AS_IT_IS, solver.arm.rounding)) & (angle <= AS_IT_IS)
-    done = counts > 0
-    done[owner[~exact]] = False
-    done[delicate_targets(solver.arm, poses, joints, volume, counts, tolerance)] = False
-    done[_repeated(fingerprint, counts)] = False
-    joints, fits = within_limits(joints, solver.arm.revolute, solver.box, solver.arm.size)
-    kept = done[owner] & fits
-    done &= np.bincount(owner[kept], minlength=len(poses)) > 0
-    kept &= done[owner]
-    return _Part(joints[kept], owner[kept], position[kept], angle[kept]), done
-
-
-def _repeated(fingerprint: Array, counts: Indices) -> Indices:
-    """Targets of which two candidates are the same, or by a rare chance look so."""
-    ends = np.cumsum(counts)
-    repeated = [np.empty(0, dtype=np.intp)]
-    for count in np.unique(counts[counts > 1]).tolist():
-        targets = np.flatnonzero(counts == count)
-        prints = np.sort(fingerprint[(ends[targets] - count)[:, None] + np.arange(count)], axis=1)
-        repeated.append(targets[(np.diff(prints, axis=1) <= SAME).any(axis=1)])
-    return np.concatenate(repeated)

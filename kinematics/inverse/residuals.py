@@ -33,21 +33,10 @@ def pose_errors(poses: Array, targets: Array) -> tuple[Array, Array]:
     difference = poses[..., :3, :] - targets[..., :3, :]
     sums = np.square(difference, out=difference).reshape(len(poses), 12) @ _PARTS
     position, chord = np.sqrt(sums).T
-    return position, angles_of_chords(chord)
-
-
-def angles_of_chords(chord: Array) -> Array:
-    """Angles [rad] between orientations from ‖R - R*‖_F; where all are tiny, the arc sine is its argument."""
     half = chord / np.sqrt(8.0)
     if half.max(initial=0.0) > _TINY or np.isnan(half).any():
         half = np.arcsin(np.minimum(half, 1.0))
-    return np.asarray(2.0 * half)
-
-
-def residuals(poses: Array, targets: Array) -> Array:
-    """(m,) residuals √(distance² + angle²)."""
-    position, angle = pose_errors(poses, targets)
-    return np.hypot(position, angle)
+    return position, 2.0 * half
 
 
 def are_solutions(errors: Array, arm: Arm, tolerance: float) -> NDArray[np.bool_]:

@@ -2,9 +2,8 @@
 
 closed_form    which arm has which method
 wrist          three axes through one point
-wrist_blocks   the same for many targets
 wrist_scalars  the same for one target that is away from singularities
-clear_blocks   both: many targets that are away from singularities
+clear_blocks   the same for many of them
 wrist_tapes    what these have recorded of an arm
 parallel       three parallel axes
 general        six revolute joints of any kind, as an eigenproblem

@@ -16,7 +16,6 @@ those of the wrist too.
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple, TypeAlias
 
@@ -85,22 +84,17 @@ class WristArm:
 
     def candidates(self, target: Array) -> Array | None:
         """See `InverseClosedForm`."""
-        found = self.turns_of(target)
-        return None if found is None else np.array(found).reshape(-1, 6)
-
-    def turns_of(self, target: Array) -> list[Sequence[float]] | None:
-        """Return the candidates as tuples."""
         T = self.before @ target @ self.after
         r0, r1, r2 = T[:3].tolist()
         heads = head_turns(self.head, r0[3] / self.size, r1[3] / self.size, r2[3] / self.size)
         if heads is None:
             return None
         o1, o2, o3, o4, o5, o6 = self.zeros
-        found: list[Sequence[float]] = []
+        found = []
         for q1, q2, q3 in heads:
             for q4, q5, q6 in wrist_turns(self.wrist, self._left_over(q1, q2, q3, r0, r1, r2)):
                 found.append((q1 - o1, q2 - o2, q3 - o3, q4 - o4, q5 - o5, q6 - o6))
-        return found
+        return np.array(found).reshape(-1, 6)
 
     def _left_over(
         self, q1: float, q2: float, q3: float, r0: list[float], r1: list[float], r2: list[float]

@@ -36,7 +36,6 @@ from kinematics.evaluation.straight_line import function_of_floats
 from kinematics.evaluation.tape import Tape
 from kinematics.inverse.arm import Arm, Array, low_discrepancy
 from kinematics.inverse.methods.wrist import ALMOST, WristArm
-from kinematics.inverse.methods.wrist_blocks import CLEARLY
 from kinematics.inverse.methods.wrist_tapes import plane_tape, seen_tape
 from kinematics.inverse.results import IKSolution, Isolation
 from kinematics.inverse.self_motions.isolation import LONG
@@ -56,6 +55,9 @@ MARGIN = 4.0
 
 FLIPPED = 1e-15
 """What adding π to two angles leaves of rounding [rad]."""
+
+CLEARLY = 1e-6
+"""Part of its terms by which a square root's argument is below zero where there is no root."""
 
 _LOOKS = 5
 """Configurations at which a closed form is tried before it is believed."""

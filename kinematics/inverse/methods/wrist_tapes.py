@@ -6,7 +6,6 @@ What is zero or one of the arm's constants leaves no operation behind (see `kine
 from __future__ import annotations
 
 from collections.abc import Sequence
-from functools import lru_cache
 
 import numpy as np
 
@@ -16,27 +15,8 @@ from kinematics.inverse.arm import Array
 from kinematics.inverse.methods.wrist import WristArm
 from kinematics.se3 import Scalar
 
-Triple = list[Scalar]
-
 ROUNDED_OFF = 1e-15
 """Entries of the arm's constant rotations this near to 0, 1 or -1 are these."""
-
-
-@lru_cache(maxsize=64)
-def left_over_tape(wrist: WristArm) -> Tape:
-    """N = L Rot_z(-θ_3) L_2 Rot_z(-θ_2) L_1 Rot_z(-θ_1) R, what rotation is left for the wrist.
-
-    Inputs are cosine and sine of θ_1, θ_2, θ_3 and the nine entries of R by rows, outputs those of N.
-    """
-    recorder = Recorder(15)
-    c1, s1, c2, s2, c3, s3, *R = recorder.inputs
-    h = wrist.head
-    rows = _turned_back([list(R[:3]), list(R[3:6]), list(R[6:])], c1, s1)
-    rows = _turned_back(_twisted_back(rows, h.ca1, h.sa1), c2, s2)
-    rows = _turned_back(_twisted_back(rows, h.ca2, h.sa2), c3, s3)
-    link = [[_tidy(entry) for entry in row] for row in wrist.link]
-    left = [[_sum_of(row, column) for column in zip(*rows, strict=True)] for row in link]
-    return recorder.tape([entry for row in left for entry in row])
 
 
 def seen_tape(wrist: WristArm) -> Tape:
@@ -90,20 +70,6 @@ def run_on_arrays(tape: Tape, inputs: Sequence[Array]) -> list[Array]:
     for operator, left, right in tape.operations:
         registers.append(UFUNCS[operator](operand(left), operand(right)))
     return [np.asarray(operand(x)) for x in tape.outputs]
-
-
-def _turned_back(rows: list[Triple], c: Scalar, s: Scalar) -> list[Triple]:
-    """Rot_z(-θ) times rows."""
-    upper = [x * c + y * s for x, y in zip(rows[0], rows[1], strict=True)]
-    lower = [y * c - x * s for x, y in zip(rows[0], rows[1], strict=True)]
-    return [upper, lower, rows[2]]
-
-
-def _twisted_back(rows: list[Triple], c: float, s: float) -> list[Triple]:
-    """Rot_x(-α) times rows."""
-    upper = [y * c + z * s for y, z in zip(rows[1], rows[2], strict=True)]
-    lower = [z * c - y * s for y, z in zip(rows[1], rows[2], strict=True)]
-    return [rows[0], upper, lower]
 
 
 def _sum_of(left: Sequence[Scalar], right: Sequence[Scalar]) -> Scalar:

@@ -20,27 +20,27 @@ LEVEL = 1e-9
 """Error vectors of this size or less are not corrected by shorter steps: near rounding none is better."""
 
 
-def corrected(arm: Arm, targets: Array, x: Array, held: Array) -> tuple[Array, Array, Array]:
+def corrected(arm: Arm, target: Array, x: Array, held: Array) -> tuple[Array, Array, Array]:
     """The nearest poses with held·x unchanged: x, (m, n), error vectors, (m, 6), and Jacobians, (m, 6, n).
 
     Args:
         arm: measured as a `Follower` does.
-        targets: (4, 4), or (m, 4, 4) one each.
+        target: (4, 4).
         x: (m, n) in units.
         held: (m, k, n) rows.
     """
     free = np.linalg.svd(held)[2][:, held.shape[1] :]
-    return corrected_across(arm, targets, x, free.transpose(0, 2, 1))
+    return corrected_across(arm, target, x, free.transpose(0, 2, 1))
 
 
-def corrected_across(arm: Arm, targets: Array, x: Array, across: Array) -> tuple[Array, Array, Array]:
+def corrected_across(arm: Arm, target: Array, x: Array, across: Array) -> tuple[Array, Array, Array]:
     """The same with x moved along the columns of `across` alone, (m, n, k), orthonormal or a projection.
 
     Where a target is missed by ε, as at the edge of the reach, a Gauss–Newton step knows nothing of how the
     error bends, which counts where singular values are less than √ε: one that helps nothing is taken again
     with the singular values damped by ε.
     """
-    e, J = errors_and_jacobians(arm, x, targets)
+    e, J = errors_and_jacobians(arm, x, target)
     square = (e * e).sum(axis=1)
     going = np.ones(len(x), dtype=bool)
     for _ in range(ROUNDS):
@@ -50,7 +50,7 @@ def corrected_across(arm: Arm, targets: Array, x: Array, across: Array) -> tuple
         seen = (U.transpose(0, 2, 1) @ e[:, :, None])[:, :, 0]
         step = (across @ (Vt.transpose(0, 2, 1) @ (inverse * seen)[:, :, None]))[:, :, 0]
         tried = x + step
-        new_e, new_J = errors_and_jacobians(arm, tried, targets)
+        new_e, new_J = errors_and_jacobians(arm, tried, target)
         new_square = (new_e * new_e).sum(axis=1)
         worse = np.flatnonzero(going & (new_square >= square) & (square > LEVEL**2))
         if len(worse):
@@ -58,9 +58,7 @@ def corrected_across(arm: Arm, targets: Array, x: Array, across: Array) -> tuple
             back = (Vt[worse].transpose(0, 2, 1) @ (damped * seen[worse])[:, :, None])[:, :, 0]
             step[worse] = ((across[worse] if across.ndim > 2 else across) @ back[:, :, None])[:, :, 0]
             tried[worse] = x[worse] + step[worse]
-            new_e[worse], new_J[worse] = errors_and_jacobians(
-                arm, tried[worse], targets[worse] if targets.ndim > 2 else targets
-            )
+            new_e[worse], new_J[worse] = errors_and_jacobians(arm, tried[worse], target)
             new_square = (new_e * new_e).sum(axis=1)
         going = going & (new_square < square)
         x, e = np.where(going[:, None], tried, x), np.where(going[:, None], new_e, e)

@@ -18,8 +18,6 @@ from kinematics.inverse.residuals import are_solutions, errors_of
 from kinematics.inverse.self_motions.corrections import corrected
 from kinematics.inverse.self_motions.families import LOST, Follower, weighing_alike
 
-Indices = NDArray[np.intp]
-
 LONG = 0.02
 """A solution that can be moved by this [rad, or parts of the size] belongs to a family."""
 
@@ -71,8 +69,7 @@ def told_apart(arm: Arm, target: Array, joints: Array, tolerance: float) -> tupl
     order = np.argsort(errors, kind="stable").tolist()
     if not arm.redundancy and delicate.any():
         some = [i for i in order if delicate[i]]
-        targets = np.broadcast_to(target, (len(some), 4, 4))
-        if not can_move(arm, targets, joints[some], tolerance).any():
+        if not can_move(arm, target, joints[some], tolerance).any():
             joined = joined_before(Follower(arm, target, tolerance), joints, some, tolerance)
             order = [i for i in order if i not in joined]
             delicate[:] = False
@@ -83,14 +80,14 @@ def told_apart(arm: Arm, target: Array, joints: Array, tolerance: float) -> tupl
     return alone, [i for i in order if delicate[i]]
 
 
-def can_move(arm: Arm, targets: Array, joints: Array, tolerance: float) -> NDArray[np.bool_]:
+def can_move(arm: Arm, target: Array, joints: Array, tolerance: float) -> NDArray[np.bool_]:
     """Return whether solutions can be moved as far as those of families, or in more than one direction.
 
     Args:
         arm: without redundant joints.
-        targets: (k, 4, 4) of each.
+        target: (4, 4).
         joints: (k, n).
-        tolerance: distance [m] and angle [rad] within which a target is reached.
+        tolerance: distance [m] and angle [rad] within which the target is reached.
     """
     alike = weighing_alike(arm)
     x = joints / alike.units
@@ -101,18 +98,7 @@ def can_move(arm: Arm, targets: Array, joints: Array, tolerance: float) -> NDArr
     one = np.flatnonzero(nullity == 1)
     way = fold_length(tolerance) * directions[one, -1]
     ways, both = np.concatenate((way, -way)), np.concatenate((one, one))
-    found[
-        both[
-            _reach(
-                alike,
-                targets[both],
-                x[both] + ways,
-                ways,
-                fold_length(tolerance),
-                tolerance,
-            )
-        ]
-    ] = True
+    found[both[_reach(alike, target, x[both] + ways, ways, tolerance)]] = True
     return np.asarray(found)
 
 
@@ -138,51 +124,11 @@ def joined_before(follower: Follower, joints: Array, some: list[int], tolerance:
     return found
 
 
-def joined_rows(
-    arm: Arm,
-    targets: Array,
-    joints: Array,
-    owner: Indices,
-    rows: Indices,
-    tolerance: float,
-) -> Indices:
-    """Return those rows of which the solution may be joined to another of the same target.
-
-    Args:
-        arm: without redundant joints.
-        targets: (m, 4, 4).
-        joints: (k, n) solutions, in order of the targets.
-        owner: (k,) whose each is.
-        rows: which of them are looked at.
-        tolerance: distance [m] and angle [rad] within which a target is reached.
-    """
-    alike = weighing_alike(arm)
-    pairs = [(rows[:-k], rows[k:]) for k in range(1, int(np.bincount(owner[rows]).max(initial=1)))]
-    one, other = (np.concatenate([pair[i] for pair in pairs] or [rows[:0]]) for i in (0, 1))
-    same = owner[one] == owner[other]
-    one, other = one[same], other[same]
-    apart = differences(joints[other], joints[one], arm)
-    near = np.abs(apart).max(axis=1, initial=0.0) <= fold_length(tolerance)
-    one, way = one[near], apart[near]
-    middle, half = (
-        joints[one] / alike.units + 0.5 * way,
-        0.5 * np.linalg.norm(way, axis=1),
-    )
-    return np.asarray(one[_reach(alike, targets[owner[one]], middle, way, half, tolerance)])
-
-
-def _reach(
-    arm: Arm,
-    targets: Array,
-    x: Array,
-    way: Array,
-    farthest: Array | float,
-    tolerance: float,
-) -> NDArray[np.bool_]:
-    """(k,) whether what is beside solutions reaches their targets, corrected across the way by so much."""
+def _reach(arm: Arm, target: Array, x: Array, way: Array, tolerance: float) -> NDArray[np.bool_]:
+    """(k,) whether what is a way off solutions reaches the target, corrected by at most `fold_length`."""
     if not len(x):
         return np.empty(0, dtype=bool)
     unit = way / np.maximum(np.linalg.norm(way, axis=1), 1e-300)[:, None]
-    there, e, _ = corrected(arm, targets, x, unit[:, None])
-    near = np.linalg.norm(there - x, axis=1) <= farthest
+    there, e, _ = corrected(arm, target, x, unit[:, None])
+    near = np.linalg.norm(there - x, axis=1) <= fold_length(tolerance)
     return np.asarray(near & are_solutions(e, arm, tolerance))

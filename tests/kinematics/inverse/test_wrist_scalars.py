@@ -98,15 +98,6 @@ def test_beyond_reach_there_is_no_answer_in_scalars():
     assert inverse_kinematics(MODELS["puma"], far).solutions == ()
 
 
-@pytest.mark.parametrize("name", LEVEL)
-def test_the_volume_bounds_the_least_singular_value(name):
-    arm = solver_of(MODELS[name]).arm
-    q = np.random.default_rng(3).uniform(-np.pi, np.pi, (500, 6))
-    J = arm.jacobians(arm.frames(q))
-    least = np.linalg.svd(J, compute_uv=False)[:, -1]
-    assert (np.abs(np.linalg.det(J)) <= arm.larger_five * least * (1.0 + 1e-9)).all()
-
-
 def test_limits_choose_among_the_solutions():
     table = MODELS["puma"]
     pose = end_pose(table, [0.3, -0.7, 1.2, 0.5, 0.9, -1.4])
