@@ -50,7 +50,7 @@ CLIENTS = 4096
 """Clients whose use is stored; the one that was idle longest is dropped first."""
 
 ROUND = 0.001
-"""Seconds that requests in the event loop take one after another before it looks at its connections again."""
+"""Seconds for which the event loop goes from one request to the next without a look at its connections."""
 
 current_client: ContextVar[Client] = ContextVar("current_client", default=("", 0))
 """The client for whom work is being done; set for each request by the outer middleware."""
@@ -98,13 +98,12 @@ class FairQueue:
             capacity: how many may wait.
             timeout: how long each of them may wait [s].
         """
-        self._slots = slots
+        self._slots = self._most = slots
         self._capacity = capacity
         self._timeout = timeout
         self._line = _Line(self._use)
         self._used: OrderedDict[Name | Client, float] = OrderedDict()
         self._served: OrderedDict[Name | None, float] = OrderedDict()
-        self._round: float | None = None
         self.running = 0
 
     @property
@@ -143,38 +142,30 @@ class FairQueue:
     async def turn(self) -> None:
         """Wait for a slot and keep it for what follows at once, until the next wait for anything.
 
-        Requests whose bodies have come go on in the order of their clients' use, between two looks of the
-        event loop at its connections as many as there are slots, and none once they have taken `ROUND`:
-        whoever sends many waits behind whoever sends one.
+        Requests whose bodies have come go on in the order of their clients' use, a few between two looks of
+        the event loop at its connections, or one once they have taken longer than `ROUND`: whoever sends
+        many waits behind whoever sends one.
 
         Raises:
             BusyError: as in `acquire`.
         """
-        loop, slot = asyncio.get_running_loop(), await self.acquire()
-        while self._round is not None and time.monotonic() - self._round > ROUND:
-            slot.give_back()  # somebody who has used less may have come
-            await asyncio.sleep(0)
-            slot = await self.acquire()
-        if self._round is None:
-            self._round = time.monotonic()
-            loop.call_soon(self._end_round)
-        slot.begin()
-        loop.call_soon(slot.release)
+        slot = await self.acquire()
+        asyncio.get_running_loop().call_soon(self._end_turn, slot)
 
-    def _end_round(self) -> None:
-        self._round = None
+    def _end_turn(self, slot: Slot) -> None:
+        self._slots = 1 if slot.seconds > ROUND else min(self._slots + 1, self._most)
+        slot.release()
 
     def release(self, client: Client, seconds: float) -> None:
         """Give a slot back that the client used for so long, and hand it to the next."""
         used = math.log2(seconds) + time.monotonic() / HALF_LIFE if seconds > 0.0 else -math.inf
         for key in (client[0], client):
             _store(self._used, key, _sum_of_powers(self._use(key), used))
-        following = self._line.next()
-        if following is not None:
+        self.running -= 1
+        while self.running < self._slots and (following := self._line.next()) is not None:
+            self.running += 1
             self._serve(following.client)
             following.grant()
-        else:
-            self.running -= 1
 
     def _serve(self, client: Client) -> None:
         """Note how much was used by who is served next: of all names, and of the connections of one."""
@@ -307,25 +298,20 @@ class Slot:
     def __init__(self, queue: FairQueue, client: Client) -> None:
         self._queue: FairQueue | None = queue
         self._client = client
-        self.begin()
-
-    def begin(self) -> None:
-        """Count use from now on."""
         self._since = time.monotonic()
+
+    @property
+    def seconds(self) -> float:
+        """How long it has been held [s]."""
+        return time.monotonic() - self._since
 
     @property
     def held(self) -> bool:
         """Whether it has not been given back."""
         return self._queue is not None
 
-    def give_back(self) -> None:
-        """Release a slot that was not used."""
-        if self._queue is not None:
-            queue, self._queue = self._queue, None
-            queue.release(self._client, 0.0)
-
     def release(self) -> None:
         """Give the slot back; once is enough, twice does no harm."""
         if self._queue is not None:
             queue, self._queue = self._queue, None
-            queue.release(self._client, time.monotonic() - self._since)
+            queue.release(self._client, self.seconds)

@@ -90,7 +90,8 @@ export function carried(place = "") {
 
 /**
  * Takes back what `carried` put into the address, and clears it there, readable or not. An address that somebody else
- * has made would sign its reader in as whoever made it: only a page of the tool may have led here.
+ * has made would sign its reader in as whoever made it: only a page of the tool may have led here (in a frame without an
+ * origin no page is known by name).
  * @param {string} root the tool's own address
  */
 export function takeCarried(root) {
@@ -98,7 +99,7 @@ export function takeCarried(root) {
   if (!match) return;
   history.replaceState(history.state, "", location.pathname + location.search);
   if (match[2]) location.replace(`#${match[2]}`);
-  if (!document.referrer.startsWith(root)) return;
+  if (window.origin !== "null" && !document.referrer.startsWith(root)) return;
   try {
     for (const [key, text] of JSON.parse(decodeURIComponent(match[1]))) memory.set(key, text);
   } catch {
