@@ -90,6 +90,7 @@ class Facts:
     earned: Floats = field(default_factory=lambda: np.zeros(1))
     joint: float = 0.0
     type: float = 0.0
+    _by_type: dict[int, NDArray[np.bool_]] = field(default_factory=dict, init=False, repr=False)
 
     def wrong(self, axes: Sequence[Axis], found: Floats | None = None) -> float:
         """Return the weight of the facts that an answer does not have, and of what its joints take with them.
@@ -169,9 +170,7 @@ class Facts:
         if others:
             has &= self._has(_moved(axes, others))
         for joint in others:
-            other = list(self.axes)
-            other[joint] = other[joint]._replace(prismatic=not other[joint].prismatic)
-            changed = ~self._has(_moved(other, (joint,)))
+            changed = self._changed_by_type(joint)
             hidden = float((self.earned * changed[:, 0]).sum())
             if hidden < self.to_earn:
                 kept *= min((1.0 - self.type) * self.to_earn / (self.to_earn - hidden), 1.0)
@@ -180,6 +179,14 @@ class Facts:
             for q in np.flatnonzero(has[:, 0]).tolist():
                 has[q] = self._is_defined(self.invariants.shapes[q], axes)
         return _Compared(np.array([kept]), fits, has & ~unseen, unseen)
+
+    def _changed_by_type(self, joint: int) -> NDArray[np.bool_]:
+        """(q, 1) which invariants of the key change as a joint moves, if it is of the other type."""
+        if joint not in self._by_type:
+            other = list(self.axes)
+            other[joint] = other[joint]._replace(prismatic=not other[joint].prismatic)
+            self._by_type[joint] = ~self._has(_moved(other, (joint,)))
+        return self._by_type[joint]
 
     def _has(self, axes: Sequence[Axis]) -> NDArray[np.bool_]:
         """(q, 1) which invariants have the key's values, but for signs."""

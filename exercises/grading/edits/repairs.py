@@ -93,6 +93,8 @@ def _in_the_other_convention(work: Work) -> Iterator[Repaired]:
     for declared in other_convention(work):
         comparison = work.comparison.declared(declared.of(work.table).convention)
         other = replace(work, comparison=comparison, table=comparison.meant[work.draw])
+        if other.wrong_facts >= work.wrong_facts:
+            continue
         with suppress(WorkExhaustedError):
             for repaired in islice(_found(other, pairs=True), MOST_REPAIRS):
                 yield Repaired((declared, *repaired.changes))

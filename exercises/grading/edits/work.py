@@ -33,6 +33,8 @@ FAR = 10**6
 """Behind the last axis of any chain."""
 EVERYWHERE = (0, FAR)
 LENGTHS = ("a", "d")
+EXCHANGED = 2
+"""Joints of another type where rows of joints of both types were exchanged."""
 
 Draws: TypeAlias = tuple[NumericTable, NumericTable]
 """A table at two draws."""
@@ -157,13 +159,18 @@ class Work:
 
     @cached_property
     def has_wrong_types_alone(self) -> bool:
-        """Whether joints are of another type, and the facts are right if they are read as the key's."""
-        if self.excess or self.has_the_joints():
-            return False
+        """Whether two joints are of another type, and the facts are right if they are read as the key's."""
+        types = zip(self.table.joint_types, self.reference.table.joint_types, strict=False)
+        others = sum(ours is not wanted for ours, wanted in types)
+        return not self.excess and others == EXCHANGED and self.wrong_facts == 0.0
+
+    @cached_property
+    def wrong_facts(self) -> float:
+        """How many facts are wrong, joints of another type read as the key's."""
         key = axes_of(self.reference.chain, self.policy)
         worth, fixed = np.ones(self.n_facts), fixed_ends(len(key), self.policy)
         facts = Facts(key, self.facts, fixed, worth, sign=1.0)
-        return facts.wrong(axes_of(chain_of_table(self.table), self.policy)) == 0.0
+        return facts.wrong(axes_of(chain_of_table(self.table), self.policy))
 
     def is_a_joint_off(self, table: NumericTable) -> bool:
         """Return whether one joint of a table is missing, superfluous or of another type, and no more."""
