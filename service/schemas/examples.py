@@ -45,6 +45,15 @@ FORWARD_KINEMATICS: dict[str, Any] = {
     },
 }
 
+ELBOW: dict[str, Any] = {
+    "convention": "standard",
+    "angle_unit": "deg",
+    "rows": [
+        {"theta": "q1", "d": 0.4, "a": 0, "alpha": 90},
+        {"theta": "q2", "d": 0, "a": 0.5, "alpha": 0},
+        {"theta": "q3", "d": 0, "a": 0.3, "alpha": 0},
+    ],
+}
 TWO_LINKS: dict[str, Any] = {
     "convention": "standard",
     "rows": [

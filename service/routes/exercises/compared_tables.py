@@ -13,6 +13,7 @@ from exercises.parts.mistakes.compare_tables import ComparisonReason, true_reaso
 from kinematics.cells import Limits
 from service.http.calls import CallRouter
 from service.schemas.base import WHOLE, Wire
+from service.schemas.examples import ELBOW
 from service.schemas.exercises.verdicts import PolicyModel
 from service.schemas.spoken import SpokenFeedback, spoken
 from service.schemas.tables import Parameters, Table
@@ -71,21 +72,12 @@ class OtherTablesAnswer(Wire):
     )
 
 
-_ELBOW: dict[str, Any] = {
-    "convention": "standard",
-    "angle_unit": "deg",
-    "rows": [
-        {"theta": "q1", "d": 0.4, "a": 0, "alpha": 90},
-        {"theta": "q2", "d": 0, "a": 0.5, "alpha": 0},
-        {"theta": "q3", "d": 0, "a": 0.3, "alpha": 0},
-    ],
-}
 _REVERSED: dict[str, Any] = {
-    **_ELBOW,
-    "rows": [{**_ELBOW["rows"][0], "alpha": -90}, *_ELBOW["rows"][1:]],
+    **ELBOW,
+    "rows": [{**ELBOW["rows"][0], "alpha": -90}, *ELBOW["rows"][1:]],
 }
-_OTHERS = {"an elbow arm, in its own convention": {"table": _ELBOW, "policy": {"convention": "standard"}}}
-_COMPARE = {"the axes of joints 2 and 3 reversed": {"first": _ELBOW, "second": _REVERSED}}
+_OTHERS = {"an elbow arm, in its own convention": {"table": ELBOW, "policy": {"convention": "standard"}}}
+_COMPARE = {"the axes of joints 2 and 3 reversed": {"first": ELBOW, "second": _REVERSED}}
 
 
 @router.judge("/compare-tables", "Do two tables describe the same robot, and why?", _COMPARE)

@@ -104,20 +104,7 @@ class PlantFrameMistakeAnswer(Wire):
     mended: FigureFrame = Field(description="the wrong frame as it should be")
 
 
-_IN_TABLE: dict[str, Any] = {
-    "an elbow arm": {
-        "table": {
-            "convention": "standard",
-            "angle_unit": "deg",
-            "rows": [
-                {"theta": "q1", "d": 0.4, "a": 0, "alpha": 90},
-                {"theta": "q2", "d": 0, "a": 0.5, "alpha": 0},
-                {"theta": "q3", "d": 0, "a": 0.3, "alpha": 0},
-            ],
-        },
-        "seed": "ana",
-    }
-}
+_IN_TABLE: dict[str, Any] = {"an elbow arm": {"table": examples.ELBOW, "seed": "ana"}}
 _IN_MATRIX: dict[str, Any] = {
     "a cylindrical arm": {"table": examples.CYLINDRICAL, "seed": "ana"},
     "two links, their last frame": {"table": examples.TWO_LINKS, "matrix": "transform", "seed": "ana"},
