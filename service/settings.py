@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from enum import StrEnum
 from ipaddress import ip_network
@@ -323,7 +324,8 @@ class Settings(BaseSettings):
     @classmethod
     def _a_folder(cls, value: Path | None) -> Path | None:
         if value is not None and not (value / "js").is_dir():
-            raise ValueError(f"{value} is no folder of the web form: it has no folder js")
+            shown = os.fsencode(value).decode(errors="replace")
+            raise ValueError(f"{shown} is no folder of the web form: it has no folder js")
         return value
 
     @model_validator(mode="after")

@@ -4,6 +4,9 @@ A caller who sends a request's head too slowly, or one that is too long, who doe
 who holds a connection open for nothing costs a descriptor and some memory. Each is given up after a time;
 and before the descriptors run out, the connection that has been idle longest makes room for a new one, or
 else that whose body has stood still longest.
+
+What a proxy could read in another way than this server is refused: a request of HTTP/1.1 names its host
+once (RFC 9112, section 3.2), and its body comes whole or in chunks, in no other coding (section 6.1).
 """
 
 from __future__ import annotations
@@ -28,7 +31,9 @@ UNREAD_SECONDS = 30.0
 RESERVED_DESCRIPTORS = 96
 """Descriptors that are left to files, worker processes and the database."""
 
-_REFUSAL = b"HTTP/1.1 431 Request Header Fields Too Large\r\nconnection: close\r\ncontent-length: 0\r\n\r\n"
+_TOO_LARGE = "431 Request Header Fields Too Large"
+_BAD_HOST = "400 Bad Request"
+_UNKNOWN_CODING = "501 Not Implemented"
 
 
 def connection_limit() -> int:
@@ -69,7 +74,7 @@ class BoundedConnection(HttpToolsProtocol):
         if self._is_idle and self._held_bytes and self._head_timer is None:
             self._await_head()  # the rest of it
         if self._held_bytes > HEAD_BYTES:
-            self._refuse_head()
+            self._refused(_TOO_LARGE)
 
     def on_message_begin(self) -> None:
         """Count the fields of each request by themselves, also if it comes before the last was answered."""
@@ -80,12 +85,16 @@ class BoundedConnection(HttpToolsProtocol):
         """Take a header field in, as long as there are not too many."""
         self._head_fields += 1
         if self._head_fields > HEAD_FIELDS or len(name) + len(value) > HEAD_BYTES:
-            self._refuse_head()
-            raise httptools.HttpParserError("header fields too large")
+            raise self._refused(_TOO_LARGE)
         super().on_header(name, value)
 
     def on_headers_complete(self) -> None:
         """Begin with the request."""
+        hosts = sum(name == b"host" for name, _ in self.headers)
+        if hosts > 1 or (hosts == 0 and self.parser.get_http_version() == "1.1"):
+            raise self._refused(_BAD_HOST, "Send one Host field.")
+        if any(name == b"transfer-encoding" and value.lower() != b"chunked" for name, value in self.headers):
+            raise self._refused(_UNKNOWN_CODING, "Send the body whole or with Transfer-Encoding: chunked.")
         self._is_idle, self._held_bytes = False, 0
         self._stop_timers()
         super().on_headers_complete()
@@ -145,12 +154,17 @@ class BoundedConnection(HttpToolsProtocol):
         """Whether the next thing to come is to come from the caller."""
         return self._is_idle or (self.cycle is not None and self.cycle.more_body)
 
-    def _refuse_head(self) -> None:
-        if self.transport.is_closing():
-            return
-        if self.cycle is None or self.cycle.response_complete:  # else an answer is still under way
-            self.transport.write(_REFUSAL)
-        self.transport.close()
+    def _refused(self, status: str, told: str = "") -> httptools.HttpParserError:
+        """Refuse a head; raise what is returned where the parser has to stop."""
+        if not self.transport.is_closing():
+            if self.cycle is None or self.cycle.response_complete:  # else an answer is still under way
+                fields = f"connection: close\r\ncontent-type: text/plain\r\ncontent-length: {len(told)}"
+                self.transport.write(f"HTTP/1.1 {status}\r\n{fields}\r\n\r\n{told}".encode())
+            self.transport.close()
+        return httptools.HttpParserError(status)
+
+    def _unsupported_upgrade_warning(self) -> None:
+        """Go on without a word: a caller may offer another protocol, and the answer comes in this one."""
 
     def send_400_response(self, msg: str) -> None:
         """Refuse what is no HTTP, unless the refusal is sent already."""

@@ -22,6 +22,12 @@ REFETCHED_AFTER = 30.0
 UNANSWERED = 10.0
 """A set that could not be fetched is not asked for again for so long [s]: whoever launches meanwhile takes no
 thread from those who come from other platforms."""
+STALE = 3600.0
+"""How much longer keys hold whose set cannot be fetched anew [s] (stale-if-error, RFC 5861): a platform whose
+key address has an outage while an exam starts goes on launching."""
+KeySet = tuple[dict[str, RSAKey], float, float]
+"""Keys by their names, when they were fetched and until when they are cached."""
+_NONE: KeySet = ({}, float("-inf"), float("-inf"))
 _MAX_AGE = re.compile(r"max-age=(\d{1,9})")
 
 
@@ -64,7 +70,7 @@ class PlatformKeys:
         self._fetcher = fetcher
         self._clock = clock
         self._lock = threading.Lock()
-        self._sets: dict[str, tuple[dict[str, RSAKey], float, float]] = {}
+        self._sets: dict[str, KeySet] = {}
         self._asking: dict[str, threading.Lock] = {}
         self._failed: dict[str, tuple[PlatformError, float]] = {}
 
@@ -81,7 +87,7 @@ class PlatformKeys:
         if keys is None:
             with asking:  # of many who launch at once, one fetches
                 keys = self._known(platform.jwks_uri, kid)
-                keys = self._fetch(platform.jwks_uri) if keys is None else keys
+                keys = self._fetch_or_stale(platform.jwks_uri, kid) if keys is None else keys
         if kid not in keys:
             raise LaunchError(Fault.at("lti_token_key"))
         return keys[kid]
@@ -90,9 +96,20 @@ class PlatformKeys:
         """The set at an address; None if it has to be fetched, for its age or for a key."""
         now = self._clock()
         with self._lock:
-            keys, fetched, until = self._sets.get(address, ({}, float("-inf"), float("-inf")))
+            keys, fetched, until = self._sets.get(address, _NONE)
         stale = now >= until or (kid not in keys and now - fetched >= REFETCHED_AFTER)
         return None if stale else keys
+
+    def _fetch_or_stale(self, address: str, kid: str) -> dict[str, RSAKey]:
+        """The set at an address; where it cannot be had, one with the key that ran out a short time ago."""
+        try:
+            return self._fetch(address)
+        except PlatformError:
+            with self._lock:
+                keys, _, until = self._sets.get(address, _NONE)
+            if kid in keys and self._clock() < until + STALE:
+                return keys
+            raise
 
     def _fetch(self, address: str) -> dict[str, RSAKey]:
         with self._lock:

@@ -13,7 +13,7 @@ from jwcrypto.jwk import JWK
 from courses.model import Platform
 from service.lti.fetching import FetchedAnswer, Fetcher
 from service.lti.launch_errors import LaunchError, PlatformError, unreachable
-from service.lti.platform_keys import REFETCHED_AFTER, SHORTEST, UNANSWERED, PlatformKeys
+from service.lti.platform_keys import REFETCHED_AFTER, SHORTEST, STALE, UNANSWERED, PlatformKeys
 
 PLATFORM = Platform(
     issuer="https://lms.example.edu",
@@ -75,3 +75,25 @@ def test_an_unknown_key_fetches_the_set_again_at_most_so_often() -> None:
     with pytest.raises(LaunchError, match="lti_token_key"):
         keys.key(PLATFORM, "key-1")
     assert fetcher.asked == 4
+
+
+def test_known_keys_outlast_an_outage_of_the_key_address_for_a_time() -> None:
+    fetcher, now = Slow(), 0.0
+    fetcher.go.set()
+    keys = PlatformKeys(fetcher, lambda: now)
+    known = keys.key(PLATFORM, "key-1")
+    fetcher.fails = True
+    now = SHORTEST + 1
+    assert keys.key(PLATFORM, "key-1") is known
+    assert keys.key(PLATFORM, "key-1") is known
+    assert fetcher.asked == 2
+    with pytest.raises(PlatformError):  # not "no such key": nobody knows
+        keys.key(PLATFORM, "key-2")
+    now = SHORTEST + STALE - 1
+    assert keys.key(PLATFORM, "key-1") is known
+    now = SHORTEST + STALE
+    with pytest.raises(PlatformError):
+        keys.key(PLATFORM, "key-1")
+    fetcher.fails = False
+    now += UNANSWERED
+    assert keys.key(PLATFORM, "key-1") is not known

@@ -38,6 +38,37 @@ def test_a_long_head_is_refused(base_url: str, field: bytes) -> None:
         assert received(connection).startswith(b"HTTP/1.1 431 ")
 
 
+@pytest.mark.parametrize(
+    ("head", "status"),
+    [
+        (b"GET /livez HTTP/1.1", b"400"),
+        (b"GET /livez HTTP/1.1\r\nHost: here\r\nHost: there", b"400"),
+        (b"GET /livez HTTP/1.0\r\nHost: here\r\nHost: here", b"400"),
+        (b"GET /livez HTTP/1.0", b"200"),
+        (b"POST /api/v1/jacobian HTTP/1.1\r\nHost: here\r\nTransfer-Encoding: gzip, chunked", b"501"),
+        (b"POST / HTTP/1.1\r\nHost: here\r\nTransfer-Encoding: gzip\r\nTransfer-Encoding: chunked", b"501"),
+    ],
+)
+def test_a_head_that_two_servers_could_read_in_two_ways_is_refused(
+    base_url: str, head: bytes, status: bytes
+) -> None:
+    with connected(base_url) as connection:
+        connection.sendall(head + b"\r\n\r\n")
+        answer = received(connection)
+    assert answer.startswith(b"HTTP/1.1 " + status)
+    assert answer.count(b"HTTP/1.1 ") == 1
+
+
+def test_an_offer_of_another_protocol_is_answered_in_this_one(
+    base_url: str, caplog: pytest.LogCaptureFixture
+) -> None:
+    offer = b"Connection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13\r\n"
+    with connected(base_url) as connection:
+        connection.sendall(b"GET /livez HTTP/1.1\r\nHost: here\r\n" + offer + b"\r\n")
+        assert connection.recv(65536).startswith(b"HTTP/1.1 200 ")
+    assert "pip install" not in caplog.text
+
+
 UNFINISHED = b"POST /api/v1/jacobian HTTP/1.1\r\nHost: here\r\nContent-Type: application/json\r\n"
 
 
@@ -45,7 +76,7 @@ UNFINISHED = b"POST /api/v1/jacobian HTTP/1.1\r\nHost: here\r\nContent-Type: app
     "beginning",
     [
         b"GET /healthz HTTP/1.1\r\nX-Long: ",
-        b"GET /healthz HTTP/1.1\r\n\r\nGET /healthz HTTP/1.1\r\nX-Long: ",
+        b"GET /healthz HTTP/1.1\r\nHost: here\r\n\r\nGET /healthz HTTP/1.1\r\nX-Long: ",
         UNFINISHED + b"Transfer-Encoding: chunked\r\n\r\n1\r\n{\r\n0\r\nX-Long: ",
         UNFINISHED + b"Transfer-Encoding: chunked\r\n\r\n1;long=",
     ],
