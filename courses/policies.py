@@ -101,6 +101,14 @@ def deadline(policy: AttemptPolicy, allowance: Allowance) -> datetime | None:
     return None if policy.closes is None else policy.closes + allowance.extra_time
 
 
+def counts_from(
+    policy: AttemptPolicy, allowance: Allowance, first: datetime | None, came: datetime
+) -> datetime:
+    """Return as of when an attempt counts: when it came, or came first if it has become late since then."""
+    closes = deadline(policy, allowance)
+    return first if first is not None and closes is not None and first <= closes < came else came
+
+
 def attempts_allowed(policy: AttemptPolicy, allowance: Allowance) -> int | None:
     """Return how many attempts a student has; None for any number."""
     return None if policy.attempts is None else policy.attempts + allowance.extra_attempts

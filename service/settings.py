@@ -231,8 +231,8 @@ class Settings(BaseSettings):
     secret: SecretStr | None = Field(
         None,
         min_length=32,
-        description="secret of the installation, the same for all its processes: signs receipts and links; "
-        "without it, what was signed is void after a restart",
+        description="secret of the installation, the same for all its processes: signs receipts, links and "
+        "tickets of answers that are to be sent again; without it, what was signed is void after a restart",
     )
     receipt_keys: Path | None = Field(
         None, description="file of the keys that sign receipts (framewise receipts rotate), if not the secret"

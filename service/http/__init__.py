@@ -8,6 +8,7 @@ Reading:
   validation       findings of pydantic as faults
   negotiation, languages  media type and language of the answer
   idempotency      a POST that is sent again
+  arrival_tickets  when an answer came that is sent again
 Who calls:
   addresses        whom an address is counted for
   api_keys         keys of programs

@@ -7,13 +7,14 @@
 
 /** An answer that says what is wrong (RFC 9457). */
 export class Problem extends Error {
-  /** @param {number} status @param {Record<string, any>} body */
-  constructor(status, body) {
+  /** @param {number} status @param {Record<string, any>} body @param {string} [arrival] ticket of an answer to be sent again */
+  constructor(status, body, arrival = "") {
     super(body.detail || body.title || `HTTP ${status}`);
     this.name = "Problem";
     this.status = status;
     this.code = body.code || "";
     this.body = body;
+    this.arrival = arrival;
     /** @type {Fault[]} */
     this.faults = body.errors?.length
       ? body.errors
@@ -31,6 +32,8 @@ class Unreachable extends Error {
 }
 
 const BUSY = 503;
+/** The field of a ticket that says when an answer came which could not be taken just then. */
+const ARRIVAL = "Framewise-Arrival";
 /** Seconds that a page waits by itself. */
 const LONGEST_WAIT = 10;
 
@@ -53,8 +56,8 @@ export class Api {
   }
 
   /**
-   * @param {string} path @param {unknown} body @param {{signal?: AbortSignal, key?: string}} [options] `key` makes a
-   *   repeated call the call that it repeats (Idempotency-Key)
+   * @param {string} path @param {unknown} body @param {{signal?: AbortSignal, key?: string, arrival?: string, patience?: number}} [options]
+   *   `key` makes a repeated call the call that it repeats (Idempotency-Key); `arrival` says since when it is tried
    * @returns {Promise<any>}
    */
   post(path, body, options) {
@@ -82,22 +85,25 @@ export class Api {
   }
 
   /**
-   * @param {string} method @param {string} path @param {unknown} body @param {{signal?: AbortSignal, key?: string, file?: boolean}} [options]
+   * @param {string} method @param {string} path @param {unknown} body @param {{signal?: AbortSignal, key?: string, arrival?: string, patience?: number, file?: boolean}} [options]
    * @returns {Promise<any>}
    */
-  async #send(method, path, body, { signal, key, file = false } = {}) {
+  async #send(method, path, body, { signal, key, arrival = "", patience = this.patience, file = false } = {}) {
     /** @type {Record<string, string>} */
     const headers = { Accept: file ? "*/*" : "application/json", "Accept-Language": this.language };
     if (body !== undefined) headers["Content-Type"] = "application/json";
     if (key) headers["Idempotency-Key"] = key;
+    if (arrival) headers[ARRIVAL] = arrival;
     if (this.context) headers["X-Framewise-Context"] = this.context;
     if (this.token) headers.Authorization = `Bearer ${this.token}`;
     const content = body === undefined ? undefined : JSON.stringify(body);
     let answer, text;
     try {
-      for (let left = this.patience; ; left -= 1) {
+      for (let left = patience; ; left -= 1) {
         answer = await fetch(this.base + path, { method, headers, signal, body: content, credentials: "omit" });
         const seconds = Number(answer.headers.get("Retry-After"));
+        const ticket = answer.headers.get(ARRIVAL);
+        if (ticket) headers[ARRIVAL] = ticket;
         if (answer.status !== BUSY || left <= 0 || !seconds) break;
         await new Promise((resolve) => setTimeout(resolve, 1000 * Math.min(seconds, LONGEST_WAIT)));
         signal?.throwIfAborted();
@@ -114,7 +120,7 @@ export class Api {
     } catch (error) {
       if (answer.ok) throw new Unreachable(error);
     }
-    if (!answer.ok) throw new Problem(answer.status, json);
+    if (!answer.ok) throw new Problem(answer.status, json, headers[ARRIVAL]);
     return json;
   }
 }

@@ -18,8 +18,10 @@ from courses.enrolment import Arrival, arrive
 from courses.links import change_settings
 from courses.model import LinkSettings, Role
 from courses.policies import AttemptPolicy, Mode
+from courses.refusals import StorageUnavailableError
 from courses.storage import Store, open_store
 from service.course_resources import now
+from service.http.problems import busy
 from service.routes.courses import course_sessions
 from service.settings import Settings
 from tests.courses.classroom import platform
@@ -101,10 +103,7 @@ def test_what_came_before_the_end_of_an_exam_counts_however_long_it_waits(
     student: httpx.Client, store: Store, clock: type[Clock], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """It was refused as late once it was its turn: at the end of an exam that takes seconds."""
-    rules = AttemptPolicy(mode=Mode.EXAM, closes=now() + timedelta(minutes=10))
-    with store.reading() as connection:
-        link = int(connection.execute(sa.select(records.link.c.id)).scalar_one())
-    change_settings(store, link, LinkSettings(exercise_id="puma560", policy=rules), now())
+    examine(store)
     judge = course_sessions.judged_submission
 
     def late(*told: Any) -> Any:
@@ -116,6 +115,73 @@ def test_what_came_before_the_end_of_an_exam_counts_however_long_it_waits(
     refused = student.post("session/attempts", json=RIGHT)
     assert (refused.status_code, refused.json()["code"]) == (409, "attempts_closed")
     assert student.get("session").json()["grade"]["attempt"] == 1
+
+
+def examine(store: Store) -> None:
+    """Make an exam of the link, which ends in ten minutes."""
+    rules = AttemptPolicy(mode=Mode.EXAM, closes=now() + timedelta(minutes=10))
+    with store.reading() as connection:
+        link = int(connection.execute(sa.select(records.link.c.id)).scalar_one())
+    change_settings(store, link, LinkSettings(exercise_id="puma560", policy=rules), now())
+
+
+@pytest.mark.parametrize(
+    "error", [busy(), StorageUnavailableError(is_gone=True)], ids=["busy", "no database"]
+)
+def test_what_was_sent_in_time_and_refused_as_busy_counts_when_it_is_sent_again(
+    student: httpx.Client,
+    store: Store,
+    clock: type[Clock],
+    monkeypatch: pytest.MonkeyPatch,
+    error: Exception,
+) -> None:
+    """It was refused as late: who hands in at the end of an exam meets the crowd."""
+    examine(store)
+
+    def refuse(*_: Any) -> Any:
+        raise error
+
+    with monkeypatch.context() as crowded:
+        crowded.setattr(course_sessions, "judged_submission", refuse)
+        refused = student.post("session/attempts", json=RIGHT)
+        assert (refused.status_code, refused.headers["retry-after"]) == (503, "2")
+        ticket = {"Framewise-Arrival": refused.headers["framewise-arrival"]}
+        clock.jump = timedelta(minutes=20)
+        again = student.post("session/attempts", json=RIGHT, headers=ticket)
+        assert again.status_code == 503
+        assert again.headers["framewise-arrival"] == ticket["Framewise-Arrival"]
+    forged = {"Framewise-Arrival": "0" + ticket["Framewise-Arrival"][1:]}
+    other = {**RIGHT, "table": {**RIGHT["table"], "rows": RIGHT["table"]["rows"][::-1]}}
+    for answer, headers in (
+        (RIGHT, {}),
+        (RIGHT, forged),
+        (other, ticket),
+        (RIGHT, {"Framewise-Arrival": "1.2"}),
+    ):
+        late = student.post("session/attempts", json=answer, headers=headers)
+        assert (late.status_code, late.json()["code"]) == (409, "attempts_closed")
+    clock.jump = timedelta(minutes=59)
+    assert student.post("session/attempts", json=RIGHT, headers=ticket).status_code == 200
+    found = student.get("session").json()
+    assert found["grade"]["attempt"] == 1
+    clock.jump = timedelta(minutes=61)
+    assert student.post("session/attempts", json=RIGHT, headers=ticket).status_code == 409
+
+
+def test_a_ticket_makes_no_attempt_earlier_than_need_be(
+    student: httpx.Client, store: Store, clock: type[Clock], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def refuse(*_: Any) -> Any:
+        raise busy()
+
+    with monkeypatch.context() as crowded:
+        crowded.setattr(course_sessions, "judged_submission", refuse)
+        refused = student.post("session/attempts", json=RIGHT)
+    clock.jump = timedelta(minutes=5)
+    ticket = {"Framewise-Arrival": refused.headers["framewise-arrival"]}
+    assert student.post("session/attempts", json=RIGHT, headers=ticket).status_code == 200
+    at = datetime.fromisoformat(student.get("session").json()["attempts"][0]["at"])
+    assert now() - at < timedelta(minutes=5)
 
 
 def test_a_receipt_holds_whatever_the_clock_says(

@@ -129,13 +129,18 @@ def test_a_lost_answer_costs_no_second_attempt(
     context.set_default_timeout(PATIENCE)
     page = context.new_page()
     keys: list[str | None] = []
-    lost = 2
+    tickets: list[str | None] = []
+    lost, busy = 2, 4
 
     def drop(route: Route) -> None:
         keys.append(route.request.headers.get("idempotency-key"))
+        tickets.append(route.request.headers.get("framewise-arrival"))
         if len(keys) <= lost:
             assert route.fetch().ok
             route.abort("connectionreset")
+        elif len(keys) == busy:
+            fields = {"Retry-After": "1", "Framewise-Arrival": "a ticket"}
+            route.fulfill(status=503, headers=fields, body="{}")
         else:
             route.continue_()
 
@@ -160,6 +165,8 @@ def test_a_lost_answer_costs_no_second_attempt(
     button.click()  # a new submission, although nothing was changed
     expect(page.locator("#history li")).to_have_count(2)
     assert keys[3] not in (None, keys[0])
+    assert keys[4:] == [keys[3]]  # by itself, and with the ticket of the refusal
+    assert tickets == [None] * 4 + ["a ticket"]
     context.close()
 
 

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
 from dataclasses import replace
-from datetime import timedelta
+from datetime import datetime, timedelta
 from functools import partial
 from typing import Any
 
@@ -12,18 +13,21 @@ from pydantic import TypeAdapter
 
 from courses.attempts import attempt_numbered, by_key, shown_now, standing_of
 from courses.model import CourseSession, StudentStanding
-from courses.policies import Shown
-from courses.refusals import AttemptError, NoExerciseError
+from courses.policies import Shown, counts_from
+from courses.refusals import AttemptError, NoExerciseError, StorageUnavailableError
 from courses.secrets import redeem_code
 from courses.sessions import end_session
 from exercises.errors import UnknownExerciseError
 from service.course_callers import grader_of, in_thread, json_response, signed_in
-from service.course_resources import now
+from service.course_resources import bearer_token, now
+from service.http.arrival_tickets import HEADER, arrival_ticket, told_arrival
 from service.http.languages import language_of
+from service.http.problems import RETRY_SECONDS, BusyError, ServiceError, UnavailableError, cause
 from service.http.routing import ApiRequest, DirectRoute, api_router
 from service.http.validation import validated
 from service.resources import resources_of
 from service.schemas.exercises.exercises import AnswerBase, ExerciseAnswer
+from service.secret import installation_secret
 from service.wire.courses.session_views import attempt_view, masked, session_view, stored_report
 from service.wire.exercises.ungraded import answer_refused
 from service.wire.exercises.verdicts import report_body
@@ -82,16 +86,47 @@ async def close_session(request: ApiRequest) -> Response:
 
 @router.post("/session/attempts")
 async def submit(request: ApiRequest) -> Response:
-    """Judge an answer, store it, and only then answer, as far as the rules let it be shown."""
-    language, begun = language_of(request), now()
+    """Judge an answer, store it, and only then answer, as far as the rules let it be shown.
+
+    Where that can't be done just now, the refusal tells when the answer came, for it to be sent again.
+    """
+    begun = now()
+    try:
+        return await _judged(request, begun)
+    except (BusyError, UnavailableError, StorageUnavailableError) as error:
+        headers = {"Retry-After": str(RETRY_SECONDS)}
+        with suppress(ServiceError):  # an answer that can't be read has not come
+            token, typed, _ = await _sent(request)
+            arrived = begun + timedelta(seconds=request.body_seconds)
+            first = told_arrival(request.headers.get(HEADER, ""), token, typed, _secret(request), arrived)
+            headers[HEADER] = arrival_ticket(first or arrived, token, typed, _secret(request))
+        raise BusyError(error.faults, headers=headers) from cause(error)
+
+
+async def _sent(request: ApiRequest) -> tuple[str, Any, tuple[Any, Any]]:
+    """The session's token, the answer, and what the page adds: its form, and the version that it shows."""
+    sent = await request.json()
+    token = bearer_token(request.headers.get("authorization", ""))
+    if not isinstance(sent, dict):
+        return token, sent, (None, None)
+    answer = {key: value for key, value in sent.items() if key not in ("form", "version")}
+    return token, answer, (sent.get("form"), sent.get("version"))
+
+
+def _secret(request: ApiRequest) -> bytes:
+    return installation_secret(resources_of(request).settings)
+
+
+async def _judged(request: ApiRequest, begun: datetime) -> Response:
+    language = language_of(request)
     courses, session = await signed_in(request)
     proven(Proven("hand-in", session.person.id))
     with answer_refused():
-        typed = await request.json()
+        token, typed, (form, seen) = await _sent(request)
         arrived = begun + timedelta(seconds=request.body_seconds)
-        form, seen = (
-            typed.pop(name, None) if isinstance(typed, dict) else None for name in ("form", "version")
-        )
+        if ticket := request.headers.get(HEADER):
+            first = told_arrival(ticket, token, typed, _secret(request), arrived)
+            arrived = counts_from(session.link.settings.policy, session.allowance, first, arrived)
         wire = validated(_ANSWER, typed)
         key = request.headers.get("idempotency-key", "")[:LONGEST_KEY] or None
         grader = replace(grader_of(request), help_now=resources_of(request).help_now)

@@ -16,8 +16,11 @@ const TAKEN_ALONG = "session";
 const PAUSE = 1500;
 const RENEWED_EVERY = 20 * 60 * 1000;
 const LONGEST_WAIT = 2 ** 31 - 1;
+/** How often an answer is sent again by itself where the service is busy. */
+const TRIES_AGAIN = 3;
 
 /** @typedef {import("../attempts.js").AttemptStore} AttemptStore */
+/** @typedef {{request: string, key: string, arrival: string}} Sent a submission under way, its key and its ticket */
 
 let held = "";
 
@@ -143,20 +146,21 @@ export class CourseSession {
 
   /**
    * Hands in. An answer that was lost on its way is asked for again under the same key, also after a reload: it is one
-   * attempt, however often it is sent.
+   * attempt, however often it is sent. One that the service could not take counts as of when it was sent first.
    * @param {unknown} request @param {unknown} form @returns {Promise<any>}
    */
   async submit(request, form) {
-    const key = this.#keyOf(JSON.stringify(request));
+    const sent = this.#sentOf(JSON.stringify(request));
     let graded;
     try {
       const body = { .../** @type {any} */ (request), form, ...(this.version ? { version: this.version } : {}) };
-      graded = await this.#api.post("session/attempts", body, { key });
+      graded = await this.#api.post("session/attempts", body, { ...sent, patience: TRIES_AGAIN });
     } catch (error) {
-      if (error instanceof Problem && error.status < 500) this.#forgetKey();
+      if (error instanceof Problem && error.status < 500) this.#forgetSent();
+      else if (error instanceof Problem) keep(this.#sent, { ...sent, arrival: error.arrival });
       throw error;
     }
-    this.#forgetKey();
+    this.#forgetSent();
     this.told = await this.#api.get("session").catch(() => this.told);
     this.#show();
     return graded;
@@ -172,16 +176,16 @@ export class CourseSession {
     return this.#api.get(`session/attempts/${number}`);
   }
 
-  /** The key of a submission: the one it was sent with before, if it has had no answer. @param {string} request */
-  #keyOf(request) {
-    const sent = recall(this.#sent, { request: "", key: "" });
-    if (sent.request === request) return sent.key;
-    const key = randomKey();
-    keep(this.#sent, { request, key });
-    return key;
+  /** What a submission is sent with: as before, if it has had no answer. @param {string} request @returns {Sent} */
+  #sentOf(request) {
+    const before = recall(this.#sent, { request: "", key: "", arrival: "" });
+    if (before.request === request) return before;
+    const sent = { request, key: randomKey(), arrival: "" };
+    keep(this.#sent, sent);
+    return sent;
   }
 
-  #forgetKey() {
+  #forgetSent() {
     keep(this.#sent, null);
   }
 
