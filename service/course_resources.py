@@ -40,6 +40,9 @@ CACHED_EXERCISES = 512
 """Published exercises in the cache, as read: some tens of megabytes."""
 _CROWDED_PAUSE = 0.05
 """Seconds in which judged answers are gathered for one transaction while many others wait to be judged."""
+_DRAFTS_PAUSE = 0.1
+"""Seconds in which drafts are gathered for one transaction: nobody waits for them, and each transaction keeps
+those waiting who hand in."""
 _MEMBERS_LIVE = 300.0
 """Seconds for which a class list of the platform is not fetched again."""
 SESSIONS_KNOWN = 8192
@@ -92,6 +95,7 @@ class CourseResources:
             batches=1,
             capacity=capacity,
             gives_up=_database_is_gone,
+            pause=lambda: _DRAFTS_PAUSE,
         )
         self._people: dict[str, Proven] = {}
         self._lock = threading.Lock()

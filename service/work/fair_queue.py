@@ -30,7 +30,8 @@ from service.http.problems import busy
 class Proven:
     """Who has proved who they are: a person by a session, however many they have, or a program by its key.
 
-    What a person hands in counts by itself: it does not wait behind what they have looked at and typed.
+    What a person hands in counts by itself: it does not wait behind what they have looked at and typed, nor,
+    unless it is much, behind what others do.
     """
 
     kind: Literal["person", "hand-in", "key"]
@@ -46,6 +47,8 @@ HALF_LIFE = 10.0
 """Seconds after which use counts half: long beside one task, short beside a lecture."""
 AHEAD = 0.02
 """Seconds of use by which a newcomer is ahead of those who are being served: the cost of some answers."""
+FIRST = 0.1
+"""Seconds of use up to which what a person hands in goes before what all look at and type: some answers."""
 CLIENTS = 4096
 """Clients whose use is stored; the one that was idle longest is dropped first."""
 
@@ -173,8 +176,14 @@ class FairQueue:
             _store(self._served, among, max(self._served.get(among, -math.inf), self._use(key)))
 
     def _catch_up(self, client: Client) -> None:
-        """Count a newcomer's use as at most `AHEAD` less than that of those who are being served."""
-        ahead = math.log2(AHEAD) + time.monotonic() / HALF_LIFE
+        """Count a newcomer's use as at most `AHEAD` less than that of those who are being served.
+
+        Not that of who hands something in: it goes first, until they have handed in much.
+        """
+        passed = time.monotonic() / HALF_LIFE
+        who, ahead = client[0], math.log2(AHEAD) + passed
+        if isinstance(who, Proven) and who.kind == "hand-in" and self._use(who) < math.log2(FIRST) + passed:
+            return
         for among, key in _levels(client):
             served = self._served.get(among, -math.inf)
             if served > ahead:

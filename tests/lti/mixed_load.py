@@ -23,9 +23,11 @@ from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any
 
 from courses.model import LinkSettings
 from courses.storage import open_store
+from service.work.heaps import SWITCH_SECONDS
 from tests.lti.exam import WORKERS, Browser, Outcome, enrolled, opened, ready, table
 from tests.lti.test_killed import killed
 from tests.service.attacks.beside import HOSTILE, Connection
@@ -38,8 +40,8 @@ SLOWER = 5.0
 """Bar: p99 of a verdict under load to that of the idle service."""
 GROWTH = 1.05
 """Bar: memory at the end to memory at half time."""
-CLOSED = 16
-"""Clients that look for the ceiling."""
+CLOSED = 64
+"""Clients that look for the ceiling: fewer wait for transactions and leave the processors idle."""
 LARGEST = 1024 * 1024
 JSON = {"Content_Type": "application/json"}
 
@@ -158,20 +160,28 @@ class Mix:
     async def load(self, rate: float, seconds: float, seen: Seen, service: int) -> None:
         """Requests whenever they are due, whatever has been answered."""
         begun, under_way = time.monotonic(), set()
-        due, weighed = begun, begun
-        while (now := time.monotonic()) < begun + seconds:
-            if now >= weighed:
-                seen.memory.append(memory_of(service))
-                seen.under_way.append(len(under_way))
-                weighed += max(1.0, seconds / 100)
+        weighing = asyncio.create_task(self.weigh(max(1.0, seconds / 100), seen, under_way, service))
+        due = begun
+        while time.monotonic() < begun + seconds:
             due += self.chance.expovariate(rate)
             await asyncio.sleep(max(0.0, due - time.monotonic()))
             task = asyncio.create_task(self.one(seen))
             under_way.add(task)
             task.add_done_callback(under_way.discard)
+        weighing.cancel()
         await asyncio.gather(*under_way)
         if not seen.verdicts:  # one draw in sixteen is a submission, and a busy machine makes few in a moment
             await self.submit(self.browsers[0], seen)
+
+    async def weigh(self, pause: float, seen: Seen, under_way: set[Any], service: int) -> None:
+        """Note the service's memory and what is under way, again and again.
+
+        In a thread: requests that fell due while this took the loop's time would all be sent at once.
+        """
+        while True:
+            seen.memory.append(await asyncio.to_thread(memory_of, service))
+            seen.under_way.append(len(under_way))
+            await asyncio.sleep(pause)
 
 
 def memory_of(group: int) -> int:
@@ -189,6 +199,7 @@ def memory_of(group: int) -> int:
 
 async def measured(port: int, tokens: Sequence[str], service: int, minutes: float, seek: float) -> Seen:
     """Idle, ceiling, load; told as they go."""
+    sys.setswitchinterval(SWITCH_SECONDS)
     mix, idle, seen = Mix(port, tokens), Seen(), Seen()
     await mix.ceiling(seek / 4)  # caches and worker processes are warm
     until = time.monotonic() + seek

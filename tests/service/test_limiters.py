@@ -22,7 +22,7 @@ from service.http.problems import BusyError, busy, located
 from service.settings import Settings
 from service.wire.exercises import exercise_views
 from service.work import fair_queue
-from service.work.fair_queue import AHEAD, CLIENTS, Client, FairQueue, Name, Proven, current_client
+from service.work.fair_queue import AHEAD, CLIENTS, FIRST, Client, FairQueue, Name, Proven, current_client
 from service.work.heaps import SWITCH_SECONDS
 from service.work.limiters import DONE, LIGHT, TRIED, Limiter, WorkKind, limiters
 
@@ -173,6 +173,45 @@ def test_who_used_much_while_nobody_waited_does_not_stand_still_for_a_stranger(
     assert served[0] == stranger
     assert 8 <= served.count(worker) <= 10
     assert all(worker in served[i : i + 4] for i in range(17))
+
+
+@pytest.mark.parametrize(("used", "place"), [(0.0, 0), (FIRST / 2, 0), (2 * FIRST, 10)])
+def test_what_is_handed_in_goes_first_until_a_person_has_handed_in_much(used: float, place: int) -> None:
+    """Once somebody had used much, all who came after that waited in the order in which they came."""
+    student: Client = (Proven("hand-in", 1), 1)
+
+    async def scene() -> int:
+        clock = SimpleNamespace(now=1000.0, monotonic=lambda: clock.now)
+        with patch.object(fair_queue, "time", clock):
+            queue = FairQueue(slots=1, capacity=100, timeout=60)
+
+            def wait(client: Client) -> asyncio.Task[fair_queue.Slot]:
+                current_client.set(client)
+                return asyncio.create_task(queue.acquire())
+
+            for client, seconds in ((student, used), (("hostile", 1), 100.0)):
+                slot = await wait(client)
+                clock.now += seconds
+                slot.release()
+                clock.now -= seconds
+            slot = await wait(("hostile", 1))
+            readers = [wait((Proven("person", number), number)) for number in range(10)]
+            handed_in = wait(student)
+            await asyncio.sleep(0)
+            before = 0
+            while True:
+                clock.now += 0.001
+                slot.release()
+                await asyncio.sleep(0)
+                if handed_in.done():
+                    break
+                (slot,) = [task.result() for task in readers if task.done() and task.result().held]
+                before += 1
+            for task in readers:
+                task.cancel()
+            return before
+
+    assert asyncio.run(scene()) == place
 
 
 @given(
