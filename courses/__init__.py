@@ -1,28 +1,22 @@
-"""Courses: people, links, attempts, drafts and grades, policies over time, statistics, and their storage.
+"""A course: people who open links, attempts that they hand in, and marks that follow from them.
 
-Knows nothing of HTTP or LTI. A clock is handed in wherever time matters; policies are pure functions of what
-was handed in and of that clock.
+A learning management system, the *platform*, launches a *person* into a *link* of a *course*; the first
+launch makes all three known. A link asks an exercise by rules of its own: how many attempts, until when,
+which of them counts, what is shown of a verdict and when. What somebody hands in is judged, and stored as an
+*attempt* before it is answered; it never changes afterwards. From the attempts and the rules follows the
+*grade*, and from that the score that the platform's gradebook has to hear. Staff changes rules, judges
+attempts again by a mended exercise, and looks at statistics: grades are derived anew in the transaction that
+changed what they follow from, and no verdict is computed again to count something.
 
-model            what a course is made of: people, links, attempts
-policies         what attempts are worth, and whether another one is taken
-enrolment        people and courses, as a launch tells of them
-sessions         who is signed in
-links, link_settings  what staff changes of a link
-attempts, submissions  what was handed in is stored before it is answered
-judged, regrading, settling  the judgement that counts, judging again, and what follows from it
-gradebook, outbox  the counted score, and on its way to the platform
-statistics, attempt_export  what lecturers see and take away
-publications     published exercises, by content
-prepared_answers  figures and closed forms made before
-platforms        platforms and keys
-administration, audit, privacy  who may do what, who did, and what people may ask for
-storage          the database, opened and used in transactions; engines, its connections
-turns            who writes next to an SQLite file
-postgresql_connection  one that gives up where the server keeps silent
-records, column_types  its relations
-statements       what SQLite and PostgreSQL write alike
-schema_history, migrations  its schema, step by step
-backup           a copy, and back
-secrets          secrets, tokens and one-time codes
-refusals         what goes wrong
+teaching    what staff does and sees: rules changed, attempts judged again, statistics, exports
+attempts    what was typed and handed in, stored many at a time
+marks       the judgement that counts, the grade that follows from it, and its way to the platform
+people      platforms and launches, sessions, secrets; what people may ask for by law
+links       what is asked and by which rules; published exercises
+storage     the database: connections, transactions, relations and their history, backup
+model       the records of all of them
+refusals    what goes wrong
+
+Each of these knows only those below it; people and marks do not know each other. Nothing here knows of HTTP
+or LTI. A clock is handed in wherever time matters; policies are pure functions of attempts and of that clock.
 """

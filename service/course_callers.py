@@ -8,10 +8,10 @@ from typing import Any, TypeVar
 
 from fastapi import Response
 
-from courses.audit import log_access
-from courses.link_settings import read
-from courses.links import link_in
+from courses.links.course_links import link_in
+from courses.links.link_settings import read
 from courses.model import CourseSession, Link, LinkSettings, Role
+from courses.people.audit import log_access
 from courses.refusals import StaffOnlyError, unknown_record
 from kinematics.errors import Fault
 from service.course_resources import CourseResources, bearer_token, now

@@ -7,16 +7,16 @@ import time
 from collections.abc import Callable
 from datetime import UTC, datetime
 
-from courses.attempts import Typed, keep_drafts
+from courses.attempts.stored_attempts import Typed, keep_drafts
+from courses.attempts.submissions import JudgedSubmission, store_submissions
+from courses.links.publications import publish, published
+from courses.marks.outbox import OutboxState, outbox_state
 from courses.model import Attempt, Course, CourseSession, Platform, PlatformStatus
-from courses.outbox import OutboxState, outbox_state
-from courses.platforms import StoredKey, add_key, platform_by_id, platforms, remove_keys, stored_keys
-from courses.publications import publish, published
+from courses.people.platforms import StoredKey, add_key, platform_by_id, platforms, remove_keys, stored_keys
+from courses.people.secrets import pseudonym
+from courses.people.sessions import sessions_of
 from courses.refusals import SessionError, StorageUnavailableError
-from courses.secrets import pseudonym
-from courses.sessions import sessions_of
-from courses.storage import Store, open_store
-from courses.submissions import JudgedSubmission, store_submissions
+from courses.storage.database import Store, open_store
 from exercises.authoring.draft import draft_of_files
 from exercises.definition import Exercise
 from exercises.library import Library

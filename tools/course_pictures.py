@@ -14,11 +14,11 @@ from urllib.request import Request, urlopen
 
 from playwright.sync_api import Browser, Page
 
-from courses.enrolment import Arrival, arrive
 from courses.model import Platform, PlatformStatus, Role
-from courses.platforms import add_platform
-from courses.secrets import issue_code
-from courses.storage import Store, open_store
+from courses.people.enrolment import Arrival, arrive
+from courses.people.platforms import add_platform
+from courses.people.secrets import issue_code
+from courses.storage.database import Store, open_store
 from service.course_resources import now
 from tools.picture import IMAGES, TABLE
 from tools.web import chromium, service

@@ -8,9 +8,9 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from pathlib import Path
 
-from courses.backup import back_up, restore
 from courses.refusals import StorageError
-from courses.storage import Store, open_store, revision_of
+from courses.storage.backup import back_up, restore
+from courses.storage.database import Store, open_store, revision_of
 from kinematics.errors import Fault
 from service.cli.environment import settings_of_environment
 

@@ -7,10 +7,10 @@ import json
 import sys
 from urllib.parse import urlsplit
 
-from courses.administration import invite_administrator
-from courses.links import LONGEST_NUMBER
+from courses.links.course_links import LONGEST_NUMBER
 from courses.model import Platform, PlatformStatus
-from courses.platforms import (
+from courses.people.administration import invite_administrator
+from courses.people.platforms import (
     add_deployment,
     add_platform,
     deployments_of,

@@ -7,7 +7,7 @@ import json
 import sys
 from datetime import timedelta
 
-from courses.privacy import erase_person, export_person, purge
+from courses.people.privacy import erase_person, export_person, purge
 from service.cli.backups import opened_store
 from service.cli.environment import settings_of_environment
 from service.course_resources import now

@@ -8,7 +8,7 @@ import time
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
-from courses.links import links_of_course
+from courses.links.course_links import links_of_course
 from courses.model import LinkSettings
 from exercises.access import MOST_VARIANTS
 from exercises.definition import Exercise

@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from datetime import datetime
 from typing import Any
 
-from courses.secrets import new_token
+from courses.people.secrets import new_token
 from service.lti import claims as names
 from service.lti.platform_keys import LtiPlatform
 from service.lti.signing_keys import SigningKey, signed

@@ -11,8 +11,8 @@ from dataclasses import dataclass
 from datetime import datetime, timedelta
 from urllib.parse import urlencode
 
-from courses.secrets import hashed, sealed, unsealed
-from courses.storage import Store
+from courses.people.secrets import hashed, sealed, unsealed
+from courses.storage.database import Store
 from kinematics.errors import Fault
 from service.lti.fetching import origin_of
 from service.lti.launch_errors import LoginError

@@ -10,7 +10,7 @@ from urllib.parse import urlencode
 
 import orjson
 
-from courses.secrets import new_token
+from courses.people.secrets import new_token
 from service.lti.fetching import FetchedAnswer, Fetcher
 from service.lti.launch_errors import unreachable
 from service.lti.platform_keys import LtiPlatform

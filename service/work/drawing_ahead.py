@@ -12,10 +12,10 @@ import random
 import time
 from collections.abc import Callable, Iterator
 
-from courses.links import newest_links
+from courses.links.course_links import newest_links
 from courses.model import LinkSettings
 from courses.refusals import StorageUnavailableError
-from courses.storage import Store
+from courses.storage.database import Store
 from exercises.definition import Exercise
 from exercises.errors import ExerciseError
 from exercises.instance import Instance, possible_instances

@@ -11,7 +11,7 @@ from functools import lru_cache
 from queue import SimpleQueue
 
 from courses.model import Attempt, LinkSettings
-from courses.regrading import Rejudged
+from courses.teaching.regrading import Rejudged
 from exercises.library import Library
 from kinematics.cells import Limits
 from service.settings import Settings

@@ -9,9 +9,9 @@ import logging
 import random
 from datetime import timedelta
 
-from courses.privacy import purge
+from courses.people.privacy import purge
 from courses.refusals import StorageUnavailableError
-from courses.storage import Store
+from courses.storage.database import Store
 from service.course_resources import now
 from service.work.threads import BackgroundThread
 

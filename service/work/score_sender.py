@@ -18,9 +18,9 @@ from urllib.parse import urlsplit
 
 from sqlalchemy.exc import SQLAlchemyError
 
+from courses.marks.outbox import bumped, delivered, keep_line_item, lease_scores, postponed, undeliverable
 from courses.model import Platform, ScoreToSend
-from courses.outbox import bumped, delivered, keep_line_item, lease_scores, postponed, undeliverable
-from courses.platforms import platform_by_id
+from courses.people.platforms import platform_by_id
 from courses.refusals import StorageUnavailableError
 from service.course_resources import CourseResources, now
 from service.lti.launch_errors import PlatformError, unreachable

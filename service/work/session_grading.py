@@ -12,12 +12,12 @@ from typing import Any
 import orjson
 from pydantic import ValidationError
 
-from courses.attempts import check_open, path_of_codes
-from courses.column_types import WrittenJson
+from courses.attempts.stored_attempts import check_open, path_of_codes
+from courses.attempts.submissions import JudgedSubmission
 from courses.model import Attempt, CourseSession, LinkSettings
 from courses.refusals import AttemptError, NoExerciseError
-from courses.regrading import Rejudged
-from courses.submissions import JudgedSubmission
+from courses.storage.column_types import WrittenJson
+from courses.teaching.regrading import Rejudged
 from exercises.access import ExerciseAccess
 from exercises.answers import parse
 from exercises.definition import Exercise

@@ -7,8 +7,8 @@ import random
 from datetime import timedelta
 
 from courses.refusals import StorageUnavailableError
-from courses.settling import settle, unsettled
-from courses.storage import Store
+from courses.storage.database import Store
+from courses.teaching.settling import settle, unsettled
 from service.course_resources import now
 from service.work.threads import BackgroundThread
 

@@ -13,9 +13,9 @@ import threading
 
 from sqlalchemy.exc import SQLAlchemyError
 
-from courses.prepared_answers import keep_prepared, prepared
 from courses.refusals import StorageUnavailableError
-from courses.storage import Store
+from courses.storage.database import Store
+from courses.storage.prepared_answers import keep_prepared, prepared
 from service.course_resources import now
 from service.wire.answer_cache import AnswerCache
 from service.work.threads import BackgroundThread

@@ -19,7 +19,7 @@ from pathlib import Path
 import httpx
 import pytest
 
-from courses.storage import FILE_NAME
+from courses.storage.database import FILE_NAME
 from tests.architecture.serving import received
 from tests.architecture.sources import ROOT
 

@@ -7,14 +7,14 @@ from typing import Any
 
 import sqlalchemy as sa
 
-from courses import records
-from courses.attempts import attempt_of
-from courses.enrolment import Arrival, arrive
+from courses.attempts.stored_attempts import attempt_of
+from courses.attempts.submissions import JudgedSubmission, store_submissions
 from courses.model import Attempt, CourseSession, Platform, PlatformStatus, Role
-from courses.platforms import add_platform
-from courses.sessions import session_of
-from courses.storage import Store
-from courses.submissions import JudgedSubmission, store_submissions
+from courses.people.enrolment import Arrival, arrive
+from courses.people.platforms import add_platform
+from courses.people.sessions import session_of
+from courses.storage import records
+from courses.storage.database import Store
 
 NOW = datetime(2027, 3, 1, 12, 0, tzinfo=UTC)
 

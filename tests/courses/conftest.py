@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from courses.storage import Store, open_store
+from courses.storage.database import Store, open_store
 from tests.databases import new_database
 
 

@@ -13,19 +13,25 @@ from typing import Any
 import pytest
 import sqlalchemy as sa
 
-from courses import records
-from courses.attempts import LISTED, attempt_numbered, keep_drafts, standing_of
-from courses.judged import AttemptFilter, Outcome, Progress, attempts_behind
-from courses.links import allow, change_settings, release_feedback
+from courses.attempts.stored_attempts import LISTED, attempt_numbered, keep_drafts, standing_of
+from courses.links.policies import Allowance, AttemptPolicy, Counted, Counting, FeedbackTiming, Mode
+from courses.marks.judged import AttemptFilter, Outcome, Progress, attempts_behind
+from courses.marks.outbox import delivered, lease_scores, postponed, resend, undeliverable
 from courses.model import CourseSession, LinkSettings, Role
-from courses.outbox import delivered, lease_scores, postponed, resend, undeliverable
-from courses.policies import Allowance, AttemptPolicy, Counted, Counting, FeedbackTiming, Mode
-from courses.privacy import erase_person, export_person, purge
+from courses.people.privacy import erase_person, export_person, purge
+from courses.people.secrets import issue_code, pseudonym, redeem_code, remember_nonce
+from courses.people.sessions import SESSION, end_session, session_of
 from courses.refusals import AttemptError, SessionError, UnknownRecordError
-from courses.secrets import issue_code, pseudonym, redeem_code, remember_nonce
-from courses.sessions import SESSION, end_session, session_of
-from courses.statistics import class_overview, link_statistics, misconceptions, undelivered, unexplained
-from courses.storage import Store, open_store
+from courses.storage import records
+from courses.storage.database import Store, open_store
+from courses.teaching.link_changes import allow, change_settings, release_feedback
+from courses.teaching.statistics import (
+    class_overview,
+    link_statistics,
+    misconceptions,
+    undelivered,
+    unexplained,
+)
 from service.work.retention import Retention
 from tests.courses.classroom import NOW, attempts_of, joined, platform, submitted
 
@@ -231,7 +237,9 @@ def test_extra_time_derives_the_grade_of_no_other_student(
     for each in (session, other):
         submitted(store, each, 0.5)
     derived: list[int] = []
-    monkeypatch.setattr("courses.links.regrade", lambda _, __, people, *___: derived.extend(people))
+    monkeypatch.setattr(
+        "courses.teaching.link_changes.regrade", lambda _, __, people, *___: derived.extend(people)
+    )
     allow(store, session.link, session.person.key, Allowance(extra_time=minutes(10)), NOW)
     assert derived == [session.person.id]
 
@@ -295,7 +303,7 @@ def test_who_signs_in_does_not_read_the_whole_class(tmp_path: Path) -> None:
 
 
 def test_sessions_live_while_they_are_used(store: Store) -> None:
-    from courses.enrolment import Arrival, arrive
+    from courses.people.enrolment import Arrival, arrive
 
     told = Arrival(
         platform=platform(store),

@@ -6,8 +6,8 @@ from typing import Any
 
 import pytest
 
-from courses.link_settings import LinkSettingsError, read, stored, written
-from courses.policies import Mode
+from courses.links.link_settings import LinkSettingsError, read, stored, written
+from courses.links.policies import Mode
 
 PARTS, LANGUAGES = ("table", "pose"), ("en", "fr")
 

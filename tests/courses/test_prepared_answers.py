@@ -7,10 +7,10 @@ from datetime import timedelta
 import pytest
 import sqlalchemy as sa
 
-from courses import prepared_answers
-from courses.prepared_answers import keep_prepared, prepared
-from courses.records import prepared_answer
-from courses.storage import Store
+from courses.storage import prepared_answers
+from courses.storage.database import Store
+from courses.storage.prepared_answers import keep_prepared, prepared
+from courses.storage.records import prepared_answer
 from tests.courses.classroom import NOW
 
 

@@ -11,20 +11,21 @@ from datetime import datetime
 import pytest
 import sqlalchemy as sa
 
-from courses import records, regrading, settling
-from courses.attempt_export import ExportedAttempt, exported_attempts
-from courses.attempts import path_of_codes
-from courses.judged import AttemptFilter, attempts_behind
-from courses.links import change_settings
+from courses.attempts.stored_attempts import path_of_codes
+from courses.links.policies import AttemptPolicy
+from courses.marks.judged import AttemptFilter, attempts_behind
+from courses.marks.outbox import delivered, lease_scores
 from courses.model import Attempt, LinkSettings, Role
-from courses.outbox import delivered, lease_scores
-from courses.policies import AttemptPolicy
-from courses.privacy import erase_person
+from courses.people.privacy import erase_person
 from courses.refusals import OutdatedError, StorageUnavailableError, UnknownRecordError
-from courses.regrading import Rejudged, Scope, apply, begin, changes, rejudge, unread
-from courses.settling import settle, unsettled
-from courses.statistics import class_overview, link_statistics, misconceptions, unexplained
-from courses.storage import Store
+from courses.storage import records
+from courses.storage.database import Store
+from courses.teaching import regrading, settling
+from courses.teaching.attempt_export import ExportedAttempt, exported_attempts
+from courses.teaching.link_changes import change_settings
+from courses.teaching.regrading import Rejudged, Scope, apply, begin, changes, rejudge, unread
+from courses.teaching.settling import settle, unsettled
+from courses.teaching.statistics import class_overview, link_statistics, misconceptions, unexplained
 from service.wire.courses.course_views import attempt_record, csv_of, json_of
 from tests.courses.classroom import NOW, joined, submitted
 from tests.courses.test_attempts import WRONG, minutes

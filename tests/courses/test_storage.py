@@ -18,13 +18,13 @@ from alembic.migration import MigrationContext
 from psycopg.errors import AdminShutdown, DeadlockDetected, SerializationFailure
 from sqlalchemy.exc import IntegrityError, OperationalError
 
-from courses.backup import back_up, restore
-from courses.column_types import WrittenJson
-from courses.records import metadata, prepared_answer
 from courses.refusals import StorageError, StorageUnavailableError
-from courses.schema_history import advance
-from courses.statistics import class_overview
-from courses.storage import Store, connect, newest_revision, open_store, revision_of
+from courses.storage.backup import back_up, restore
+from courses.storage.column_types import WrittenJson
+from courses.storage.database import Store, connect, newest_revision, open_store, revision_of
+from courses.storage.records import metadata, prepared_answer
+from courses.storage.schema_history import advance
+from courses.teaching.statistics import class_overview
 from tests.courses.classroom import attempts_of, joined, submitted
 
 
@@ -291,7 +291,7 @@ def test_a_backup_that_cannot_be_finished_leaves_nothing(
     def full(*_: object) -> int:
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr("courses.backup._write", full)
+    monkeypatch.setattr("courses.storage.backup._write", full)
     with pytest.raises(StorageError) as caught:
         back_up(store, tmp_path / "backup.gz")
     assert caught.value.code == "backup_unreadable"

@@ -7,14 +7,14 @@ from typing import Any
 import pytest
 import sqlalchemy as sa
 
-from courses import records
-from courses.links import change_settings
+from courses.attempts.submissions import JudgedSubmission, store_submissions
+from courses.links.policies import AttemptPolicy, Counting
 from courses.model import Attempt, CourseSession, LinkSettings
-from courses.policies import AttemptPolicy, Counting
-from courses.privacy import erase_person
+from courses.people.privacy import erase_person
 from courses.refusals import AttemptError, UnknownRecordError
-from courses.storage import Store
-from courses.submissions import JudgedSubmission, store_submissions
+from courses.storage import records
+from courses.storage.database import Store
+from courses.teaching.link_changes import change_settings
 from tests.courses.classroom import NOW, joined
 from tests.courses.test_attempts import WRONG
 

@@ -12,14 +12,14 @@ from pathlib import Path
 
 import pytest
 
-from courses import storage
 from courses.refusals import StorageUnavailableError
-from courses.turns import TurnError, Turns
+from courses.storage import database as storage
+from courses.storage.turns import TurnError, Turns
 
 OTHER = """
 import sys
 from pathlib import Path
-from courses.turns import Turns
+from courses.storage.turns import Turns
 
 turns = Turns(Path(sys.argv[1]), 60.0)
 for line in sys.stdin:

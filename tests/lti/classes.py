@@ -15,8 +15,8 @@ from urllib.parse import parse_qs
 import httpx
 
 from courses.model import Platform, PlatformStatus
-from courses.platforms import add_platform
-from courses.storage import Store
+from courses.people.platforms import add_platform
+from courses.storage.database import Store
 from service.course_resources import now
 from tests.lti.platform_process import CLIENT, DEPLOYMENT
 

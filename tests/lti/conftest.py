@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from courses.storage import Store, open_store
+from courses.storage.database import Store, open_store
 from service.settings import Settings
 from tests.databases import new_database
 from tests.live_service import running

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from courses.enrolment import Arrival, arrive
 from courses.model import CourseSession, Role
-from courses.platforms import platforms_of
-from courses.sessions import session_of
-from courses.storage import Store
+from courses.people.enrolment import Arrival, arrive
+from courses.people.platforms import platforms_of
+from courses.people.sessions import session_of
+from courses.storage.database import Store
 from service.course_resources import now
 from tests.lti.classes import Lms
 from tests.lti.platform_process import CLIENT, DEPLOYMENT

@@ -29,11 +29,11 @@ from typing import Any, cast
 import sqlalchemy as sa
 import uvloop
 
-from courses import records
-from courses.enrolment import Arrival, arrive
-from courses.links import change_settings
 from courses.model import LinkSettings, Role
-from courses.storage import Store, open_store
+from courses.people.enrolment import Arrival, arrive
+from courses.storage import records
+from courses.storage.database import Store, open_store
+from courses.teaching.link_changes import change_settings
 from service.course_resources import now
 from tests.courses.classroom import platform
 from tests.lti.test_killed import killed

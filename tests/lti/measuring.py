@@ -16,13 +16,13 @@ from typing import Any
 
 import sqlalchemy as sa
 
-from courses import records
-from courses.enrolment import Arrival, arrive
 from courses.model import CourseSession, LinkSettings, Role
-from courses.regrading import Scope, apply, begin, changes, rejudge
-from courses.sessions import session_of
-from courses.statistics import link_statistics, misconceptions, unexplained
-from courses.storage import Store, open_store
+from courses.people.enrolment import Arrival, arrive
+from courses.people.sessions import session_of
+from courses.storage import records
+from courses.storage.database import Store, open_store
+from courses.teaching.regrading import Scope, apply, begin, changes, rejudge
+from courses.teaching.statistics import link_statistics, misconceptions, unexplained
 from exercises.library import packaged
 from kinematics.cells import DEFAULT
 from service.course_resources import now

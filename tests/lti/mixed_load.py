@@ -26,7 +26,7 @@ from pathlib import Path
 from typing import Any
 
 from courses.model import LinkSettings
-from courses.storage import open_store
+from courses.storage.database import open_store
 from service.work.heaps import SWITCH_SECONDS
 from tests.lti.exam import WORKERS, Browser, Outcome, enrolled, opened, ready, table
 from tests.lti.test_killed import killed

@@ -15,9 +15,9 @@ from pathlib import Path
 from bench.bench_service import ROUNDS, SECONDS, _wrk
 from bench.measure import Better, Outcome, Row
 from bench.report import section, terminal, write
-from courses.enrolment import Arrival, arrive
 from courses.model import Role
-from courses.storage import open_store
+from courses.people.enrolment import Arrival, arrive
+from courses.storage.database import open_store
 from service.course_resources import now
 from tests.courses.classroom import platform
 from tests.databases import new_database, postgresql_server

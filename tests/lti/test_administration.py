@@ -10,10 +10,10 @@ from datetime import timedelta
 import httpx
 import pytest
 
-from courses.administration import invite_administrator
 from courses.model import PlatformStatus
-from courses.platforms import add_platform, platforms
-from courses.storage import Store
+from courses.people.administration import invite_administrator
+from courses.people.platforms import add_platform, platforms
+from courses.storage.database import Store
 from service.course_resources import now
 from tests.lti.classes import TEACHER, Browser, Lms, hint
 from tests.lti.test_launches import RIGHT, WRONG

@@ -13,13 +13,13 @@ import sqlalchemy as sa
 
 import service.course_resources
 import service.routes.exercises.receipts
-from courses import records
-from courses.enrolment import Arrival, arrive
-from courses.links import change_settings
+from courses.links.policies import AttemptPolicy, Mode
 from courses.model import LinkSettings, Role
-from courses.policies import AttemptPolicy, Mode
+from courses.people.enrolment import Arrival, arrive
 from courses.refusals import StorageUnavailableError
-from courses.storage import Store, open_store
+from courses.storage import records
+from courses.storage.database import Store, open_store
+from courses.teaching.link_changes import change_settings
 from service.course_resources import now
 from service.http.problems import busy
 from service.routes.courses import course_sessions

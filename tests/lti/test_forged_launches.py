@@ -19,9 +19,9 @@ from cryptography.hazmat.primitives import serialization
 from cryptography.hazmat.primitives.asymmetric import rsa
 
 from courses.model import Platform, PlatformStatus
-from courses.platforms import add_platform, set_status
-from courses.records import metadata
-from courses.storage import Store
+from courses.people.platforms import add_platform, set_status
+from courses.storage.database import Store
+from courses.storage.records import metadata
 from service.course_resources import now
 from service.lti.login import LOGIN, login_of, read_login, redirection
 from tests.lti.classes import LEARNER, Browser, Lms
@@ -294,7 +294,7 @@ def test_a_request_is_not_repeated_where_the_address_would_be_long(
 
 
 def test_a_nonce_works_once(forger: Forger, keys: KeyServer, store: Store, platform: Platform) -> None:
-    from courses.secrets import remember_nonce
+    from courses.people.secrets import remember_nonce
     from service.lti.launch import NONCE_LIFE
 
     begun = forger.begin(keys)

@@ -20,10 +20,10 @@ import httpx
 import pytest
 import sqlalchemy as sa
 
-from courses import records
-from courses.enrolment import Arrival, arrive
 from courses.model import Role
-from courses.storage import open_store
+from courses.people.enrolment import Arrival, arrive
+from courses.storage import records
+from courses.storage.database import open_store
 from service.course_resources import now
 from tests.courses.classroom import platform
 from tests.databases import new_database

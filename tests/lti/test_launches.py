@@ -8,8 +8,8 @@ from collections.abc import Callable
 import pytest
 
 from courses.model import PlatformStatus
-from courses.platforms import invite, platforms, set_status
-from courses.storage import open_store
+from courses.people.platforms import invite, platforms, set_status
+from courses.storage.database import open_store
 from service.course_resources import CourseResources, now
 from service.lti.memberships import members
 from service.settings import Settings

@@ -10,8 +10,8 @@ import pytest
 from playwright.sync_api import Browser as Chromium
 from playwright.sync_api import Page, Route, expect
 
-from courses.administration import invite_administrator
-from courses.storage import Store
+from courses.people.administration import invite_administrator
+from courses.storage.database import Store
 from service.course_resources import now
 from service.schemas.exercises.examples_authoring import TWO_LINKS
 from tests.lti.classes import TEACHER, Browser, Lms, hint

@@ -12,10 +12,10 @@ import pytest
 from playwright.sync_api import Browser as Chromium
 from playwright.sync_api import expect
 
-from courses.enrolment import arrive
 from courses.model import Role
-from courses.secrets import issue_code
-from courses.storage import open_store
+from courses.people.enrolment import arrive
+from courses.people.secrets import issue_code
+from courses.storage.database import open_store
 from service.course_resources import now
 from service.settings import Settings
 from service.work.regrading_processes import FEW

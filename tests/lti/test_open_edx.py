@@ -17,7 +17,7 @@ from urllib.parse import parse_qs
 import httpx
 import pytest
 
-from courses.storage import open_store
+from courses.storage.database import open_store
 from service.__main__ import main
 from service.settings import Settings
 from tests.live_service import running

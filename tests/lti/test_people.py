@@ -7,8 +7,8 @@ from typing import Any
 
 import sqlalchemy as sa
 
-from courses import records
-from courses.storage import Store
+from courses.storage import records
+from courses.storage.database import Store
 from tests.lti.classes import TEACHER, Browser, Lms, hint
 from tests.lti.test_launches import CUSTOM, RIGHT, WRONG
 

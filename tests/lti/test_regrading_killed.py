@@ -13,10 +13,10 @@ import httpx
 import pytest
 import sqlalchemy as sa
 
-from courses import records
-from courses.enrolment import arrive
 from courses.model import LinkSettings, Role
-from courses.storage import Store, open_store
+from courses.people.enrolment import arrive
+from courses.storage import records
+from courses.storage.database import Store, open_store
 from exercises.library import packaged
 from kinematics.cells import DEFAULT
 from service.course_resources import now
@@ -32,7 +32,8 @@ BATCH = 20
 """Attempts of one transaction, fewer than usual, so that a small class has several."""
 PROGRAM = (
     "-c",
-    f"from courses import regrading; regrading.BATCH = {BATCH}; from service.__main__ import main; main()",
+    f"from courses.teaching import regrading; regrading.BATCH = {BATCH}; "
+    "from service.__main__ import main; main()",
 )
 
 

@@ -16,7 +16,7 @@ from pathlib import Path
 
 import pytest
 
-from courses.storage import open_store
+from courses.storage.database import open_store
 from tests.architecture.serving import reserved_port
 from tests.databases import new_database
 from tests.lti.classes import Browser, Lms, eventually, hint

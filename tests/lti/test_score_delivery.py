@@ -13,10 +13,10 @@ from typing import Any
 import orjson
 import pytest
 
-from courses import records
+from courses.marks.outbox import resend
 from courses.model import ScoreToSend
-from courses.outbox import resend
-from courses.storage import Store
+from courses.storage import records
+from courses.storage.database import Store
 from service.course_resources import CourseResources, now
 from service.lti.fetching import FetchedAnswer
 from service.lti.launch_errors import PlatformError, unreachable

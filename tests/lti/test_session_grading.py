@@ -9,14 +9,14 @@ from typing import Any
 import pytest
 import sqlalchemy as sa
 
-from courses import records
-from courses.attempts import path_of_codes
-from courses.links import change_settings
+from courses.attempts.stored_attempts import path_of_codes
+from courses.links.policies import AttemptPolicy
+from courses.links.publications import MOST, publish
 from courses.model import Attempt, CourseSession, LinkSettings
-from courses.policies import AttemptPolicy
-from courses.publications import MOST, publish
 from courses.refusals import AttemptError, PublicationError
-from courses.storage import Store, open_store
+from courses.storage import records
+from courses.storage.database import Store, open_store
+from courses.teaching.link_changes import change_settings
 from exercises.grading import HelpLevel
 from exercises.instance import cached_instance, generate
 from exercises.library import Library

@@ -10,8 +10,8 @@ from pathlib import Path
 import httpx
 import pytest
 
-from courses.platforms import deployments_of, platforms
-from courses.storage import open_store
+from courses.people.platforms import deployments_of, platforms
+from courses.storage.database import open_store
 from service.__main__ import main
 from service.settings import Settings
 from tests.live_service import running

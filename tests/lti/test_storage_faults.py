@@ -17,11 +17,11 @@ import pytest
 import sqlalchemy as sa
 from sqlalchemy import event
 
-from courses import engines, postgresql_connection, records
-from courses.enrolment import Arrival, arrive
 from courses.model import Role
+from courses.people.enrolment import Arrival, arrive
 from courses.refusals import StorageError, StorageUnavailableError
-from courses.storage import Store, open_store
+from courses.storage import engines, postgresql_connection, records
+from courses.storage.database import Store, open_store
 from service.course_resources import CourseResources, now
 from service.settings import Settings
 from tests.courses.classroom import joined, platform, submitted

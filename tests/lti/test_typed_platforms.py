@@ -9,8 +9,8 @@ import httpx
 import pytest
 
 from courses.model import Platform, PlatformStatus
-from courses.platforms import add_platform, deployments_of, platforms
-from courses.storage import Store, open_store
+from courses.people.platforms import add_platform, deployments_of, platforms
+from courses.storage.database import Store, open_store
 from service.cli.commands import main
 from service.course_resources import now
 from service.lti.fetching import http_address

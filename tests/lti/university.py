@@ -24,7 +24,7 @@ from numpy.typing import NDArray
 
 from bench.report import write
 from courses.model import LinkSettings
-from courses.storage import open_store
+from courses.storage.database import open_store
 from service.work.score_sender import SIMULTANEOUS
 from tests.databases import new_database, postgresql_server
 from tests.lti.exam import Browser, Outcome, cpu_of, enrolled, handed_in, opened, submission, table

@@ -13,7 +13,7 @@ from pathlib import Path
 
 import pytest
 
-from courses.storage import open_store
+from courses.storage.database import open_store
 from service import __version__
 from service.cli.commands import COMMANDS, main
 from service.receipts.keys import read_keys

@@ -10,11 +10,11 @@ from unittest.mock import Mock
 
 import pytest
 
-from courses.enrolment import Arrival, arrive
-from courses.links import change_settings
+from courses.links.policies import AttemptPolicy
 from courses.model import LinkSettings, Role
-from courses.policies import AttemptPolicy
-from courses.storage import Store, open_store
+from courses.people.enrolment import Arrival, arrive
+from courses.storage.database import Store, open_store
+from courses.teaching.link_changes import change_settings
 from exercises.definition import Exercise
 from exercises.errors import DefinitionError
 from exercises.instance import generate, possible_instances

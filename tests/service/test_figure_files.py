@@ -12,8 +12,8 @@ import httpx
 import pytest
 import sqlalchemy as sa
 
-from courses.records import prepared_answer
-from courses.storage import Store, open_store
+from courses.storage.database import Store, open_store
+from courses.storage.records import prepared_answer
 from exercises.instance import generate
 from exercises.library import packaged
 from service.settings import Settings

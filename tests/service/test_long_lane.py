@@ -7,10 +7,10 @@ from pathlib import Path
 import httpx
 import pytest
 
-from courses.enrolment import Arrival, arrive
 from courses.model import Role
-from courses.records import finding
-from courses.storage import open_store
+from courses.people.enrolment import Arrival, arrive
+from courses.storage.database import open_store
+from courses.storage.records import finding
 from service.course_resources import now
 from service.resources import Resources
 from service.settings import Settings

@@ -20,9 +20,9 @@ from opentelemetry.sdk.trace.export import SimpleSpanProcessor
 from opentelemetry.sdk.trace.export.in_memory_span_exporter import InMemorySpanExporter
 from prometheus_client.parser import text_string_to_metric_families
 
-from courses import records
-from courses.outbox import outbox_state
-from courses.storage import open_store
+from courses.marks.outbox import outbox_state
+from courses.storage import records
+from courses.storage.database import open_store
 from service.app import create_app
 from service.http.tracing import TracingMiddleware
 from service.settings import Settings

@@ -8,10 +8,10 @@ from unittest.mock import patch
 import httpx
 import pytest
 
-from courses.enrolment import Arrival, arrive
-from courses.links import change_settings
 from courses.model import LinkSettings, Role
-from courses.storage import open_store
+from courses.people.enrolment import Arrival, arrive
+from courses.storage.database import open_store
+from courses.teaching.link_changes import change_settings
 from service.cli.commands import main
 from service.course_resources import now
 from service.settings import Settings

@@ -7,9 +7,9 @@ from typing import Any, TypeVar
 
 from fastapi import Response
 
-from courses.administration import admit_administrator, check_administrator
 from courses.model import Platform, PlatformStatus
-from courses.platforms import (
+from courses.people.administration import admit_administrator, check_administrator
+from courses.people.platforms import (
     add_deployment,
     add_platform,
     deployments_of,

@@ -12,16 +12,23 @@ from typing import Any
 from fastapi import Response
 from fastapi.responses import StreamingResponse
 
-from courses.attempt_export import ExportedAttempt, exported_attempts
-from courses.enrolment import preview
-from courses.link_settings import version_of, written
-from courses.links import allow, change_settings, release_feedback, reports_of
+from courses.attempts.stored_attempts import reports_of
+from courses.links.link_settings import version_of, written
+from courses.links.policies import Allowance
+from courses.marks.outbox import resend
 from courses.model import LinkSettings
-from courses.outbox import resend
-from courses.policies import Allowance
+from courses.people.enrolment import preview
+from courses.people.secrets import issue_code
 from courses.refusals import NoExerciseError
-from courses.secrets import issue_code
-from courses.statistics import class_overview, link_statistics, misconceptions, undelivered, unexplained
+from courses.teaching.attempt_export import ExportedAttempt, exported_attempts
+from courses.teaching.link_changes import allow, change_settings, release_feedback
+from courses.teaching.statistics import (
+    class_overview,
+    link_statistics,
+    misconceptions,
+    undelivered,
+    unexplained,
+)
 from exercises.errors import ExerciseError
 from kinematics.errors import Fault
 from service.course_callers import json_response, object_body, settings_in, staff_of

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from fastapi import Response
 
-from courses.platforms import platform_by_id
-from courses.secrets import redeem_code
+from courses.people.platforms import platform_by_id
+from courses.people.secrets import redeem_code
 from service.course_callers import in_thread, json_response, object_body, settings_in
 from service.course_resources import now
 from service.http.forms import own_root

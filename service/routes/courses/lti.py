@@ -16,16 +16,16 @@ from urllib.parse import urlencode
 from fastapi import APIRouter, Request, Response
 from fastapi.responses import RedirectResponse
 
-from courses.enrolment import Arrival, arrive
 from courses.model import Platform, PlatformStatus, Role
-from courses.platforms import (
+from courses.people.enrolment import Arrival, arrive
+from courses.people.platforms import (
     deployments_of,
     platform_by_id,
     platforms_of,
 )
+from courses.people.secrets import hashed, issue_code, new_token, redeem_code, remember_nonce
+from courses.people.sessions import session_of
 from courses.refusals import NoExerciseError, StaffOnlyError
-from courses.secrets import hashed, issue_code, new_token, redeem_code, remember_nonce
-from courses.sessions import session_of
 from kinematics.errors import Fault
 from service.course_resources import CourseResources, now
 from service.http.forms import form_of, own_root

@@ -8,7 +8,7 @@ from fastapi import APIRouter, Request, Response
 from fastapi.responses import JSONResponse
 
 from courses.model import Platform, PlatformStatus
-from courses.platforms import add_deployment, add_platform, check_invitation, use_invitation
+from courses.people.platforms import add_deployment, add_platform, check_invitation, use_invitation
 from kinematics.errors import Fault
 from service.course_resources import now
 from service.http.forms import own_root

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fastapi import Response
 
-from courses.privacy import erase_person, export_person, person_in
+from courses.people.privacy import erase_person, export_person, person_in
 from service.course_callers import json_response, staff_of
 from service.http.routing import ApiRequest, DirectRoute, api_router
 

@@ -7,10 +7,10 @@ from typing import Annotated
 
 from fastapi import Response
 
+from courses.links.publications import publish
 from courses.model import Role
-from courses.publications import publish
+from courses.people.secrets import check_code
 from courses.refusals import StaffOnlyError
-from courses.secrets import check_code
 from exercises.authoring.trials import trial
 from kinematics.errors import Fault
 from service.course_callers import in_thread, json_response, signed_in

@@ -6,7 +6,7 @@ from typing import Any
 
 from fastapi import Response
 
-from courses.regrading import Scope, apply, begin, changes, rejudge, unread
+from courses.teaching.regrading import Scope, apply, begin, changes, rejudge, unread
 from service.course_callers import grader_of, json_response, object_body, record_number, staff_of
 from service.course_resources import now
 from service.http.routing import ApiRequest, DirectRoute, api_router

@@ -7,7 +7,7 @@ import io
 from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
-from courses.attempt_export import ExportedAttempt
+from courses.teaching.attempt_export import ExportedAttempt
 from service.wire.courses.session_views import stored_report
 from service.wire.exercises.verdicts import encoded
 

@@ -7,8 +7,8 @@ from collections.abc import Mapping
 from typing import Any
 from urllib.parse import unquote
 
-from courses.enrolment import Arrival
 from courses.model import Platform, Role
+from courses.people.enrolment import Arrival
 from exercises.errors import ExerciseError
 from exercises.library import Library
 from service.lti.claims import HISTORY, HISTORY_VARIABLE

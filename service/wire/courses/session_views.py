@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from courses.attempts import shown_now
+from courses.attempts.stored_attempts import shown_now
+from courses.links.policies import Shown, attempts_allowed, deadline, refusal
 from courses.model import Attempt, CourseSession, ListedAttempt, StudentStanding
-from courses.policies import Shown, attempts_allowed, deadline, refusal
-from courses.sessions import SESSION
+from courses.people.sessions import SESSION
 from exercises.instance import variant_of
 from service.course_resources import now
 from service.wire.exercises.verdicts import report_body, restored

@@ -11,9 +11,9 @@ from typing import Any
 import pytest
 from fastapi import FastAPI
 
-from courses.enrolment import arrive
 from courses.model import CourseSession
-from courses.sessions import session_of
+from courses.people.enrolment import arrive
+from courses.people.sessions import session_of
 from service.app import create_app
 from service.course_resources import SESSIONS_KNOWN, now
 from service.resources import TURNS

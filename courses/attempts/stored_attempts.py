@@ -1,0 +1,207 @@
+"""Attempts: taken if the policy allows one, stored before they are answered, and never changed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import fields
+from datetime import datetime, timedelta
+from functools import cache
+from itertools import islice
+from typing import Any, TypeAlias
+
+import sqlalchemy as sa
+
+from courses.links.policies import Counted, Shown, disclosed, refusal
+from courses.model import Attempt, CourseSession, Draft, ListedAttempt, StudentStanding
+from courses.refusals import AttemptError, unknown_record
+from courses.storage import records
+from courses.storage.database import Store
+from exercises.parts.protocol import TABLE
+from exercises.parts.registry import part_types
+
+_TABLE = records.attempt
+LISTED = 50
+"""Attempts that are listed: as many as a browser keeps of exercises outside of courses."""
+MOST_FINDINGS = 64
+"""Codes of an attempt that are stored, so that none takes more than a few kilobytes."""
+
+
+def check_open(session: CourseSession, now: datetime) -> None:
+    """Make sure that another attempt is taken.
+
+    Raises:
+        AttemptError: the policy takes none.
+    """
+    fault = refusal(session.link.settings.policy, session.made, session.allowance, now)
+    if fault:
+        raise AttemptError(fault)
+
+
+def shown_now(session: CourseSession, made: int, now: datetime) -> Shown:
+    """Return how much of a student's judgements may be shown now."""
+    return disclosed(
+        session.link.settings.policy,
+        made,
+        now,
+        released=session.link.released_at is not None,
+        longest=timedelta(seconds=session.longest),
+    )
+
+
+def by_key(store: Store, session: CourseSession, key: str) -> Attempt | None:
+    """Return the attempt that was stored with an idempotency key, or None."""
+    own = _own(_TABLE, {"link_id": session.link.id, "person_id": session.person.id})
+    with store.reading() as connection:
+        row = connection.execute(sa.select(_TABLE).where(own, _TABLE.c.key == key)).first()
+    return None if row is None else attempt_of(row)
+
+
+Code: TypeAlias = tuple[str, str, int | None]
+"""Kind, code and row of what a report tells."""
+
+
+def finding_rows(attempt_id: int, link_id: int, path: Iterable[Code]) -> list[dict[str, Any]]:
+    """Return the codes of a report as rows beside its attempt, for statistics."""
+    return [
+        {"attempt_id": attempt_id, "position": i, "link_id": link_id, "kind": kind, "code": code, "row": row}
+        for i, (kind, code, row) in enumerate(islice(path, MOST_FINDINGS))
+    ]
+
+
+def path_of_codes(report: Mapping[str, Any]) -> Iterator[Code]:
+    """Yield kind, code and row of everything that a stored report tells: its path of stable codes.
+
+    Kinds: `feedback` of the table, `repair` for the edits of the most plausible repair, `wrong` for the facts
+    of rows that do not fit and for wrong parts that nothing explains, `part:<kind>` for misconceptions found
+    in a part, and `told:<kind>` for whatever else is said of it.
+    """
+    verdict = report.get("verdict") or {}
+    for entry in verdict.get("feedback", ()):
+        yield "feedback", str(entry["code"]), entry.get("row")
+    for repair in list(verdict.get("repairs", ()))[:1]:
+        for edit in repair.get("edits", ()):
+            yield "repair", str(edit["code"]), edit.get("row")
+    facts = [
+        (fact, link.get("row"))
+        for link in verdict.get("links", ())
+        for fact in ("length", "twist", "offset", "joint")
+        if link.get(fact) in ("wrong", "missing")
+    ]
+    for fact, row in facts:
+        yield "wrong", fact, row
+    for part in report.get("parts", ()):
+        kind, explained = part["kind"], False
+        for entry in part.get("feedback", ()):
+            code = str(entry["code"])
+            named = code in _misconceptions(kind)
+            explained |= named
+            yield f"{'part' if named else 'told'}:{kind}", code, entry.get("row")
+        if part["score"] < 1.0 and not explained and not (kind == TABLE and facts):
+            yield "wrong", kind, None
+
+
+@cache
+def _misconceptions(kind: str) -> frozenset[str]:
+    """Codes of a part's misconceptions; none for a kind that there is no longer."""
+    known = part_types().get(kind)
+    return frozenset(known.misconceptions if known else ())
+
+
+def standing_of(store: Store, session: CourseSession) -> StudentStanding:
+    """Return how far a student is.
+
+    Of many attempts the latest are listed, so that it costs the same after all.
+    """
+    own = {"link_id": session.link.id, "person_id": session.person.id}
+    wanted = _LISTED.where(_own(_TABLE, own)).order_by(_TABLE.c.number.desc()).limit(LISTED)
+    with store.reading() as connection:
+        rows = connection.execute(wanted).all() if session.made else []
+        grade = connection.execute(_GRADED.where(_own(records.grade, own))).first() if session.made else None
+        draft = None
+        if session.has_draft:
+            draft = connection.execute(_DRAFTED.where(_own(records.participation, own))).first()
+    return StudentStanding(
+        latest=tuple(ListedAttempt(**row._mapping) for row in reversed(rows)),
+        grade=None if grade is None else Counted(number=grade.number, worth=grade.score),
+        draft=None if draft is None or draft.draft is None else Draft(state=draft.draft, at=draft.draft_at),
+    )
+
+
+_LISTED = sa.select(*(_TABLE.c[field.name] for field in fields(ListedAttempt)))
+_GRADED = sa.select(records.grade.c.number, records.grade.c.score)
+_DRAFTED = sa.select(records.participation.c.draft, records.participation.c.draft_at)
+
+
+def attempt_numbered(store: Store, link_id: int, person_id: int, number: int) -> Attempt:
+    """Return one attempt.
+
+    Raises:
+        UnknownRecordError: there is no such attempt.
+    """
+    own = _own(_TABLE, {"link_id": link_id, "person_id": person_id})
+    with store.reading() as connection:
+        row = connection.execute(sa.select(_TABLE).where(own, _TABLE.c.number == number)).first()
+    if row is None:
+        raise unknown_record("attempt")
+    return attempt_of(row)
+
+
+def attempt_in(store: Store, course_id: int, attempt_id: int) -> tuple[Attempt, str]:
+    """Return an attempt of a course by its id, and the key of its student.
+
+    Raises:
+        UnknownRecordError: the course has no such attempt.
+    """
+    wanted = (
+        sa.select(_TABLE, records.person.c.key.label("person_key"))
+        .join(records.link, records.link.c.id == _TABLE.c.link_id)
+        .join(records.person, records.person.c.id == _TABLE.c.person_id)
+        .where(_TABLE.c.id == attempt_id, records.link.c.course_id == course_id)
+    )
+    with store.reading() as connection:
+        row = connection.execute(wanted).first()
+    if row is None:
+        raise unknown_record("attempt")
+    return attempt_of(row), row.person_key
+
+
+def reports_of(store: Store, attempt_ids: list[int]) -> dict[int, Any]:
+    """Return reports of attempts by their ids."""
+    with store.reading() as connection:
+        found = connection.execute(
+            sa.select(_TABLE.c.id, _TABLE.c.report).where(_TABLE.c.id.in_(attempt_ids))
+        )
+        return {row.id: row.report for row in found}
+
+
+def attempt_of(row: Any) -> Attempt:
+    """Return a row of the relation as a record."""
+    return Attempt(**{name: getattr(row, name) for name in _NAMES})
+
+
+_NAMES = tuple(column.name for column in _TABLE.columns)
+
+
+Typed: TypeAlias = tuple[CourseSession, Mapping[str, Any] | None]
+"""Who has typed something, and what; None to forget it."""
+
+
+def keep_drafts(store: Store, typed: Sequence[Typed], now: datetime) -> list[None]:
+    """Keep what people have typed, in one transaction; of the same person the last one stays.
+
+    Their rows are locked in the same order as by those who hand in.
+    """
+    own = _own(records.participation, {"link_id": sa.bindparam("link"), "person_id": sa.bindparam("person")})
+    values = {"draft": sa.bindparam("state"), "draft_at": now}
+    last = {(session.link.id, session.person.id): state for session, state in typed}
+    rows = [
+        {"link": link, "person": person, "state": None if state is None else dict(state)}
+        for (link, person), state in sorted(last.items(), key=lambda item: item[0])
+    ]
+    with store.writing() as connection:
+        connection.execute(sa.update(records.participation).where(own).values(values), rows)
+    return [None] * len(typed)
+
+
+def _own(table: sa.Table, own: Mapping[str, Any]) -> sa.ColumnElement[bool]:
+    return sa.and_(*(table.c[name] == value for name, value in own.items()))

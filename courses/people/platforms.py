@@ -1,0 +1,196 @@
+"""Platforms that may launch, their invitations, and the keys that this service signs with."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from datetime import datetime, timedelta
+from typing import Any
+
+import sqlalchemy as sa
+
+from courses.model import Platform, PlatformStatus, Registration
+from courses.people.secrets import hashed, new_token
+from courses.refusals import SessionError, unknown_record
+from courses.storage import records
+from courses.storage.database import Store
+from courses.storage.statements import filled, insert_once, upsert
+from kinematics.errors import Fault
+
+INVITATION = timedelta(days=7)
+"""How long a registration link is good for: it is sent to an administrator, who has other things to do."""
+_PLATFORM = records.platform
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class StoredKey:
+    """A key pair of this service: a private JWK as JSON, and from when on it signs."""
+
+    kid: str
+    private: str
+    created: datetime
+    signs_from: datetime
+
+
+def add_platform(store: Store, platform: Platform, deployments: tuple[str, ...], now: datetime) -> Platform:
+    """Insert a platform, or update the one with this issuer and client id."""
+    names = "name authorization_endpoint token_endpoint token_audience jwks_uri names_shared"
+    values = {name: getattr(platform, name) for name in names.split()}
+    values |= {"origins": list(platform.origins), "status": platform.status.value}
+    key = {"issuer": platform.issuer, "client_id": platform.client_id}
+    own = sa.and_(*(_PLATFORM.c[name] == value for name, value in key.items()))
+    with store.writing() as connection:
+        upsert(connection, _PLATFORM, key, values, {"created": now})
+        platform_id = int(connection.execute(sa.select(_PLATFORM.c.id).where(own)).scalar_one())
+        for deployment in deployments:
+            found = {"platform_id": platform_id, "deployment": deployment}
+            insert_once(connection, records.deployment, found)
+    return replace(platform, id=platform_id)
+
+
+def platforms(store: Store) -> list[Platform]:
+    """Return every platform, in the order of their registration."""
+    with store.reading() as connection:
+        return [_platform(row) for row in connection.execute(sa.select(_PLATFORM).order_by(_PLATFORM.c.id))]
+
+
+def platform_by_id(store: Store, platform_id: int) -> Platform:
+    """Return one platform.
+
+    Raises:
+        UnknownRecordError: there is no such platform.
+    """
+    with store.reading() as connection:
+        row = connection.execute(sa.select(_PLATFORM).where(_PLATFORM.c.id == platform_id)).first()
+    if row is None:
+        raise unknown_record("platform")
+    return _platform(row)
+
+
+def platforms_of(store: Store, issuer: str, client_id: str | None) -> list[Platform]:
+    """Return platforms of an issuer, one of them if the client is named."""
+    return [
+        platform
+        for platform in platforms(store)
+        if platform.issuer == issuer and client_id in (None, platform.client_id)
+    ]
+
+
+def deployments_of(store: Store, platform_id: int) -> tuple[str, ...]:
+    """Return the deployments of a platform that may launch."""
+    table = records.deployment
+    with store.reading() as connection:
+        found = connection.scalars(
+            sa.select(table.c.deployment)
+            .where(table.c.platform_id == platform_id)
+            .order_by(table.c.deployment)
+        )
+        return tuple(found)
+
+
+def add_deployment(store: Store, platform_id: int, deployment: str) -> None:
+    """Let a deployment of a platform launch.
+
+    Raises:
+        UnknownRecordError: there is no such platform.
+    """
+    with store.writing() as connection:
+        own = sa.select(_PLATFORM.c.id).where(_PLATFORM.c.id == platform_id)
+        if connection.execute(own.with_for_update()).first() is None:
+            raise unknown_record("platform")
+        values = {"platform_id": platform_id, "deployment": deployment}
+        insert_once(connection, records.deployment, values)
+
+
+def set_status(store: Store, platform_id: int, status: PlatformStatus) -> None:
+    """Let a platform launch, or no longer."""
+    own = _PLATFORM.c.id == platform_id
+    with store.writing() as connection:
+        changed = connection.execute(sa.update(_PLATFORM).where(own).values(status=status.value)).rowcount
+    if not changed:
+        raise unknown_record("platform")
+
+
+def remove_platform(store: Store, platform_id: int) -> None:
+    """Forget a platform with everything of its courses."""
+    with store.writing() as connection:
+        if not connection.execute(sa.delete(_PLATFORM).where(_PLATFORM.c.id == platform_id)).rowcount:
+            raise unknown_record("platform")
+
+
+def _platform(row: Any) -> Platform:
+    return filled(Platform, row, origins=tuple(row.origins), status=PlatformStatus(row.status))
+
+
+def stored_keys(store: Store) -> list[StoredKey]:
+    """Return the service's keys, oldest first."""
+    table = records.tool_key
+    with store.reading() as connection:
+        found = connection.execute(sa.select(table).order_by(table.c.signs_from))
+        return [filled(StoredKey, row) for row in found]
+
+
+def add_key(store: Store, key: StoredKey, *, only_if_none: bool = False) -> None:
+    """Store a key. With `only_if_none` the first of several processes that start together wins."""
+    table = records.tool_key
+    with store.writing() as connection:
+        if store.is_postgresql:
+            connection.execute(sa.text("LOCK TABLE tool_key IN EXCLUSIVE MODE"))
+        if only_if_none and connection.execute(sa.select(table.c.kid).limit(1)).first() is not None:
+            return
+        names = ("kid", "private", "created", "signs_from")
+        connection.execute(sa.insert(table).values({name: getattr(key, name) for name in names}))
+
+
+def remove_keys(store: Store, kids: tuple[str, ...]) -> None:
+    """Forget keys that nothing signed with them can still be valid."""
+    with store.writing() as connection:
+        connection.execute(sa.delete(records.tool_key).where(records.tool_key.c.kid.in_(kids)))
+
+
+def invite(store: Store, note: str, now: datetime) -> str:
+    """Return a one-time secret for dynamic registration; what is stored is its hash."""
+    secret = new_token()
+    with store.writing() as connection:
+        connection.execute(
+            sa.insert(records.registration).values(
+                secret_hash=hashed(secret), note=note, created=now, expires=now + INVITATION
+            )
+        )
+    return secret
+
+
+def invitations(store: Store) -> list[Registration]:
+    """Return every invitation, newest first."""
+    table = records.registration
+    with store.reading() as connection:
+        found = connection.execute(sa.select(table).order_by(table.c.id.desc()))
+        return [filled(Registration, row) for row in found]
+
+
+def _usable(secret: str, now: datetime) -> sa.ColumnElement[bool]:
+    own = records.registration.c
+    return sa.and_(own.secret_hash == hashed(secret), own.used_at.is_(None), own.expires > now)
+
+
+def check_invitation(store: Store, secret: str, now: datetime) -> None:
+    """Make sure that an invitation may still be used.
+
+    Raises:
+        SessionError: it was used, is too old, or was never given out.
+    """
+    wanted = sa.select(records.registration.c.id).where(_usable(secret, now))
+    with store.reading() as connection:
+        if connection.execute(wanted).first() is None:
+            raise SessionError(Fault.at("invitation_used"))
+
+
+def use_invitation(store: Store, secret: str, now: datetime) -> None:
+    """Use an invitation up.
+
+    Raises:
+        SessionError: it was used, is too old, or was never given out.
+    """
+    used = sa.update(records.registration).where(_usable(secret, now)).values(used_at=now)
+    with store.writing() as connection:
+        if connection.execute(used).rowcount != 1:
+            raise SessionError(Fault.at("invitation_used"))

@@ -1,0 +1,153 @@
+"""What people may ask for by law: all about one person, and its erasure; and data that ends with time."""
+
+from __future__ import annotations
+
+from datetime import datetime, timedelta
+from typing import Any
+
+import sqlalchemy as sa
+
+from courses.refusals import unknown_record
+from courses.storage import records
+from courses.storage.database import Store
+from courses.storage.statements import record_of
+
+_OF_A_PERSON = (
+    records.participation,
+    records.attempt,
+    records.grade,
+    records.score_to_send,
+    records.session,
+)
+
+
+def person_in(store: Store, course_id: int, key: str) -> None:
+    """Make sure that a person has taken part in a course.
+
+    Raises:
+        UnknownRecordError: nobody of this key has.
+    """
+    part, person, link = records.participation, records.person, records.link
+    wanted = (
+        sa.select(part.c.person_id)
+        .join(person, person.c.id == part.c.person_id)
+        .join(link, link.c.id == part.c.link_id)
+        .where(link.c.course_id == course_id, person.c.key == key)
+        .limit(1)
+    )
+    with store.reading() as connection:
+        if connection.execute(wanted).first() is None:
+            raise unknown_record("person")
+
+
+def export_person(store: Store, key: str, course_id: int | None = None) -> dict[str, Any]:
+    """Return everything that is stored about one person, as JSON.
+
+    Args:
+        store: the database.
+        key: the person's pseudonym.
+        course_id: the course that is asked about; None: all of them.
+
+    Raises:
+        UnknownRecordError: there is no such person.
+    """
+    with store.reading() as connection:
+        person = connection.execute(sa.select(records.person).where(records.person.c.key == key)).first()
+        if person is None:
+            raise unknown_record("anybody" if course_id is None else "person")
+        found: dict[str, Any] = {"person": _plain(person)}
+        for table in _OF_A_PERSON:
+            rows = connection.execute(sa.select(table).where(*_of(table, person.id, course_id)))
+            found[str(table.name)] = [_plain(row, hidden=("token_hash", "lease")) for row in rows]
+        lines = connection.execute(sa.select(records.access).where(*_lines_about(key, course_id)))
+        found["access"] = [_plain(row) for row in lines]
+    return found
+
+
+def erase_person(store: Store, key: str, course_id: int | None = None) -> dict[str, int]:
+    """Remove a person with attempts, drafts, grades, unsent scores, sessions and lines of the log.
+
+    Of one course: what belongs to it, and the person only if nothing is left elsewhere. What the person did
+    there as a member of staff stays in the log.
+
+    Args:
+        store: the database.
+        key: the person's pseudonym.
+        course_id: the course whose records are removed; None: those of all courses.
+
+    Returns:
+        How many rows of each relation were removed.
+
+    Raises:
+        UnknownRecordError: there is no such person.
+    """
+    with store.writing() as connection:
+        person_id = connection.execute(
+            sa.select(records.person.c.id).where(records.person.c.key == key)
+        ).scalar()
+        if person_id is None:
+            raise unknown_record("anybody" if course_id is None else "person")
+        removed = {
+            str(table.name): connection.execute(
+                sa.delete(table).where(*_of(table, person_id, course_id))
+            ).rowcount
+            for table in reversed(_OF_A_PERSON)
+        }
+        lines = sa.delete(records.access).where(*_lines_about(key, course_id))
+        removed["access"] = connection.execute(lines).rowcount
+        of_theirs = [sa.exists().where(table.c.person_id == person_id) for table in _OF_A_PERSON]
+        nothing_left = records.person.c.id == person_id, sa.not_(sa.or_(*of_theirs))
+        connection.execute(sa.delete(records.person).where(*nothing_left))
+    return removed
+
+
+def _of(table: sa.Table, person_id: int, course_id: int | None) -> list[sa.ColumnElement[bool]]:
+    """Conditions on the rows of a relation that belong to a person, in one course or in all."""
+    return [table.c.person_id == person_id, *_in_course(table, course_id)]
+
+
+def _lines_about(key: str, course_id: int | None) -> list[sa.ColumnElement[bool]]:
+    """Conditions on the lines of the audit log: of all courses those of the person's own doing, too."""
+    log = records.access
+    if course_id is None:
+        return [sa.or_(log.c.subject == key, log.c.actor == key)]
+    return [log.c.subject == key, *_in_course(log, course_id)]
+
+
+def _in_course(table: sa.Table, course_id: int | None) -> list[sa.ColumnElement[bool]]:
+    if course_id is None:
+        return []
+    links = sa.select(records.link.c.id).where(records.link.c.course_id == course_id)
+    return [table.c.link_id.in_(links)]
+
+
+def purge(store: Store, now: datetime, *, people: timedelta, log: timedelta) -> dict[str, int]:
+    """Remove people who were not seen for a time, and old lines of the audit log.
+
+    Args:
+        store: the database.
+        now: the time.
+        people: how long what belongs to a person is kept after their last visit.
+        log: how long a line of the audit log is kept.
+
+    Returns:
+        How many people, sessions and lines were removed.
+    """
+    person, access = records.person, records.access
+    with store.writing() as connection:
+        old = sa.select(person.c.key).where(person.c.seen < now - people)
+        keys = list(connection.scalars(old))
+        sessions = sa.delete(records.session).where(records.session.c.expires < now)
+        ended = connection.execute(sessions).rowcount
+        lines = connection.execute(sa.delete(access).where(access.c.at < now - log)).rowcount
+    for key in keys:
+        erase_person(store, key)
+    return {"people": len(keys), "sessions": ended, "access": lines}
+
+
+def _plain(row: Any, hidden: tuple[str, ...] = ()) -> dict[str, Any]:
+    return {
+        name: value.isoformat() if isinstance(value, datetime) else value
+        for name, value in record_of(row).items()
+        if name not in hidden
+    }
