@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator
 from datetime import datetime, timedelta
+from typing import Any
 
 import sqlalchemy as sa
 
@@ -38,19 +39,26 @@ def change_settings(
     """
     with store.writing() as connection:
         if seen is not None:
-            row = connection.execute(sa.select(_LINK).where(_LINK.c.id == link_id).with_for_update()).one()
+            own = sa.select(_LINK).where(_LINK.c.id == link_id)
+            row = connection.execute(
+                own.with_for_update(key_share=True)
+            ).one()  # attempts refer to it meanwhile
             if seen != version_of(stored(row.exercise_id, row.settings)):
                 raise OutdatedError(Fault.at("settings_changed"))
-        values = {"exercise_id": settings.exercise_id, "settings": written(settings)}
-        connection.execute(sa.update(_LINK).where(_LINK.c.id == link_id).values(values))
-        _regrade_all(connection, link_id, now)
+        _change(connection, link_id, now, exercise_id=settings.exercise_id, settings=written(settings))
 
 
 def release_feedback(store: Store, link_id: int, now: datetime) -> None:
     """Show the students of a link what was found; scores that were held back go out."""
     with store.writing() as connection:
-        connection.execute(sa.update(_LINK).where(_LINK.c.id == link_id).values(released_at=now))
-        _regrade_all(connection, link_id, now)
+        _change(connection, link_id, now, released_at=now)
+
+
+def _change(connection: sa.Connection, link_id: int, now: datetime, **values: Any) -> None:
+    """Change a link, and derive its grades and messages anew; nobody hands in meanwhile."""
+    connection.execute(sa.update(_LINK).where(_LINK.c.id == link_id).values(values))
+    _lock_students(connection, link_id)
+    schedule_scores(connection, regrade_people(connection, link_id, None, now), now)
 
 
 def allow(
@@ -134,10 +142,6 @@ def regrade_people(
     }
     regrade(connection, link, allowances, {row.person_id for row in rows if row.subject is None}, now)
     return link
-
-
-def _regrade_all(connection: sa.Connection, link_id: int, now: datetime) -> None:
-    schedule_scores(connection, regrade_people(connection, link_id, None, now), now)
 
 
 def _lock_students(connection: sa.Connection, link_id: int) -> None:

@@ -2,19 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from threading import Thread
 from typing import Any
 
 import pytest
 import sqlalchemy as sa
 
+from courses.attempts import submissions
 from courses.attempts.submissions import JudgedSubmission, store_submissions
-from courses.links.policies import AttemptPolicy, Counting
+from courses.links.link_settings import version_of
+from courses.links.policies import AttemptPolicy, Counting, FeedbackTiming
 from courses.model import Attempt, CourseSession, LinkSettings
 from courses.people.privacy import erase_person
 from courses.refusals import AttemptError, UnknownRecordError
 from courses.storage import records
 from courses.storage.database import Store
-from courses.teaching.link_changes import change_settings
+from courses.teaching.link_changes import change_settings, release_feedback
 from tests.courses.classroom import NOW, joined
 from tests.courses.test_attempts import WRONG
 
@@ -98,3 +102,54 @@ def test_who_was_erased_meanwhile_spoils_nobody_elses_submission(store: Store) -
     first, second = store_submissions(store, [judged(ann, "a", 1.0), judged(bob, "a", 1.0)], NOW)
     assert isinstance(first, UnknownRecordError)
     assert isinstance(second, Attempt)
+
+
+def handed_in_while(store: Store, session: CourseSession, change: Callable[[], None]) -> None:
+    """An attempt whose rules have been read when staff changes them, and which is not stored yet."""
+    failed: list[BaseException] = []
+
+    def changing() -> None:
+        try:
+            change()
+        except BaseException as error:
+            failed.append(error)
+
+    thread = Thread(target=changing)
+    known = submissions._known
+
+    def slow(*given: Any) -> Any:
+        thread.start()
+        thread.join(0.3)
+        return known(*given)
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(submissions, "_known", slow)
+        (attempt,) = store_submissions(store, [judged(session, "meanwhile", 0.5)], NOW)
+    thread.join()
+    assert isinstance(attempt, Attempt)
+    assert failed == []
+
+
+def test_a_first_attempt_during_a_release_is_sent(store: Store) -> None:
+    """It was stored as held back, by a release that did not see it."""
+    session = joined(store)
+    held = AttemptPolicy(feedback=FeedbackTiming.ON_RELEASE)
+    change_settings(store, session.link.id, LinkSettings(exercise_id="puma560", policy=held), NOW)
+    handed_in_while(store, session, lambda: release_feedback(store, session.link.id, NOW))
+    with store.reading() as connection:
+        assert connection.scalar(sa.select(records.score_to_send.c.due)) == NOW
+
+
+def test_an_attempt_and_a_change_of_rules_do_not_undo_each_other(store: Store) -> None:
+    """Each waited for a row that the other one had."""
+    session = joined(store)
+    store_submissions(store, [judged(session, "first", 0.2)], NOW)
+    now, later = session.link.settings, LinkSettings(exercise_id="puma560", points=2.0)
+
+    def change() -> None:
+        change_settings(store, session.link.id, later, NOW, version_of(now))
+
+    handed_in_while(store, session, change)
+    assert joined(store).link.settings == later
+    with store.reading() as connection:
+        assert connection.scalar(sa.select(records.grade.c.score)) == 0.5
