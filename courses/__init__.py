@@ -12,11 +12,12 @@ teaching    what staff does and sees: rules changed, attempts judged again, stat
 attempts    what was typed and handed in, stored many at a time
 marks       the judgement that counts, the grade that follows from it, and its way to the platform
 people      platforms and launches, sessions, secrets; what people may ask for by law
-links       what is asked and by which rules; published exercises
+links       what is asked and by which rules, as it is stored; published exercises
 storage     the database: connections, transactions, relations and their history, backup
 model       the records of all of them
+policies    what attempts are worth, whether another one is taken, what is shown: pure functions
 refusals    what goes wrong
 
 Each of these knows only those below it; people and marks do not know each other. Nothing here knows of HTTP
-or LTI. A clock is handed in wherever time matters; policies are pure functions of attempts and of that clock.
+or LTI. A clock is handed in wherever time matters.
 """

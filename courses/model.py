@@ -8,7 +8,7 @@ from datetime import datetime
 from enum import StrEnum
 from typing import Any
 
-from courses.links.policies import Allowance, AttemptOutcome, AttemptPolicy, Counted
+from courses.policies import Allowance, AttemptOutcome, AttemptPolicy, Counted
 
 
 class Role(StrEnum):

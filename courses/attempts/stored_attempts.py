@@ -11,8 +11,8 @@ from typing import Any, TypeAlias
 
 import sqlalchemy as sa
 
-from courses.links.policies import Counted, Shown, disclosed, refusal
 from courses.model import Attempt, CourseSession, Draft, ListedAttempt, StudentStanding
+from courses.policies import Counted, Shown, disclosed, refusal
 from courses.refusals import AttemptError, unknown_record
 from courses.storage import records
 from courses.storage.database import Store

@@ -16,9 +16,9 @@ import sqlalchemy as sa
 
 from courses.attempts.stored_attempts import attempt_of, check_open, finding_rows, path_of_codes, shown_now
 from courses.links.link_settings import stored
-from courses.links.policies import Allowance, Counted, advanced
 from courses.marks.gradebook import GradeChange, store_changes
 from courses.model import Attempt, CourseSession
+from courses.policies import Allowance, Counted, advanced
 from courses.refusals import AttemptError, unknown_record
 from courses.storage import records
 from courses.storage.database import Store

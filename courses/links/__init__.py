@@ -1,6 +1,5 @@
 """What a course asks, and by which rules.
 
-policies       what attempts are worth, whether another one is taken, what is shown: pure functions
 link_settings  the rules of a link as JSON
 course_links   links as they are stored
 publications   exercises that were published, by content

@@ -8,8 +8,8 @@ from collections.abc import Collection, Mapping
 from datetime import UTC, datetime
 from typing import Any, TypeVar
 
-from courses.links.policies import AttemptPolicy, Counting, FeedbackTiming, Mode
 from courses.model import LinkSettings
+from courses.policies import AttemptPolicy, Counting, FeedbackTiming, Mode
 from courses.refusals import CourseError
 from exercises.access import MOST_VARIANTS
 from exercises.grading import HelpLevel

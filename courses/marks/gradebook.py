@@ -10,8 +10,8 @@ from typing import Any
 
 import sqlalchemy as sa
 
-from courses.links.policies import Allowance, AttemptOutcome, Counted, counted, score_due
 from courses.model import Link
+from courses.policies import Allowance, AttemptOutcome, Counted, counted, score_due
 from courses.storage import records
 from courses.storage.statements import upsert_all
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from datetime import datetime, timedelta
 from typing import Any
 
@@ -32,19 +32,19 @@ class StoredKey:
 
 
 def add_platform(store: Store, platform: Platform, deployments: tuple[str, ...], now: datetime) -> Platform:
-    """Insert a platform, or update the one with this issuer and client id."""
+    """Insert a platform, or update the one with this issuer and client id; origins stay if none are named."""
     names = "name authorization_endpoint token_endpoint token_audience jwks_uri names_shared"
-    values = {name: getattr(platform, name) for name in names.split()}
-    values |= {"origins": list(platform.origins), "status": platform.status.value}
+    values = {name: getattr(platform, name) for name in names.split()} | {"status": platform.status.value}
+    if platform.origins:
+        values["origins"] = list(platform.origins)
     key = {"issuer": platform.issuer, "client_id": platform.client_id}
     own = sa.and_(*(_PLATFORM.c[name] == value for name, value in key.items()))
     with store.writing() as connection:
-        upsert(connection, _PLATFORM, key, values, {"created": now})
-        platform_id = int(connection.execute(sa.select(_PLATFORM.c.id).where(own)).scalar_one())
+        upsert(connection, _PLATFORM, key, values, {"created": now, "origins": []})
+        stored = _platform(connection.execute(sa.select(_PLATFORM).where(own)).one())
         for deployment in deployments:
-            found = {"platform_id": platform_id, "deployment": deployment}
-            insert_once(connection, records.deployment, found)
-    return replace(platform, id=platform_id)
+            insert_once(connection, records.deployment, {"platform_id": stored.id, "deployment": deployment})
+    return stored
 
 
 def platforms(store: Store) -> list[Platform]:

@@ -27,17 +27,22 @@ def person_in(store: Store, course_id: int, key: str) -> None:
     Raises:
         UnknownRecordError: nobody of this key has.
     """
+    with store.reading() as connection:
+        if participant(connection, course_id, key) is None:
+            raise unknown_record("person")
+
+
+def participant(connection: sa.Connection, course_id: int, key: str) -> int | None:
+    """Return the id of somebody who has taken part in a course; None if nobody of this key has."""
     part, person, link = records.participation, records.person, records.link
     wanted = (
-        sa.select(part.c.person_id)
-        .join(person, person.c.id == part.c.person_id)
+        sa.select(person.c.id)
+        .join(part, part.c.person_id == person.c.id)
         .join(link, link.c.id == part.c.link_id)
         .where(link.c.course_id == course_id, person.c.key == key)
         .limit(1)
     )
-    with store.reading() as connection:
-        if connection.execute(wanted).first() is None:
-            raise unknown_record("person")
+    return connection.scalar(wanted)
 
 
 def export_person(store: Store, key: str, course_id: int | None = None) -> dict[str, Any]:
@@ -52,9 +57,7 @@ def export_person(store: Store, key: str, course_id: int | None = None) -> dict[
         UnknownRecordError: there is no such person.
     """
     with store.reading() as connection:
-        person = connection.execute(sa.select(records.person).where(records.person.c.key == key)).first()
-        if person is None:
-            raise unknown_record("anybody" if course_id is None else "person")
+        person = _person(connection, key, course_id)
         found: dict[str, Any] = {"person": _plain(person)}
         for table in _OF_A_PERSON:
             rows = connection.execute(sa.select(table).where(*_of(table, person.id, course_id)))
@@ -82,23 +85,27 @@ def erase_person(store: Store, key: str, course_id: int | None = None) -> dict[s
         UnknownRecordError: there is no such person.
     """
     with store.writing() as connection:
-        person_id = connection.execute(
-            sa.select(records.person.c.id).where(records.person.c.key == key)
-        ).scalar()
-        if person_id is None:
-            raise unknown_record("anybody" if course_id is None else "person")
-        removed = {
-            str(table.name): connection.execute(
-                sa.delete(table).where(*_of(table, person_id, course_id))
-            ).rowcount
-            for table in reversed(_OF_A_PERSON)
-        }
-        lines = sa.delete(records.access).where(*_lines_about(key, course_id))
-        removed["access"] = connection.execute(lines).rowcount
-        of_theirs = [sa.exists().where(table.c.person_id == person_id) for table in _OF_A_PERSON]
-        nothing_left = records.person.c.id == person_id, sa.not_(sa.or_(*of_theirs))
-        connection.execute(sa.delete(records.person).where(*nothing_left))
-    return removed
+        return _erase(connection, _person(connection, key, course_id).id, key, course_id)
+
+
+def _person(connection: sa.Connection, key: str, course_id: int | None) -> sa.Row[Any]:
+    person = connection.execute(sa.select(records.person).where(records.person.c.key == key)).first()
+    if person is None:
+        raise unknown_record("anybody" if course_id is None else "person")
+    return person
+
+
+def _erase(connection: sa.Connection, person_id: int, key: str, course_id: int | None) -> dict[str, int]:
+    """Remove the rows of a person; their participations first, for which those wait who hand in."""
+    statements = {
+        str(table.name): sa.delete(table).where(*_of(table, person_id, course_id)) for table in _OF_A_PERSON
+    }
+    statements["access"] = sa.delete(records.access).where(*_lines_about(key, course_id))
+    counts = {name: connection.execute(statement).rowcount for name, statement in statements.items()}
+    of_theirs = [sa.exists().where(table.c.person_id == person_id) for table in _OF_A_PERSON]
+    nothing_left = records.person.c.id == person_id, sa.not_(sa.or_(*of_theirs))
+    connection.execute(sa.delete(records.person).where(*nothing_left))
+    return counts
 
 
 def _of(table: sa.Table, person_id: int, course_id: int | None) -> list[sa.ColumnElement[bool]]:
@@ -133,16 +140,21 @@ def purge(store: Store, now: datetime, *, people: timedelta, log: timedelta) -> 
     Returns:
         How many people, sessions and lines were removed.
     """
-    person, access = records.person, records.access
+    person, access, session = records.person, records.access, records.session
+    old = person.c.seen < now - people
     with store.writing() as connection:
-        old = sa.select(person.c.key).where(person.c.seen < now - people)
-        keys = list(connection.scalars(old))
-        sessions = sa.delete(records.session).where(records.session.c.expires < now)
-        ended = connection.execute(sessions).rowcount
+        ended = connection.execute(sa.delete(session).where(session.c.expires < now)).rowcount
         lines = connection.execute(sa.delete(access).where(access.c.at < now - log)).rowcount
+        keys = list(connection.scalars(sa.select(person.c.key).where(old)))
+    count = 0
     for key in keys:
-        erase_person(store, key)
-    return {"people": len(keys), "sessions": ended, "access": lines}
+        with store.writing() as connection:
+            own = sa.select(person.c.id).where(person.c.key == key, old)
+            person_id = connection.scalar(own.with_for_update())
+            if person_id is not None:  # nobody else has removed them, and they have not come back
+                _erase(connection, person_id, key, None)
+                count += 1
+    return {"people": count, "sessions": ended, "access": lines}
 
 
 def _plain(row: Any, hidden: tuple[str, ...] = ()) -> dict[str, Any]:

@@ -9,9 +9,9 @@ from typing import Any
 import sqlalchemy as sa
 
 from courses.links.course_links import link_of
-from courses.links.policies import Allowance
 from courses.model import Course, CourseSession, Link, Person, Role
 from courses.people.secrets import hashed
+from courses.policies import Allowance
 from courses.refusals import SessionError
 from courses.storage import records
 from courses.storage.database import Store

@@ -8,9 +8,9 @@ from dataclasses import dataclass, replace
 import sqlalchemy as sa
 
 from courses.attempts.stored_attempts import Code, attempt_of, path_of_codes
-from courses.links.policies import AttemptOutcome, worth
 from courses.marks.judged import judged, of_students
 from courses.model import Attempt, Link
+from courses.policies import AttemptOutcome, worth
 from courses.storage import records
 from courses.storage.database import Store
 from courses.teaching.settling import stored_path

@@ -10,9 +10,10 @@ import sqlalchemy as sa
 
 from courses.links.course_links import link_of
 from courses.links.link_settings import stored, version_of, written
-from courses.links.policies import Allowance
 from courses.marks.gradebook import regrade, schedule_scores
 from courses.model import Link, LinkSettings, Role
+from courses.people.privacy import participant
+from courses.policies import Allowance
 from courses.refusals import OutdatedError, unknown_record
 from courses.storage import records
 from courses.storage.database import Store
@@ -84,7 +85,7 @@ def allow(
     """
     with store.writing() as connection:
         _lock_students(connection, link.id)
-        person_id = _student(connection, link.course_id, person)
+        person_id = participant(connection, link.course_id, person)
         if person_id is None and person in listed:
             person_id = _listed(connection, link.course_id, person, now)
         if person_id is None:
@@ -96,18 +97,6 @@ def allow(
         own = {"link_id": link.id, "person_id": person_id}
         upsert(connection, _PART, own, values, {"role": Role.LEARNER.value})
         schedule_scores(connection, regrade_people(connection, link.id, [person_id], now), now)
-
-
-def _student(connection: sa.Connection, course_id: int, person: str) -> int | None:
-    """Who has opened a link of a course."""
-    who = records.person.c
-    wanted = (
-        sa.select(who.id)
-        .join(_PART, _PART.c.person_id == who.id)
-        .join(_LINK, _LINK.c.id == _PART.c.link_id)
-        .where(who.key == person, _LINK.c.course_id == course_id)
-    )
-    return connection.execute(wanted).scalar()
 
 
 def _listed(connection: sa.Connection, course_id: int, person: str, now: datetime) -> int | None:

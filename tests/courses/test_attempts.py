@@ -14,13 +14,14 @@ import pytest
 import sqlalchemy as sa
 
 from courses.attempts.stored_attempts import LISTED, attempt_numbered, keep_drafts, standing_of
-from courses.links.policies import Allowance, AttemptPolicy, Counted, Counting, FeedbackTiming, Mode
 from courses.marks.judged import AttemptFilter, Outcome, Progress, attempts_behind
 from courses.marks.outbox import delivered, lease_scores, postponed, resend, undeliverable
 from courses.model import CourseSession, LinkSettings, Role
+from courses.people import privacy
 from courses.people.privacy import erase_person, export_person, purge
 from courses.people.secrets import issue_code, pseudonym, redeem_code, remember_nonce
 from courses.people.sessions import SESSION, end_session, session_of
+from courses.policies import Allowance, AttemptPolicy, Counted, Counting, FeedbackTiming, Mode
 from courses.refusals import AttemptError, SessionError, UnknownRecordError
 from courses.storage import records
 from courses.storage.database import Store, open_store
@@ -456,6 +457,25 @@ def test_what_is_old_is_purged(store: Store) -> None:
     assert export_person(store, young.person.key)
     with pytest.raises(UnknownRecordError):
         export_person(store, old.person.key)
+
+
+def test_who_was_removed_or_came_back_meanwhile_does_not_end_a_purge(
+    store: Store, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Another process purges, too: what was old when it was looked at may be gone or new."""
+    ann, bob, max_ = (joined(store, name).person.key for name in ("ann", "bob", "max"))
+    erase, later = privacy._erase, NOW + timedelta(days=400)
+
+    def meanwhile(connection: sa.Connection, person_id: int, key: str, course_id: int | None) -> Any:
+        monkeypatch.setattr(privacy, "_erase", erase)
+        own = sa.update(records.person).where(records.person.c.key == bob)
+        connection.execute(own.values(seen=later))
+        connection.execute(sa.delete(records.person).where(records.person.c.key == max_))
+        return erase(connection, person_id, key, course_id)
+
+    monkeypatch.setattr(privacy, "_erase", meanwhile)
+    assert purge(store, later, people=timedelta(days=365), log=timedelta(days=90))["people"] == 1
+    assert [known(store, key) for key in (ann, bob, max_)] == [False, True, False]
 
 
 def test_what_is_old_is_purged_every_day_without_being_told(store: Store) -> None:

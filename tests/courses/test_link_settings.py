@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from courses.links.link_settings import LinkSettingsError, read, stored, written
-from courses.links.policies import Mode
+from courses.policies import Mode
 
 PARTS, LANGUAGES = ("table", "pose"), ("en", "fr")
 

@@ -7,7 +7,7 @@ from datetime import UTC, datetime, timedelta
 from hypothesis import given
 from hypothesis import strategies as st
 
-from courses.links.policies import (
+from courses.policies import (
     Allowance,
     AttemptOutcome,
     AttemptPolicy,

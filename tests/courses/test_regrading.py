@@ -12,11 +12,11 @@ import pytest
 import sqlalchemy as sa
 
 from courses.attempts.stored_attempts import path_of_codes
-from courses.links.policies import AttemptPolicy
 from courses.marks.judged import AttemptFilter, attempts_behind
 from courses.marks.outbox import delivered, lease_scores
 from courses.model import Attempt, LinkSettings, Role
 from courses.people.privacy import erase_person
+from courses.policies import AttemptPolicy
 from courses.refusals import OutdatedError, StorageUnavailableError, UnknownRecordError
 from courses.storage import records
 from courses.storage.database import Store

@@ -12,9 +12,9 @@ import sqlalchemy as sa
 from courses.attempts import submissions
 from courses.attempts.submissions import JudgedSubmission, store_submissions
 from courses.links.link_settings import version_of
-from courses.links.policies import AttemptPolicy, Counting, FeedbackTiming
 from courses.model import Attempt, CourseSession, LinkSettings
 from courses.people.privacy import erase_person
+from courses.policies import AttemptPolicy, Counting, FeedbackTiming
 from courses.refusals import AttemptError, UnknownRecordError
 from courses.storage import records
 from courses.storage.database import Store
@@ -104,7 +104,7 @@ def test_who_was_erased_meanwhile_spoils_nobody_elses_submission(store: Store) -
     assert isinstance(second, Attempt)
 
 
-def handed_in_while(store: Store, session: CourseSession, change: Callable[[], None]) -> None:
+def handed_in_while(store: Store, session: CourseSession, change: Callable[[], object]) -> None:
     """An attempt whose rules have been read when staff changes them, and which is not stored yet."""
     failed: list[BaseException] = []
 
@@ -153,3 +153,12 @@ def test_an_attempt_and_a_change_of_rules_do_not_undo_each_other(store: Store) -
     assert joined(store).link.settings == later
     with store.reading() as connection:
         assert connection.scalar(sa.select(records.grade.c.score)) == 0.5
+
+
+def test_who_is_erased_while_they_hand_in_leaves_nothing(store: Store) -> None:
+    """Their attempt stayed, of a person who took part in nothing."""
+    session = joined(store)
+    handed_in_while(store, session, lambda: erase_person(store, session.person.key))
+    with store.reading() as connection:
+        for table in (records.attempt, records.grade, records.person):
+            assert connection.execute(sa.select(table)).first() is None

@@ -84,6 +84,19 @@ def test_a_platform_is_registered_by_hand_and_switched_off(administrator: httpx.
     assert administrator.put(f"platforms/{number}", json={"deployment": "2"}).status_code == 404
 
 
+def test_a_platform_that_is_changed_on_the_page_keeps_its_further_origins(
+    administrator: httpx.Client, store: Store
+) -> None:
+    """The page does not know them; without them the platform's frames stay empty."""
+    number = administrator.post("platforms", json=ADDRESSES).json()["id"]
+    (made,) = (each for each in platforms(store) if each.id == number)
+    add_platform(store, replace(made, origins=("https://canvas.example.edu",)), (), now())
+    changed = administrator.post("platforms", json={**ADDRESSES, "names_shared": True}).json()
+    assert (changed["id"], changed["names_shared"]) == (number, True)
+    assert changed["origins"] == ["https://canvas.example.edu"]
+    assert administrator.delete(f"platforms/{number}").status_code == 204
+
+
 def test_an_invitation_made_on_the_page_registers_a_platform(administrator: httpx.Client, lms: Lms) -> None:
     address = administrator.post("invitations", json={"note": "Moodle of the faculty"}).json()["address"]
     told = administrator.get("platforms").json()["invitations"][0]

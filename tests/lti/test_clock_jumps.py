@@ -13,9 +13,9 @@ import sqlalchemy as sa
 
 import service.course_resources
 import service.routes.exercises.receipts
-from courses.links.policies import AttemptPolicy, Mode
 from courses.model import LinkSettings, Role
 from courses.people.enrolment import Arrival, arrive
+from courses.policies import AttemptPolicy, Mode
 from courses.refusals import StorageUnavailableError
 from courses.storage import records
 from courses.storage.database import Store, open_store

@@ -10,9 +10,9 @@ import pytest
 import sqlalchemy as sa
 
 from courses.attempts.stored_attempts import path_of_codes
-from courses.links.policies import AttemptPolicy
 from courses.links.publications import MOST, publish
 from courses.model import Attempt, CourseSession, LinkSettings
+from courses.policies import AttemptPolicy
 from courses.refusals import AttemptError, PublicationError
 from courses.storage import records
 from courses.storage.database import Store, open_store

@@ -10,9 +10,9 @@ from unittest.mock import Mock
 
 import pytest
 
-from courses.links.policies import AttemptPolicy
 from courses.model import LinkSettings, Role
 from courses.people.enrolment import Arrival, arrive
+from courses.policies import AttemptPolicy
 from courses.storage.database import Store, open_store
 from courses.teaching.link_changes import change_settings
 from exercises.definition import Exercise

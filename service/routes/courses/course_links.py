@@ -14,11 +14,11 @@ from fastapi.responses import StreamingResponse
 
 from courses.attempts.stored_attempts import reports_of
 from courses.links.link_settings import version_of, written
-from courses.links.policies import Allowance
 from courses.marks.outbox import resend
 from courses.model import LinkSettings
 from courses.people.enrolment import preview
 from courses.people.secrets import issue_code
+from courses.policies import Allowance
 from courses.refusals import NoExerciseError
 from courses.teaching.attempt_export import ExportedAttempt, exported_attempts
 from courses.teaching.link_changes import allow, change_settings, release_feedback

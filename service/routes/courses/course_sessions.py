@@ -12,10 +12,10 @@ from fastapi import Response
 from pydantic import TypeAdapter
 
 from courses.attempts.stored_attempts import attempt_numbered, by_key, shown_now, standing_of
-from courses.links.policies import Shown, counts_from
 from courses.model import CourseSession, StudentStanding
 from courses.people.secrets import redeem_code
 from courses.people.sessions import end_session
+from courses.policies import Shown, counts_from
 from courses.refusals import AttemptError, NoExerciseError, StorageUnavailableError
 from exercises.errors import UnknownExerciseError
 from service.course_callers import grader_of, in_thread, json_response, signed_in

@@ -6,9 +6,9 @@ from collections.abc import Mapping
 from typing import Any
 
 from courses.attempts.stored_attempts import shown_now
-from courses.links.policies import Shown, attempts_allowed, deadline, refusal
 from courses.model import Attempt, CourseSession, ListedAttempt, StudentStanding
 from courses.people.sessions import SESSION
+from courses.policies import Shown, attempts_allowed, deadline, refusal
 from exercises.instance import variant_of
 from service.course_resources import now
 from service.wire.exercises.verdicts import report_body, restored
