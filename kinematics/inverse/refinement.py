@@ -15,8 +15,8 @@ from kinematics.inverse.valleys import across_folds
 from kinematics.se3 import Transform
 
 AS_IT_IS = 1e-13
-"""A candidate this exact [rad, and parts of the size] is left as it is: rounding of six links leaves as
-much."""
+"""A candidate this exact [rad, and parts of the size] is left as it is, if it is within the tolerance:
+rounding of six links leaves as much."""
 
 FOLDED, ROUNDED = 1e-6, 5e-16
 """Up to this singular value a solution may be beside a fold by no more than rounding, which leaves this error
@@ -52,7 +52,8 @@ def refined(arm: Arm, candidates: Array, target: Transform, tolerance: float) ->
     errors = np.linalg.norm(vectors, axis=1)
     near = errors < NEARLY
     q, vectors, errors = q[near], vectors[near], errors[near]
-    rough, start = errors > AS_IT_IS, q
+    farther = arm.size * np.linalg.norm(vectors[:, :3], axis=1) > tolerance
+    rough, start = (errors > AS_IT_IS) | farther, q
     if rough.any():
         q = q.copy()
         q[rough] = polish(arm, target, q[rough])

@@ -33,6 +33,7 @@ from tests.kinematics.inverse.arms import (
     random_table,
     turning,
 )
+from tests.kinematics.inverse.models import MODELS
 from tests.kinematics.robots import PLANAR4, PUMA560, PUMA560_CRAIG, RX90, SCARA_RRPR, numeric
 from tests.kinematics.strategies import tables
 
@@ -551,6 +552,16 @@ def test_an_unreachable_pose_in_millimetres_has_its_nearest_in_millimetres():
     assert answer.nearest.size == pytest.approx(800.0)
     assert answer.nearest.transform[0, 3] == pytest.approx(800.0)
     assert answer.tolerance == 1.0
+
+
+@pytest.mark.parametrize("name", ["jaco", "five joints", "catalogue scorbot"])
+def test_solutions_in_millimetres_are_within_the_tolerance_that_is_told(name):
+    rows = tuple(replace(row, a=1000.0 * row.a, d=1000.0 * row.d) for row in MODELS[name].rows)
+    table = replace(MODELS[name], rows=rows)
+    rng = np.random.default_rng(1)
+    for target in end_poses(table, rng.uniform(-math.pi, math.pi, (25, table.n_joints))):
+        answer = inverse_kinematics(table, target)
+        assert max(solution.position_error for solution in answer.solutions) <= answer.tolerance
 
 
 def test_a_tolerance_is_at_most_a_hundredth_of_the_size():
