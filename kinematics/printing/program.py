@@ -20,6 +20,7 @@ from kinematics.expressions import (
 from kinematics.printing.notation import short_name
 from kinematics.printing.numbers import decimal_text
 from kinematics.symbolic.interchange import SympyNodes
+from kinematics.symbolic.size import bottom_up
 
 if TYPE_CHECKING:
     import sympy
@@ -111,7 +112,7 @@ def program(
         for symbol, node in sorted(atoms.circular.items()):
             function = getattr(sympy, node.function.value)
             short = short_name(node)
-            value = function(nodes.convert(node.arguments[0]))
+            value = function(nodes.convert(node.arguments[0]), evaluate=not _of_arctangent(node))
             steps.append(ProgramStep(symbol, short.word if short else "", value))
         steps += [ProgramStep(symbol.name, "", value) for symbol, value in repeated]
         left = iter(reduced)
@@ -130,13 +131,14 @@ def program(
 class SourceAtoms:
     """Symbols for what SymPy must leave alone.
 
-    It would fold π and write decimals as fractions, and the sines and cosines of joint variables have names
-    of their own. Names of symbols decide the order of factors: decimals, parameters, joint variables, and
+    It would fold π, write decimals as fractions, and divide by √(x² + y²) for the sine of atan2(y, x), which
+    is 0/0 where both are 0; and the sines and cosines of joint variables have names of their own. Names of
+    symbols decide the order of factors: decimals, parameters, joint variables, and
     sines and cosines by joint.
 
     Attributes:
         known: what the symbols stand for.
-        circular: the sines and cosines among them.
+        circular: the sines, cosines and tangents among them.
     """
 
     def __init__(self, *, stepwise: bool) -> None:
@@ -169,7 +171,7 @@ class SourceAtoms:
                 return "o:pi"
             case JointVariable(index):
                 return f"q:{index:02}"
-            case Call(Function.SIN | Function.COS) if self._stepwise and joint_variables_in(node):
+            case Call(Function.SIN | Function.COS | Function.TAN) if self._stepwise and _is_step(node):
                 return self._circular(node)
         return None
 
@@ -181,3 +183,13 @@ class SourceAtoms:
             self._places[node] = f"s:{place}{node.function.value[0]}"
             self.circular[self._places[node]] = node
         return self._places[node]
+
+
+def _is_step(node: Call) -> bool:
+    """Whether a sine, cosine or tangent is computed in a step of its own."""
+    return bool(node.function is not Function.TAN and joint_variables_in(node)) or _of_arctangent(node)
+
+
+def _of_arctangent(node: Call) -> bool:
+    """Whether an atan2 is in the argument."""
+    return any(isinstance(part, Call) and part.function is Function.ATAN2 for part in bottom_up(node.arguments))

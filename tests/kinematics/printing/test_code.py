@@ -9,7 +9,7 @@ import re
 import shutil
 import subprocess
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from functools import cache
 from pathlib import Path
@@ -162,6 +162,17 @@ def python_function(case: Case, chosen: Format) -> Callable[..., Any]:
 def test_python_computes_what_the_numeric_core_does() -> None:
     for case in cases():
         assert_agrees(case, python_function(case, Format.PYTHON)(case.joints, *case.values))
+
+
+@pytest.mark.parametrize("function", [Function.SIN, Function.COS, Function.TAN])
+def test_an_arctangent_of_two_lengths_may_have_both_of_them_zero(function: Function) -> None:
+    L1, L2 = Parameter("L1"), Parameter("L2")
+    turned = multiply((number(-1), call(Function.ATAN2, add((L1, L2)), L2)))
+    one_row = table(Convention.STANDARD, row(theta=turned, d=add((L1, L2)), a=call(function, turned)))
+    form = closed_form(one_row).transform
+    case = Case("T_0_1", one_row, form, ("L1", "L2"), (0.0, 0.0), (0.5,), np.empty(0))
+    expected = forward_kinematics(bind(one_row, {"L1": 0.0, "L2": 0.0}), case.joints).transform
+    assert_agrees(replace(case, expected=expected), python_function(case, Format.PYTHON)([0.5], 0.0, 0.0))
 
 
 def test_numpy_takes_one_configuration_or_a_batch() -> None:
