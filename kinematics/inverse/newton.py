@@ -13,7 +13,11 @@ from kinematics.inverse.residuals import are_solutions, errors_at, errors_of
 NEWTON_STEPS = 20
 """Newton steps at most: convergence is quadratic, and the first few may lead round a bend."""
 IDLE_STEPS = 4
-"""Newton steps in a row that do not halve the error before it is as small as it will get."""
+"""Newton steps in a row that halve neither the least error nor the last one before it is as small as it will
+get."""
+
+SIX_LINKS = 1e-14
+"""Size of the error vector below which a step that halves it may be a whim of rounding."""
 
 EXACT = 1e-16
 """Size of the error vector below which another Newton step would only move rounding."""
@@ -50,13 +54,14 @@ def polish(arm: Arm, targets: Array, joints: Array) -> Array:
     """
     x = joints / arm.units
     best, least = x, np.full(len(x), np.inf)
-    idle = np.zeros(len(x), dtype=int)
+    last, idle = least, np.zeros(len(x), dtype=int)
     for _ in range(NEWTON_STEPS):
         frames = arm.frames(x * arm.units)
         e = errors_of(arm, frames[-1], targets)
         cost = (e * e).sum(axis=1)
         better = cost < least
-        idle = np.where(cost < 0.25 * least, 0, idle + 1)
+        returning = (last > SIX_LINKS**2) & (cost < 0.25 * last)
+        last, idle = cost, np.where((cost < 0.25 * least) | returning, 0, idle + 1)
         best, least = np.where(better[:, None], x, best), np.where(better, cost, least)
         if (idle >= IDLE_STEPS).all() or cost.max(initial=0.0) <= EXACT**2:
             break

@@ -15,6 +15,7 @@ from kinematics.forward import end_pose, end_poses, forward_kinematics
 from kinematics.inverse import IKStatus, UnreachableReason, inverse_kinematics, solve_many, solver_of
 from kinematics.inverse.arm import ArmReach, arm_of
 from kinematics.inverse.goals import read_goal
+from kinematics.inverse.newton import polish
 from kinematics.inverse.residuals import pose_errors
 from kinematics.inverse.results import Isolation, Method
 from kinematics.inverse.search import Bounds, search
@@ -562,6 +563,25 @@ def test_solutions_in_millimetres_are_within_the_tolerance_that_is_told(name):
     for target in end_poses(table, rng.uniform(-math.pi, math.pi, (25, table.n_joints))):
         answer = inverse_kinematics(table, target)
         assert max(solution.position_error for solution in answer.solutions) <= answer.tolerance
+
+
+def test_steps_that_lead_away_from_a_solution_beside_a_fold_lead_back_to_it():
+    table = numeric(
+        Convention.STANDARD,
+        ("revolute", RIGHT, 0.0, 275.5, 0.0),
+        ("revolute", math.pi, 410.0, 0.0, 0.0),
+        ("revolute", RIGHT, 0.0, -9.799999999999999, 0.0),
+        ("revolute", math.pi / 3, 0.0, -250.2, 0.0),
+        ("revolute", math.pi / 3, 0.0, -85.79, 0.0),
+        ("revolute", math.pi, 0.0, -211.60000000000002, 0.0),
+    )
+    q = (1.111232440849618, 1.1712002351388333, -3.2770356644753784)
+    q = (*q, 0.9318022290539488, 2.8980164348158173, -1.6994266982217334)
+    target = end_pose(table, q)
+    candidate = np.array(q) + (7.0529e-8, -2.5635e-9, 1.93708e-8, -1.275462e-7, 7.65845e-8, 1.101061e-7)
+    found = polish(arm_of(table), target, candidate[None])
+    position, _ = pose_errors(end_poses(table, found), target)
+    assert position[0] < 1e-11
 
 
 def test_a_tolerance_is_at_most_a_hundredth_of_the_size():
