@@ -25,12 +25,13 @@ from exercises.grading.findings import (
 )
 from exercises.grading.judging.comparison import Comparison
 from exercises.grading.judging.digits import steps_of_wrong, tightened
+from exercises.grading.judging.end_lines import end_invariants, lines_at_ends
 from exercises.grading.judging.judgement import IMPRECISE, REFUTED, diagnosed, policy_of, share_of
 from exercises.grading.judging.typed import SAME
 from exercises.grading.score import lost, score_of
 from exercises.grading.verdict import Edit, Feedback, HelpLevel, LinkFinding, ParamValue, Repair
 from kinematics.cells import ReadTable
-from kinematics.equivalence import Decision, Policy
+from kinematics.equivalence import Decision, Kind, Policy
 from kinematics.equivalence.home_invariants import home_invariants_of
 from kinematics.equivalence.invariants import Invariants
 from kinematics.equivalence.meter import Meter
@@ -221,11 +222,16 @@ def work_on(comparison: Comparison, tables: tuple[ReadTable, ReadTable], policy:
     )
 
     @cache
-    def at(draw: int) -> Invariants:
+    def at(draw: int, lines: frozenset[Kind]) -> Invariants:
         key, table = references[draw], comparison.meant[draw]
         steps = steps_of_wrong(comparison.steps, table, key, strict.tolerance)
         facts = tightened(key, table, steps, strict, share)
-        return facts.beside(home_invariants_of(references[draw], strict))
+        found = facts.beside(home_invariants_of(references[draw], strict))
+        if not lines:
+            return found
+        fixing = lines_at_ends(strict, lines)
+        ends = tightened(key, table, steps, fixing, share)
+        return found.beside(end_invariants(ends, len(key.chain.axes), lines))
 
     return Work(
         key=tables[0],

@@ -69,7 +69,7 @@ def measured(
     invariants = work.invariants
     rows = max(len(table.rows) for table in tables)
     work.meter.charge(per_batch(len(variations), rows, len(invariants.shapes)))
-    return measured_of_tables(invariants.shapes, tables, variations, work.policy, angles_alone)
+    return measured_of_tables(invariants.shapes, tables, variations, work.fixing, angles_alone)
 
 
 def fitting_values(

@@ -102,9 +102,11 @@ def _in_the_other_convention(work: Work) -> Iterator[Repaired]:
 
 def _found(work: Work, *, pairs: bool) -> Iterator[Repaired]:
     """Single edits, by growing effort; if there are none, pairs."""
-    here = tried_unchanged(work)
-    near = work if here is None else replace(work, reach=here.reach, angular=here.angular, off=here.off)
+    here, near = _seen_from_here(work)
     (changes,) = finishing([near])
+    lined = work.for_lines()
+    if lined is not None:
+        changes += finishing([_seen_from_here(lined)[1]])[0]
     changes.sort(key=lambda change: _likelihood(change, work.table))
     ways = [_helping(work, changes, Effort.PLAIN)]
     if _says_little(work, here):
@@ -120,8 +122,21 @@ def _found(work: Work, *, pairs: bool) -> Iterator[Repaired]:
             if pairs and all(change.code == "row_missing" for change in found):
                 yield from _pairs(work, _nearer(work, here, joint_left_out))
             return
+    if pairs and lined is not None:
+        found_pairs = list(_pairs(lined, _nearer(lined, tried_unchanged(lined))))
+        yield from found_pairs
+        if found_pairs:
+            return
     if pairs:
         yield from _pairs(work, [*_nearer(work, here), *_beforehand(work)])
+
+
+def _seen_from_here(work: Work) -> tuple[Trial | None, Work]:
+    """The table as it stands, and with what an edit has to do that mends all that is wrong."""
+    here = tried_unchanged(work)
+    if here is None:
+        return None, work
+    return here, replace(work, reach=here.reach, angular=here.angular, off=here.off)
 
 
 def _says_little(work: Work, here: Trial | None) -> bool:

@@ -139,7 +139,7 @@ def tried_unchanged(work: Work) -> Trial | None:
     if not work.has_the_joints():
         return None
     invariants = work.invariants
-    found = measured_as_typed(invariants, work.table, work.comparison.steps, work.policy)[:, :1]
+    found = measured_as_typed(invariants, work.table, work.comparison.steps, work.fixing)[:, :1]
     (misfit,) = _Misfits(work, found).told
     return Trial(UNCHANGED, *misfit)
 

@@ -13,12 +13,12 @@ import numpy as np
 from exercises.grading.edits.changes import ROW_CELLS, Change, TableSlip
 from exercises.grading.facts import Facts, Floats, fixed_ends
 from exercises.grading.judging.comparison import Comparison
-from exercises.grading.judging.end_lines import ends_beyond_digits
+from exercises.grading.judging.end_lines import ends_beyond_digits, is_off_its_joint, lines_at_ends
 from exercises.grading.judging.judgement import share_of
 from exercises.grading.judging.typed import ANGLES, NOTHING_TYPED, SAME, Place
 from kinematics.cells import ReadTable
 from kinematics.chain import chain_of_table
-from kinematics.equivalence import Policy
+from kinematics.equivalence import BaseRule, Kind, Policy, ToolRule
 from kinematics.equivalence.batches import CellChange
 from kinematics.equivalence.decision import convention_fits, is_certified
 from kinematics.equivalence.invariants import Invariants, axes_of, invariants_of
@@ -65,6 +65,7 @@ class Work:
         off: what is off, if only by what need not be mended: other values of cells are found from that.
         only: the one slip that is to be undone; any, if none is named.
         kept: places that an edit made before has changed, which another one leaves alone.
+        lines: at which ends the key's line is looked for, where the rule `axis` would take the joint's, too.
     """
 
     key: ReadTable
@@ -72,7 +73,7 @@ class Work:
     comparison: Comparison
     policy: Policy
     references: tuple[Reference, ...]
-    tightened: Callable[[int], Invariants]
+    tightened: Callable[[int, frozenset[Kind]], Invariants]
     meter: Meter
     table: NumericTable
     draw: int = 0
@@ -83,6 +84,7 @@ class Work:
     off: Off = ANYTHING
     only: TableSlip | None = None
     kept: frozenset[Place] = frozenset()
+    lines: frozenset[Kind] = frozenset()
 
     @property
     def reference(self) -> Reference:
@@ -94,9 +96,30 @@ class Work:
         """What no choice of frames changes, at the draw, as nearly as the answer must have it.
 
         The facts come first; behind them comes what lies between axes that are no neighbours, where the
-        policy fixes the zeros of the variables.
+        policy fixes the zeros of the variables, and where the key's lines at the ends lie, where these are
+        looked for.
         """
-        return self.tightened(self.draw)
+        return self.tightened(self.draw, self.lines)
+
+    @property
+    def fixing(self) -> Policy:
+        """What is fixed at the ends as the invariants are measured."""
+        return lines_at_ends(self.policy, self.lines) if self.lines else self.policy
+
+    def for_lines(self) -> Work | None:
+        """Return the table as one in which the key's lines at the ends are looked for.
+
+        None where it keeps the rule `axis` at both ends, or no key's line is meant but the joint's axis.
+        """
+        asked = (
+            (Kind.BASE, self.policy.base is BaseRule.AXIS),
+            (Kind.TOOL, self.policy.tool is ToolRule.AXIS),
+        )
+        elsewhere = {kind for kind, is_asked in asked if is_asked and is_off_its_joint(self.reference, kind)}
+        if not elsewhere or self.lines or not self.has_the_joints():
+            return None
+        missed = elsewhere.intersection(self._ends_off(self.reference, self.table))
+        return replace(self, lines=frozenset(missed)) if missed else None
 
     @cached_property
     def n_facts(self) -> int:
@@ -269,12 +292,12 @@ class Work:
         return False
 
     def _has_an_end_off(self, reference: Reference, table: NumericTable) -> bool:
-        if self.comparison.exact:
-            return False
+        return not self.comparison.exact and bool(self._ends_off(reference, table))
+
+    def _ends_off(self, reference: Reference, table: NumericTable) -> tuple[Kind, ...]:
         typed_so = len(table.rows) == len(self.comparison.meant_table.rows)
         steps = self.comparison.steps if typed_so else NOTHING_TYPED
-        share = share_of(self.comparison)
-        return bool(ends_beyond_digits(reference, table, steps, self.policy, share))
+        return ends_beyond_digits(reference, table, steps, self.policy, share_of(self.comparison))
 
 
 def _alike(change: Change, own: Draws, keys: Draws) -> Change | None:

@@ -7,7 +7,8 @@ explained.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
+from dataclasses import replace
 
 import numpy as np
 
@@ -52,6 +53,42 @@ def ends_beyond_digits(
     return tuple(found)
 
 
+def lines_at_ends(policy: Policy, missed: Collection[Kind]) -> Policy:
+    """Return a policy that fixes the key's lines at the ends where an answer keeps no rule `axis`.
+
+    Args:
+        policy: what the answer is held to.
+        missed: the rules that it doesn't keep.
+    """
+    base = BaseRule.FRAME if Kind.BASE in missed else policy.base
+    return replace(policy, base=base, tool=ToolRule.FRAME if Kind.TOOL in missed else policy.tool)
+
+
+def is_off_its_joint(reference: Reference, kind: Kind) -> bool:
+    """Return whether the key's line at an end lies elsewhere than on the axis of the joint there.
+
+    Args:
+        reference: the key.
+        kind: BASE or TOOL.
+    """
+    n = len(reference.chain.axes)
+    line, joint, end = (_BASE_LINE, 1, 0) if kind is Kind.BASE else (_TOOL_LINE, n, n + 1)
+    way = _on_the_joint(reference, joint, end)
+    return not_explained(way, reference, reference.table, NOTHING_TYPED, line, 0.0) is not None
+
+
+def end_invariants(known: Invariants, n_joints: int, missed: Collection[Kind]) -> Invariants:
+    """Return those of a key's invariants, its frames being fixed, that say where its lines at the ends lie.
+
+    Args:
+        known: all of them.
+        n_joints: how many joints the key has.
+        missed: at which ends: BASE, TOOL.
+    """
+    ends = [end for kind, end in ((Kind.BASE, 0), (Kind.TOOL, n_joints + 1)) if kind in missed]
+    return known.some([i for end in ends for i in _of_the_line(known, end)])
+
+
 def _on_the_joint(reference: Reference, joint: int, end: int) -> Invariants:
     """What vanishes where the line is the joint's axis; a prismatic joint's is only parallel."""
     between = (min(joint, end), max(joint, end))
@@ -65,6 +102,8 @@ def _on_the_joint(reference: Reference, joint: int, end: int) -> Invariants:
 def _on_the_line(reference: Reference, line: Policy, end: int) -> Invariants:
     """What no choice of frames changes of the key's line, but for where its origin lies along it."""
     invariants = invariants_of(reference, line)
-    return invariants.some(
-        [i for i, shape in enumerate(invariants.shapes) if end in shape.axes and end not in shape.runs]
-    )
+    return invariants.some(_of_the_line(invariants, end))
+
+
+def _of_the_line(invariants: Invariants, end: int) -> list[int]:
+    return [i for i, shape in enumerate(invariants.shapes) if end in shape.axes and end not in shape.runs]

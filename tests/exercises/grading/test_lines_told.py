@@ -1,0 +1,68 @@
+"""Under the rule `axis` the key's line at an end tells which cell is wrong, where it is no joint's axis."""
+
+from __future__ import annotations
+
+import pytest
+
+from exercises.grading import BaseRule, HelpLevel, Policy, ToolRule, Verdict, grade
+from tests.exercises.grading.written import Cell, read
+
+Rows = list[tuple[Cell, Cell, Cell, Cell]]
+AXIS = Policy(tool=ToolRule.AXIS)
+PLANAR: Rows = [(0, 0.5, 0, "q1"), (0, 0.3, 0, "q2")]
+ELBOW: Rows = [(90, 0, 0.4, "q1"), (0, 0.5, 0.12, "q2"), (90, 0.3, -0.05, "q3")]
+NAMED: Rows = [(90, 0, "h", "q1"), (0, "L1", "e", "q2"), (90, "L2", "f", "q3")]
+COLUMNS = ("alpha", "a", "d", "theta")
+
+
+def _told(key: Rows, *wrong: tuple[int, str, Cell], policy: Policy = AXIS, modified: bool = False) -> Verdict:
+    rows = [list(row) for row in key]
+    for row, cell, value in wrong:
+        rows[row - 1][COLUMNS.index(cell)] = value
+    answer = [(row[0], row[1], row[2], row[3]) for row in rows]
+    convention = "modified" if modified else "standard"
+    tables = read(convention, key, "deg"), read(convention, answer, "deg")
+    return grade(*tables, policy, help_level=HelpLevel.REPAIR)
+
+
+def _edits(verdict: Verdict) -> list[list[tuple[str, int | None]]]:
+    return [[(edit.code, edit.row) for edit in repair.edits] for repair in verdict.repairs]
+
+
+@pytest.mark.parametrize(
+    ("key", "wrong", "code"),
+    [
+        (PLANAR, (2, "a", 0.25), "a_value"),
+        (ELBOW, (3, "a", 0.25), "a_value"),
+        (ELBOW, (3, "a", 0), "a_missing"),
+        (ELBOW, (3, "d", 0), "d_missing"),
+        (NAMED, (3, "a", "L1"), "cell_parameter"),
+        (NAMED, (3, "d", 0), "d_missing"),
+    ],
+)
+def test_the_length_before_the_line_of_the_tool_is_told(
+    key: Rows, wrong: tuple[int, str, Cell], code: str
+) -> None:
+    verdict = _told(key, wrong)
+    assert not verdict.correct
+    assert _edits(verdict)[0] == [(code, wrong[0])]
+
+
+def test_of_offsets_along_parallel_axes_before_the_line_none_is_told_alone() -> None:
+    verdict = _told(ELBOW, (3, "d", 0))
+    assert "one_of_these" in [entry.code for entry in verdict.feedback]
+    assert {entry.row for entry in verdict.feedback if entry.row} == {2, 3}
+
+
+def test_beside_another_mistake_the_length_before_the_line_is_told() -> None:
+    """Not that z of the last frame should stand on the last joint's axis."""
+    verdict = _told(PLANAR, (1, "a", 0.45), (2, "a", 0.25))
+    assert _edits(verdict) == [[("a_value", 1), ("a_value", 2)]]
+
+
+def test_the_twist_behind_the_line_of_the_base_is_no_more_likely_than_the_offset() -> None:
+    """Axes 1 and 2 are parallel: one d or the other takes the robot off the key's line of the base."""
+    key: Rows = [(90, 0.12, 0.6, "q1"), (0, 0.4, 0.52, "q2"), (90, 0.2, 0.3, "q3")]
+    verdict = _told(key, (2, "d", 0.4), policy=Policy(base=BaseRule.AXIS, tool=ToolRule.FREE), modified=True)
+    assert {("d_value", 1), ("d_value", 2)} <= {edit for repair in _edits(verdict) for edit in repair}
+    assert {entry.row for entry in verdict.feedback if entry.row} == {1, 2}
