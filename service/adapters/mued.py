@@ -29,6 +29,14 @@ ANSWER_FORMAT = "exercise_answer"
 EVALUATED = (SubmissionType.MODEL, SubmissionType.OTHER)
 _DETAIL = {"BRIEF": HelpLevel.ROW, "MEDIUM": HelpLevel.KIND, "DETAILED": HelpLevel.REPAIR}
 
+_FACTS = {
+    "twist_wrong": "twist",
+    "length_wrong": "length",
+    "offset_wrong": "offset",
+    "joint_type_wrong": "joint",
+}
+"""The facts of a row that feedback speaks of, by its code."""
+
 
 class NotEvaluatedError(Exception):
     """A request that µEd answers with 400: the code, and what would be right."""
@@ -125,22 +133,32 @@ def feedback_of(
         }
     ]
     for number, entry in enumerate(judged.body["feedback"], 1):
-        entries.append(_entry(f"feedback-{number}", entry, kind))
+        title = _title("table", entry, language)
+        entries.append(_entry(f"feedback-{number}", title, entry, kind))
     repairs = judged.body["repairs"][:1]
     for number, edit in enumerate((edit for repair in repairs for edit in repair["edits"]), 1):
-        entries.append({**_entry(f"repair-{number}", edit, kind), "suggestedAction": edit["message"]})
+        title = sentence(language, f"option-{edit['code']}") or _title("table", edit, language)
+        told = _entry(f"repair-{number}", title, edit, kind)
+        entries.append({**told, "suggestedAction": edit["message"]})
     for part, report in judged.body["parts"].items():
         for number, entry in enumerate(report["feedback"], 1):
-            entries.append(_entry(f"{part}-{number}", entry, kind))
+            entries.append(_entry(f"{part}-{number}", _title(part, entry, language), entry, kind))
     return entries
 
 
-def _entry(identifier: str, entry: Mapping[str, Any], kind: SubmissionType) -> dict[str, Any]:
-    told: dict[str, Any] = {
-        "feedbackId": identifier,
-        "title": entry["code"],
-        "message": entry["message"],
-    }
+def _title(part: str, entry: Mapping[str, Any], language: str) -> str:
+    """What feedback is about, in few words: the part of the exercise, and in a table the row and the fact."""
+    about = sentence(language, f"form-part-{part.replace('_', '-')}") or part
+    if entry["row"] is None:
+        return about
+    fact = _FACTS.get(entry["code"])
+    name = sentence(language, f"form-fact-{fact}") if fact else None
+    place = sentence(language, "form-row-cell" if name else "form-row", {"row": entry["row"], "name": name})
+    return f"{about} · {place}"
+
+
+def _entry(identifier: str, title: str, entry: Mapping[str, Any], kind: SubmissionType) -> dict[str, Any]:
+    told: dict[str, Any] = {"feedbackId": identifier, "title": title, "message": entry["message"]}
     if entry["row"] is not None:
         column = {"column": entry["cell"]} if entry.get("cell") else {}
         locator = {"type": "cell" if column else "row", "row": entry["row"], **column}

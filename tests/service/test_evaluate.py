@@ -57,6 +57,32 @@ def test_detail_limits_what_is_told(client: httpx.Client) -> None:
     assert not any("suggestedAction" in entry for entry in entries)
 
 
+@pytest.mark.parametrize(
+    ("language", "titles"),
+    [
+        ("en", ["Not right yet", "DH table", "DH table · row 1, Twist α", "α has the wrong value"]),
+        (
+            "fr",
+            ["Pas encore juste", "Tableau DH", "Tableau DH · ligne 1, Torsion α", "α a une valeur fausse"],
+        ),
+        (
+            "uk",
+            [
+                "Ще не правильно",
+                "Таблиця DH",
+                "Таблиця DH · рядок 1, Скручення α",
+                "α має неправильне значення",
+            ],
+        ),
+    ],
+)
+def test_titles_say_what_feedback_is_about_in_the_learner_s_language(
+    client: httpx.Client, language: str, titles: list[str]
+) -> None:
+    learner = {"user": {"preference": {"language": language, "detail": "DETAILED"}}}
+    assert [entry["title"] for entry in evaluate(client, request(WRONG, **learner)).json()] == titles
+
+
 @pytest.mark.parametrize("content", [TABLE, WRONG])
 def test_a_check_tells_nothing_of_right_or_wrong(client: httpx.Client, content: Any) -> None:
     checked = evaluate(client, request(content, preSubmissionFeedback={"enabled": True})).json()
