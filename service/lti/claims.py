@@ -30,6 +30,8 @@ DEEP_LINKING_RESPONSE = "LtiDeepLinkingResponse"
 
 _TEACHING = {"Instructor", "TeachingAssistant", "ContentDeveloper", "Manager"}
 _ADMINISTRATING = {"Administrator", "SysAdmin"}
+_WATCHING = {"Observer", "ExternalObserver"}
+"""Sub-roles of a manager that see a course and do nothing in it."""
 _COURSE = "/membership"
 
 
@@ -37,14 +39,14 @@ def is_staff(roles: Iterable[str]) -> bool:
     """Return whether roles are those of a course's staff.
 
     Teaching counts in this course alone: who teaches elsewhere in the institution may study here.
-    Administrators count wherever they administrate, also without a role in the course.
+    Administrators count wherever they administrate, also without a role in the course. A sub-role counts as
+    the role that it belongs to: `membership/Learner#Instructor` is a learner.
     """
     for role in roles:
         vocabulary, _, name = role.rpartition("#")
         in_course = not vocabulary or _COURSE in vocabulary
-        if name in _ADMINISTRATING or (in_course and name in _TEACHING):
-            return True
-        if in_course and f"{_COURSE}/Instructor" in vocabulary:
+        principal = vocabulary.partition(f"{_COURSE}/")[2] or name
+        if principal in _ADMINISTRATING or (in_course and principal in _TEACHING and name not in _WATCHING):
             return True
     return False
 
