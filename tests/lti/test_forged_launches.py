@@ -307,7 +307,8 @@ def test_a_nonce_works_once(forger: Forger, keys: KeyServer, store: Store, platf
     ("changed", "code"),
     [
         ({"iss": "https://nobody.example"}, "lti_platform_unknown"),
-        ({"client_id": "nobody"}, "lti_platform_unknown"),
+        ({"client_id": "nobody"}, "lti_client_unknown"),
+        ({"iss": "https://nobody.example", "client_id": "nobody"}, "lti_platform_unknown"),
         ({"login_hint": ""}, "lti_parameter_missing"),
         ({"target_link_uri": "https://elsewhere.example/lti/launch"}, "lti_target_foreign"),
         ({"target_link_uri": "//elsewhere.example/"}, "lti_target_foreign"),

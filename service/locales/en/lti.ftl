@@ -2,6 +2,7 @@
 
 error-lti_parameter_missing = The learning platform sent no { $name }.
 error-lti_platform_unknown = No platform { $issuer } is registered here. An administrator has to register it first.
+error-lti_client_unknown = No client { $client } of the platform { $issuer } is registered here: the platform is, with another client id. An administrator has to register this one too.
 error-lti_platform_ambiguous = Several clients of { $issuer } are registered; the login has to give client_id.
 error-lti_platform_inactive = The platform { $issuer } is registered and has not been activated yet.
 error-lti_target_foreign = The address to open is not on this site.

@@ -2,6 +2,7 @@
 
 error-lti_parameter_missing = La plataforma de aprendizaje no envió { $name }.
 error-lti_platform_unknown = Aquí no está registrada ninguna plataforma { $issuer }. Un administrador tiene que registrarla primero.
+error-lti_client_unknown = Aquí no está registrado ningún cliente { $client } de la plataforma { $issuer }: la plataforma lo está, con otro identificador de cliente. Un administrador tiene que registrar también este.
 error-lti_platform_ambiguous = Hay varios clientes de { $issuer } registrados; el inicio de sesión debe indicar client_id.
 error-lti_platform_inactive = La plataforma { $issuer } está registrada y aún no se ha activado.
 error-lti_target_foreign = La dirección que se quiere abrir no está en este sitio.

@@ -2,6 +2,7 @@
 
 error-lti_parameter_missing = La plateforme d’apprentissage n’a pas envoyé { $name }.
 error-lti_platform_unknown = Aucune plateforme { $issuer } n’est enregistrée ici. Un administrateur doit d’abord l’enregistrer.
+error-lti_client_unknown = Aucun client { $client } de la plateforme { $issuer } n’est enregistré ici : la plateforme l’est, avec un autre identifiant de client. Un administrateur doit enregistrer celui-ci aussi.
 error-lti_platform_ambiguous = Plusieurs clients de { $issuer } sont enregistrés ; la connexion doit indiquer client_id.
 error-lti_platform_inactive = La plateforme { $issuer } est enregistrée et n’a pas encore été activée.
 error-lti_target_foreign = L’adresse à ouvrir n’est pas sur ce site.

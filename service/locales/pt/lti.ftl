@@ -2,6 +2,7 @@
 
 error-lti_parameter_missing = A plataforma de aprendizagem não enviou { $name }.
 error-lti_platform_unknown = Nenhuma plataforma { $issuer } está registada aqui. Um administrador tem de a registar primeiro.
+error-lti_client_unknown = Nenhum cliente { $client } da plataforma { $issuer } está registado aqui: a plataforma está, com outro identificador de cliente. Um administrador tem de registar também este.
 error-lti_platform_ambiguous = Estão registados vários clientes de { $issuer }; o início de sessão tem de indicar client_id.
 error-lti_platform_inactive = A plataforma { $issuer } está registada e ainda não foi ativada.
 error-lti_target_foreign = O endereço a abrir não é deste site.

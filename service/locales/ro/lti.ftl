@@ -2,6 +2,7 @@
 
 error-lti_parameter_missing = Platforma de învățare nu a trimis { $name }.
 error-lti_platform_unknown = Aici nu este înregistrată nicio platformă { $issuer }. Un administrator trebuie mai întâi să o înregistreze.
+error-lti_client_unknown = Aici nu este înregistrat niciun client { $client } al platformei { $issuer }: platforma este, cu alt identificator de client. Un administrator trebuie să îl înregistreze și pe acesta.
 error-lti_platform_ambiguous = Sunt înregistrați mai mulți clienți ai { $issuer }; autentificarea trebuie să numească client_id.
 error-lti_platform_inactive = Platforma { $issuer } este înregistrată și nu a fost încă activată.
 error-lti_target_foreign = Adresa de deschis nu este pe acest site.

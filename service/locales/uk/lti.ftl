@@ -2,6 +2,7 @@
 
 error-lti_parameter_missing = Навчальна платформа не надіслала { $name }.
 error-lti_platform_unknown = Платформу { $issuer } тут не зареєстровано. Спершу її має зареєструвати адміністратор.
+error-lti_client_unknown = Клієнта { $client } платформи { $issuer } тут не зареєстровано: платформу зареєстровано з іншим ідентифікатором клієнта. Адміністратор має зареєструвати і цього.
 error-lti_platform_ambiguous = Зареєстровано кілька клієнтів { $issuer }; під час входу треба вказати client_id.
 error-lti_platform_inactive = Платформу { $issuer } зареєстровано, але ще не активовано.
 error-lti_target_foreign = Адреса, яку треба відкрити, не належить цьому сайту.

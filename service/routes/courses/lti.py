@@ -118,6 +118,8 @@ def _login(request: Request, given: Mapping[str, str]) -> Response:
 def _platform_for(courses: CourseResources, asked: LoginRequest) -> Platform:
     found = platforms_of(courses.store, asked.issuer, asked.client_id)
     params = {"issuer": asked.issuer[:200]}
+    if not found and asked.client_id and platforms_of(courses.store, asked.issuer, None):
+        raise LoginError(Fault.at("lti_client_unknown", **params, client=asked.client_id[:200]))
     if not found:
         raise LoginError(Fault.at("lti_platform_unknown", **params))
     if len(found) > 1:
