@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import logging
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from urllib.parse import urlencode
 
 from fastapi import Request, Response
@@ -19,11 +20,12 @@ from service.web.shell import Page
 from service.work.limiters import WorkKind
 
 LAUNCH = Page(name="launch", title="session-launch-title", messages=("session",), depth=1)
+REGISTRATION = replace(LAUNCH, title="session-registration-title", depth=2)
 
 _log = logging.getLogger("framewise.lti")
 
 
-async def answered(request: Request, work: Callable[[], Response]) -> Response:
+async def answered(request: Request, work: Callable[[], Response], page: Page = LAUNCH) -> Response:
     """Return what work in a thread answers; its refusal as a page for people, as a problem for programs.
 
     Raises:
@@ -34,10 +36,10 @@ async def answered(request: Request, work: Callable[[], Response]) -> Response:
     try:
         return await resources.limiters[WorkKind.COURSES].run(work)
     except (ServiceError, CourseError) as error:
-        return refused(request, error)
+        return refused(request, error, page)
 
 
-def refused(request: Request, error: ServiceError | KinematicsError) -> Response:
+def refused(request: Request, error: ServiceError | KinematicsError, page: Page = LAUNCH) -> Response:
     """Return a refusal as a page for people, or raise it; logged with its code and no secret."""
     problem = problem_of(error, request.scope.get(REQUEST_ID, ""))
     route = request.scope["route"].path  # an address may hold an invitation's secret
@@ -48,7 +50,7 @@ def refused(request: Request, error: ServiceError | KinematicsError) -> Response
     again = error.members.get("again") if isinstance(error, ServiceError) else None
     text = sentence(page_language(request), f"error-{fault.code}", fault.params) or fault.code
     values = step("window" if again else "refused", text=text, again=again or {})
-    return launch_page(request, values, status=problem.status)
+    return launch_page(request, values, page, status=problem.status)
 
 
 def step(name: str, *, text: str = "", again: object = None, **values: str) -> dict[str, str]:
@@ -58,8 +60,15 @@ def step(name: str, *, text: str = "", again: object = None, **values: str) -> d
     return {"step": name, "text": text, **fields}
 
 
-def launch_page(request: Request, values: Mapping[str, str], *, status: int = 200) -> Response:
-    """Return the page, which no cache may store."""
-    response = page_response(request, LAUNCH, values, status=status)
+def launch_page(
+    request: Request, values: Mapping[str, str], page: Page = LAUNCH, *, status: int = 200
+) -> Response:
+    """Return the page, which no cache may store.
+
+    What a person reads may stand in any frame: who is refused, or is about to register, is no platform whose
+    frames are known.
+    """
+    read = bool(values["text"])
+    response = page_response(request, page, values, status=status, in_any_frame=read)
     response.headers["Cache-Control"] = "no-store"
     return response

@@ -209,6 +209,13 @@ class Handler(BaseHTTPRequestHandler):
             f'<!doctype html><title>LMS</title><iframe src="{source}" width="1200" height="900"></iframe>',
         )
 
+    def get_frame(self, _: list[str], query: dict[str, str], __: bytes) -> None:
+        """A page that shows any address in a frame; its title is the last message from there."""
+        hear = "addEventListener('message', (event) => { document.title = event.data.subject })"
+        source = query["source"].replace("&", "&amp;")
+        frame = f'<iframe src="{source}" width="1200" height="900"></iframe>'
+        self._send(200, f"<!doctype html><title>LMS</title><script>{hear}</script>{frame}")
+
     def get_jwks(self, *_: Any) -> None:
         self._send(200, Configuration(self.lms).get_jwks(), Cache_Control="max-age=60")
 

@@ -12,6 +12,9 @@ import pytest
 from playwright.sync_api import Browser as Chromium
 from playwright.sync_api import Frame, Page, Route, expect, sync_playwright
 
+from courses.platforms import invite
+from courses.storage import Store
+from service.course_resources import now
 from tests.lti.classes import TEACHER, Browser, Lms, eventually, hint
 from tests.lti.test_launches import CUSTOM, RIGHT
 from tests.web.conftest import ARGUMENTS, CHROMIUM, new_context
@@ -197,3 +200,32 @@ def test_a_teacher_chooses_in_a_frame(page: Page, lms: Lms, service: str) -> Non
     (item,) = returned[0]["items"]
     assert (item["custom"]["exercise"], item["lineItem"]["scoreMaximum"]) == ("scara", 12)
     assert json.loads(item["custom"]["settings"])["points"] == 12
+
+
+@pytest.mark.parametrize("address", ["sqlite"], indirect=True)
+def test_a_registration_in_a_frame_closes_it(page: Page, lms: Lms, service: str, store: Store) -> None:
+    """Moodle shows the page in a frame, of a platform that is not known before and is not active after."""
+    asked = {"openid_configuration": f"{lms.root}/openid", "registration_token": "once"}
+    source = f"{service}/lti/register/{invite(store, '', now())}?{urlencode(asked)}"
+    page.goto(f"{lms.elsewhere}/frame?{urlencode({'source': source})}")
+    expect(page).to_have_title("org.imsglobal.lti.close")
+    frame = page.frame_locator("iframe")
+    expect(frame.get_by_role("heading", level=1)).to_have_text("Registering a learning platform")
+    expect(frame.locator("#launch-text")).to_contain_text("Framewise is registered with")
+    lms.register(store)
+
+
+@pytest.mark.parametrize("address", ["sqlite"], indirect=True)
+def test_a_refused_launch_says_so_in_a_frame(
+    chromium: Chromium, lms: Lms, service: str, store: Store
+) -> None:
+    """The frame of a platform that is not registered, or not active, was empty."""
+    context = new_context(chromium, locale="en")
+    page = context.new_page()
+    asked = {"iss": "https://nobody.example", "login_hint": "u", "target_link_uri": f"{service}/lti/launch"}
+    source = f"{service}/lti/login?{urlencode(asked)}"
+    host = lms.elsewhere.replace("localhost", "nobody.localhost")
+    page.goto(f"{host}/frame?{urlencode({'source': source})}")
+    told = page.frame_locator("iframe").locator("#launch-text")
+    expect(told).to_contain_text("No platform https://nobody.example is registered here.")
+    context.close()

@@ -124,6 +124,10 @@ def test_a_platform_registers_itself_with_an_invitation(
     asked = {"openid_configuration": f"{lms.root}/openid", "registration_token": "once"}
     stranger = browser.client.get(f"{service}/lti/register/guess", params=asked)
     assert (stranger.status_code, stranger.json()["code"]) == (401, "invitation_used")
+    failed = browser.client.get(
+        f"{service}/lti/register/{secret}", params={**asked, "registration_token": "wrong"}
+    )
+    assert (failed.status_code, failed.json()["code"]) == (422, "lti_unreachable")
     answer = browser.client.get(f"{service}/lti/register/{secret}", params=asked)
     assert 'data-step="close"' in answer.text
     again = browser.client.get(f"{service}/lti/register/{secret}", params=asked)

@@ -1,6 +1,7 @@
 ### Launches from a course, and what a signed-in student reads.
 
 session-launch-title = Opening the exercise
+session-registration-title = Registering a learning platform
 session-new-window = Open in a new window
 session-registered = Framewise is registered with { $issuer }. An administrator of Framewise activates the registration; then links can be made.
 session-tool-description = Exercises in robot kinematics: every valid choice of frames is accepted, and wrong tables are explained.

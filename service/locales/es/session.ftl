@@ -1,6 +1,7 @@
 ### Accesos desde un curso y lo que lee un estudiante con sesión iniciada.
 
 session-launch-title = Abriendo el ejercicio
+session-registration-title = Registro de una plataforma de aprendizaje
 session-new-window = Abrir en una ventana nueva
 session-registered = Framewise está registrado en { $issuer }. Un administrador de Framewise activa el registro; después se pueden crear enlaces.
 session-tool-description = Ejercicios de cinemática de robots: se acepta toda elección válida de sistemas de referencia y se explican las tablas erróneas.

@@ -1,6 +1,7 @@
 ### Lancements depuis un cours, et ce que lit un étudiant connecté.
 
 session-launch-title = Ouverture de l’exercice
+session-registration-title = Enregistrement d’une plateforme d’apprentissage
 session-new-window = Ouvrir dans une nouvelle fenêtre
 session-registered = Framewise est enregistré auprès de { $issuer }. Un administrateur de Framewise active l’enregistrement ; des liens peuvent ensuite être créés.
 session-tool-description = Exercices de cinématique des robots : tout choix valable de repères est accepté, et les tableaux faux sont expliqués.

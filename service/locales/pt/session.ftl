@@ -1,6 +1,7 @@
 ### Acessos a partir de uma disciplina e o que lê um estudante com sessão iniciada.
 
 session-launch-title = A abrir o exercício
+session-registration-title = Registo de uma plataforma de aprendizagem
 session-new-window = Abrir numa janela nova
 session-registered = O Framewise está registado em { $issuer }. Um administrador do Framewise ativa o registo; depois podem criar-se ligações.
 session-tool-description = Exercícios de cinemática de robôs: aceita-se qualquer escolha válida de referenciais e explicam-se as tabelas erradas.

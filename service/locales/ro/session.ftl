@@ -1,6 +1,7 @@
 ### Lansări dintr-un curs și ce citește un student autentificat.
 
 session-launch-title = Se deschide exercițiul
+session-registration-title = Înregistrarea unei platforme de învățare
 session-new-window = Deschide într-o fereastră nouă
 session-registered = Framewise este înregistrat la { $issuer }. Un administrator Framewise activează înregistrarea; apoi se pot crea legături.
 session-tool-description = Exerciții de cinematica roboților: se acceptă orice alegere corectă a sistemelor de coordonate, iar tabelele greșite sunt explicate.

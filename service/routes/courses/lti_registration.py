@@ -17,7 +17,7 @@ from service.lti.registration import ToolRegistration, register
 from service.lti.signing_keys import key_set
 from service.messages import sentence
 from service.resources import resources_of
-from service.web.launch_page import answered, launch_page, step
+from service.web.launch_page import REGISTRATION, answered, launch_page, step
 from service.web.responses import page_language
 from service.work.limiters import WorkKind
 
@@ -42,7 +42,7 @@ async def configuration(request: Request) -> Response:
 @router.get("/lti/register/{secret}")
 async def register_platform(request: Request, secret: str) -> Response:
     """Register a platform that was invited; it stays pending until an administrator activates it."""
-    return await answered(request, partial(_register, request, secret))
+    return await answered(request, partial(_register, request, secret), REGISTRATION)
 
 
 def _register(request: Request, secret: str) -> Response:
@@ -52,10 +52,10 @@ def _register(request: Request, secret: str) -> Response:
     if not configuration:
         params = {"name": "openid_configuration"}
         raise LoginError(Fault.at("lti_parameter_missing", **params))
-    use_invitation(courses.store, secret, now())
     found = register(
         courses.fetcher, configuration, request.query_params.get("registration_token"), _tool(request)
     )
+    use_invitation(courses.store, secret, now())
     platform = Platform(
         issuer=found.issuer,
         client_id=found.client_id,
@@ -70,7 +70,7 @@ def _register(request: Request, secret: str) -> Response:
     if found.deployment:
         add_deployment(courses.store, stored.id, found.deployment)
     text = sentence(page_language(request), "session-registered", {"issuer": found.issuer}) or ""
-    return launch_page(request, step("close", text=text))
+    return launch_page(request, step("close", text=text), REGISTRATION)
 
 
 def _tool(request: Request) -> ToolRegistration:
