@@ -229,3 +229,19 @@ def test_a_refused_launch_says_so_in_a_frame(
     told = page.frame_locator("iframe").locator("#launch-text")
     expect(told).to_contain_text("No platform https://nobody.example is registered here.")
     context.close()
+
+
+@pytest.mark.parametrize("address", ["sqlite"], indirect=True)
+def test_a_student_reads_the_rules_of_the_link(page: Page, service: str, browser: Browser) -> None:
+    """Nothing said what another attempt costs, and the page offered more help than the link gives."""
+    told = {"attempts": 3, "penalty": 0.1, "counting": "last", "help": "row", "parts": ["table"]}
+    link = hint(resource="ruled", custom={"exercise": "puma560", "settings": json.dumps(told)})
+    launched = browser.post(browser.authorized(browser.login("rita", link)))
+    page.goto(urljoin(service, launched.headers["location"]))
+    page.wait_for_selector("html[data-ready=true]")
+    banner = page.locator(".session-banner")
+    expect(banner).to_contain_text("The last attempt counts")
+    expect(banner).to_contain_text(re.compile(r"Each further attempt costs 10\s% of all points"))
+    offered = page.locator(".help-choice option").evaluate_all("(all) => all.map(({ value }) => value)")
+    assert offered == ["verdict", "row"]
+    assert "Joints: ." not in page.inner_text("body")

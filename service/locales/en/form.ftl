@@ -228,7 +228,10 @@ form-own-shown =
         [one] Drawn from your table: one joint.
        *[other] Drawn from your table: { $joints } joints.
     }
-form-own-description = The frames of your table with their axes x, y and z. Joints: { $joints }.
+form-own-description = The frames of your table with their axes x, y and z.{ $count ->
+    [0] {""}
+   *[other] {" "}Joints: { $joints }.
+}
 form-own-parameters = Values for drawing
 form-joints = Joints
 form-matrices = Matrices

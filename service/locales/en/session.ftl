@@ -9,6 +9,11 @@ session-heading = Your session
 session-signed-in = Signed in as { $name } · { $course }
 session-attempts = Attempts: { $made }
 session-attempts-of = Attempts: { $made } of { $allowed }
+session-counting = { $counting ->
+    [first] The first attempt counts
+   *[last] The last attempt counts
+}
+session-penalty = Each further attempt costs { $percent } of all points
 session-closes = Closes: { $when }
 session-grade =
     Counted: { $points } of { $total ->

@@ -228,7 +228,10 @@ form-own-shown =
         [one] Dibujado según su tabla: una articulación.
        *[other] Dibujado según su tabla: { $joints } articulaciones.
     }
-form-own-description = Los sistemas de su tabla con sus ejes x, y, z. Articulaciones: { $joints }.
+form-own-description = Los sistemas de su tabla con sus ejes x, y, z.{ $count ->
+    [0] {""}
+   *[other] {" "}Articulaciones: { $joints }.
+}
 form-own-parameters = Valores para el dibujo
 form-joints = Articulaciones
 form-matrices = Matrices

@@ -9,6 +9,11 @@ session-heading = Su sesión
 session-signed-in = Sesión iniciada como { $name } · { $course }
 session-attempts = Intentos: { $made }
 session-attempts-of = Intentos: { $made } de { $allowed }
+session-counting = { $counting ->
+    [first] Cuenta el primer intento
+   *[last] Cuenta el último intento
+}
+session-penalty = Cada intento adicional cuesta un { $percent } del total de puntos
 session-closes = Se cierra: { $when }
 session-grade =
     Cuentan { $points } de { $total ->

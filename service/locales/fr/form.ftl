@@ -228,7 +228,10 @@ form-own-shown =
         [one] Dessiné d’après votre tableau : une articulation.
        *[other] Dessiné d’après votre tableau : { $joints } articulations.
     }
-form-own-description = Les repères de votre tableau avec leurs axes x, y et z. Articulations : { $joints }.
+form-own-description = Les repères de votre tableau avec leurs axes x, y et z.{ $count ->
+    [0] {""}
+   *[other] {" "}Articulations : { $joints }.
+}
 form-own-parameters = Valeurs pour le dessin
 form-joints = Articulations
 form-matrices = Matrices

@@ -9,6 +9,11 @@ session-heading = Votre session
 session-signed-in = Connecté en tant que { $name } · { $course }
 session-attempts = Essais : { $made }
 session-attempts-of = Essais : { $made } sur { $allowed }
+session-counting = { $counting ->
+    [first] Le premier essai compte
+   *[last] Le dernier essai compte
+}
+session-penalty = Chaque essai supplémentaire coûte { $percent } du total des points
 session-closes = Ferme : { $when }
 session-grade =
     Compte : { $points ->

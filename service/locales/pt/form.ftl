@@ -228,7 +228,10 @@ form-own-shown =
         [one] Desenhado a partir da sua tabela: uma junta.
        *[other] Desenhado a partir da sua tabela: { $joints } juntas.
     }
-form-own-description = Os referenciais da sua tabela com os eixos x, y e z. Juntas: { $joints }.
+form-own-description = Os referenciais da sua tabela com os eixos x, y e z.{ $count ->
+    [0] {""}
+   *[other] {" "}Juntas: { $joints }.
+}
 form-own-parameters = Valores para o desenho
 form-joints = Juntas
 form-matrices = Matrizes

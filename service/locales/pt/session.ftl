@@ -9,6 +9,11 @@ session-heading = A sua sessão
 session-signed-in = Sessão iniciada como { $name } · { $course }
 session-attempts = Tentativas: { $made }
 session-attempts-of = Tentativas: { $made } de { $allowed }
+session-counting = { $counting ->
+    [first] Conta a primeira tentativa
+   *[last] Conta a última tentativa
+}
+session-penalty = Cada tentativa adicional custa { $percent } do total de pontos
 session-closes = Fecha: { $when }
 session-grade =
     Contam { $points } de { $total ->

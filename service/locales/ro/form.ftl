@@ -238,7 +238,10 @@ form-own-shown =
         [few] Desenat după tabel: { $joints } cuple.
        *[other] Desenat după tabel: { $joints } de cuple.
     }
-form-own-description = Sistemele de coordonate ale tabelului, cu axele x, y și z. Cuple: { $joints }.
+form-own-description = Sistemele de coordonate ale tabelului, cu axele x, y și z.{ $count ->
+    [0] {""}
+   *[other] {" "}Cuple: { $joints }.
+}
 form-own-parameters = Valori pentru desen
 form-joints = Cuple
 form-matrices = Matrice

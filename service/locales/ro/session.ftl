@@ -9,6 +9,11 @@ session-heading = Sesiunea dumneavoastră
 session-signed-in = Autentificat ca { $name } · { $course }
 session-attempts = Încercări: { $made }
 session-attempts-of = Încercări: { $made } din { $allowed }
+session-counting = { $counting ->
+    [first] Contează prima încercare
+   *[last] Contează ultima încercare
+}
+session-penalty = Fiecare încercare în plus costă { $percent } din totalul punctelor
 session-closes = Se închide: { $when }
 session-grade =
     Contează { $points } din { $total ->

@@ -244,7 +244,10 @@ form-own-shown =
         [many] Намальовано за вашою таблицею: { $joints } зчленувань.
        *[other] Намальовано за вашою таблицею: { $joints } зчленування.
     }
-form-own-description = Системи координат вашої таблиці з осями x, y, z. Зчленування: { $joints }.
+form-own-description = Системи координат вашої таблиці з осями x, y, z.{ $count ->
+    [0] {""}
+   *[other] {" "}Зчленування: { $joints }.
+}
 form-own-parameters = Значення для рисунка
 form-joints = Зчленування
 form-matrices = Матриці

@@ -9,6 +9,11 @@ session-heading = Ваш сеанс
 session-signed-in = Ви ввійшли як { $name } · { $course }
 session-attempts = Спроби: { $made }
 session-attempts-of = Спроби: { $made } з { $allowed }
+session-counting = { $counting ->
+    [first] Зараховується перша спроба
+   *[last] Зараховується остання спроба
+}
+session-penalty = Кожна наступна спроба коштує { $percent } усіх балів
 session-closes = Закривається: { $when }
 session-grade =
     Зараховано: { $points } з { $total ->

@@ -45,6 +45,8 @@ def session_view(session: CourseSession, standing: StudentStanding, version: str
         "mode": policy.mode.value,
         "attempts_allowed": attempts_allowed(policy, session.allowance),
         "attempts_made": session.made,
+        "counting": policy.counting.value,
+        "penalty": policy.penalty,
         "opens": policy.opens.isoformat() if policy.opens else None,
         "closes": closes.isoformat() if closes else None,
         "refusal": fault.code if fault else None,

@@ -15,6 +15,11 @@ const STEPWISE = "steps";
 /** Facts of a row, in the order in which a student looks for a mistake. */
 const FACTS = /** @type {const} */ (["joint", "twist", "length", "offset"]);
 
+/** The lesser of two levels; the first if the second is none. @param {string} level @param {string | null} other */
+export function leastHelp(level, other) {
+  return other === null ? level : LEVELS[Math.min(LEVELS.indexOf(level), LEVELS.indexOf(other))];
+}
+
 export class Help {
   /** @param {Wire.Exercise} exercise */
   constructor(exercise) {

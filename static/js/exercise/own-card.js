@@ -146,7 +146,7 @@ export class OwnCard {
   /** @param {import("../joint-ranges.js").JointRange[]} joints */
   #description(joints) {
     const kinds = joints.map((joint) => named(joint.name, t(`form-joint-${joint.type}`))).join(", ");
-    return `${t("form-own-description", { joints: kinds })} ${t("form-scene-keys")}`;
+    return `${t("form-own-description", { joints: kinds, count: joints.length })} ${t("form-scene-keys")}`;
   }
 
   /** @param {boolean} dimmed */

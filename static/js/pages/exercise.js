@@ -8,6 +8,7 @@ import { Access } from "../exercise/access.js";
 import { AnswerCard } from "../exercise/answer-card.js";
 import { isPackaged, PackageFrame } from "../exercise/embedding.js";
 import { showFigure } from "../exercise/figure-card.js";
+import { leastHelp } from "../exercise/help.js";
 import { showHistory } from "../exercise/history.js";
 import { arrangePictures, connect } from "../exercise/pictures.js";
 import { partName } from "../exercise/progress.js";
@@ -54,6 +55,7 @@ async function run() {
     if (asked.length) exercise.parts = exercise.parts.filter(({ kind }) => asked.includes(kind));
     exercise.points = exercise.parts.reduce((sum, { points }) => sum + points, 0);
     course.points = exercise.points;
+    exercise.help = leastHelp(exercise.help, course.told.help);
   }
   arrangePictures();
   showFigure(exercise, {

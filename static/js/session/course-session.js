@@ -6,7 +6,7 @@
 import { Problem } from "../api.js";
 import { debounced, el, fill } from "../dom.js";
 import { dates, t } from "../i18n.js";
-import { pointsTold } from "../numbers.js";
+import { percentOf, pointsTold } from "../numbers.js";
 import { forgetFragment, warnAbove } from "../page.js";
 import { problemNotice } from "../problem.js";
 import { keep, keepInMemory, recall } from "../storage.js";
@@ -218,6 +218,8 @@ export class CourseSession {
       course,
       attempts_allowed: allowed,
       attempts_made: made,
+      counting,
+      penalty,
       opens,
       closes,
       grade,
@@ -236,6 +238,8 @@ export class CourseSession {
       el("span", {
         text: allowed === null ? t("session-attempts", { made }) : t("session-attempts-of", { made, allowed }),
       }),
+      counting !== "best" && allowed !== 1 ? el("span", { text: t("session-counting", { counting }) }) : null,
+      penalty > 0 && allowed !== 1 ? el("span", { text: t("session-penalty", { percent: percentOf(penalty) }) }) : null,
       isBefore(opens) ? el("span", { text: t("session-opens", { when: when(opens) }) }) : null,
       closes ? el("span", { text: t("session-closes", { when: when(closes) }) }) : null,
       grade
