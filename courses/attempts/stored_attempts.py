@@ -16,6 +16,7 @@ from courses.policies import Counted, Shown, disclosed, refusal
 from courses.refusals import AttemptError, unknown_record
 from courses.storage import records
 from courses.storage.database import Store
+from courses.storage.statements import of_student
 from exercises.parts.protocol import TABLE
 from exercises.parts.registry import part_types
 
@@ -50,9 +51,25 @@ def shown_now(session: CourseSession, made: int, now: datetime) -> Shown:
 
 def by_key(store: Store, session: CourseSession, key: str) -> Attempt | None:
     """Return the attempt that was stored with an idempotency key, or None."""
-    own = _own(_TABLE, {"link_id": session.link.id, "person_id": session.person.id})
+    return _attempt(store, session, _TABLE.c.key == key)
+
+
+def attempt_numbered(store: Store, session: CourseSession, number: int) -> Attempt:
+    """Return one attempt of whoever is signed in.
+
+    Raises:
+        UnknownRecordError: there is no such attempt.
+    """
+    found = _attempt(store, session, _TABLE.c.number == number)
+    if found is None:
+        raise unknown_record("attempt")
+    return found
+
+
+def _attempt(store: Store, session: CourseSession, which: sa.ColumnElement[bool]) -> Attempt | None:
+    own = of_student(_TABLE, session.link.id, session.person.id)
     with store.reading() as connection:
-        row = connection.execute(sa.select(_TABLE).where(own, _TABLE.c.key == key)).first()
+        row = connection.execute(sa.select(_TABLE).where(own, which)).first()
     return None if row is None else attempt_of(row)
 
 
@@ -112,14 +129,14 @@ def standing_of(store: Store, session: CourseSession) -> StudentStanding:
 
     Of many attempts the latest are listed, so that it costs the same after all.
     """
-    own = {"link_id": session.link.id, "person_id": session.person.id}
-    wanted = _LISTED.where(_own(_TABLE, own)).order_by(_TABLE.c.number.desc()).limit(LISTED)
+    own = session.link.id, session.person.id
+    latest = _LISTED.where(of_student(_TABLE, *own)).order_by(_TABLE.c.number.desc()).limit(LISTED)
+    graded = _GRADED.where(of_student(records.grade, *own))
+    drafted = _DRAFTED.where(of_student(records.participation, *own))
     with store.reading() as connection:
-        rows = connection.execute(wanted).all() if session.made else []
-        grade = connection.execute(_GRADED.where(_own(records.grade, own))).first() if session.made else None
-        draft = None
-        if session.has_draft:
-            draft = connection.execute(_DRAFTED.where(_own(records.participation, own))).first()
+        rows = connection.execute(latest).all() if session.made else []
+        grade = connection.execute(graded).first() if session.made else None
+        draft = connection.execute(drafted).first() if session.has_draft else None
     return StudentStanding(
         latest=tuple(ListedAttempt(**row._mapping) for row in reversed(rows)),
         grade=None if grade is None else Counted(number=grade.number, worth=grade.score),
@@ -130,20 +147,6 @@ def standing_of(store: Store, session: CourseSession) -> StudentStanding:
 _LISTED = sa.select(*(_TABLE.c[field.name] for field in fields(ListedAttempt)))
 _GRADED = sa.select(records.grade.c.number, records.grade.c.score)
 _DRAFTED = sa.select(records.participation.c.draft, records.participation.c.draft_at)
-
-
-def attempt_numbered(store: Store, link_id: int, person_id: int, number: int) -> Attempt:
-    """Return one attempt.
-
-    Raises:
-        UnknownRecordError: there is no such attempt.
-    """
-    own = _own(_TABLE, {"link_id": link_id, "person_id": person_id})
-    with store.reading() as connection:
-        row = connection.execute(sa.select(_TABLE).where(own, _TABLE.c.number == number)).first()
-    if row is None:
-        raise unknown_record("attempt")
-    return attempt_of(row)
 
 
 def attempt_in(store: Store, course_id: int, attempt_id: int) -> tuple[Attempt, str]:
@@ -191,7 +194,7 @@ def keep_drafts(store: Store, typed: Sequence[Typed], now: datetime) -> list[Non
 
     Their rows are locked in the same order as by those who hand in.
     """
-    own = _own(records.participation, {"link_id": sa.bindparam("link"), "person_id": sa.bindparam("person")})
+    own = of_student(records.participation, sa.bindparam("link"), sa.bindparam("person"))
     values = {"draft": sa.bindparam("state"), "draft_at": now}
     last = {(session.link.id, session.person.id): state for session, state in typed}
     rows = [
@@ -201,7 +204,3 @@ def keep_drafts(store: Store, typed: Sequence[Typed], now: datetime) -> list[Non
     with store.writing() as connection:
         connection.execute(sa.update(records.participation).where(own).values(values), rows)
     return [None] * len(typed)
-
-
-def _own(table: sa.Table, own: Mapping[str, Any]) -> sa.ColumnElement[bool]:
-    return sa.and_(*(table.c[name] == value for name, value in own.items()))

@@ -15,13 +15,15 @@ from typing import Any, TypeAlias
 import sqlalchemy as sa
 
 from courses.attempts.stored_attempts import attempt_of, check_open, finding_rows, path_of_codes, shown_now
+from courses.links.course_links import allowance_of
 from courses.links.link_settings import stored
 from courses.marks.gradebook import GradeChange, store_changes
 from courses.model import Attempt, CourseSession
-from courses.policies import Allowance, Counted, advanced
+from courses.policies import Counted, advanced
 from courses.refusals import AttemptError, unknown_record
 from courses.storage import records
 from courses.storage.database import Store
+from courses.storage.statements import of_student
 
 _ATTEMPT, _PART, _GRADE = records.attempt, records.participation, records.grade
 _OUTBOX, _LINK = records.score_to_send, records.link
@@ -116,17 +118,12 @@ _STANDING = (
         _ATTEMPT.c.id.label("known"),
     )
     .join(_LINK, _LINK.c.id == _PART.c.link_id)
-    .outerjoin(_GRADE, sa.and_(_PART.c.link_id == _GRADE.c.link_id, _PART.c.person_id == _GRADE.c.person_id))
-    .outerjoin(
-        _OUTBOX, sa.and_(_PART.c.link_id == _OUTBOX.c.link_id, _PART.c.person_id == _OUTBOX.c.person_id)
-    )
+    .outerjoin(_GRADE, of_student(_GRADE, _PART.c.link_id, _PART.c.person_id))
+    .outerjoin(_OUTBOX, of_student(_OUTBOX, _PART.c.link_id, _PART.c.person_id))
     .outerjoin(
         _ATTEMPT,
-        sa.and_(
-            _PART.c.link_id == _ATTEMPT.c.link_id,
-            _PART.c.person_id == _ATTEMPT.c.person_id,
-            _ATTEMPT.c.key.in_(sa.bindparam("keys", expanding=True)),
-        ),
+        of_student(_ATTEMPT, _PART.c.link_id, _PART.c.person_id)
+        & _ATTEMPT.c.key.in_(sa.bindparam("keys", expanding=True)),
     )
     .where(_OF_STUDENTS)
 )
@@ -167,11 +164,9 @@ def _standings(
             line_items=row.line_items,
             released_at=row.released_at,
         )
-        extra = timedelta(seconds=row.extra_seconds)
         grade = None if row.number is None else Counted(number=row.number, worth=row.score)
-        allowance = Allowance(extra_time=extra, extra_attempts=row.extra_attempts)
         found[submission.student] = _Standing(
-            session=replace(session, link=link, made=row.made, allowance=allowance),
+            session=replace(session, link=link, made=row.made, allowance=allowance_of(row)),
             before=grade,
             grade=grade,
             is_queued=row.revision is not None,
@@ -233,7 +228,7 @@ _INSERTING = sa.insert(_ATTEMPT).returning(
 _FINDING = sa.insert(records.finding)
 _COUNTING = (
     sa.update(_PART)
-    .where(_PART.c.link_id == sa.bindparam("own_link"), _PART.c.person_id == sa.bindparam("own_person"))
+    .where(of_student(_PART, sa.bindparam("own_link"), sa.bindparam("own_person")))
     .values(made=sa.bindparam("now_made"))
 )
 _COLUMNS = tuple(column.name for column in _ATTEMPT.columns if column.name != "id")

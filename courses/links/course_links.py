@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from datetime import timedelta
 from typing import Any
 
 import sqlalchemy as sa
 
 from courses.links.link_settings import stored
 from courses.model import Link, LinkSettings
+from courses.policies import Allowance
 from courses.refusals import unknown_record
 from courses.storage import records
 from courses.storage.database import Store
@@ -36,6 +38,11 @@ def link_in(store: Store, course_id: int, link_id: int) -> Link:
 def link_of(row: Any, link_id: int, title: str) -> Link:
     """Return a link, from a row with the columns of one that are in no other table."""
     return filled(Link, row, id=link_id, title=title, settings=stored(row.exercise_id, row.settings))
+
+
+def allowance_of(row: Any) -> Allowance:
+    """Return what a student is given, from a row with the columns of a participation."""
+    return Allowance(extra_time=timedelta(seconds=row.extra_seconds), extra_attempts=row.extra_attempts)
 
 
 def links_of_course(store: Store, called: str) -> list[tuple[LinkSettings, tuple[str, ...]]]:

@@ -10,10 +10,11 @@ from typing import Any
 
 import sqlalchemy as sa
 
+from courses.marks.judged import judged
 from courses.model import Link
 from courses.policies import Allowance, AttemptOutcome, Counted, counted, score_due
 from courses.storage import records
-from courses.storage.statements import upsert_all
+from courses.storage.statements import of_student, upsert_all
 
 _OUTBOX = records.score_to_send
 NAMED = 200
@@ -85,7 +86,7 @@ def regrade(
     """
     longest = longest_extra(connection, link.id)
     people = list(allowances)
-    outcomes = effective_outcomes(connection, link.id, people)
+    outcomes = _outcomes(connection, link.id, people)
     before, queued = _grades(connection, link.id, people), _queued(connection, link.id, people)
     changes = []
     for person_id, allowance in allowances.items():
@@ -117,46 +118,29 @@ def longest_extra(connection: sa.Connection, link_id: int) -> timedelta:
 def _grades(connection: sa.Connection, link_id: int, people: Collection[int]) -> dict[int, Counted]:
     table = records.grade
     wanted = sa.select(table.c.person_id, table.c.number, table.c.score).where(table.c.link_id == link_id)
-    rows = connection.execute(wanted.where(_among(table, people)))
+    rows = connection.execute(wanted.where(*_among(table, people)))
     return {person: Counted(number=number, worth=worth) for person, number, worth in rows}
 
 
 def _queued(connection: sa.Connection, link_id: int, people: Collection[int]) -> frozenset[int]:
     wanted = sa.select(_OUTBOX.c.person_id).where(_OUTBOX.c.link_id == link_id)
-    return frozenset(connection.scalars(wanted.where(_among(_OUTBOX, people))))
+    return frozenset(connection.scalars(wanted.where(*_among(_OUTBOX, people))))
 
 
-def _among(table: sa.FromClause, people: Collection[int]) -> sa.ColumnElement[bool]:
-    """Return the condition that a row belongs to some people; where they are many, to anybody."""
-    return table.c.person_id.in_(people) if len(people) <= NAMED else sa.true()
+def _among(table: sa.FromClause, people: Collection[int]) -> list[sa.ColumnElement[bool]]:
+    """Return the condition that a row belongs to some people; none where they are many."""
+    return [table.c.person_id.in_(people)] if len(people) <= NAMED else []
 
 
-def effective_outcomes(
+def _outcomes(
     connection: sa.Connection, link_id: int, people: Collection[int]
 ) -> dict[int, list[AttemptOutcome]]:
-    """Return students' outcomes by person, each with the score that its last regrading gave it."""
-    attempt, regraded, run = records.attempt, records.regraded, records.regrading
-    wanted = (
-        sa.select(attempt.c.id, attempt.c.person_id, attempt.c.number, attempt.c.at, attempt.c.score)
-        .where(attempt.c.link_id == link_id, _among(attempt, people))
-        .order_by(attempt.c.number)
-    )
-    again = (
-        sa.select(regraded.c.attempt_id, regraded.c.score)
-        .join(run, run.c.id == regraded.c.regrading_id)
-        .where(run.c.link_id == link_id, run.c.applied.is_not(None))
-        .order_by(regraded.c.regrading_id)
-    )
-    if len(people) <= NAMED:
-        again = again.join(attempt, attempt.c.id == regraded.c.attempt_id)
-        again = again.where(attempt.c.link_id == link_id, _among(attempt, people))
-    newest = {row.attempt_id: row.score for row in connection.execute(again)}
-    chosen = set(people)
+    """Return students' outcomes by person, each with the score that counts."""
+    own = judged((link_id,), *_among(records.attempt, people))
+    wanted = sa.select(own.c.person_id, own.c.number, own.c.at, own.c.score).order_by(own.c.number)
     found: dict[int, list[AttemptOutcome]] = defaultdict(list)
-    for attempt_id, person_id, number, at, score in connection.execute(wanted):
-        if person_id in chosen:
-            effective = newest.get(attempt_id, score)
-            found[person_id].append(AttemptOutcome(number=number, at=at, score=effective))
+    for person_id, number, at, score in connection.execute(wanted):
+        found[person_id].append(AttemptOutcome(number=number, at=at, score=score))
     return found
 
 
@@ -209,5 +193,5 @@ def _queued_again(new: Any) -> Mapping[str, Any]:
 
 def _handed_in(connection: sa.Connection, change: GradeChange) -> datetime | None:
     table = records.attempt
-    same = (table.c.link_id == change.link.id, table.c.person_id == change.person_id)
-    return connection.scalar(sa.select(table.c.at).where(*same, table.c.number == change.grade.number))
+    own = of_student(table, change.link.id, change.person_id)
+    return connection.scalar(sa.select(table.c.at).where(own, table.c.number == change.grade.number))

@@ -18,7 +18,7 @@ from courses.links.link_settings import stored
 from courses.model import ScoreToSend
 from courses.storage import records
 from courses.storage.database import Store
-from courses.storage.statements import filled
+from courses.storage.statements import filled, of_student
 
 _OUTBOX = records.score_to_send
 LEASE = timedelta(seconds=60)
@@ -37,7 +37,7 @@ def lease_scores(store: Store, now: datetime, limit: int = 10) -> list[ScoreToSe
     )
     with store.writing() as connection:
         for row in connection.execute(chosen).all():
-            own = sa.and_(_OUTBOX.c.link_id == row.link_id, _OUTBOX.c.person_id == row.person_id)
+            own = of_student(_OUTBOX, row.link_id, row.person_id)
             values = {
                 "lease": lease,
                 "due": now + LEASE,
@@ -164,10 +164,6 @@ def keep_line_item(store: Store, link_id: int, line_item: str) -> None:
 
 
 def _report(store: Store, sent: ScoreToSend, values: dict[str, Any]) -> None:
-    own = sa.and_(
-        _OUTBOX.c.link_id == sent.link_id,
-        _OUTBOX.c.person_id == sent.person_id,
-        _OUTBOX.c.lease == sent.lease,
-    )
+    own = of_student(_OUTBOX, sent.link_id, sent.person_id), _OUTBOX.c.lease == sent.lease
     with store.writing() as connection:
-        connection.execute(sa.update(_OUTBOX).where(own).values(values))
+        connection.execute(sa.update(_OUTBOX).where(*own).values(values))

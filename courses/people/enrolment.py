@@ -15,7 +15,7 @@ from courses.people.secrets import hashed, new_token, pseudonym
 from courses.people.sessions import SESSION
 from courses.storage import records
 from courses.storage.database import Store
-from courses.storage.statements import upsert, upsert_all
+from courses.storage.statements import of_student, upsert, upsert_all
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -84,13 +84,12 @@ def preview(store: Store, session: CourseSession, link_id: int, now: datetime) -
     own = {"platform_id": session.person.platform_id, "subject": None, "created": now}
     token = new_token()
     with store.writing() as connection:
-        upsert(connection, records.person, {"key": key}, {"seen": now}, own)
-        took_part = {"link_id": link_id, "person_id": _id(connection, records.person, key=key)}
-        attempts = records.attempt
-        earlier = sa.and_(*(attempts.c[name] == value for name, value in took_part.items()))
-        connection.execute(sa.delete(attempts).where(earlier))
-        same = records.grade.c.link_id == link_id, records.grade.c.person_id == took_part["person_id"]
-        connection.execute(sa.delete(records.grade).where(*same))
+        took_part = {
+            "link_id": link_id,
+            "person_id": upsert(connection, records.person, {"key": key}, {"seen": now}, own).id,
+        }
+        for table in (records.attempt, records.grade):
+            connection.execute(sa.delete(table).where(of_student(table, **took_part)))
         begun = {"role": Role.STAFF.value, "made": 0, "draft": None, "began": now}
         upsert(connection, records.participation, took_part, begun)
         values = {**took_part, "token_hash": hashed(token), "role": Role.LEARNER.value}
@@ -109,8 +108,7 @@ def _person(connection: sa.Connection, arrival: Arrival, key: str, now: datetime
     if arrival.platform.names_shared and arrival.name:
         changed["name"] = arrival.name[:200]
     first = {"platform_id": arrival.platform.id, "created": now}
-    upsert(connection, records.person, {"key": key}, changed, first)
-    return _id(connection, records.person, key=key)
+    return int(upsert(connection, records.person, {"key": key}, changed, first).id)
 
 
 def _course(connection: sa.Connection, arrival: Arrival) -> int:
@@ -122,8 +120,7 @@ def _course(connection: sa.Connection, arrival: Arrival) -> int:
     changed: dict[str, Any] = {"title": arrival.course_title[:300]}
     if arrival.memberships_url:
         changed["memberships_url"] = arrival.memberships_url
-    upsert(connection, records.course, key, changed)
-    return _id(connection, records.course, **key)
+    return int(upsert(connection, records.course, key, changed).id)
 
 
 def _link(connection: sa.Connection, arrival: Arrival, course_id: int) -> int:
@@ -136,8 +133,7 @@ def _link(connection: sa.Connection, arrival: Arrival, course_id: int) -> int:
     }
     settings = stored(arrival.exercise_id, arrival.settings)
     first = {"exercise_id": arrival.exercise_id, "settings": written(settings)}
-    upsert(connection, records.link, key, changed, first | _copied(connection, arrival))
-    return _id(connection, records.link, **key)
+    return int(upsert(connection, records.link, key, changed, first | _copied(connection, arrival)).id)
 
 
 def _copied(connection: sa.Connection, arrival: Arrival) -> dict[str, Any]:
@@ -155,8 +151,3 @@ def _copied(connection: sa.Connection, arrival: Arrival) -> dict[str, Any]:
     found = {row.resource: row for row in connection.execute(wanted)}
     newest = next((found[each] for each in arrival.copied_from if each in found), None)
     return {} if newest is None else {"exercise_id": newest.exercise_id, "settings": newest.settings}
-
-
-def _id(connection: sa.Connection, table: sa.Table, **key: Any) -> int:
-    condition = sa.and_(*(table.c[name] == value for name, value in key.items()))
-    return int(connection.execute(sa.select(table.c.id).where(condition)).scalar_one())

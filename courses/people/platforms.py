@@ -38,10 +38,9 @@ def add_platform(store: Store, platform: Platform, deployments: tuple[str, ...],
     if platform.origins:
         values["origins"] = list(platform.origins)
     key = {"issuer": platform.issuer, "client_id": platform.client_id}
-    own = sa.and_(*(_PLATFORM.c[name] == value for name, value in key.items()))
     with store.writing() as connection:
-        upsert(connection, _PLATFORM, key, values, {"created": now, "origins": []})
-        stored = _platform(connection.execute(sa.select(_PLATFORM).where(own)).one())
+        own = upsert(connection, _PLATFORM, key, values, {"created": now, "origins": []})
+        stored = _platform(connection.execute(sa.select(_PLATFORM).where(_PLATFORM.c.id == own.id)).one())
         for deployment in deployments:
             insert_once(connection, records.deployment, {"platform_id": stored.id, "deployment": deployment})
     return stored

@@ -8,14 +8,13 @@ from typing import Any
 
 import sqlalchemy as sa
 
-from courses.links.course_links import link_of
+from courses.links.course_links import allowance_of, link_of
 from courses.model import Course, CourseSession, Link, Person, Role
 from courses.people.secrets import hashed
-from courses.policies import Allowance
 from courses.refusals import SessionError
 from courses.storage import records
 from courses.storage.database import Store
-from courses.storage.statements import filled
+from courses.storage.statements import filled, of_student
 from kinematics.errors import Fault
 
 SESSION = timedelta(hours=2)
@@ -57,10 +56,7 @@ _SESSION = (
     .join(records.course, records.course.c.id == records.link.c.course_id)
     .join(
         records.participation,
-        sa.and_(
-            records.participation.c.link_id == records.session.c.link_id,
-            records.participation.c.person_id == records.session.c.person_id,
-        ),
+        of_student(records.participation, records.session.c.link_id, records.session.c.person_id),
     )
     .where(records.session.c.token_hash.in_(sa.bindparam("hashes", expanding=True)))
 )
@@ -119,9 +115,7 @@ def _session(row: Any, links: dict[int, Link]) -> CourseSession:
         person=filled(Person, row, id=row.person_id),
         course=filled(Course, row, id=row.course_id, title=row.course_title),
         link=link,
-        allowance=Allowance(
-            extra_time=timedelta(seconds=row.extra_seconds), extra_attempts=row.extra_attempts
-        ),
+        allowance=allowance_of(row),
         has_draft=row.draft_at is not None,
         longest=float(row.longest or 0),
     )

@@ -32,8 +32,8 @@ def upsert(
     key: Mapping[str, Any],
     values: Mapping[str, Any],
     otherwise: Mapping[str, Any] | None = None,
-) -> None:
-    """Insert a row, or change the one that has its key.
+) -> sa.Row[Any]:
+    """Insert a row, or change the one that has its key; return its primary key.
 
     Args:
         connection: in a transaction that writes.
@@ -43,11 +43,8 @@ def upsert(
         otherwise: what a new row holds besides.
     """
     statement = _insert(connection.dialect.name, table).values({**(otherwise or {}), **values, **key})
-    if values:
-        statement = statement.on_conflict_do_update(index_elements=list(key), set_=dict(values))
-    else:
-        statement = statement.on_conflict_do_nothing()
-    connection.execute(statement)
+    statement = statement.on_conflict_do_update(index_elements=list(key), set_=dict(values or key))
+    return connection.execute(statement.returning(*table.primary_key)).one()
 
 
 def _nothing(_: Any) -> Mapping[str, Any]:
@@ -92,6 +89,11 @@ def _upserting(
 def _insert(dialect: str, table: sa.Table) -> Any:
     """Start an INSERT of the database that is used; what the other one needs is not loaded."""
     return import_module(f"sqlalchemy.dialects.{dialect}").insert(table)
+
+
+def of_student(table: sa.FromClause, link_id: Any, person_id: Any) -> sa.ColumnElement[bool]:
+    """Return the condition that a row is of a link and a person: of these ids, or of another row's."""
+    return sa.and_(table.c.link_id == link_id, table.c.person_id == person_id)
 
 
 def filled(kind: type[Record], row: Any, **others: Any) -> Record:

@@ -4,5 +4,6 @@ link_changes   exercise and rules, extra time, release of feedback; grades follo
 regrading      stored attempts judged again by a mended exercise: looked at, then applied
 settling       what follows from a regrading that counts, a few students at a time
 statistics     how a class does
+attempts_behind  the attempts behind a number
 attempt_export  what a lecturer takes away as a file
 """

@@ -10,9 +10,10 @@ import sqlalchemy as sa
 from courses.attempts.stored_attempts import Code, attempt_of, path_of_codes
 from courses.marks.judged import judged, of_students
 from courses.model import Attempt, Link
-from courses.policies import AttemptOutcome, worth
+from courses.policies import worth
 from courses.storage import records
 from courses.storage.database import Store
+from courses.storage.statements import of_student
 from courses.teaching.settling import stored_path
 
 
@@ -41,7 +42,6 @@ def exported_attempts(store: Store, link: Link) -> Iterator[ExportedAttempt]:
     """Yield every attempt of a link's students, oldest first; those of staff and of previews are left out."""
     table, again, grade = records.attempt, records.regraded, records.grade
     own = judged((link.id,))
-    same = sa.and_(grade.c.link_id == table.c.link_id, grade.c.person_id == table.c.person_id)
     wanted = (
         sa.select(
             table,
@@ -54,7 +54,7 @@ def exported_attempts(store: Store, link: Link) -> Iterator[ExportedAttempt]:
         .join(own, own.c.id == table.c.id)
         .join(records.person, records.person.c.id == table.c.person_id)
         .outerjoin(again, sa.and_(again.c.regrading_id == own.c.run, again.c.attempt_id == table.c.id))
-        .outerjoin(grade, same)
+        .outerjoin(grade, of_student(grade, table.c.link_id, table.c.person_id))
         .where(of_students(own))
         .order_by(table.c.id)
         .execution_options(yield_per=200)
@@ -64,12 +64,11 @@ def exported_attempts(store: Store, link: Link) -> Iterator[ExportedAttempt]:
         for row in connection.execute(wanted):
             attempt = replace(attempt_of(row), score=row.judged_score, correct=bool(row.judged_correct))
             path = path_of_codes(row.report) if row.judgement is None else stored_path(row.judgement)
-            outcome = AttemptOutcome(number=attempt.number, at=attempt.at, score=attempt.score)
             yield ExportedAttempt(
                 attempt=attempt,
                 path=tuple(path),
                 person=row.person_key,
-                points=worth(policy, outcome) * points,
+                points=worth(policy, attempt.outcome) * points,
                 max_points=points,
                 counted=attempt.number == row.counted_number,
             )

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator
-from datetime import datetime, timedelta
+from collections.abc import Collection
+from datetime import datetime
 from typing import Any
 
 import sqlalchemy as sa
 
-from courses.links.course_links import link_of
+from courses.links.course_links import allowance_of, link_of
 from courses.links.link_settings import stored, version_of, written
 from courses.marks.gradebook import regrade, schedule_scores
 from courses.model import Link, LinkSettings, Role
@@ -99,17 +99,16 @@ def allow(
         schedule_scores(connection, regrade_people(connection, link.id, [person_id], now), now)
 
 
-def _listed(connection: sa.Connection, course_id: int, person: str, now: datetime) -> int | None:
+def _listed(connection: sa.Connection, course_id: int, person: str, now: datetime) -> int:
     """Somebody of the class who has opened no link of the course yet; a launch says who they are."""
     course = records.course.c
     platform = sa.select(course.platform_id).where(course.id == course_id).scalar_subquery()
     first = {"platform_id": platform, "created": now, "seen": now}
-    upsert(connection, records.person, {"key": person}, {}, first)
-    return connection.execute(sa.select(records.person.c.id).where(records.person.c.key == person)).scalar()
+    return int(upsert(connection, records.person, {"key": person}, {}, first).id)
 
 
 def regrade_people(
-    connection: sa.Connection, link_id: int, people: Iterator[int] | list[int] | None, now: datetime
+    connection: sa.Connection, link_id: int, people: Collection[int] | None, now: datetime
 ) -> Link:
     """Derive the grades of some people of a link anew, of all if none are named; return the link."""
     row = connection.execute(sa.select(_LINK).where(_LINK.c.id == link_id)).one()
@@ -121,14 +120,9 @@ def regrade_people(
         .order_by(_PART.c.person_id)
     )
     if people is not None:
-        wanted = wanted.where(_PART.c.person_id.in_(list(people)))
+        wanted = wanted.where(_PART.c.person_id.in_(people))
     rows = connection.execute(wanted.with_for_update(of=_PART)).all()
-    allowances = {
-        row.person_id: Allowance(
-            extra_time=timedelta(seconds=row.extra_seconds), extra_attempts=row.extra_attempts
-        )
-        for row in rows
-    }
+    allowances = {row.person_id: allowance_of(row) for row in rows}
     regrade(connection, link, allowances, {row.person_id for row in rows if row.subject is None}, now)
     return link
 

@@ -22,7 +22,7 @@ from courses.model import Attempt
 from courses.refusals import OutdatedError, unknown_record
 from courses.storage import records
 from courses.storage.database import Store
-from courses.storage.statements import insert_all_once, record_of
+from courses.storage.statements import insert_all_once, of_student, record_of
 from courses.teaching.settling import settle
 from kinematics.errors import Fault
 
@@ -159,14 +159,8 @@ def _waiting(store: Store, run: int, last: int) -> list[Attempt]:
         wanted = sa.select(_ATTEMPT).where(*later, _ATTEMPT.c.id.not_in(done))
         if own.scope == Scope.COUNTED:
             grade = records.grade
-            wanted = wanted.join(
-                grade,
-                sa.and_(
-                    grade.c.link_id == _ATTEMPT.c.link_id,
-                    grade.c.person_id == _ATTEMPT.c.person_id,
-                    grade.c.number == _ATTEMPT.c.number,
-                ),
-            )
+            own_grade = of_student(grade, _ATTEMPT.c.link_id, _ATTEMPT.c.person_id)
+            wanted = wanted.join(grade, own_grade & (grade.c.number == _ATTEMPT.c.number))
         rows = connection.execute(wanted.order_by(_ATTEMPT.c.id).limit(BATCH))
         return [attempt_of(row) for row in rows]
 

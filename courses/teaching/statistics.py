@@ -8,10 +8,11 @@ from typing import Any
 
 import sqlalchemy as sa
 
-from courses.marks.judged import LISTED, STUCK_AFTER, judged, of_students
+from courses.marks.judged import judged, of_students
 from courses.storage import records
 from courses.storage.database import Store
-from courses.storage.statements import record_of
+from courses.storage.statements import of_student, record_of
+from courses.teaching.attempts_behind import LISTED, STUCK_AFTER
 
 _FINDING, _PART = records.finding, records.participation
 CLUSTERS = 50
@@ -47,9 +48,7 @@ def class_overview(
                 grade.c.score,
             )
             .join(person, person.c.id == _PART.c.person_id)
-            .outerjoin(
-                grade, sa.and_(grade.c.link_id == _PART.c.link_id, grade.c.person_id == _PART.c.person_id)
-            )
+            .outerjoin(grade, of_student(grade, _PART.c.link_id, _PART.c.person_id))
             .where(_PART.c.link_id.in_(ids), _PART.c.role == "learner")
             .order_by(person.c.key)
         ).all()

@@ -14,7 +14,6 @@ import pytest
 import sqlalchemy as sa
 
 from courses.attempts.stored_attempts import LISTED, attempt_numbered, keep_drafts, standing_of
-from courses.marks.judged import AttemptFilter, Outcome, Progress, attempts_behind
 from courses.marks.outbox import delivered, lease_scores, postponed, resend, undeliverable
 from courses.model import CourseSession, LinkSettings, Role
 from courses.people import privacy
@@ -25,6 +24,7 @@ from courses.policies import Allowance, AttemptPolicy, Counted, Counting, Feedba
 from courses.refusals import AttemptError, SessionError, UnknownRecordError
 from courses.storage import records
 from courses.storage.database import Store, open_store
+from courses.teaching.attempts_behind import AttemptFilter, Outcome, Progress, attempts_behind
 from courses.teaching.link_changes import allow, change_settings, release_feedback
 from courses.teaching.statistics import (
     class_overview,
@@ -45,7 +45,7 @@ def test_an_attempt_comes_back_as_it_was_typed(store: Store) -> None:
     session = joined(store)
     typed = {"table": {"rows": [{"theta": "θ₁ + ½π", "a": "\u0000", "d": 1e-300}]}, "seed": "𝔰"}
     made = submitted(store, session, 0.25, answer=typed)
-    found = attempt_numbered(store, session.link.id, session.person.id, 1)
+    found = attempt_numbered(store, session, 1)
     assert found == made
     assert found.answer == typed
     assert found.at == NOW

@@ -12,7 +12,6 @@ import pytest
 import sqlalchemy as sa
 
 from courses.attempts.stored_attempts import path_of_codes
-from courses.marks.judged import AttemptFilter, attempts_behind
 from courses.marks.outbox import delivered, lease_scores
 from courses.model import Attempt, LinkSettings, Role
 from courses.people.privacy import erase_person
@@ -22,6 +21,7 @@ from courses.storage import records
 from courses.storage.database import Store
 from courses.teaching import regrading, settling
 from courses.teaching.attempt_export import ExportedAttempt, exported_attempts
+from courses.teaching.attempts_behind import AttemptFilter, attempts_behind
 from courses.teaching.link_changes import change_settings
 from courses.teaching.regrading import Rejudged, Scope, apply, begin, changes, rejudge, unread
 from courses.teaching.settling import settle, unsettled

@@ -9,8 +9,8 @@ from typing import TypeVar
 from fastapi import Response
 
 from courses.attempts.stored_attempts import attempt_in
-from courses.marks.judged import AttemptFilter, Outcome, Progress, attempts_behind
 from courses.policies import Shown
+from courses.teaching.attempts_behind import AttemptFilter, Outcome, Progress, attempts_behind
 from kinematics.errors import Fault
 from service.course_callers import json_response, record_number, staff_of
 from service.http.languages import language_of

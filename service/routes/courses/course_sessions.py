@@ -155,9 +155,7 @@ async def reopen(request: ApiRequest) -> Response:
     courses, session = await signed_in(request)
     text = request.path_params["number"]
     number = int(text) if text.isdecimal() and len(text) < 9 else 0
-    attempt = await in_thread(
-        request, attempt_numbered, courses.store, session.link.id, session.person.id, number
-    )
+    attempt = await in_thread(request, attempt_numbered, courses.store, session, number)
     shown = shown_now(session, session.made, now())
     return json_response(attempt_view(attempt, shown, language))
 
