@@ -85,8 +85,6 @@ class Course:
 
     id: int
     platform_id: int
-    deployment: str
-    context: str
     title: str
     memberships_url: str | None
 

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from functools import partial
 from typing import Any, TypeVar
 
-from fastapi import Response
+from fastapi import APIRouter, Response
 
 from courses.links.course_links import link_in
 from courses.links.link_settings import read
@@ -16,7 +16,7 @@ from courses.refusals import StaffOnlyError, unknown_record
 from kinematics.errors import Fault
 from service.course_resources import CourseResources, bearer_token, now
 from service.http.problems import RequestError
-from service.http.routing import JSON, ApiRequest
+from service.http.routing import JSON, ApiRequest, DirectRoute, api_router
 from service.messages import languages
 from service.resources import resources_of
 from service.wire.exercises.ungraded import known_exercise
@@ -25,6 +25,13 @@ from service.work.limiters import WorkKind
 from service.work.session_grading import Grader, with_exercise_rules
 
 _Result = TypeVar("_Result")
+
+
+def course_router() -> APIRouter:
+    """Return a router for calls of the pages of courses, which no OpenAPI describes."""
+    router = api_router("courses", route_class=DirectRoute)
+    router.include_in_schema = False
+    return router
 
 
 async def in_thread(request: ApiRequest, work: Callable[..., _Result], *arguments: Any) -> _Result:
@@ -106,6 +113,11 @@ def record_number(request: ApiRequest, name: str) -> int:
     if not text.isdecimal() or len(text) > 9:
         raise unknown_record(name)
     return int(text)
+
+
+def refused_setting(name: str, known: str) -> RequestError:
+    """Return the refusal of a value that cannot be meant, with those that can."""
+    return RequestError(Fault.at("setting_invalid", name, name=name, known=known))
 
 
 async def object_body(request: ApiRequest) -> Mapping[str, Any]:

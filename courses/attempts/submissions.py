@@ -14,7 +14,8 @@ from typing import Any, TypeAlias
 
 import sqlalchemy as sa
 
-from courses.attempts.stored_attempts import attempt_of, check_open, finding_rows, path_of_codes, shown_now
+from courses.attempts.report_codes import finding_rows, path_of_codes
+from courses.attempts.stored_attempts import attempt_of, check_open, shown_now
 from courses.links.course_links import allowance_of
 from courses.links.link_settings import stored
 from courses.marks.gradebook import GradeChange, store_changes

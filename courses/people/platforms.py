@@ -67,11 +67,8 @@ def platform_by_id(store: Store, platform_id: int) -> Platform:
 
 def platforms_of(store: Store, issuer: str, client_id: str | None) -> list[Platform]:
     """Return platforms of an issuer, one of them if the client is named."""
-    return [
-        platform
-        for platform in platforms(store)
-        if platform.issuer == issuer and client_id in (None, platform.client_id)
-    ]
+    found = [each for each in platforms(store) if each.issuer == issuer]
+    return [each for each in found if client_id in (None, each.client_id)]
 
 
 def deployments_of(store: Store, platform_id: int) -> tuple[str, ...]:

@@ -37,8 +37,6 @@ _SESSION = (
         records.link.c.line_item,
         records.link.c.line_items,
         records.link.c.released_at,
-        records.course.c.deployment,
-        records.course.c.context,
         records.course.c.title.label("course_title"),
         records.course.c.memberships_url,
         records.participation.c.extra_seconds,

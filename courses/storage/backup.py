@@ -27,6 +27,8 @@ from kinematics.errors import Fault
 FORMAT = "framewise-backup-1"
 _BATCH = 500
 """Rows that are in memory at a time."""
+_TABLES = tuple(table for table in metadata.sorted_tables if table is not prepared_answer)
+"""What is copied; what was only prepared is made again where it is missing."""
 
 
 def back_up(store: Store, file: Path) -> int:
@@ -67,21 +69,14 @@ def _compressed(store: Store, raw: IO[bytes]) -> int:
 
 def _write(store: Store, out: IO[str]) -> int:
     count = 0
-    with store.engine.connect() as connection:
-        level = "REPEATABLE READ" if store.is_postgresql else "SERIALIZABLE"
-        connection = (
-            connection.execution_options(isolation_level=level) if store.is_postgresql else connection
-        )
-        with connection.begin():
-            revision = revision_in(connection)
-            out.write(json.dumps({"format": FORMAT, "revision": revision}) + "\n")
-            for table in metadata.sorted_tables:
-                if table is prepared_answer:
-                    continue  # made again where it is missing
-                for row in connection.execute(sa.select(table).execution_options(yield_per=_BATCH)):
-                    values = {name: _written(value) for name, value in row._mapping.items()}
-                    out.write(json.dumps([table.name, values], ensure_ascii=False) + "\n")
-                    count += 1
+    whole = {"isolation_level": "REPEATABLE READ"} if store.is_postgresql else {}
+    with store.engine.connect().execution_options(**whole) as connection, connection.begin():
+        out.write(json.dumps({"format": FORMAT, "revision": revision_in(connection)}) + "\n")
+        for table in _TABLES:
+            for row in connection.execute(sa.select(table).execution_options(yield_per=_BATCH)):
+                values = {name: _written(value) for name, value in row._mapping.items()}
+                out.write(json.dumps([table.name, values], ensure_ascii=False) + "\n")
+                count += 1
     return count
 
 
@@ -146,9 +141,7 @@ def _advance(connection: sa.Connection, target: str) -> None:
 
 
 def _check_empty(connection: sa.Connection) -> None:
-    for table in metadata.sorted_tables:
-        if table is prepared_answer:
-            continue  # a service that has been started on the database has prepared some
+    for table in _TABLES:
         if connection.execute(sa.select(sa.literal(1)).select_from(table).limit(1)).first() is not None:
             raise StorageError(Fault.at("storage_not_empty", table=table.name))
 

@@ -7,7 +7,8 @@ from dataclasses import dataclass, replace
 
 import sqlalchemy as sa
 
-from courses.attempts.stored_attempts import Code, attempt_of, path_of_codes
+from courses.attempts.report_codes import Code, path_of_codes
+from courses.attempts.stored_attempts import attempt_of
 from courses.marks.judged import judged, of_students
 from courses.model import Attempt, Link
 from courses.policies import worth

@@ -13,7 +13,7 @@ from typing import Any
 
 import sqlalchemy as sa
 
-from courses.attempts.stored_attempts import Code, finding_rows, path_of_codes
+from courses.attempts.report_codes import Code, finding_rows, path_of_codes
 from courses.storage import records
 from courses.storage.database import Store
 from courses.teaching.link_changes import regrade_people

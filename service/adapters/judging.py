@@ -12,7 +12,7 @@ from exercises.answers import parse
 from exercises.errors import ExerciseError
 from exercises.grader import grade
 from exercises.library import Library, packaged
-from kinematics.cells import DEFAULT, Limits
+from kinematics.cells import DEFAULT
 from kinematics.errors import Fault, KinematicsError
 from service.http.problems import ServiceError, fault_sentence
 from service.http.validation import validated
@@ -88,7 +88,6 @@ def judge(
     answer: Mapping[str, Any],
     language: str = DEFAULT_LANGUAGE,
     library: Library | None = None,
-    limits: Limits = DEFAULT,
 ) -> JudgedAnswer | NotGraded:
     """Grade an answer.
 
@@ -97,7 +96,6 @@ def judge(
         answer: the body of POST /exercises/{id}/grade: the parts, `seed`, `help`.
         language: of the sentences.
         library: the exercises; those of the package if left out.
-        limits: how large a table may be.
 
     Raises:
         UnknownExerciseError: there is no such exercise.
@@ -107,7 +105,7 @@ def judge(
     try:
         wire = validated(ExerciseAnswer, answer)
         instance = instance_of(library, exercise_id, wire.seed)
-        report = grade(instance, parse(instance, wire.raw(), limits), wire.help)
+        report = grade(instance, parse(instance, wire.raw(), DEFAULT), wire.help)
     except (KinematicsError, ExerciseError, ServiceError) as error:
         return NotGraded(faults=error.faults)
     body = orjson.loads(encoded(report_body(report, language)))

@@ -36,11 +36,9 @@ class Launch:
 
     Attributes:
         subject: who comes; None for an anonymous launch.
-        scopes: what the grade service allows.
         deep_linking: the settings of a deep linking request; None of a resource link.
     """
 
-    message_type: str
     subject: str | None
     name: str | None
     is_staff: bool
@@ -53,7 +51,6 @@ class Launch:
     custom: Mapping[str, str] = field(default_factory=dict)
     line_item: str | None = None
     line_items: str | None = None
-    scopes: tuple[str, ...] = ()
     memberships_url: str | None = None
     deep_linking: Mapping[str, Any] | None = None
     locale: str | None = None
@@ -209,7 +206,6 @@ def _message(claims: Mapping[str, Any], subject: str | None, expected: Expected)
     if message_type == names.RESOURCE_LINK_REQUEST and not _text(resource, "id"):
         raise missing_claim("resource_link")
     return Launch(
-        message_type=str(message_type),
         subject=subject,
         name=_text(claims, "name"),
         is_staff=names.is_staff(str(role) for role in roles),
@@ -232,8 +228,6 @@ def _services(claims: Mapping[str, Any], subject: str | None) -> dict[str, Any]:
     members = claims.get(names.NAMES_AND_ROLES)
     found: dict[str, Any] = {}
     if isinstance(grades, Mapping) and subject is not None:
-        scopes = grades.get("scope")
-        found["scopes"] = tuple(str(scope) for scope in scopes) if isinstance(scopes, list) else ()
         found["line_item"] = _text(grades, "lineitem")
         found["line_items"] = _text(grades, "lineitems")
     if isinstance(members, Mapping):

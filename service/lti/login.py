@@ -40,7 +40,6 @@ class LoginRequest:
     login_hint: str
     target: str
     message_hint: str | None
-    deployment: str | None
     client_id: str | None
     storage_target: str | None
     parameters: Mapping[str, str]
@@ -118,12 +117,9 @@ def read_login(parameters: Mapping[str, str], own_origin: str) -> LoginRequest:
         LoginError: one is missing or too long, or the target is on another origin.
     """
     given = {name: value for name, value in parameters.items() if name in KNOWN and value}
-    for name in REQUIRED:
-        if name not in given:
-            raise LoginError(Fault.at("lti_parameter_missing", name=name))
-    for name, value in given.items():
-        if len(value) > LONGEST:
-            raise LoginError(Fault.at("lti_parameter_missing", name=name))
+    missing = [name for name in REQUIRED if name not in given]
+    if wrong := missing or [name for name, value in given.items() if len(value) > LONGEST]:
+        raise LoginError(Fault.at("lti_parameter_missing", name=wrong[0]))
     try:
         same = origin_of(given["target_link_uri"]) == own_origin
     except ValueError:
@@ -135,7 +131,6 @@ def read_login(parameters: Mapping[str, str], own_origin: str) -> LoginRequest:
         login_hint=given["login_hint"],
         target=given["target_link_uri"],
         message_hint=given.get("lti_message_hint"),
-        deployment=given.get("lti_deployment_id"),
         client_id=given.get("client_id"),
         storage_target=given.get("lti_storage_target"),
         parameters=given,

@@ -19,34 +19,22 @@ _NEEDED = ("issuer", "authorization_endpoint", "token_endpoint", "jwks_uri", "re
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class ToolRegistration:
-    """What platforms are told of this tool.
-
-    Attributes:
-        root: its address, with a slash at the end.
-        names_asked: names of people are asked for.
-    """
+    """What platforms are told of this tool; `root` is its address, with a slash at the end."""
 
     name: str
     description: str
     root: str
-    names_asked: bool = False
 
     def written(self) -> dict[str, Any]:
-        """Return the configuration as the specification writes it.
-
-        Of people, only `sub` is asked for by default.
-        """
-        scopes = [names.LINE_ITEM_SCOPE, names.RESULT_SCOPE, names.SCORE_SCOPE]
-        claims = ["iss", "sub"]
-        if self.names_asked:
-            scopes.append(names.MEMBERSHIP_SCOPE)
-            claims.append("name")
+        """Return the configuration as the specification writes it. Of people, only `sub` is asked for."""
+        scopes = (names.LINE_ITEM_SCOPE, names.RESULT_SCOPE, names.SCORE_SCOPE)
+        target = f"{self.root}lti/launch"
         return {
             "application_type": "web",
             "response_types": ["id_token"],
             "grant_types": ["implicit", "client_credentials"],
             "initiate_login_uri": f"{self.root}lti/login",
-            "redirect_uris": [f"{self.root}lti/launch"],
+            "redirect_uris": [target],
             "client_name": self.name,
             "jwks_uri": f"{self.root}lti/jwks",
             "logo_uri": f"{self.root}static/logo/img/icon.svg",
@@ -55,16 +43,12 @@ class ToolRegistration:
             names.TOOL_CONFIGURATION: {
                 "domain": urlsplit(self.root).netloc,
                 "description": self.description,
-                "target_link_uri": f"{self.root}lti/launch",
-                "claims": claims,
+                "target_link_uri": target,
+                "claims": ["iss", "sub"],
                 "custom_parameters": {names.HISTORY: names.HISTORY_VARIABLE},
                 "messages": [
-                    {"type": names.RESOURCE_LINK_REQUEST, "target_link_uri": f"{self.root}lti/launch"},
-                    {
-                        "type": names.DEEP_LINKING_REQUEST,
-                        "target_link_uri": f"{self.root}lti/launch",
-                        "label": self.name,
-                    },
+                    {"type": names.RESOURCE_LINK_REQUEST, "target_link_uri": target},
+                    {"type": names.DEEP_LINKING_REQUEST, "target_link_uri": target, "label": self.name},
                 ],
             },
         }

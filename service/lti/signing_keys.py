@@ -6,7 +6,7 @@ import json
 from collections.abc import Mapping, Sequence
 from datetime import datetime, timedelta
 from functools import lru_cache
-from typing import Any, Protocol
+from typing import Any, Protocol, TypeVar
 
 from joserfc import jwt
 from joserfc.jwk import RSAKey
@@ -41,6 +41,9 @@ class SigningKey(Protocol):
         """From when on it signs."""
 
 
+_Key = TypeVar("_Key", bound=SigningKey)
+
+
 def new_private_key() -> tuple[str, str]:
     """Name and private JWK of a new key."""
     key = RSAKey.generate_key(BITS, {"use": "sig", "alg": ALGORITHM}, private=True, auto_kid=True)
@@ -56,7 +59,7 @@ def key_set(keys: Sequence[SigningKey]) -> dict[str, Any]:
     return {"keys": [{name: key[name] for name in PUBLIC if name in key} for key in written]}
 
 
-def signing_key(keys: Sequence[SigningKey], now: datetime) -> SigningKey:
+def signing_key(keys: Sequence[_Key], now: datetime) -> _Key:
     """Return the newest key that signs already; the oldest one if none does."""
     ready = [key for key in keys if key.signs_from <= now]
     return max(ready, key=lambda key: key.signs_from) if ready else min(keys, key=lambda key: key.signs_from)

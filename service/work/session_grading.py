@@ -12,7 +12,8 @@ from typing import Any
 import orjson
 from pydantic import ValidationError
 
-from courses.attempts.stored_attempts import check_open, path_of_codes
+from courses.attempts.report_codes import path_of_codes
+from courses.attempts.stored_attempts import check_open
 from courses.attempts.submissions import JudgedSubmission
 from courses.model import Attempt, CourseSession, LinkSettings
 from courses.refusals import AttemptError, NoExerciseError

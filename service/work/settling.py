@@ -23,14 +23,14 @@ _log = logging.getLogger("framewise.settling")
 class Settling(BackgroundThread):
     """Brings to its end what nobody waits for any more."""
 
-    def __init__(self, store: Store, *, again: float = AGAIN, patience: timedelta = PATIENCE) -> None:
+    def __init__(self, store: Store) -> None:
         super().__init__("settling")
-        self._store, self._again, self._patience = store, again, patience
+        self._store = store
 
     def _run(self) -> None:
-        while not self.stopping.wait(self._again * random.uniform(0.5, 1.5)):  # noqa: S311
+        while not self.stopping.wait(AGAIN * random.uniform(0.5, 1.5)):  # noqa: S311
             try:
-                for run in unsettled(self._store, now() - self._patience):
+                for run in unsettled(self._store, now() - PATIENCE):
                     settle(self._store, run, now())
                     _log.info("settled what a regrading has left")
             except StorageUnavailableError:

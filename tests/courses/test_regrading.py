@@ -11,7 +11,7 @@ from datetime import datetime
 import pytest
 import sqlalchemy as sa
 
-from courses.attempts.stored_attempts import path_of_codes
+from courses.attempts.report_codes import path_of_codes
 from courses.marks.outbox import delivered, lease_scores
 from courses.model import Attempt, LinkSettings, Role
 from courses.people.privacy import erase_person

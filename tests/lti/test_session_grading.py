@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 import sqlalchemy as sa
 
-from courses.attempts.stored_attempts import path_of_codes
+from courses.attempts.report_codes import path_of_codes
 from courses.links.publications import MOST, publish
 from courses.model import Attempt, CourseSession, LinkSettings
 from courses.policies import AttemptPolicy

@@ -19,17 +19,21 @@ from courses.people.platforms import (
     remove_platform,
     set_status,
 )
-from kinematics.errors import Fault
-from service.course_callers import in_thread, json_response
+from service.course_callers import (
+    course_router,
+    in_thread,
+    json_response,
+    object_body,
+    record_number,
+    refused_setting,
+)
 from service.course_resources import CourseResources, bearer_token, now
 from service.http.forms import own_root
-from service.http.problems import RequestError
-from service.http.routing import ApiRequest, DirectRoute, api_router
+from service.http.routing import ApiRequest
 from service.lti.fetching import http_address
 from service.resources import resources_of
 
-router = api_router("courses", route_class=DirectRoute)
-router.include_in_schema = False
+router = course_router()
 
 _REQUIRED = ("issuer", "client_id", "authorization_endpoint", "token_endpoint", "jwks_uri")
 _ADDRESSES = ("authorization_endpoint", "token_endpoint", "jwks_uri")
@@ -50,22 +54,11 @@ async def _run(request: ApiRequest, work: Callable[[CourseResources], _Result]) 
     return await in_thread(request, checked)
 
 
-async def _body(request: ApiRequest) -> Mapping[str, Any]:
-    body = await request.json()
-    if not isinstance(body, dict):
-        raise _invalid("body", "object")
-    return body
-
-
-def _invalid(name: str, known: str) -> RequestError:
-    return RequestError(Fault.at("setting_invalid", name, name=name, known=known))
-
-
 @router.post("/administration/open")
 async def open_administration(request: ApiRequest) -> Response:
     """Exchange the code of `framewise lti administer` for a token, once."""
     courses = resources_of(request).with_courses()
-    code = str((await _body(request)).get("code"))
+    code = str((await object_body(request)).get("code"))
     token = await in_thread(request, admit_administrator, courses.store, code, now())
     return json_response({"token": token})
 
@@ -100,20 +93,16 @@ def _written(courses: CourseResources, platform: Platform) -> dict[str, Any]:
 @router.post("/administration/platforms")
 async def register_by_hand(request: ApiRequest) -> Response:
     """Register a platform, or change the one of this issuer and client."""
-    body = await _body(request)
-    told = {name: _text(body, name) for name in _REQUIRED}
+    body = await object_body(request)
+    told: dict[str, Any] = {name: _text(body, name) for name in _REQUIRED}
     for name in ("issuer", *_ADDRESSES):
         try:
             http_address(told[name])
         except ValueError:
-            raise _invalid(name, "https://…") from None
+            raise refused_setting(name, "https://…") from None
     deployment = _text(body, "deployment", required=False)
     asked = Platform(
-        issuer=told["issuer"],
-        client_id=told["client_id"],
-        authorization_endpoint=told["authorization_endpoint"],
-        token_endpoint=told["token_endpoint"],
-        jwks_uri=told["jwks_uri"],
+        **told,
         name=_text(body, "name", required=False),
         token_audience=_text(body, "token_audience", required=False) or None,
         names_shared=body.get("names_shared") is True,
@@ -131,20 +120,21 @@ async def register_by_hand(request: ApiRequest) -> Response:
 def _text(body: Mapping[str, Any], name: str, *, required: bool = True) -> str:
     value = body.get(name, "")
     if not isinstance(value, str) or len(value) > _LONGEST or (required and not value.strip()):
-        raise _invalid(name, f"1 … {_LONGEST}")
+        raise refused_setting(name, f"1 … {_LONGEST}")
     return value.strip()
 
 
 @router.put("/administration/platforms/{platform}")
 async def change_platform(request: ApiRequest) -> Response:
     """Let a platform launch or no longer, and let one more of its deployments launch."""
-    body, number = await _body(request), _number(request)
+    body = await object_body(request)
     status = body.get("status")
     if status is not None and status not in list(PlatformStatus):
-        raise _invalid("status", ", ".join(PlatformStatus))
+        raise refused_setting("status", ", ".join(PlatformStatus))
     deployment = _text(body, "deployment", required=False)
 
     def work(courses: CourseResources) -> None:
+        number = record_number(request, "platform")
         if status is not None:
             set_status(courses.store, number, PlatformStatus(status))
             courses.forget_origins()
@@ -158,20 +148,19 @@ async def change_platform(request: ApiRequest) -> Response:
 @router.delete("/administration/platforms/{platform}")
 async def forget_platform(request: ApiRequest) -> Response:
     """Remove a platform with all of its courses, attempts and grades."""
-    number = _number(request)
-    await _run(request, lambda courses: remove_platform(courses.store, number))
+
+    def work(courses: CourseResources) -> None:
+        remove_platform(courses.store, record_number(request, "platform"))
+        courses.forget_origins()
+
+    await _run(request, work)
     return Response(status_code=204)
-
-
-def _number(request: ApiRequest) -> int:
-    text = request.path_params["platform"]
-    return int(text) if text.isdecimal() and len(text) < 10 else 0
 
 
 @router.post("/administration/invitations")
 async def invite_platform(request: ApiRequest) -> Response:
     """Return an address at which a platform may register itself once, within a week."""
-    note = _text(await _body(request), "note", required=False)
+    note = _text(await object_body(request), "note", required=False)
     root = own_root(request, resources_of(request).settings.public_url)
     secret = await _run(request, lambda courses: invite(courses.store, note, now()))
     return json_response({"address": f"{root}lti/register/{secret}"}, status=201)

@@ -11,15 +11,12 @@ from fastapi import Response
 from courses.attempts.stored_attempts import attempt_in
 from courses.policies import Shown
 from courses.teaching.attempts_behind import AttemptFilter, Outcome, Progress, attempts_behind
-from kinematics.errors import Fault
-from service.course_callers import json_response, record_number, staff_of
+from service.course_callers import course_router, json_response, record_number, refused_setting, staff_of
 from service.http.languages import language_of
-from service.http.problems import RequestError
-from service.http.routing import ApiRequest, DirectRoute, api_router
+from service.http.routing import ApiRequest
 from service.wire.courses.session_views import attempt_view
 
-router = api_router("courses", route_class=DirectRoute)
-router.include_in_schema = False
+router = course_router()
 
 _Result = TypeVar("_Result")
 
@@ -67,8 +64,7 @@ def _choice(asked: Mapping[str, str], name: str, known: Mapping[str, _Result]) -
     if text is None:
         return None
     if text not in known:
-        params = {"name": name, "known": ", ".join(known)}
-        raise RequestError(Fault.at("setting_invalid", name, **params))
+        raise refused_setting(name, ", ".join(known))
     return known[text]
 
 
@@ -83,5 +79,4 @@ def _day(text: str | None) -> date | None:
     try:
         return date.fromisoformat(text)
     except ValueError:
-        params = {"name": "day", "known": "2027-03-01"}
-        raise RequestError(Fault.at("setting_invalid", "day", **params)) from None
+        raise refused_setting("day", "2027-03-01") from None

@@ -30,17 +30,21 @@ from courses.teaching.statistics import (
     unexplained,
 )
 from exercises.errors import ExerciseError
-from kinematics.errors import Fault
-from service.course_callers import json_response, object_body, settings_in, staff_of
+from service.course_callers import (
+    course_router,
+    json_response,
+    object_body,
+    refused_setting,
+    settings_in,
+    staff_of,
+)
 from service.course_resources import now
 from service.http.languages import language_of
-from service.http.problems import RequestError
-from service.http.routing import JSON, ApiRequest, DirectRoute, api_router
+from service.http.routing import JSON, ApiRequest
 from service.resources import resources_of
 from service.wire.courses.course_views import csv_of, json_of, with_examples
 
-router = api_router("courses", route_class=DirectRoute)
-router.include_in_schema = False
+router = course_router()
 
 LONGEST_EXTRA = 366 * 24 * 60
 MOST_EXTRA = 1000
@@ -169,8 +173,7 @@ async def give_allowance(request: ApiRequest) -> Response:
         ("extra_attempts", attempts, MOST_EXTRA),
     ):
         if type(value) is not int or not 0 <= value <= most:
-            params = {"name": name, "known": f"0 … {most}"}
-            raise RequestError(Fault.at("setting_invalid", name, **params))
+            raise refused_setting(name, f"0 … {most}")
     allowance = Allowance(extra_time=timedelta(minutes=minutes), extra_attempts=attempts)
     person = str(body.get("person"))
     listed = await staff.run(staff.courses.class_members, staff.session.course) or {}

@@ -18,12 +18,12 @@ from courses.people.sessions import end_session
 from courses.policies import Shown, counts_from
 from courses.refusals import AttemptError, NoExerciseError, StorageUnavailableError
 from exercises.errors import UnknownExerciseError
-from service.course_callers import grader_of, in_thread, json_response, signed_in
+from service.course_callers import course_router, grader_of, in_thread, json_response, signed_in
 from service.course_resources import bearer_token, now
 from service.http.arrival_tickets import HEADER, arrival_ticket, told_arrival
 from service.http.languages import language_of
 from service.http.problems import RETRY_SECONDS, BusyError, ServiceError, UnavailableError, cause
-from service.http.routing import ApiRequest, DirectRoute, api_router
+from service.http.routing import ApiRequest
 from service.http.validation import validated
 from service.resources import resources_of
 from service.schemas.exercises.exercises import AnswerBase, ExerciseAnswer
@@ -35,8 +35,7 @@ from service.work.fair_queue import Proven, proven
 from service.work.limiters import WorkKind
 from service.work.session_grading import Grader, judged_submission
 
-router = api_router("courses", route_class=DirectRoute)
-router.include_in_schema = False
+router = course_router()
 
 _ANSWER: TypeAdapter[AnswerBase] = TypeAdapter(ExerciseAnswer)
 LONGEST_KEY = 100

@@ -6,18 +6,17 @@ from fastapi import Response
 
 from courses.people.platforms import platform_by_id
 from courses.people.secrets import redeem_code
-from service.course_callers import in_thread, json_response, object_body, settings_in
+from service.course_callers import course_router, in_thread, json_response, object_body, settings_in
 from service.course_resources import now
 from service.http.forms import own_root
 from service.http.languages import language_of
-from service.http.routing import ApiRequest, DirectRoute, api_router
+from service.http.routing import ApiRequest
 from service.lti.deep_links import ContentItem, response_token, takes_line_items
 from service.resources import resources_of
 from service.wire.courses.lti_custom import custom_of
 from service.work.session_grading import asked_exercise
 
-router = api_router("courses", route_class=DirectRoute)
-router.include_in_schema = False
+router = course_router()
 
 
 @router.post("/deep-links")

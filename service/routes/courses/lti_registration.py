@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import asdict
 from functools import partial
 
 from fastapi import APIRouter, Request, Response
 from fastapi.responses import JSONResponse
 
 from courses.model import Platform, PlatformStatus
-from courses.people.platforms import add_deployment, add_platform, check_invitation, use_invitation
+from courses.people.platforms import add_platform, check_invitation, use_invitation
 from kinematics.errors import Fault
 from service.course_resources import now
 from service.http.forms import own_root
@@ -56,19 +57,10 @@ def _register(request: Request, secret: str) -> Response:
         courses.fetcher, configuration, request.query_params.get("registration_token"), _tool(request)
     )
     use_invitation(courses.store, secret, now())
-    platform = Platform(
-        issuer=found.issuer,
-        client_id=found.client_id,
-        name=found.name,
-        authorization_endpoint=found.authorization_endpoint,
-        token_endpoint=found.token_endpoint,
-        token_audience=found.token_audience,
-        jwks_uri=found.jwks_uri,
-        status=PlatformStatus.PENDING,
-    )
-    stored = add_platform(courses.store, platform, (), now())
-    if found.deployment:
-        add_deployment(courses.store, stored.id, found.deployment)
+    told = asdict(found)
+    deployment = told.pop("deployment")
+    platform = Platform(**told, status=PlatformStatus.PENDING)
+    add_platform(courses.store, platform, (deployment,) if deployment else (), now())
     text = sentence(page_language(request), "session-registered", {"issuer": found.issuer}) or ""
     return launch_page(request, step("close", text=text), REGISTRATION)
 

@@ -5,11 +5,10 @@ from __future__ import annotations
 from fastapi import Response
 
 from courses.people.privacy import erase_person, export_person, person_in
-from service.course_callers import json_response, staff_of
-from service.http.routing import ApiRequest, DirectRoute, api_router
+from service.course_callers import course_router, json_response, staff_of
+from service.http.routing import ApiRequest
 
-router = api_router("courses", route_class=DirectRoute)
-router.include_in_schema = False
+router = course_router()
 
 
 @router.get("/course/people/{person}")

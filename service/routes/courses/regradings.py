@@ -7,14 +7,20 @@ from typing import Any
 from fastapi import Response
 
 from courses.teaching.regrading import Scope, apply, begin, changes, rejudge, unread
-from service.course_callers import grader_of, json_response, object_body, record_number, staff_of
+from service.course_callers import (
+    course_router,
+    grader_of,
+    json_response,
+    object_body,
+    record_number,
+    staff_of,
+)
 from service.course_resources import now
-from service.http.routing import ApiRequest, DirectRoute, api_router
+from service.http.routing import ApiRequest
 from service.resources import resources_of
 from service.work.regrading_processes import RegradingProcesses
 
-router = api_router("courses", route_class=DirectRoute)
-router.include_in_schema = False
+router = course_router()
 
 
 @router.post("/course/links/{link}/regradings")
