@@ -15,6 +15,7 @@ from courses.storage.statements import of_student, record_of
 from courses.teaching.attempts_behind import LISTED, STUCK_AFTER
 
 _FINDING, _PART = records.finding, records.participation
+_IS_MISTAKE = sa.or_(_FINDING.c.kind == "repair", _FINDING.c.kind.startswith("part:"))
 CLUSTERS = 50
 """Groups of alike answers that a page shows."""
 
@@ -171,7 +172,7 @@ def misconceptions(store: Store, link_id: int) -> list[dict[str, Any]]:
             _FINDING.c.link_id == link_id,
             own.c.correct.is_(False),
             of_students(own),
-            sa.or_(_FINDING.c.kind == "repair", _FINDING.c.kind.startswith("part:")),
+            _IS_MISTAKE,
         )
         .group_by(_FINDING.c.kind, _FINDING.c.code)
         .order_by(attempts.desc(), _FINDING.c.code)
@@ -187,10 +188,7 @@ def unexplained(store: Store, link_id: int) -> list[dict[str, Any]]:
     it goes, with parts that were not handed in, has neither.
     """
     own = judged((link_id,))
-    explained = sa.select(_FINDING.c.attempt_id).where(
-        _FINDING.c.link_id == link_id,
-        sa.or_(_FINDING.c.kind == "repair", _FINDING.c.kind.startswith("part:")),
-    )
+    explained = sa.select(_FINDING.c.attempt_id).where(_FINDING.c.link_id == link_id, _IS_MISTAKE)
     wanted = (
         sa.select(own.c.id, _FINDING.c.code, _FINDING.c.row)
         .join(_FINDING, sa.and_(_FINDING.c.attempt_id == own.c.id, _FINDING.c.kind == "wrong"))

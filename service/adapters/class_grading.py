@@ -189,9 +189,6 @@ def _ungraded(hand_in: HandIn, exercise_id: str, faults: tuple[Fault, ...], sett
     return Mark(
         student=hand_in.student,
         exercise=exercise_id,
-        points=None,
-        max_points=None,
-        correct=False,
         codes=tuple(fault.code for fault in faults),
         feedback=" ".join(told_fault(fault, settings.language) for fault in faults),
         source=hand_in.source,

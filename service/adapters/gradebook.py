@@ -14,6 +14,9 @@ _FORMULA = re.compile(r"^(?=[\t\r\n])|(?:^|(?<=[;\t\r\n]))(?=[ \xa0]{0,9}[=+\-@ï
 because it takes a semicolon or a tab for the end of a cell."""
 
 
+_PLAIN = ("student", "exercise", "correct", "points", "max_points", "score", "codes", "feedback", "source")
+
+
 class GradebookFormat(StrEnum):
     """Formats of a gradebook file."""
 
@@ -40,11 +43,11 @@ class Mark:
 
     student: str
     exercise: str
-    points: float | None
-    max_points: float | None
-    correct: bool
-    codes: tuple[str, ...]
-    feedback: str
+    points: float | None = None
+    max_points: float | None = None
+    correct: bool = False
+    codes: tuple[str, ...] = ()
+    feedback: str = ""
     source: str
     identifier: str | None = None
 
@@ -61,21 +64,8 @@ def write_marks(marks: Iterable[Mark], stream: TextIO, form: GradebookFormat = G
     writer = csv.writer(stream, lineterminator="\n")
     match form:
         case GradebookFormat.CSV:
-            writer.writerow(
-                (
-                    "student",
-                    "exercise",
-                    "correct",
-                    "points",
-                    "max_points",
-                    "score",
-                    "codes",
-                    "feedback",
-                    "source",
-                )
-            )
-            for mark in marks:
-                writer.writerow(_plain_row(mark))
+            writer.writerow(_PLAIN)
+            writer.writerows(map(_plain_row, marks))
         case GradebookFormat.MOODLE:
             # Site administration calls the columns what it likes; these are the grade import's own names.
             writer.writerow(("Identifier", "Full name", "Grade", "Maximum Grade", "Feedback comments"))

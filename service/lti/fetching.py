@@ -14,7 +14,6 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from email.utils import parsedate_to_datetime
 from functools import cached_property
-from http import HTTPStatus
 from typing import TYPE_CHECKING, Any
 from urllib.parse import urljoin, urlsplit
 
@@ -64,6 +63,22 @@ class FetchedAnswer:
             return orjson.loads(self.body)
         except orjson.JSONDecodeError:
             raise unreachable(self.address, "JSON") from None
+
+    @property
+    def is_success(self) -> bool:
+        """Whether the platform did what it was asked."""
+        return self.status // 100 == 2
+
+    def succeeded(self) -> FetchedAnswer:
+        """Return this answer, if the platform did what it was asked.
+
+        Raises:
+            PlatformError: it did not.
+        """
+        if not self.is_success:
+            reason = f"HTTP {self.status}"
+            raise unreachable(self.address, reason, status=self.status, retry_after=self.retry_after)
+        return self
 
     @property
     def retry_after(self) -> float | None:
@@ -155,9 +170,7 @@ class Fetcher:
         Raises:
             PlatformError: there is none.
         """
-        answer = self.send("GET", address)
-        if answer.status != HTTPStatus.OK:
-            raise unreachable(address, f"HTTP {answer.status}", status=answer.status)
+        answer = self.send("GET", address).succeeded()
         return answer.json(), answer
 
     def _checked(self, address: str) -> tuple[httpx.URL, dict[str, Any], str]:

@@ -43,12 +43,9 @@ def wrong_claim(name: str) -> LaunchError:
     return LaunchError(Fault.at("lti_claim_wrong", claim=name))
 
 
-def unreachable(address: str, reason: ParamValue, **more: float | None) -> PlatformError:
+def unreachable(
+    address: str, reason: ParamValue, *, status: int | None = None, retry_after: float | None = None
+) -> PlatformError:
     """Return the report of an address that did not answer as it should; its query is left out."""
-    params = {"address": address.partition("?")[0], "reason": reason}
-    status, retry_after = more.get("status"), more.get("retry_after")
-    return PlatformError(
-        Fault.at("lti_unreachable", **params),
-        status=None if status is None else int(status),
-        retry_after=retry_after,
-    )
+    fault = Fault.at("lti_unreachable", address=address.partition("?")[0], reason=reason)
+    return PlatformError(fault, status=status, retry_after=retry_after)

@@ -41,9 +41,7 @@ def members(services: Services, platform: LtiPlatform, address: str) -> list[Mem
         if time.monotonic() > end:
             raise unreachable(page, f"> {LONGEST:g} s")
         answer = services.call(platform, names.MEMBERSHIP_SCOPE, "GET", page, accept=names.MEMBERSHIPS)
-        if answer.status // 100 != 2:
-            raise unreachable(page, f"HTTP {answer.status}", status=answer.status)
-        container = answer.json()
+        container = answer.succeeded().json()
         listed = container.get("members") if isinstance(container, Mapping) else None
         if not isinstance(listed, list):
             raise unreachable(page, "members")

@@ -93,15 +93,10 @@ def register(fetcher: Fetcher, configuration: str, token: str | None, tool: Tool
     if token:
         headers["Authorization"] = f"Bearer {token}"
     address = found["registration_endpoint"]
-    answer = fetcher.send("POST", address, headers=headers, content=orjson.dumps(tool.written()))
-    if answer.status // 100 != 2:
-        raise unreachable(address, f"HTTP {answer.status}", status=answer.status)
-    given = answer.json()
-    if (
-        not isinstance(given, Mapping)
-        or not isinstance(given.get("client_id"), str)
-        or not given["client_id"]
-    ):
+    content = orjson.dumps(tool.written())
+    given = fetcher.send("POST", address, headers=headers, content=content).succeeded().json()
+    client_id = given.get("client_id") if isinstance(given, Mapping) else None
+    if not isinstance(client_id, str) or not client_id:
         raise unreachable(address, "client_id")
     return _registered(found, given)
 

@@ -113,7 +113,7 @@ def _delivery(answer: FetchedAnswer) -> Delivery:
 def _is_page(answer: FetchedAnswer) -> bool:
     """Whether something before the gradebook has answered, with a page to sign in, say, or to wait."""
     is_html = answer.headers.get("content-type", "").lower().startswith(("text/html", "application/xhtml"))
-    return answer.status // 100 == 2 and is_html and bool(answer.body.strip())
+    return answer.is_success and is_html and bool(answer.body.strip())
 
 
 def has_result(services: Services, platform: LtiPlatform, line_item: str, message: ScoreMessage) -> bool:
@@ -124,9 +124,7 @@ def has_result(services: Services, platform: LtiPlatform, line_item: str, messag
     """
     address = _with_query(below(line_item, "results"), {"user_id": message.user})
     answer = services.call(platform, names.RESULT_SCOPE, "GET", address, accept=names.RESULTS)
-    if answer.status // 100 != 2:
-        raise unreachable(address, f"HTTP {answer.status}", status=answer.status)
-    found = answer.json()
+    found = answer.succeeded().json()
     for result in found if isinstance(found, list) else ():
         if not isinstance(result, Mapping) or result.get("userId") != message.user:
             continue
@@ -167,9 +165,7 @@ def line_item_for(
         answer = services.call(platform, names.LINE_ITEM_SCOPE, "GET", page, accept=names.LINE_ITEMS)
         if answer.status == _NONE:
             break
-        if answer.status // 100 != 2:
-            raise _refused(page, answer)
-        found = answer.json()
+        found = answer.succeeded().json()
         if not isinstance(found, list):
             raise unreachable(page, "line items")
         for item in found:
@@ -181,17 +177,10 @@ def line_item_for(
     answer = _new_line_item(services, platform, line_items, linked)
     if answer.status in _UNLINKED:
         answer = _new_line_item(services, platform, line_items, content)
-    if answer.status // 100 != 2:
-        raise _refused(line_items, answer)
-    made = answer.json()
+    made = answer.succeeded().json()
     if not isinstance(made, Mapping) or not isinstance(made.get("id"), str):
         raise unreachable(line_items, "id")
     return str(made["id"])
-
-
-def _refused(address: str, answer: FetchedAnswer) -> PlatformError:
-    status = answer.status
-    return unreachable(address, f"HTTP {status}", status=status, retry_after=answer.retry_after)
 
 
 def _new_line_item(

@@ -99,14 +99,7 @@ class Services:
             headers={"Content-Type": "application/x-www-form-urlencoded"},
             content=urlencode(form).encode(),
         )
-        if answer.status // 100 != 2:
-            raise unreachable(
-                platform.token_endpoint,
-                f"HTTP {answer.status}",
-                status=answer.status,
-                retry_after=answer.retry_after,
-            )
-        found = answer.json()
+        found = answer.succeeded().json()
         if not isinstance(found, Mapping) or not isinstance(found.get("access_token"), str):
             raise unreachable(platform.token_endpoint, "access_token")
         life = found.get("expires_in")

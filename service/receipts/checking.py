@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from kinematics.errors import Fault
 from service.adapters.gradebook import Mark
@@ -33,8 +33,8 @@ class CheckedReceipt:
     """
 
     text: str
-    receipt: Receipt | None
-    fault: Fault | None
+    receipt: Receipt | None = None
+    fault: Fault | None = None
     repeated: bool = False
 
 
@@ -51,12 +51,7 @@ def check_receipts(texts: Sequence[str], keys: ReceiptKeys) -> list[CheckedRecei
     checked = [_check("".join(text.split()), keys) for text in texts]
     answers = Counter(_answer(entry.receipt) for entry in checked if entry.receipt)
     return [
-        CheckedReceipt(
-            text=entry.text,
-            receipt=entry.receipt,
-            fault=entry.fault,
-            repeated=entry.receipt is not None and answers[_answer(entry.receipt)] > 1,
-        )
+        replace(entry, repeated=entry.receipt is not None and answers[_answer(entry.receipt)] > 1)
         for entry in checked
     ]
 
@@ -67,16 +62,7 @@ def marks_of(checked: Iterable[CheckedReceipt]) -> Iterator[Mark]:
         receipt = entry.receipt
         if receipt is None:
             assert entry.fault is not None
-            yield Mark(
-                student="",
-                exercise="",
-                points=None,
-                max_points=None,
-                correct=False,
-                codes=(entry.fault.code,),
-                feedback="",
-                source=entry.text[:40],
-            )
+            yield Mark(student="", exercise="", codes=(entry.fault.code,), source=entry.text[:40])
         else:
             yield Mark(
                 student=receipt.name,
@@ -92,9 +78,9 @@ def marks_of(checked: Iterable[CheckedReceipt]) -> Iterator[Mark]:
 
 def _check(text: str, keys: ReceiptKeys) -> CheckedReceipt:
     try:
-        return CheckedReceipt(text=text, receipt=verify(text, keys), fault=None)
+        return CheckedReceipt(text=text, receipt=verify(text, keys))
     except RequestError as error:
-        return CheckedReceipt(text=text, receipt=None, fault=error.faults[0])
+        return CheckedReceipt(text=text, fault=error.faults[0])
 
 
 def _answer(receipt: Receipt) -> tuple[str, str, str | None]:

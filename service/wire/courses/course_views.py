@@ -8,6 +8,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import Any
 
 from courses.teaching.attempt_export import ExportedAttempt
+from service.adapters.gradebook import safe
 from service.wire.courses.session_views import stored_report
 from service.wire.exercises.verdicts import encoded
 
@@ -29,7 +30,6 @@ PLACES = 6
 """Decimals of scores and points: what floating-point arithmetic leaves behind them is not shown."""
 _BLOCK = 65_536
 """Bytes that are sent at a time: a thread is asked for every block."""
-_FORMULA = ("=", "+", "-", "@", "\t", "\r")
 
 
 def attempt_record(found: ExportedAttempt) -> dict[str, Any]:
@@ -88,19 +88,14 @@ def _lines(attempts: Iterable[ExportedAttempt]) -> Iterator[str]:
         record = attempt_record(found)
         flags = {name: int(record[name]) for name in ("counted", "correct")}
         values = {**record, **flags, "codes": " ".join(record["codes"])}
-        yield _line([_harmless(values[name]) for name in COLUMNS])
+        cells = (values[name] for name in COLUMNS)
+        yield _line(safe(cell) if isinstance(cell, str) else cell for cell in cells)
 
 
 def _line(values: Iterable[object]) -> str:
     out = io.StringIO()
     csv.writer(out).writerow(values)
     return out.getvalue()
-
-
-def _harmless(value: object) -> object:
-    if isinstance(value, str) and value.startswith(_FORMULA):
-        return f"'{value}"
-    return "" if value is None else value
 
 
 def with_examples(
