@@ -16,7 +16,7 @@ from courses.policies import Allowance, AttemptOutcome, Counted, counted, score_
 from courses.storage import records
 from courses.storage.statements import of_student, upsert_all
 
-_OUTBOX = records.score_to_send
+_GRADE, _OUTBOX = records.grade, records.score_to_send
 NAMED = 200
 """So many people are named in a query; of more, all of the link are read."""
 
@@ -52,7 +52,6 @@ def store_changes(connection: sa.Connection, changes: Sequence[GradeChange], now
     """Write grades down and queue what the gradebook has to hear, in the transaction that changed them."""
     new = [change for change in changes if change.grade != change.before]
     if new:
-        table = records.grade
         rows = [
             {
                 "link_id": change.link.id,
@@ -62,7 +61,7 @@ def store_changes(connection: sa.Connection, changes: Sequence[GradeChange], now
             }
             for change in new
         ]
-        upsert_all(connection, table, ("link_id", "person_id"), rows)
+        upsert_all(connection, _GRADE, ("link_id", "person_id"), rows)
     due = [change for change in changes if change.is_due]
     if due:
         _queue(connection, due, now)
@@ -88,11 +87,12 @@ def regrade(
     people = list(allowances)
     outcomes = _outcomes(connection, link.id, people)
     before, queued = _grades(connection, link.id, people), _queued(connection, link.id, people)
-    changes = []
+    changes, gone = [], list[int]()
     for person_id, allowance in allowances.items():
         made = outcomes.get(person_id, [])
         grade = counted(link.settings.policy, made, allowance)
         if grade is None:
+            gone.append(person_id)
             continue
         change = GradeChange(
             link=link,
@@ -106,6 +106,16 @@ def regrade(
         )
         changes.append(change)
     store_changes(connection, changes, now)
+    if gone := [person_id for person_id in gone if person_id in before]:
+        _withdraw(connection, link.id, gone)
+
+
+def _withdraw(connection: sa.Connection, link_id: int, people: Collection[int]) -> None:
+    """Remove grades that no attempt makes any more, and send nothing of them; what was sent stays there."""
+    connection.execute(sa.delete(_GRADE).where(_GRADE.c.link_id == link_id, _GRADE.c.person_id.in_(people)))
+    own = _OUTBOX.c.link_id == link_id, _OUTBOX.c.person_id.in_(people), _OUTBOX.c.lease.is_(None)
+    nothing_new = {"revision": _OUTBOX.c.sent_revision, "due": None, "dead": False, "problem": None}
+    connection.execute(sa.update(_OUTBOX).where(*own).values(nothing_new))
 
 
 def longest_extra(connection: sa.Connection, link_id: int) -> timedelta:
@@ -116,9 +126,8 @@ def longest_extra(connection: sa.Connection, link_id: int) -> timedelta:
 
 
 def _grades(connection: sa.Connection, link_id: int, people: Collection[int]) -> dict[int, Counted]:
-    table = records.grade
-    wanted = sa.select(table.c.person_id, table.c.number, table.c.score).where(table.c.link_id == link_id)
-    rows = connection.execute(wanted.where(*_among(table, people)))
+    wanted = sa.select(_GRADE.c.person_id, _GRADE.c.number, _GRADE.c.score).where(_GRADE.c.link_id == link_id)
+    rows = connection.execute(wanted.where(*_among(_GRADE, people)))
     return {person: Counted(number=number, worth=worth) for person, number, worth in rows}
 
 

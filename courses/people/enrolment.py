@@ -88,10 +88,10 @@ def preview(store: Store, session: CourseSession, link_id: int, now: datetime) -
             "link_id": link_id,
             "person_id": upsert(connection, records.person, {"key": key}, {"seen": now}, own).id,
         }
+        begun = {"role": Role.STAFF.value, "made": 0, "draft": None, "began": now}
+        upsert(connection, records.participation, took_part, begun)  # first: whoever hands in has it locked
         for table in (records.attempt, records.grade):
             connection.execute(sa.delete(table).where(of_student(table, **took_part)))
-        begun = {"role": Role.STAFF.value, "made": 0, "draft": None, "began": now}
-        upsert(connection, records.participation, took_part, begun)
         values = {**took_part, "token_hash": hashed(token), "role": Role.LEARNER.value}
         told = {"locale": session.locale, "return_url": None, "expires": now + SESSION}
         connection.execute(sa.insert(records.session).values(**values, **told))

@@ -89,7 +89,9 @@ def erase_person(store: Store, key: str, course_id: int | None = None) -> dict[s
 
 
 def _person(connection: sa.Connection, key: str, course_id: int | None) -> sa.Row[Any]:
-    person = connection.execute(sa.select(records.person).where(records.person.c.key == key)).first()
+    """A person, who neither arrives nor is removed meanwhile: a launch writes people first, too."""
+    wanted = sa.select(records.person).where(records.person.c.key == key)
+    person = connection.execute(wanted.with_for_update(key_share=True)).first()
     if person is None:
         raise unknown_record("anybody" if course_id is None else "person")
     return person
@@ -150,7 +152,7 @@ def purge(store: Store, now: datetime, *, people: timedelta, log: timedelta) -> 
     for key in keys:
         with store.writing() as connection:
             own = sa.select(person.c.id).where(person.c.key == key, old)
-            person_id = connection.scalar(own.with_for_update())
+            person_id = connection.scalar(own.with_for_update(key_share=True))
             if person_id is not None:  # nobody else has removed them, and they have not come back
                 _erase(connection, person_id, key, None)
                 count += 1

@@ -449,6 +449,20 @@ def test_a_person_is_exported_and_erased(store: Store) -> None:
     assert export_person(store, bob.person.key)["attempt"]
 
 
+def test_a_grade_that_no_attempt_makes_any_more_is_no_grade(store: Store) -> None:
+    """It stayed where an earlier deadline left no attempt in time, and its score went to the gradebook."""
+    session = joined(store)
+    submitted(store, session, 0.5, minutes=10)
+
+    def close(at: datetime | None) -> tuple[Counted | None, list[float]]:
+        rules = LinkSettings(exercise_id="puma560", policy=AttemptPolicy(closes=at))
+        change_settings(store, session.link.id, rules, NOW)
+        return standing_of(store, joined(store)).grade, [each.score for each in lease_scores(store, NOW, 10)]
+
+    assert close(NOW + minutes(5)) == (None, [])
+    assert close(NOW + minutes(15)) == (Counted(number=1, worth=0.5), [0.5])
+
+
 def test_what_is_old_is_purged(store: Store) -> None:
     old = joined(store, "old")
     young = joined(store, "young", at=NOW + timedelta(days=300))

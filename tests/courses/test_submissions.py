@@ -13,13 +13,14 @@ from courses.attempts import submissions
 from courses.attempts.submissions import JudgedSubmission, store_submissions
 from courses.links.link_settings import version_of
 from courses.model import Attempt, CourseSession, LinkSettings
+from courses.people import enrolment
 from courses.people.privacy import erase_person
 from courses.policies import AttemptPolicy, Counting, FeedbackTiming
 from courses.refusals import AttemptError, UnknownRecordError
 from courses.storage import records
 from courses.storage.database import Store
 from courses.teaching.link_changes import change_settings, release_feedback
-from tests.courses.classroom import NOW, joined
+from tests.courses.classroom import NOW, arrival, joined
 from tests.courses.test_attempts import WRONG
 
 HANDED_IN = (
@@ -153,6 +154,25 @@ def test_an_attempt_and_a_change_of_rules_do_not_undo_each_other(store: Store) -
     assert joined(store).link.settings == later
     with store.reading() as connection:
         assert connection.scalar(sa.select(records.grade.c.score)) == 0.5
+
+
+def test_a_launch_and_an_erasure_do_not_undo_each_other(store: Store) -> None:
+    """Each waited for a row that the other one had."""
+    session = joined(store)
+    thread = Thread(target=erase_person, args=(store, session.person.key))
+    course = enrolment._course
+
+    def slow(*given: Any) -> Any:
+        thread.start()
+        thread.join(0.3)
+        return course(*given)
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(enrolment, "_course", slow)
+        enrolment.arrive(store, arrival(store), NOW)
+    thread.join()
+    with store.reading() as connection:
+        assert connection.execute(sa.select(records.person)).first() is None
 
 
 def test_who_is_erased_while_they_hand_in_leaves_nothing(store: Store) -> None:
