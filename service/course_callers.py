@@ -18,7 +18,6 @@ from service.course_resources import CourseResources, bearer_token, now
 from service.http.problems import RequestError
 from service.http.routing import JSON, ApiRequest, DirectRoute, api_router
 from service.messages import languages
-from service.resources import resources_of
 from service.wire.exercises.ungraded import known_exercise
 from service.wire.exercises.verdicts import encoded
 from service.work.limiters import WorkKind
@@ -36,7 +35,7 @@ def course_router() -> APIRouter:
 
 async def in_thread(request: ApiRequest, work: Callable[..., _Result], *arguments: Any) -> _Result:
     """Return the result of work that waits for the database."""
-    return await resources_of(request).limiters[WorkKind.COURSES].run(partial(work, *arguments))
+    return await request.resources.limiters[WorkKind.COURSES].run(partial(work, *arguments))
 
 
 async def signed_in(request: ApiRequest) -> tuple[CourseResources, CourseSession]:
@@ -45,14 +44,14 @@ async def signed_in(request: ApiRequest) -> tuple[CourseResources, CourseSession
     Raises:
         SessionError: nobody is.
     """
-    courses = resources_of(request).with_courses()
+    courses = request.resources.with_courses()
     session = await courses.signed_in(bearer_token(request.headers.get("authorization", "")))
-    return courses, with_exercise_rules(resources_of(request).exercises, session)
+    return courses, with_exercise_rules(request.resources.exercises, session)
 
 
 def grader_of(request: ApiRequest) -> Grader:
     """Return what judges answers by the application's exercises and limits."""
-    resources = resources_of(request)
+    resources = request.resources
     edition = resources.courses.edition if resources.courses else None
     return Grader(
         library=resources.exercises,
@@ -140,6 +139,6 @@ def settings_in(request: ApiRequest, body: Mapping[str, Any]) -> LinkSettings:
         LinkSettingsError: a rule cannot be meant.
     """
     with known_exercise():
-        exercise = resources_of(request).exercises.exercise(str(body.get("exercise")))
+        exercise = request.resources.exercises.exercise(str(body.get("exercise")))
     rules = {name: value for name, value in body.items() if name != "exercise"}
     return read(exercise.id, rules, parts=[part.kind for part in exercise.parts], languages=languages())

@@ -7,7 +7,7 @@ import types
 from collections.abc import Iterable, Sequence
 from typing import Any, TypeAlias, TypeVar, Union, get_args, get_origin
 
-from pydantic import BaseModel, Tag, TypeAdapter, ValidationError
+from pydantic import BaseModel, Tag, ValidationError
 from pydantic_core import ErrorDetails
 from pydantic_core.core_schema import ErrorType
 
@@ -61,14 +61,14 @@ _PARTS = {part.value: part for part in RequestPart}
 Shape = TypeVar("Shape", bound=BaseModel)
 
 
-def validated(shape: type[Shape] | TypeAdapter[Shape], value: object) -> Shape:
+def validated(shape: type[Shape], value: object) -> Shape:
     """Return the value in a shape.
 
     Raises:
         RequestError: it does not have that form; many faults at once.
     """
     try:
-        return shape.validate_python(value) if isinstance(shape, TypeAdapter) else shape.model_validate(value)
+        return shape.model_validate(value)
     except ValidationError as error:
         found = error.errors(include_url=False, include_input=False)
         told = faults_of(found[:MOST_FAULTS], shape)
@@ -151,8 +151,6 @@ def _plain(value: object) -> ParamValue:
 
 def _fields_at(model: Any, loc: Sequence[int | str]) -> Iterable[str]:
     """Names of the fields that an object at this place may have; tags say which branch of a union it is."""
-    if isinstance(model, TypeAdapter):
-        model = model._type
     for step in loc:
         model = (_branch(model, step) or model) if _is_tag(step) else _below(model, step)
     found = [candidate for candidate in _alternatives(model) if _is_model(candidate)]

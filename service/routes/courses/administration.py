@@ -31,7 +31,6 @@ from service.course_resources import CourseResources, bearer_token, now
 from service.http.forms import own_root
 from service.http.routing import ApiRequest
 from service.lti.fetching import http_address
-from service.resources import resources_of
 
 router = course_router()
 
@@ -44,7 +43,7 @@ _Result = TypeVar("_Result")
 
 async def _run(request: ApiRequest, work: Callable[[CourseResources], _Result]) -> _Result:
     """Do an administrator's work."""
-    courses = resources_of(request).with_courses()
+    courses = request.resources.with_courses()
     token = bearer_token(request.headers.get("authorization", ""))
 
     def checked() -> _Result:
@@ -57,7 +56,7 @@ async def _run(request: ApiRequest, work: Callable[[CourseResources], _Result]) 
 @router.post("/administration/open")
 async def open_administration(request: ApiRequest) -> Response:
     """Exchange the code of `framewise lti administer` for a token, once."""
-    courses = resources_of(request).with_courses()
+    courses = request.resources.with_courses()
     code = str((await object_body(request)).get("code"))
     token = await in_thread(request, admit_administrator, courses.store, code, now())
     return json_response({"token": token})
@@ -161,6 +160,6 @@ async def forget_platform(request: ApiRequest) -> Response:
 async def invite_platform(request: ApiRequest) -> Response:
     """Return an address at which a platform may register itself once, within a week."""
     note = _text(await object_body(request), "note", required=False)
-    root = own_root(request, resources_of(request).settings.public_url)
+    root = own_root(request, request.settings.public_url)
     secret = await _run(request, lambda courses: invite(courses.store, note, now()))
     return json_response({"address": f"{root}lti/register/{secret}"}, status=201)

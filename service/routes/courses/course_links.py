@@ -41,7 +41,6 @@ from service.course_callers import (
 from service.course_resources import now
 from service.http.languages import language_of
 from service.http.routing import JSON, ApiRequest
-from service.resources import resources_of
 from service.wire.courses.course_views import csv_of, json_of, with_examples
 
 router = course_router()
@@ -79,7 +78,7 @@ def _title(request: ApiRequest, exercise_id: str | None) -> str | None:
     if exercise_id is None:
         return None
     try:
-        return resources_of(request).exercises.exercise(exercise_id).title(language_of(request))
+        return request.resources.exercises.exercise(exercise_id).title(language_of(request))
     except ExerciseError:
         return exercise_id
 

@@ -9,7 +9,6 @@ from functools import partial
 from typing import Any
 
 from fastapi import Response
-from pydantic import TypeAdapter
 
 from courses.attempts.stored_attempts import attempt_numbered, by_key, shown_now, standing_of
 from courses.model import CourseSession, StudentStanding
@@ -25,8 +24,7 @@ from service.http.languages import language_of
 from service.http.problems import RETRY_SECONDS, BusyError, ServiceError, UnavailableError, cause
 from service.http.routing import ApiRequest
 from service.http.validation import validated
-from service.resources import resources_of
-from service.schemas.exercises.exercises import AnswerBase, ExerciseAnswer
+from service.schemas.exercises.exercises import ExerciseAnswer
 from service.secret import installation_secret
 from service.wire.courses.session_views import attempt_view, masked, session_view, stored_report
 from service.wire.exercises.ungraded import answer_refused
@@ -37,7 +35,6 @@ from service.work.session_grading import Grader, judged_submission
 
 router = course_router()
 
-_ANSWER: TypeAdapter[AnswerBase] = TypeAdapter(ExerciseAnswer)
 LONGEST_KEY = 100
 """Characters of an idempotency key that are stored; a UUID has 36."""
 
@@ -45,7 +42,7 @@ LONGEST_KEY = 100
 @router.post("/session/open")
 async def open_session(request: ApiRequest) -> Response:
     """Exchange the code of a launch for a session token, once."""
-    courses = resources_of(request).with_courses()
+    courses = request.resources.with_courses()
     body = await request.json()
     code = body.get("code") if isinstance(body, dict) else None
     content = await in_thread(request, redeem_code, courses.store, "session", str(code), now())
@@ -113,7 +110,7 @@ async def _sent(request: ApiRequest) -> tuple[str, Any, tuple[Any, Any]]:
 
 
 def _secret(request: ApiRequest) -> bytes:
-    return installation_secret(resources_of(request).settings)
+    return installation_secret(request.resources.settings)
 
 
 async def _judged(request: ApiRequest, begun: datetime) -> Response:
@@ -126,16 +123,16 @@ async def _judged(request: ApiRequest, begun: datetime) -> Response:
         if ticket := request.headers.get(HEADER):
             first = told_arrival(ticket, token, typed, _secret(request), arrived)
             arrived = counts_from(session.link.settings.policy, session.allowance, first, arrived)
-        wire = validated(_ANSWER, typed)
+        wire = validated(ExerciseAnswer, typed)
         key = request.headers.get("idempotency-key", "")[:LONGEST_KEY] or None
-        grader = replace(grader_of(request), help_now=resources_of(request).help_now)
+        grader = replace(grader_of(request), help_now=request.resources.help_now)
         version = seen if isinstance(seen, str) else None
         work = partial(judged_submission, grader, session, wire, typed, key, language, arrived, form, version)
         try:
-            submission, found = await resources_of(request).limiters[WorkKind.GRADING].run(work)
+            submission, found = await request.resources.limiters[WorkKind.GRADING].run(work)
             attempt = await courses.keep(submission)
             told = report_body(found, language) if attempt.at == submission.attempt.at else None
-            metrics = resources_of(request).metrics
+            metrics = request.resources.metrics
             metrics.graded(correct=attempt.correct, score=attempt.score, kept=True)
         except AttemptError:  # the last attempt that there is may be sent again, with its key
             known = await in_thread(request, by_key, courses.store, session, key) if key else None

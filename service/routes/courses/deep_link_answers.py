@@ -12,7 +12,6 @@ from service.http.forms import own_root
 from service.http.languages import language_of
 from service.http.routing import ApiRequest
 from service.lti.deep_links import ContentItem, response_token, takes_line_items
-from service.resources import resources_of
 from service.wire.courses.lti_custom import custom_of
 from service.work.session_grading import asked_exercise
 
@@ -22,15 +21,15 @@ router = course_router()
 @router.post("/deep-links")
 async def answer_deep_link(request: ApiRequest) -> Response:
     """Return the signed answer to a platform that asked for a link: an exercise with its rules."""
-    courses = resources_of(request).with_courses()
+    courses = request.resources.with_courses()
     body = await object_body(request)
     choice = str(body.get("choice"))
     chosen = {name: value for name, value in body.items() if name != "choice"}
     settings = settings_in(request, chosen)
-    exercise = asked_exercise(resources_of(request).exercises, settings)
+    exercise = asked_exercise(request.resources.exercises, settings)
     rules = {name: value for name, value in chosen.items() if name != "exercise"}
     title = exercise.title(language_of(request))
-    root = own_root(request, resources_of(request).settings.public_url)
+    root = own_root(request, request.settings.public_url)
 
     def work() -> dict[str, str]:
         asked = redeem_code(courses.store, "deep-link", choice, now())

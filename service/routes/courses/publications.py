@@ -18,7 +18,6 @@ from service.course_resources import now
 from service.http.openapi import body_with
 from service.http.problems import ForbiddenError
 from service.http.routing import ApiRequest, api_router
-from service.resources import resources_of
 from service.schemas.exercises import authoring as wire
 from service.schemas.exercises import examples_authoring as examples
 from service.settings import Publishers
@@ -42,11 +41,11 @@ async def publish_draft(
     The address is made from the content. It is in no list; whoever has it can use the exercise as any
     other, in links of a course, too. Who may publish is the operator's to say (`FRAMEWISE_PUBLISHING`).
     """
-    courses = resources_of(request).with_courses()
+    courses = request.resources.with_courses()
     await _admit(request, body.choice)
     draft = body.draft.draft()
     with draft_refused():
-        await resources_of(request).workers.run(Lane.SLOW, trial, draft)
+        await request.resources.workers.run(Lane.SLOW, trial, draft)
     found = await in_thread(request, partial(publish, courses.store, draft, now()))
     return json_response({"id": found.address, "digest": found.digest})
 
@@ -61,13 +60,13 @@ async def _admit(request: ApiRequest, choice: str | None) -> None:
         StaffOnlyError: a student is signed in.
         SessionError: nobody is signed in by the token, or the choice has been made.
     """
-    allowed = resources_of(request).settings.publishing
+    allowed = request.settings.publishing
     if allowed is Publishers.ANYONE:
         return
     if allowed is not Publishers.NOBODY and request.scope.get("api_key") is not None:
         return
     if allowed is Publishers.STAFF and choice is not None:
-        store = resources_of(request).with_courses().store
+        store = request.resources.with_courses().store
         await in_thread(request, check_code, store, "deep-link", choice, now())
         return
     if allowed is Publishers.STAFF and request.headers.get("authorization") is not None:

@@ -17,7 +17,6 @@ from service.course_callers import (
 )
 from service.course_resources import now
 from service.http.routing import ApiRequest
-from service.resources import resources_of
 from service.work.regrading_processes import RegradingProcesses
 
 router = course_router()
@@ -34,7 +33,7 @@ async def regrade(request: ApiRequest) -> Response:
     def work() -> dict[str, Any]:
         version = grader.version(link.settings)
         run = begin(staff.store, link.id, scope, grader.basis(link.settings), now())
-        with RegradingProcesses(grader, link.settings, resources_of(request).settings) as judge:
+        with RegradingProcesses(grader, link.settings, request.settings) as judge:
             rejudge(staff.store, run, judge)
         told = {"changes": changes(staff.store, run), "unread": unread(staff.store, run)}
         return {"run": run, "version": version, **told}
