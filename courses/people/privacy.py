@@ -21,15 +21,33 @@ _OF_A_PERSON = (
 )
 
 
-def person_in(store: Store, course_id: int, key: str) -> None:
-    """Make sure that a person has taken part in a course.
+SHORTEST_KEY = 8
+"""Characters of a pseudonym that name somebody: as many as lecturers' pages show."""
+
+
+def person_named(store: Store, key: str, course_id: int | None = None) -> str:
+    """Return the whole pseudonym of the one person whose pseudonym begins with these characters.
+
+    Args:
+        store: the database.
+        key: eight characters or more.
+        course_id: the course in which the person has taken part; None: any.
 
     Raises:
-        UnknownRecordError: nobody of this key has.
+        UnknownRecordError: it is nobody's, or several people's.
     """
+    part, person, link = records.participation, records.person, records.link
+    wanted = sa.select(person.c.key).where(person.c.key.startswith(key, autoescape=True)).distinct().limit(2)
+    if course_id is not None:
+        wanted = wanted.join(part, part.c.person_id == person.c.id).join(link, link.c.id == part.c.link_id)
+        wanted = wanted.where(link.c.course_id == course_id)
     with store.reading() as connection:
-        if participant(connection, course_id, key) is None:
-            raise unknown_record("person")
+        found = list(connection.scalars(wanted)) if len(key) >= SHORTEST_KEY else []
+    if len(found) > 1:
+        raise unknown_record("several")
+    if not found:
+        raise unknown_record("anybody" if course_id is None else "person")
+    return str(found[0])
 
 
 def participant(connection: sa.Connection, course_id: int, key: str) -> int | None:

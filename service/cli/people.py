@@ -7,7 +7,7 @@ import json
 import sys
 from datetime import timedelta
 
-from courses.people.privacy import erase_person, export_person, purge
+from courses.people.privacy import erase_person, export_person, person_named, purge
 from service.cli.backups import opened_store
 from service.cli.environment import settings_of_environment
 from service.course_resources import now
@@ -19,7 +19,7 @@ def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
         required=True, metavar="action"
     )
     export = actions.add_parser("export", help="print everything that is stored about a person")
-    export.add_argument("key", help="their pseudonym, as the lecturers' page shows it")
+    export.add_argument("key", help="their pseudonym, or its beginning as the lecturers' page shows it")
     export.set_defaults(run=_export)
     erase = actions.add_parser("erase", help="remove a person with everything that is stored about them")
     erase.add_argument("key")
@@ -32,13 +32,13 @@ def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
 
 def _export(options: argparse.Namespace) -> int:
     with opened_store(only_if_there=True) as store:
-        _print(export_person(store, options.key))
+        _print(export_person(store, person_named(store, options.key)))
     return 0
 
 
 def _erase(options: argparse.Namespace) -> int:
     with opened_store(only_if_there=True) as store:
-        _print(erase_person(store, options.key))
+        _print(erase_person(store, person_named(store, options.key)))
     return 0
 
 

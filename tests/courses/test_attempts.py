@@ -17,7 +17,7 @@ from courses.attempts.stored_attempts import LISTED, attempt_numbered, keep_draf
 from courses.marks.outbox import delivered, lease_scores, postponed, resend, undeliverable
 from courses.model import CourseSession, LinkSettings, Role
 from courses.people import privacy
-from courses.people.privacy import erase_person, export_person, purge
+from courses.people.privacy import erase_person, export_person, person_named, purge
 from courses.people.secrets import issue_code, pseudonym, redeem_code, remember_nonce
 from courses.people.sessions import SESSION, end_session, session_of
 from courses.policies import Allowance, AttemptPolicy, Counted, Counting, FeedbackTiming, Mode
@@ -434,6 +434,18 @@ def test_every_number_has_its_attempts(store: Store) -> None:
     assert len(behind(store, session, day=NOW.date(), correct=True)) == day["correct"] == 2
     assert behind(store, session, number=1, correct=True) == [("ann", 1)]
     assert behind(store, session, progress=Progress.STUCK) == [("max", 3)]
+
+
+def test_the_beginning_of_a_pseudonym_names_one_person(store: Store) -> None:
+    people = {name: joined(store, name).person for name in ("ann", "bob")}
+    for name, key in {"ann": "0123456789", "bob": "0123456788"}.items():
+        with store.writing() as connection:
+            own = sa.update(records.person).where(records.person.c.id == people[name].id)
+            connection.execute(own.values(key=key))
+    assert person_named(store, "0123456788") == "0123456788"
+    with pytest.raises(UnknownRecordError) as refusal:
+        person_named(store, "01234567")
+    assert refusal.value.faults[0].params["kind"] == "several"
 
 
 def test_a_person_is_exported_and_erased(store: Store) -> None:

@@ -21,6 +21,7 @@ error-record_unknown = { $kind ->
     [attempt] There is no such attempt in this course.
     [person] There is no such person in this course.
     [anybody] There is no such person here.
+    [several] Several pseudonyms begin like this. Give more characters of it; an export shows the whole of it.
     [link] There is no such link in this course.
     [platform] There is no such platform.
    *[other] There is no such record in this course.

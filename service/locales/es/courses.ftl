@@ -21,6 +21,7 @@ error-record_unknown = { $kind ->
     [attempt] No existe ese intento en este curso.
     [person] No existe esa persona en este curso.
     [anybody] No existe esa persona aquí.
+    [several] Varios seudónimos empiezan así. Indique más caracteres; una exportación lo muestra entero.
     [link] No existe ese enlace en este curso.
     [platform] No existe esa plataforma.
    *[other] No existe ese registro en este curso.

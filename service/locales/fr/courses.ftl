@@ -21,6 +21,7 @@ error-record_unknown = { $kind ->
     [attempt] Cet essai n’existe pas dans ce cours.
     [person] Cette personne n’existe pas dans ce cours.
     [anybody] Cette personne n’existe pas ici.
+    [several] Plusieurs pseudonymes commencent ainsi. Donnez-en davantage de caractères ; une exportation le montre en entier.
     [link] Ce lien n’existe pas dans ce cours.
     [platform] Cette plateforme n’existe pas.
    *[other] Cet enregistrement n’existe pas dans ce cours.

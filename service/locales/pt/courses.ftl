@@ -21,6 +21,7 @@ error-record_unknown = { $kind ->
     [attempt] Não existe essa tentativa nesta disciplina.
     [person] Não existe essa pessoa nesta disciplina.
     [anybody] Não existe essa pessoa aqui.
+    [several] Vários pseudónimos começam assim. Indique mais caracteres; uma exportação mostra-o completo.
     [link] Não existe essa ligação nesta disciplina.
     [platform] Não existe essa plataforma.
    *[other] Não existe esse registo nesta disciplina.

@@ -21,6 +21,7 @@ error-record_unknown = { $kind ->
     [attempt] Nu există această încercare în acest curs.
     [person] Nu există această persoană în acest curs.
     [anybody] Nu există această persoană aici.
+    [several] Mai multe pseudonime încep așa. Indicați mai multe caractere; un export îl arată întreg.
     [link] Nu există această legătură în acest curs.
     [platform] Nu există această platformă.
    *[other] Nu există această înregistrare în acest curs.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fastapi import Response
 
-from courses.people.privacy import erase_person, export_person, person_in
+from courses.people.privacy import erase_person, export_person, person_named
 from service.course_callers import course_router, json_response, staff_of
 from service.http.routing import ApiRequest
 
@@ -15,8 +15,8 @@ router = course_router()
 async def export_one(request: ApiRequest) -> Response:
     """Return everything that the course has stored about one of its people."""
     staff = await staff_of(request)
-    key, course = request.path_params["person"], staff.session.course.id
-    await staff.run(person_in, staff.store, course, key)
+    course = staff.session.course.id
+    key = await staff.run(person_named, staff.store, request.path_params["person"], course)
     await staff.log("person", subject=key)
     return json_response(await staff.run(export_person, staff.store, key, course))
 
@@ -25,8 +25,8 @@ async def export_one(request: ApiRequest) -> Response:
 async def erase_one(request: ApiRequest) -> Response:
     """Remove what the course has stored about one of its people."""
     staff = await staff_of(request)
-    key, course = request.path_params["person"], staff.session.course.id
-    await staff.run(person_in, staff.store, course, key)
+    course = staff.session.course.id
+    key = await staff.run(person_named, staff.store, request.path_params["person"], course)
     removed = await staff.run(erase_person, staff.store, key, course)
     await staff.log("person erased")
     return json_response({"removed": removed})
