@@ -37,7 +37,7 @@ class ToolRegistration:
             "redirect_uris": [target],
             "client_name": self.name,
             "jwks_uri": f"{self.root}lti/jwks",
-            "logo_uri": f"{self.root}static/logo/img/icon.svg",
+            "logo_uri": f"{self.root}static/logo/img/mark.svg",
             "token_endpoint_auth_method": "private_key_jwt",
             "scope": " ".join(scopes),
             names.TOOL_CONFIGURATION: {

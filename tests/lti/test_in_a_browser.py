@@ -244,4 +244,5 @@ def test_a_student_reads_the_rules_of_the_link(page: Page, service: str, browser
     expect(banner).to_contain_text(re.compile(r"Each further attempt costs 10\s% of all points"))
     offered = page.locator(".help-choice option").evaluate_all("(all) => all.map(({ value }) => value)")
     assert offered == ["verdict", "row"]
+    expect(page.locator("form button[type=submit]").first).to_have_text("Hand in")
     assert "Joints: ." not in page.inner_text("body")

@@ -116,3 +116,5 @@ def test_the_addresses_that_are_copied_into_a_platform_are_there(tmp_path: Path)
         for path in paths:
             answer = httpx.get(origin + path, timeout=120, trust_env=False)
             assert answer.status_code != 404, path
+        logo = httpx.get(f"{origin}/lti/configuration", timeout=120, trust_env=False).json()["logo_uri"]
+        assert httpx.get(logo, timeout=120, trust_env=False).headers["content-type"] == "image/svg+xml"

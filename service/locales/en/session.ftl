@@ -9,6 +9,8 @@ session-heading = Your session
 session-signed-in = Signed in as { $name } · { $course }
 session-attempts = Attempts: { $made }
 session-attempts-of = Attempts: { $made } of { $allowed }
+session-hand-in = Hand in
+session-hand-in-ready = Hand in what is ready
 session-counting = { $counting ->
     [first] The first attempt counts
    *[last] The last attempt counts

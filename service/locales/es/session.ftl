@@ -9,6 +9,8 @@ session-heading = Su sesión
 session-signed-in = Sesión iniciada como { $name } · { $course }
 session-attempts = Intentos: { $made }
 session-attempts-of = Intentos: { $made } de { $allowed }
+session-hand-in = Entregar
+session-hand-in-ready = Entregar lo que está listo
 session-counting = { $counting ->
     [first] Cuenta el primer intento
    *[last] Cuenta el último intento

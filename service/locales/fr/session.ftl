@@ -9,6 +9,8 @@ session-heading = Votre session
 session-signed-in = Connecté en tant que { $name } · { $course }
 session-attempts = Essais : { $made }
 session-attempts-of = Essais : { $made } sur { $allowed }
+session-hand-in = Rendre
+session-hand-in-ready = Rendre ce qui est prêt
 session-counting = { $counting ->
     [first] Le premier essai compte
    *[last] Le dernier essai compte

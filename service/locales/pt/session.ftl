@@ -9,6 +9,8 @@ session-heading = A sua sessão
 session-signed-in = Sessão iniciada como { $name } · { $course }
 session-attempts = Tentativas: { $made }
 session-attempts-of = Tentativas: { $made } de { $allowed }
+session-hand-in = Entregar
+session-hand-in-ready = Entregar o que está pronto
 session-counting = { $counting ->
     [first] Conta a primeira tentativa
    *[last] Conta a última tentativa

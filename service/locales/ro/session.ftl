@@ -9,6 +9,8 @@ session-heading = Sesiunea dumneavoastră
 session-signed-in = Autentificat ca { $name } · { $course }
 session-attempts = Încercări: { $made }
 session-attempts-of = Încercări: { $made } din { $allowed }
+session-hand-in = Predă
+session-hand-in-ready = Predă ce este gata
 session-counting = { $counting ->
     [first] Contează prima încercare
    *[last] Contează ultima încercare

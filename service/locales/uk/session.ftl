@@ -9,6 +9,8 @@ session-heading = Ваш сеанс
 session-signed-in = Ви ввійшли як { $name } · { $course }
 session-attempts = Спроби: { $made }
 session-attempts-of = Спроби: { $made } з { $allowed }
+session-hand-in = Здати
+session-hand-in-ready = Здати те, що готове
 session-counting = { $counting ->
     [first] Зараховується перша спроба
    *[last] Зараховується остання спроба

@@ -25,6 +25,10 @@ export class AnswerCard {
     this.exercise = exercise;
     this.changed = changed;
     this.together = together;
+    /** In a course every press is an attempt, and says so. */
+    this.labels = together
+      ? { all: "session-hand-in", part: "session-hand-in-ready" }
+      : { all: "form-submit", part: "form-submit-part" };
     this.help = new Help(exercise);
     this.progress = new Progress(exercise, (kind) => this.goTo(kind));
     this.editor = /** @type {any} */ (document.createElement("dh-table-editor"));
@@ -39,7 +43,7 @@ export class AnswerCard {
     // Enter in a field presses the button too; a frame that allows no forms lets no form be submitted.
     /** @param {any} event */
     const press = (event) => (event.preventDefault(), submit());
-    this.button = el("button", { type: "submit", class: "primary", onclick: press, text: t("form-submit") });
+    this.button = el("button", { type: "submit", class: "primary", onclick: press, text: t(this.labels.all) });
     this.problem = el("div", { id: "submit-problem" });
     const table = exercise.parts.find((/** @type {any} */ { kind }) => kind === "table");
     const several = this.parts.length > 1 || (this.parts.length > 0 && Boolean(table));
@@ -116,7 +120,7 @@ export class AnswerCard {
 
   /** @param {string} kind @param {(kind?: string) => void} submit */
   #checkButton(kind, submit) {
-    const label = t("form-submit-part");
+    const label = t(this.labels.part);
     const press = () => submit(kind);
     const name = named(label, partName(kind));
     return el(
@@ -157,7 +161,7 @@ export class AnswerCard {
     if (busy) fill(this.problem);
     if (busy) this.button.setAttribute("aria-disabled", "true");
     else this.button.removeAttribute("aria-disabled");
-    this.button.textContent = t(busy ? "form-submitting" : "form-submit");
+    this.button.textContent = t(busy ? "form-submitting" : this.labels.all);
   }
 
   /**
