@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from kinematics.inverse.arm import Arm, Array
+from kinematics.inverse.distinct import SAME, differences
 from kinematics.inverse.residuals import are_solutions, errors_at, errors_of
 
 NEWTON_STEPS = 20
@@ -82,8 +83,9 @@ def farthest_off(arm: Arm, tolerance: float) -> float:
 def evened(arm: Arm, target: Array, joints: Array, tolerance: float) -> Array:
     """Return configurations, (m, n), those that miss the target in distance or angle alone moved within both.
 
-    An arm of fewer than six joints misses a rounded pose. The sum of squares may be least where the one is
-    within its tolerance and the other is not; what lies between is found by weighing them otherwise.
+    An arm of fewer than six joints misses a rounded pose, and many descents end where it does: of the same
+    configurations only the first is moved. The sum of squares may be least where the one is within its
+    tolerance and the other is not; what lies between is found by weighing them otherwise.
 
     Args:
         arm: the arm.
@@ -96,8 +98,13 @@ def evened(arm: Arm, target: Array, joints: Array, tolerance: float) -> Array:
     off = np.linalg.norm(vectors, axis=1) <= farthest_off(arm, tolerance)
     uneven = ~reached & (off | (np.hypot(*_shares(vectors, arm, tolerance)) <= math.sqrt(2.0)))
     q = joints.copy()
-    for i in np.flatnonzero(uneven):
-        q[i] = _evened(arm, target, q[i], tolerance)
+    moved: list[int] = []
+    for i in np.flatnonzero(uneven).tolist():
+        apart = np.abs(differences(joints[moved], joints[i], arm)).max(axis=1)
+        same = np.flatnonzero(apart <= SAME)
+        q[i] = q[moved[same[0]]] if len(same) else _evened(arm, target, q[i], tolerance)
+        if not len(same):
+            moved.append(i)
     return q
 
 
