@@ -578,7 +578,7 @@ def test_steps_that_lead_away_from_a_solution_beside_a_fold_lead_back_to_it():
     q = (1.111232440849618, 1.1712002351388333, -3.2770356644753784)
     q = (*q, 0.9318022290539488, 2.8980164348158173, -1.6994266982217334)
     target = end_pose(table, q)
-    candidate = np.array(q) + (7.0529e-8, -2.5635e-9, 1.93708e-8, -1.275462e-7, 7.65845e-8, 1.101061e-7)
+    candidate = np.add(q, (7.0529e-8, -2.5635e-9, 1.93708e-8, -1.275462e-7, 7.65845e-8, 1.101061e-7))
     found = polish(arm_of(table), target, candidate[None])
     position, _ = pose_errors(end_poses(table, found), target)
     assert position[0] < 1e-11
