@@ -192,4 +192,6 @@ def _is_step(node: Call) -> bool:
 
 def _of_arctangent(node: Call) -> bool:
     """Whether an atan2 is in the argument."""
-    return any(isinstance(part, Call) and part.function is Function.ATAN2 for part in bottom_up(node.arguments))
+    return any(
+        isinstance(part, Call) and part.function is Function.ATAN2 for part in bottom_up(node.arguments)
+    )
