@@ -20,7 +20,6 @@ from exercises.grading import HelpLevel, Verdict
 from exercises.grading.score import marks_to_earn
 from exercises.instance import Instance, generate
 from exercises.needs import unneeded_dimensions
-from exercises.parts.forward.schematic import schematic_of
 from exercises.parts.protocol import TABLE, values_in_unit
 from exercises.parts.registry import part_type
 from exercises.parts.report import Credit
@@ -28,11 +27,13 @@ from exercises.selftest.answers import answer_from, context_of, is_refused, judg
 from exercises.selftest.findings import Findings
 from exercises.selftest.mistakes import MISTAKES
 from exercises.selftest.robustness import check_robustness
+from exercises.selftest.structure import structure_of, values_of_other_structure
 from exercises.selftest.variants import key_as_asked
 from exercises.written_table import written_table
 from kinematics.cells import ParameterKind, RawRow, RawTable, ReadTable, in_length_unit, parameters_in_radians
 from kinematics.chain import chain_of_table, size_of
 from kinematics.forward import forward_kinematics
+from kinematics.printing.numbers import fraction_as_decimal
 from kinematics.se3 import Transform
 from kinematics.table import JointType, NumericTable, bind
 
@@ -79,6 +80,8 @@ def check_values(
                 check_robustness(findings, instance, rng, mistakes)
             _check_parts(findings, instance, rng)
     with _crashes(findings, None):
+        for name, value in values_of_other_structure(exercise):
+            findings.fail("drawn_structure", name=name, value=fraction_as_decimal(value) or value)
         if with_table:
             _check_invalid(findings, exercise)
             _check_samples(findings, exercise)
@@ -127,10 +130,8 @@ def _crashes(findings: Findings, seed: int | str | None) -> Iterator[None]:
 def _check_drawn(findings: Findings, instance: Instance) -> None:
     """A student's own values leave the structure as it is, and the figure can be drawn."""
     exercise = instance.exercise
-    usual, own = (
-        schematic_of(bind(exercise.reference.table, which.values)) for which in (generate(exercise), instance)
-    )
-    findings.expect("structure", usual == own, seed=instance.seed)
+    usual = structure_of(generate(exercise))
+    findings.expect("structure", structure_of(instance) == usual, seed=instance.seed)
     try:
         true_scene(instance)
         figure_drawing(instance)

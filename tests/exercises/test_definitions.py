@@ -132,6 +132,18 @@ def test_lengths_that_may_be_exchanged_unseen_are_told_to_the_author(
     assert alike == [{"name": "L1", "other": "L2"}] * told
 
 
+@pytest.mark.parametrize(
+    ("drawn", "told"), [("-0.4, to = 0.6, step = 0.01", True), ("0.4, to = 0.6, step = 0.1", False)]
+)
+def test_a_value_that_few_students_have_and_that_changes_the_robot_is_a_failure(
+    drawn: str, told: bool, tmp_path: Path
+) -> None:
+    """One length in a hundred is zero, so that the axes coincide."""
+    found = load_exercise(folder(tmp_path, changed("0.4, to = 0.6, step = 0.1", drawn)))
+    failed = [one.params for one in check(found, 1).failures if one.check == "drawn_structure"]
+    assert failed == [{"name": "L1", "value": "0"}] * told
+
+
 WEIGHTLESS = "\n[weights]\n" + "".join(
     f"{fact} = 0\n" for fact in ("joint", "twist", "length", "offset", "rule")
 )

@@ -8,6 +8,7 @@ check-counts = { $exercise }: { $passed ->
    *[other] { $warnings } warnings
 }
 check-structure = Seed { $seed } changes the robot’s structure.
+check-drawn_structure = A student may be given { $name } = { $value }, which changes the robot’s structure. Leave that value out (without), or draw from another range.
 check-figure = Seed { $seed }: the figure cannot be drawn ({ $reason }).
 check-right = A right table is rejected: { $table }
 check-certificate = The certificate of a right table does not hold: { $table }

@@ -8,6 +8,7 @@ check-counts = { $exercise }: { $passed ->
    *[other] { $warnings } advertencias
 }
 check-structure = La semilla { $seed } cambia la estructura del robot.
+check-drawn_structure = El sorteo puede dar { $name } = { $value }, lo que cambia la estructura del robot. Excluya ese valor (without) o elija otro intervalo.
 check-figure = Semilla { $seed }: no se puede dibujar la figura ({ $reason }).
 check-right = Se rechaza una tabla correcta: { $table }
 check-certificate = El certificado de una tabla correcta no se cumple: { $table }

@@ -8,6 +8,7 @@ check-counts = { $exercise } : { $passed ->
    *[other] { $warnings } avertissements
 }
 check-structure = La graine { $seed } change la structure du robot.
+check-drawn_structure = Le tirage peut donner { $name } = { $value }, ce qui change la structure du robot. Excluez cette valeur (without) ou choisissez une autre plage.
 check-figure = Graine { $seed } : la figure ne peut pas être dessinée ({ $reason }).
 check-right = Un tableau juste est refusé : { $table }
 check-certificate = Le certificat d’un tableau juste ne tient pas : { $table }

@@ -8,6 +8,7 @@ check-counts = { $exercise }: { $passed ->
    *[other] { $warnings } avisos
 }
 check-structure = A semente { $seed } altera a estrutura do robô.
+check-drawn_structure = O sorteio pode dar { $name } = { $value }, o que altera a estrutura do robô. Exclua esse valor (without) ou escolha outro intervalo.
 check-figure = Semente { $seed }: não é possível desenhar a figura ({ $reason }).
 check-right = Uma tabela certa é rejeitada: { $table }
 check-certificate = O certificado de uma tabela certa não se verifica: { $table }

@@ -10,6 +10,7 @@ check-counts = { $exercise }: { $passed ->
    *[other] { $warnings } de avertismente
 }
 check-structure = Sămânța { $seed } schimbă structura robotului.
+check-drawn_structure = Tragerea la sorți poate da { $name } = { $value }, ceea ce schimbă structura robotului. Excludeți această valoare (without) sau alegeți alt interval.
 check-figure = Sămânța { $seed }: figura nu poate fi desenată ({ $reason }).
 check-right = Un tabel corect este respins: { $table }
 check-certificate = Certificatul unui tabel corect nu se verifică: { $table }

@@ -6,6 +6,7 @@ check-counts = { $exercise }: { $passed ->
    *[many] { $passed } перевірок пройдено
 }, не пройдено: { $failed }, попереджень: { $warnings }
 check-structure = Зерно { $seed } змінює структуру робота.
+check-drawn_structure = Може випасти { $name } = { $value }, а це змінює структуру робота. Вилучіть це значення (without) або виберіть інші межі.
 check-figure = Зерно { $seed }: рисунок не можна побудувати ({ $reason }).
 check-right = Правильну таблицю відхилено: { $table }
 check-certificate = Сертифікат правильної таблиці не виконується: { $table }
