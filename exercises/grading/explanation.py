@@ -24,10 +24,10 @@ from exercises.grading.findings import (
     wrong_facts,
 )
 from exercises.grading.judging.comparison import Comparison
-from exercises.grading.judging.digits import steps_of_wrong, tightened
+from exercises.grading.judging.digits import measured_as_typed, steps_of_wrong, tightened
 from exercises.grading.judging.end_lines import end_invariants, lines_at_ends
 from exercises.grading.judging.judgement import IMPRECISE, REFUTED, diagnosed, policy_of, share_of
-from exercises.grading.judging.typed import SAME
+from exercises.grading.judging.typed import NOTHING_TYPED, SAME
 from exercises.grading.score import lost, score_of
 from exercises.grading.verdict import Edit, Feedback, HelpLevel, LinkFinding, ParamValue, Repair
 from kinematics.cells import ReadTable
@@ -230,8 +230,11 @@ def work_on(comparison: Comparison, tables: tuple[ReadTable, ReadTable], policy:
         if not lines:
             return found
         fixing = lines_at_ends(strict, lines)
-        ends = tightened(key, table, steps, fixing, share)
-        return found.beside(end_invariants(ends, len(key.chain.axes), lines))
+        for typed in (steps, NOTHING_TYPED):
+            ends = end_invariants(tightened(key, table, typed, fixing, share), table.n_joints, lines)
+            if (ends.strains(measured_as_typed(ends, table, NOTHING_TYPED, fixing)) > 1.0).any():
+                break
+        return found.beside(ends)
 
     return Work(
         key=tables[0],

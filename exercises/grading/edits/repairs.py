@@ -105,8 +105,9 @@ def _found(work: Work, *, pairs: bool) -> Iterator[Repaired]:
     here, near = _seen_from_here(work)
     (changes,) = finishing([near])
     lined = work.for_lines()
-    if lined is not None:
-        changes += finishing([_seen_from_here(lined)[1]])[0]
+    to_the_letter = lined or (work.for_lines(to_the_letter=True) if here and not here.failing else None)
+    if to_the_letter is not None:
+        changes += finishing([_seen_from_here(to_the_letter)[1]])[0]
     changes.sort(key=lambda change: _likelihood(change, work.table))
     ways = [_helping(work, changes, Effort.PLAIN)]
     if _says_little(work, here):

@@ -106,10 +106,13 @@ class Work:
         """What is fixed at the ends as the invariants are measured."""
         return lines_at_ends(self.policy, self.lines) if self.lines else self.policy
 
-    def for_lines(self) -> Work | None:
+    def for_lines(self, *, to_the_letter: bool = False) -> Work | None:
         """Return the table as one in which the key's lines at the ends are looked for.
 
         None where it keeps the rule `axis` at both ends, or no key's line is meant but the joint's axis.
+
+        Args:
+            to_the_letter: a line is off even where the typed digits would explain it.
         """
         asked = (
             (Kind.BASE, self.policy.base is BaseRule.AXIS),
@@ -118,7 +121,8 @@ class Work:
         elsewhere = {kind for kind, is_asked in asked if is_asked and is_off_its_joint(self.reference, kind)}
         if not elsewhere or self.lines or not self.has_the_joints():
             return None
-        missed = elsewhere.intersection(self._ends_off(self.reference, self.table))
+        steps = NOTHING_TYPED if to_the_letter else self._typed_in(self.table)
+        missed = elsewhere.intersection(self._ends_off(self.reference, self.table, steps))
         return replace(self, lines=frozenset(missed)) if missed else None
 
     @cached_property
@@ -292,11 +296,16 @@ class Work:
         return False
 
     def _has_an_end_off(self, reference: Reference, table: NumericTable) -> bool:
-        return not self.comparison.exact and bool(self._ends_off(reference, table))
+        steps = self._typed_in(table)
+        return not self.comparison.exact and bool(self._ends_off(reference, table, steps))
 
-    def _ends_off(self, reference: Reference, table: NumericTable) -> tuple[Kind, ...]:
+    def _typed_in(self, table: NumericTable) -> Mapping[Place, float]:
         typed_so = len(table.rows) == len(self.comparison.meant_table.rows)
-        steps = self.comparison.steps if typed_so else NOTHING_TYPED
+        return self.comparison.steps if typed_so else NOTHING_TYPED
+
+    def _ends_off(
+        self, reference: Reference, table: NumericTable, steps: Mapping[Place, float]
+    ) -> tuple[Kind, ...]:
         return ends_beyond_digits(reference, table, steps, self.policy, share_of(self.comparison))
 
 

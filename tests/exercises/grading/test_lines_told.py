@@ -66,3 +66,12 @@ def test_the_twist_behind_the_line_of_the_base_is_no_more_likely_than_the_offset
     verdict = _told(key, (2, "d", 0.4), policy=Policy(base=BaseRule.AXIS, tool=ToolRule.FREE), modified=True)
     assert {("d_value", 1), ("d_value", 2)} <= {edit for repair in _edits(verdict) for edit in repair}
     assert {entry.row for entry in verdict.feedback if entry.row} == {1, 2}
+
+
+@pytest.mark.parametrize("off", [0.4485, 0.7])
+def test_digits_that_would_explain_the_line_leave_the_length_before_it_to_be_told(off: float) -> None:
+    """With -0.5, typed to one decimal, the line might be anywhere there; the poses say that it is not."""
+    key: Rows = [(90, 0, 0.56, "q1"), (-90, 0.4273, 0, "q2"), (-90, -0.5, "q3", 30)]
+    verdict = _told(key, (2, "a", off))
+    assert ("a_value", 2) in {edit for repair in _edits(verdict) for edit in repair}
+    assert 2 in {entry.row for entry in verdict.feedback}
