@@ -22,6 +22,8 @@ from kinematics.se3 import cross, norm
 
 # Three parallel axes between two others: what lies before them shows behind them.
 FARTHEST = 4
+# A sine: at right angles, but for the errors of the arithmetic.
+UPRIGHT = 1.0 - 1e-12
 
 
 @cached_by_size(lambda reference, policy: len(reference.table.rows), longest=USUAL_ROWS, most=1024, few=32)
@@ -64,8 +66,9 @@ def _past_sliders(
 ) -> list[tuple[Shape, float]]:
     """Along each run of parallel axes with a prismatic joint among them: the distance between its two ends.
 
-    An end is the foot of the common normal with the next axis outside the run; at an end of the chain, a
-    point that the policy fixes.
+    An end is the foot of the common normal with the next axis outside the run that is no prismatic joint; at
+    an end of the chain, a point that the policy fixes. As the line of a prismatic joint may be drawn anywhere,
+    it has such a foot only where that axis is at right angles to it.
     """
     found: list[tuple[Shape, float]] = []
     i = first
@@ -74,15 +77,24 @@ def _past_sliders(
         while j < last and norm(cross(axes[i].direction, axes[j + 1].direction)) < PARALLEL:
             j += 1
         is_fixed = (i > first or first == 0) and (j < last or last == len(axes) - 1)
-        before, after = max(i - 1, first), min(j + 1, last)
-        sines = [
-            norm(cross(axes[k].direction, axes[i].direction)) for k in (before, after) if not i <= k <= j
-        ]
-        flattest = min(sines, default=1.0)
-        slides = any(axis.prismatic for axis in axes[i : j + 1])
-        ends_slide = any(axes[k].prismatic for k in (before, i, j, after))
-        if is_fixed and slides and not ends_slide and flattest > STEEPEST:
-            slack = (SLACK * policy.tolerance.length + FLOOR) * size / flattest
-            found.append((Shape(Measure.OFFSET, (before, i, j, after)), slack))
+        before = i if i == first else _next_turning(axes, range(i - 1, first - 1, -1))
+        after = j if j == last else _next_turning(axes, range(j + 1, last + 1))
+        if is_fixed and before is not None and after is not None:
+            slides = any(axis.prismatic for axis in axes[before : after + 1])
+            sines = [
+                norm(cross(axes[k].direction, axes[i].direction)) for k in (before, after) if not i <= k <= j
+            ]
+            flattest = min(sines, default=1.0)
+            is_seen = all(
+                not axes[end].prismatic or norm(cross(axes[k].direction, axes[i].direction)) > UPRIGHT
+                for end, k in ((i, before), (j, after))
+            )
+            if slides and is_seen and flattest > STEEPEST:
+                slack = (SLACK * policy.tolerance.length + FLOOR) * size / flattest
+                found.append((Shape(Measure.OFFSET, (before, i, j, after)), slack))
         i = j + 1
     return found
+
+
+def _next_turning(axes: Sequence[Axis], beyond: Sequence[int]) -> int | None:
+    return next((k for k in beyond if not axes[k].prismatic), None)
