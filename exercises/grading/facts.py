@@ -90,7 +90,7 @@ class Facts:
     earned: Floats = field(default_factory=lambda: np.zeros(1))
     joint: float = 0.0
     type: float = 0.0
-    _by_type: dict[int, NDArray[np.bool_]] = field(default_factory=dict, init=False, repr=False)
+    _of_other_type: dict[int, Floats] = field(default_factory=dict, repr=False)
 
     def wrong(self, axes: Sequence[Axis], found: Floats | None = None) -> float:
         """Return the weight of the facts that an answer does not have, and of what its joints take with them.
@@ -141,12 +141,13 @@ class Facts:
             for by in shifts
         ]
         fits = np.array(self.invariants.fits(self.invariants.measured(axis_batch(besides))))
-        shapes = self.invariants.shapes
-        means = np.array([[self._means(shape, beside) for beside in besides] for shape in shapes])
+        either = np.logical_or(fits[0], fits[1])
+        for q, k in np.argwhere(either).tolist():
+            either[q, k] = self._means(self.invariants.shapes[q], besides[k])
         spans = zip(*(ends[:, 0].tolist() for ends in self.invariants.spans), strict=True)
         there = np.array([ways.of_links(first, last) for first, last in spans])
         column = np.clip(there - shifts[0], 0, len(shifts) - 1)
-        has = np.take_along_axis(np.logical_or(fits[0], fits[1]) & means, column, axis=1)
+        has = np.take_along_axis(either, column, axis=1)
         others = np.array([len(joints) for joints in ways.others])
         return _Compared(
             np.asarray((1.0 - self.joint) ** abs(shift) * (1.0 - self.type) ** others, dtype=np.float64),
@@ -168,7 +169,7 @@ class Facts:
         has = np.logical_or(fits[0], fits[1])
         kept, unseen = 1.0, np.zeros_like(has)
         if others:
-            has &= self._has(_moved(axes, others))
+            has &= self._has(self.invariants.measured(axis_batch([_moved(axes, others)])))
         for joint in others:
             changed = self._changed_by_type(joint)
             hidden = float((self.earned * changed[:, 0]).sum())
@@ -182,15 +183,15 @@ class Facts:
 
     def _changed_by_type(self, joint: int) -> NDArray[np.bool_]:
         """(q, 1) which invariants of the key change as a joint moves, if it is of the other type."""
-        if joint not in self._by_type:
+        if joint not in self._of_other_type:
             other = list(self.axes)
             other[joint] = other[joint]._replace(prismatic=not other[joint].prismatic)
-            self._by_type[joint] = ~self._has(_moved(other, (joint,)))
-        return self._by_type[joint]
+            self._of_other_type[joint] = self.invariants.measured(axis_batch([_moved(other, (joint,))]))
+        return ~self._has(self._of_other_type[joint])
 
-    def _has(self, axes: Sequence[Axis]) -> NDArray[np.bool_]:
-        """(q, 1) which invariants have the key's values, but for signs."""
-        return np.logical_or(*self.invariants.fits(self.invariants.measured(axis_batch([axes]))))
+    def _has(self, found: Floats) -> NDArray[np.bool_]:
+        """(q, 1) which measured invariants have the key's values, but for signs."""
+        return np.logical_or(*self.invariants.fits(found))
 
     def _means(self, shape: Shape, axes: Sequence[Axis]) -> bool:
         """Whether an invariant means in an answer with other joints what it means in the key."""
@@ -214,11 +215,12 @@ class Facts:
         if shape.measure is Measure.SUM:
             return all(self._is_as_parallel(axes, i, i + 1) for i in span[:-1]) and _are_level(axes, shape)
         if shape.measure is Measure.DISTANCE:
-            basis: tuple[Vector, ...] = ()
-            for i in shape.axes[2:]:
+            spanning, basis = shape.axes[2:], tuple[Vector, ...]()
+            others = [i for i in span if i not in spanning]
+            for i in spanning if others else ():
                 rest = outside(axes[i].direction, basis)
                 basis = (*basis, unit(rest)) if norm(rest) > NEARLY else basis
-            return all(norm(outside(axes[i].direction, basis)) <= NEARLY for i in span)
+            return all(norm(outside(axes[i].direction, basis)) <= NEARLY for i in others)
         return True
 
     def _is_as_parallel(self, axes: Sequence[Axis], i: int, j: int) -> bool:

@@ -66,6 +66,7 @@ class Misconception:
         hint: what is told of it from the help level `kind` on, where that is not the wrong facts of its row.
         cells: those of a row of which it concerns one by itself.
         counts: undoing it changes how many joints there are.
+        types: it may change of which types they are, in order, if not how many.
         beforehand: it is undone first where it comes together with one that changed their number.
         sizes: the columns in which undoing it may put entries of another size.
     """
@@ -76,6 +77,7 @@ class Misconception:
     hint: str | None = None
     cells: tuple[str, ...] = ()
     counts: bool = False
+    types: bool = False
     beforehand: bool = False
     sizes: frozenset[str] = ALL
 
@@ -187,11 +189,13 @@ CATALOGUE: tuple[Misconception, ...] = (
         sizes=NONE,
     ),
     Misconception(code="variable_sign", changes=sign_of_variable, cells=("theta", "d"), sizes=NONE),
-    Misconception(code="joint_type", changes=joint_of_other_type, beforehand=True),
+    Misconception(code="joint_type", changes=joint_of_other_type, types=True, beforehand=True),
     Misconception(
         code="joint_fixed", changes=joint_left_out, told_as=("joint_fixed", "joint_moving"), counts=True
     ),
-    Misconception(code="rows_swapped", changes=rows_swapped, hint="rows_out_of_order", beforehand=True),
+    Misconception(
+        code="rows_swapped", changes=rows_swapped, hint="rows_out_of_order", types=True, beforehand=True
+    ),
     Misconception(code="row_missing", changes=row_left_out, hint="row_missing", counts=True),
     Misconception(code="fixed_row_missing", changes=fixed_row_left_out, hint="row_missing", sizes=NONE),
     Misconception(code="row_extra", changes=row_too_many, hint="row_not_needed", counts=True),

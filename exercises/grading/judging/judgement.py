@@ -10,7 +10,16 @@ from exercises.grading.judging.digits import PER_CENT, beyond_digits, digits_and
 from exercises.grading.judging.end_lines import ends_beyond_digits
 from exercises.grading.judging.typed import Place
 from kinematics.chain import chain_of_table
-from kinematics.equivalence import Decision, Kind, Mismatch, Policy, ZeroRule, decide_draws
+from kinematics.equivalence import (
+    BaseRule,
+    Decision,
+    Kind,
+    Mismatch,
+    Policy,
+    ToolRule,
+    ZeroRule,
+    decide_draws,
+)
 from kinematics.equivalence.decision import EXACT, convention_fits, mechanism_only
 from kinematics.equivalence.diagnosis import diagnose, mismatches_of
 from kinematics.equivalence.invariants import Invariants
@@ -22,7 +31,7 @@ IMPRECISE = Decision(certificate=None, mismatches=(Mismatch(kind=Kind.PRECISION)
 
 """Every fact is right by itself, and only their small errors together are too much."""
 REFUTED = Decision(certificate=None, mismatches=(), same_robot=False)
-"""A length or an angle is wrong, whatever frames were chosen; what does not fit is found by `diagnosed`."""
+"""A length, an angle or a type is wrong, whatever frames were chosen; `diagnosed` finds what does not fit."""
 
 
 def policy_of(comparison: Comparison, policy: Policy) -> Policy:
@@ -73,13 +82,16 @@ def with_a_telling_draw_first(comparison: Comparison, policy: Policy) -> Compari
 
 
 def _is_refuted(comparison: Comparison, policy: Policy, draw: int = 0) -> bool:
-    """Whether a length or an angle of an answer is wrong, whatever frames were chosen.
+    """Whether a length or an angle of an answer is wrong, or a joint's type, whatever frames were chosen.
 
     Nothing is searched for then: no certificate stands, and none of the mirror image.
     """
     key, answer = comparison.references[draw], comparison.meant[draw]
-    if key.joint_types != answer.joint_types or not convention_fits(answer.convention, policy.convention):
+    if key.n_joints != answer.n_joints or not convention_fits(answer.convention, policy.convention):
         return False
+    if key.joint_types != answer.joint_types:
+        # what else a diagnosis says is told beside any repair: which rules about the ends are not kept
+        return policy.base is BaseRule.FREE and policy.tool is ToolRule.FREE
     return _beyond_digits(comparison, mechanism_only(policy), draw) is not None
 
 
