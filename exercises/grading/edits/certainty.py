@@ -16,7 +16,7 @@ import numpy as np
 
 from exercises.grading.edits.changes import Change
 from exercises.grading.edits.work import Work
-from exercises.grading.facts import least_cost
+from exercises.grading.facts import Floats, least_cost
 from kinematics.caching import USUAL_ROWS, cached_by_size
 from kinematics.equivalence import BaseRule, DirectionRule, Policy, ToolRule, ZeroRule
 from kinematics.equivalence.decision import EXACT, convention_fits
@@ -32,38 +32,46 @@ from kinematics.table import Convention, NumericTable
 SHARE = 1.0 / 8.0
 
 
-def surely_right(work: Work, edits: Sequence[Sequence[Change]]) -> list[bool]:
+def surely_right(work: Work, edits: Sequence[tuple[Sequence[Change], Floats | None]]) -> list[bool]:
     """Return of edits, one after the other, whether they are seen to make a table right at every draw.
 
     False says nothing.
 
     Args:
         work: the table.
-        edits: sequences of them.
+        edits: sequences of them, each with the invariants (q,) of the table that it leads to at its draw;
+            None where they are not those that the policy asks for.
     """
     draws, policy = work.draws_at_hand, work.policy
     known = _determining(tuple(work.references[draw] for draw in draws), policy)
     sure = [False] * len(edits)
     if known is None:
         return sure
-    each = [(number, work.made_alike(changes, draws)) for number, changes in enumerate(edits)]
+    each = [
+        (number, work.made_alike(changes, draws))
+        for number, (changes, found) in enumerate(edits)
+        if found is not None
+    ]
     made = [
         (number, tables)
         for number, tables in each
         if tables and work.has_the_joints(tables[0]) and _keeps_rules(tables[0], policy)
     ]
-    tables = [table for _, at_draws in made for table in at_draws]
-    if not tables:
+    if not made:
         return sure
-    work.meter.charge(per_batch(len(tables), len(tables[0].rows), len(known.shapes)))
-    found = measured_of_tables(known.shapes, tables, [(k, ()) for k in range(len(tables))], policy)
-    values, slacks = (np.hstack([one] * len(made)) for one in (known.values, known.slacks))
+    found = np.array([edits[number][1] for number, _ in made]).T
+    others = [tables[k] for k in range(1, len(draws)) for _, tables in made]
+    if others:
+        work.meter.charge(per_batch(len(others), len(others[0].rows), len(known.shapes)))
+        variations = [(k, ()) for k in range(len(others))]
+        found = np.hstack((found, measured_of_tables(known.shapes, others, variations, policy)))
+    values, slacks = (one.repeat(len(made), axis=1) for one in (known.values, known.slacks))
     fits = np.array(Invariants(known.shapes, values, slacks).fits(found))
     right = fits[0].all(axis=0)
     if not right.all():
         axes = len(work.reference.chain.axes) + 2
         right = least_cost(known.shapes, axes, (~fits).astype(float)) == 0.0
-    at_all = right.reshape(len(made), len(draws)).all(axis=1).tolist()
+    at_all = right.reshape(len(draws), len(made)).all(axis=0).tolist()
     for (number, _), is_right in zip(made, at_all, strict=True):
         sure[number] = is_right
     return sure

@@ -20,6 +20,7 @@ from exercises.grading.edits.sieve import Sieve
 from exercises.grading.edits.table_edits import other_convention
 from exercises.grading.edits.trials import (
     Catalogue,
+    Finish,
     Trial,
     finishing,
     finishing_reaches,
@@ -28,6 +29,7 @@ from exercises.grading.edits.trials import (
 )
 from exercises.grading.edits.wanted_changes import changes_beforehand, changes_of
 from exercises.grading.edits.work import ANYTHING, EVERYWHERE, Work
+from exercises.grading.facts import Floats
 from kinematics.equivalence.meter import WorkExhaustedError
 from kinematics.equivalence.search import Effort
 from kinematics.table import NumericTable
@@ -103,16 +105,16 @@ def _in_the_other_convention(work: Work) -> Iterator[Repaired]:
 def _found(work: Work, *, pairs: bool) -> Iterator[Repaired]:
     """Single edits, by growing effort; if there are none, pairs."""
     here, near = _seen_from_here(work)
-    (changes,) = finishing([near])
+    (made,) = finishing([near])
     lined = work.for_lines()
     to_the_letter = lined or (work.for_lines(to_the_letter=True) if here and not here.failing else None)
     if to_the_letter is not None:
-        changes += finishing([_seen_from_here(to_the_letter)[1]])[0]
-    changes.sort(key=lambda change: _likelihood(change, work.table))
-    ways = [_helping(work, changes, Effort.PLAIN)]
+        made += finishing([_seen_from_here(to_the_letter)[1]])[0]
+    made.sort(key=lambda one: _likelihood(one.change, work.table))
+    ways = [_helping(work, made, Effort.PLAIN)]
     if _says_little(work, here):
         ways.append(_fitted(near))
-    ways.append(_helping(work, changes, Effort.REFINED))
+    ways.append(_helping(work, made, Effort.REFINED))
     for way in ways:
         found: list[Change] = []
         with work.meter.at_most(WORK_OF_ONE_WAY):
@@ -167,22 +169,28 @@ def _likelihood(change: Change, table: NumericTable) -> tuple[float, bool, int]:
     return extent, change.fills_a_zero(table), RANKS[change.code]
 
 
-def _helping(work: Work, changes: Iterable[Change], effort: Effort) -> Iterator[Change]:
+def _helping(work: Work, made: Iterable[Finish], effort: Effort) -> Iterator[Change]:
     """The single changes that make the table right."""
-    for (change,) in _mending(work, ((work, (change,)) for change in changes), effort):
+    for (change,) in _mending(work, ((work, (change,), found) for change, found in made), effort):
         yield change
 
 
 def _mending(
-    work: Work, edits: Iterator[tuple[Work, tuple[Change, ...]]], effort: Effort
+    work: Work, edits: Iterator[tuple[Work, tuple[Change, ...], Floats | None]], effort: Effort
 ) -> Iterator[tuple[Change, ...]]:
-    """Of edits, each with the table that its last is made in, those that mend the table; each place once."""
+    """Of edits those that mend the table; each place once.
+
+    Args:
+        work: the table.
+        edits: each with the table that its last is made in, and the invariants of what it leads to.
+        effort: how hard to try.
+    """
     told: set[frozenset[tuple[str, int | None, str | None]]] = set()
     placed = ((frozenset((one.code, one.row, one.cell) for one in edit[1]), *edit) for edit in edits)
     untold = (edit for edit in placed if edit[0] not in told)
     while some := list(islice(untold, MOST_REPAIRS)):
-        seen = surely_right(work, [changes for *_, changes in some])
-        for (places, edited, changes), sure in zip(some, seen, strict=True):
+        seen = surely_right(work, [(changes, found) for *_, changes, found in some])
+        for (places, edited, changes, _), sure in zip(some, seen, strict=True):
             if places not in told and (sure or _is_right(work, edited, changes, effort)):
                 told.add(places)
                 yield changes
@@ -211,7 +219,7 @@ def _mends(work: Work, changes: Sequence[Change], effort: Effort) -> bool:
     if len(changes) > 1:
         first = [*tried(work), *_beforehand(work)]
         return any(_mends(half, changes[1:], effort) for half in _halves(work, first))
-    if any(work.accepts(change, effort) for change in finishing([work])[0]):
+    if any(work.accepts(change, effort) for change, _ in finishing([work])[0]):
         return True
     return effort is Effort.REFINED and any(True for _ in _fitted(work))
 
@@ -223,15 +231,17 @@ def _pairs(work: Work, first: Sequence[Trial]) -> Iterator[Repaired]:
         yield Repaired(tuple(sorted(shown, key=lambda c: -1 if c.row is None else c.row)))
 
 
-def _pairs_to_try(work: Work, first: Sequence[Trial]) -> Iterator[tuple[Work, tuple[Change, Change]]]:
-    """The same before they are judged, and the table that the second edit is made in."""
+def _pairs_to_try(
+    work: Work, first: Sequence[Trial]
+) -> Iterator[tuple[Work, tuple[Change, Change], Floats | None]]:
+    """The same before they are judged, as `_mending` takes them."""
     together = max(MOST_ROWS_TOGETHER // len(work.table.rows), 1)
     for start in range(0, len(first), together):
         some = first[start : start + together]
         halves = _halves(work, some, keeping=True)
         for trial, half, rest in zip(some, halves, finishing(halves), strict=True):
-            for other in rest:
-                yield half, (trial.change, other)
+            for other, found in rest:
+                yield half, (trial.change, other), found
 
 
 def _halves(work: Work, trials: Iterable[Trial], *, keeping: bool = False) -> list[Work]:

@@ -57,10 +57,22 @@ class Trial(NamedTuple):
         return self.reach[0] - self.reach[1] <= -REACH_OF_A_ROW
 
 
+class Finish(NamedTuple):
+    """An edit after which a table might be the robot.
+
+    Attributes:
+        change: the edit.
+        found: (q,) the invariants of the table that it leads to; None where key's lines are among them.
+    """
+
+    change: Change
+    found: NDArray[np.float64] | None
+
+
 UNCHANGED = Change("", Extent.CELL)
 
 
-def finishing(works: Sequence[Work], catalogue: Catalogue = changes_of) -> list[list[Change]]:
+def finishing(works: Sequence[Work], catalogue: Catalogue = changes_of) -> list[list[Finish]]:
     """Return for every table the edits of a catalogue after which it might be the robot.
 
     No fact fails then, and the axes can be turned so that their signs agree.
@@ -71,12 +83,13 @@ def finishing(works: Sequence[Work], catalogue: Catalogue = changes_of) -> list[
     """
     sieves = [Sieve(work) for work in works]
     works = [sieve.narrowed() for sieve in sieves]
-    found: list[list[Change]] = [[] for _ in works]
+    made: list[list[Finish]] = [[] for _ in works]
     for batch in _batches(works, catalogue, finishing_reaches(works), sieves, finishing=True):
-        for (number, change), might in zip(batch.made, batch.misfits.might_be_none(), strict=True):
-            if might:
-                found[number].append(change)
-    return found
+        for k in batch.misfits.might_be_none():
+            number, change = batch.made[k]
+            found = None if works[number].lines else batch.misfits.found[:, k]
+            made[number].append(Finish(change, found))
+    return made
 
 
 def tried(work: Work, catalogue: Catalogue = changes_of, *, most_failing: int | None = None) -> list[Trial]:
@@ -274,10 +287,14 @@ class _Misfit(NamedTuple):
 
 
 class _Misfits:
-    """What of the key tables do not have, from their invariants: (q, k)."""
+    """What of the key tables do not have.
+
+    Attributes:
+        found: (q, k) their invariants, from which it is told.
+    """
 
     def __init__(self, work: Work, found: NDArray[np.float64]) -> None:
-        self._invariants, self._facts, self._found = work.invariants, work.n_facts, found
+        self._invariants, self._facts, self.found = work.invariants, work.n_facts, found
         self._axes = len(work.reference.chain.axes) + 2
         self._fixed = fixed_ends(self._axes, work.policy)
         self._strains = self._invariants.strains(found)
@@ -289,18 +306,17 @@ class _Misfits:
             self._failing[pointing] |= ~self._invariants.fits(found)[0][pointing]
         self._misplaced = self._failing.sum(axis=0) - self._counts
 
-    def might_be_none(self) -> list[bool]:
-        """Of each whether nothing fails, and the axes can be turned so that the signs agree."""
-        might = (self._counts == 0) & (self._misplaced == 0)
-        which = np.flatnonzero(might)
+    def might_be_none(self) -> list[int]:
+        """The numbers of those of which nothing fails, and the axes can be turned so that the signs agree."""
+        which = np.flatnonzero((self._counts == 0) & (self._misplaced == 0))
         if which.size:
-            fits = np.array(self._invariants.fits(self._found[:, which]))
+            fits = np.array(self._invariants.fits(self.found[:, which]))
             if not fits[0].all():
                 costs = (~fits).astype(float)
                 sums = least_cost(self._invariants.shapes, self._axes, costs, self._fixed)
-                might[which] = sums == 0.0
-        found: list[bool] = might.tolist()
-        return found
+                which = which[sums == 0.0]
+        numbers: list[int] = which.tolist()
+        return numbers
 
     @cached_property
     def told(self) -> list[_Misfit]:

@@ -12,6 +12,7 @@ from exercises.grading.edits.certainty import surely_right
 from exercises.grading.edits.work import Work
 from exercises.grading.explanation import work_on
 from exercises.grading.judging.comparison import comparisons
+from exercises.grading.judging.digits import measured_as_typed
 from kinematics.equivalence import BaseRule, Policy, ToolRule, decide
 from kinematics.equivalence.decision import EXACT
 from kinematics.table import Convention, DHRow, DHTable, JointType, NumericTable
@@ -34,7 +35,11 @@ def work_of(key: NumericTable, answer: NumericTable, policy: Policy) -> Work:
 
 def seen(key: NumericTable, answer: NumericTable, policy: Policy) -> bool:
     """Whether an answer is seen to be right as it stands."""
-    return surely_right(work_of(key, answer, policy), [()]) == [True]
+    work = work_of(key, answer, policy)
+    if not work.has_the_joints():
+        return False
+    found = measured_as_typed(work.invariants, work.table, {}, policy)[:, 0]
+    return surely_right(work, [((), found)]) == [True]
 
 
 def with_other_ends(table: NumericTable, rng: Random) -> NumericTable:
