@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from typing import Any
 
 import pytest
@@ -30,8 +30,14 @@ table: calls share the shapes of those, and what is so described is sent to one 
 """
 
 
-def for_each_call(schema: schemathesis.BaseSchema) -> Callable[[Test], Test]:
-    """Make one test a call of what takes a `base_url` and a `case`.
+def for_each_call(
+    schema: schemathesis.BaseSchema, most: Mapping[GenerationMode, int] | None = MOST
+) -> Callable[[Test], Test]:
+    """Make one test a call of what takes a `case`, and what the fixture `called` gives, by name.
+
+    Args:
+        schema: the calls.
+        most: covering cases of a call that are sent; None: all.
 
     Schemathesis's own `parametrize` draws its covering cases when tests are collected, in every worker: most
     of what collecting eleven thousand tests cost. Here a call's cases are drawn when its test runs.
@@ -41,7 +47,7 @@ def for_each_call(schema: schemathesis.BaseSchema) -> Callable[[Test], Test]:
 
     def parametrized(check: Test) -> Test:
         @pytest.mark.parametrize("label", operations)
-        def test(base_url: str, label: str) -> None:
+        def test(called: dict[str, Any], label: str) -> None:
             load_all_checks()
             drawn: Any = build_operation_test(
                 config=schema.config,
@@ -53,9 +59,9 @@ def for_each_call(schema: schemathesis.BaseSchema) -> Callable[[Test], Test]:
             covering = getattr(
                 drawn, "hypothesis_explicit_examples", None
             )  # a test without covering cases has none
-            if covering is not None:
-                drawn.hypothesis_explicit_examples = _spread(_new(covering, label, sent))
-            drawn(base_url=base_url)
+            if covering is not None and most is not None:
+                drawn.hypothesis_explicit_examples = _spread(_new(covering, label, sent), most)
+            drawn(**called)
 
         return test
 
@@ -64,8 +70,6 @@ def for_each_call(schema: schemathesis.BaseSchema) -> Callable[[Test], Test]:
 
 def _new(examples: list[Any], label: str, sent: dict[str, str]) -> list[Any]:
     """What differs from what is sent already, to this call or, of what calls share, to another."""
-    if MOST is None:
-        return examples
     new = {}
     for place, example in enumerate(examples):
         meta = example.kwargs["case"].meta
@@ -76,12 +80,10 @@ def _new(examples: list[Any], label: str, sent: dict[str, str]) -> list[Any]:
     return [examples[place] for place in new.values()]
 
 
-def _spread(examples: list[Any]) -> list[Any]:
+def _spread(examples: list[Any], sent: Mapping[GenerationMode, int]) -> list[Any]:
     """As many of a call's covering cases as are sent, evenly over all of its fields."""
-    if MOST is None:
-        return examples
     kept = set()
-    for mode, most in MOST.items():
+    for mode, most in sent.items():
         places = [
             place
             for place, example in enumerate(examples)

@@ -3,20 +3,19 @@
 from __future__ import annotations
 
 import re
+from functools import cache
 from pathlib import Path
-
-import pytest
 
 from bench import report
 from tests.architecture.sources import ROOT, shown, tracked
 from tests.document import DOCUMENT
 
-PAGES = [path for path in tracked() if path.suffix == ".md"]
 LINK = re.compile(r"(?<!\\)\[[^\]\[]*\]\(([^)\s]+)(?:\s+\"[^\"]*\")?\)")
 HEADING = re.compile(r"^#+\s+(.*?)\s*#*$", re.MULTILINE)
 CODE = re.compile(r"```.*?```|`[^`\n]*`", re.DOTALL)
 
 
+@cache
 def anchors(page: Path) -> set[str]:
     """Anchors of a page's headings, as GitHub makes them."""
     found: set[str] = set()
@@ -43,17 +42,23 @@ def test_a_measurement_leaves_the_other_sections_of_its_page(tmp_path: Path) -> 
     assert page.read_text(encoding="utf-8") == text
 
 
-@pytest.mark.parametrize("page", PAGES, ids=shown)
-def test_links_lead_somewhere(page: Path) -> None:
-    broken = []
-    for target in LINK.findall(CODE.sub("", page.read_text(encoding="utf-8"))):
-        if re.match(r"[a-z]+:", target):
-            continue
-        name, _, anchor = target.partition("#")
-        linked = (page.parent / name).resolve() if name else page
-        if not linked.exists() or (anchor and linked.suffix == ".md" and anchor not in anchors(linked)):
-            broken.append(target)
-    assert not broken
+def test_links_lead_somewhere() -> None:
+    assert not [
+        f"{shown(page)}: {target}"
+        for page in tracked()
+        if page.suffix == ".md"
+        for target in LINK.findall(CODE.sub("", page.read_text(encoding="utf-8")))
+        if is_broken(page, target)
+    ]
+
+
+def is_broken(page: Path, target: str) -> bool:
+    """Whether a link of a page leads to no file, or to no heading of it."""
+    if re.match(r"[a-z]+:", target):
+        return False
+    name, _, anchor = target.partition("#")
+    linked = (page.parent / name).resolve() if name else page
+    return not linked.exists() or bool(anchor and linked.suffix == ".md" and anchor not in anchors(linked))
 
 
 def test_every_call_is_listed() -> None:

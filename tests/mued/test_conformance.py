@@ -18,6 +18,8 @@ from hypothesis import HealthCheck, Phase, settings
 from jsonschema import Draft202012Validator
 from schemathesis.specs.openapi.checks import negative_data_rejection, positive_data_acceptance
 
+from tests.drawn_calls import for_each_call
+
 DOCUMENT: dict[str, Any] = json.loads((Path(__file__).parent / "mued-0.1.0.json").read_text(encoding="utf-8"))
 EVALUATE = DOCUMENT["paths"]["/evaluate"]["post"]
 HEALTH = DOCUMENT["paths"]["/evaluate/health"]["get"]
@@ -133,7 +135,12 @@ schema = schemathesis.openapi.from_dict(DOCUMENT)
 EXAMPLES = 60
 
 
-@schema.parametrize()
+@pytest.fixture
+def called(mued_url: str, mued_headers: dict[str, str]) -> dict[str, Any]:
+    return {"mued_url": mued_url, "mued_headers": mued_headers}
+
+
+@for_each_call(schema, most=None)
 @settings(
     max_examples=EXAMPLES,
     deadline=None,

@@ -87,6 +87,11 @@ def disconnected_at_the_end() -> Iterator[None]:
     CONNECTED.close()
 
 
+@pytest.fixture
+def called(base_url: str) -> dict[str, Any]:
+    return {"base_url": base_url}
+
+
 def answer(case: schemathesis.Case, base_url: str) -> Any:
     """What the service answers, on a connection that stays."""
     return case.call(base_url=base_url, session=CONNECTED, headers={"Accept": "*/*"}, timeout=120)

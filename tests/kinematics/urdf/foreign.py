@@ -3,7 +3,6 @@
 import io
 
 import numpy as np
-import yourdfpy
 
 
 def foreign_poses(text: str, joints: np.ndarray, base: str, tip: str) -> np.ndarray:
@@ -12,6 +11,8 @@ def foreign_poses(text: str, joints: np.ndarray, base: str, tip: str) -> np.ndar
     Each joint's matrix is the library's. They are multiplied here, because its scene graph leaves out
     matrices within 1e-8 of the identity, and with them lengths below 10 nm.
     """
+    import yourdfpy  # with all it needs half a second, and only one of the test processes comes here
+
     urdf = yourdfpy.URDF.load(io.BytesIO(text.encode()), load_meshes=False)
     parents = {joint.child: joint for joint in urdf.robot.joints}
     chain, link = [], tip
