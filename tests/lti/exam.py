@@ -21,7 +21,7 @@ import sys
 import tempfile
 import time
 from collections import Counter
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, cast
@@ -205,12 +205,12 @@ def submission(number: int) -> bytes:
     return json.dumps({"table": table(number, mistakes_of(number), random.Random(number))}).encode()
 
 
-def enrolled(store: Store, students: int, settings: LinkSettings) -> list[str]:
+def enrolled(store: Store, students: int, settings: LinkSettings, course: str = COURSE) -> list[str]:
     """Sessions of a class, whose link has these settings."""
     known, tokens, link = platform(store), [], 0
     for number in range(students):
-        told = {"deployment": "1", "context": "exam", "resource": "exam", "course_title": COURSE}
-        arrival = Arrival(platform=known, subject=f"s{number}", role=Role.LEARNER, **told)
+        told = {"deployment": "1", "context": course, "resource": course, "course_title": course}
+        arrival = Arrival(platform=known, subject=f"{course} {number}", role=Role.LEARNER, **told)
         token, link = arrive(store, arrival, now())
         tokens.append(token)
     change_settings(store, link, settings, now())
@@ -294,7 +294,7 @@ def _processes(group: int) -> Iterator[list[str]]:
 
 def run(
     students: int,
-    variants: int | None,
+    variants: Sequence[int | None],
     folder: Path,
     database: str = "",
     within: tuple[float, float] | None = None,
@@ -303,29 +303,32 @@ def run(
     """Sit an exam.
 
     Args:
-        students: how many.
-        variants: how many sets of values they share; None: each has their own.
+        students: how many there are in each class.
+        variants: for each class how many sets of values its students share; None: each has their own.
         folder: of the SQLite file.
         database: URL of PostgreSQL instead.
         within: seconds over which the openings, and the submissions, are spread; None: the usual ones.
         settling: how long the service may take at the most to be done with its start [s].
     """
     if within is None:
-        within = OPENED_WITHIN, HANDED_IN_WITHIN if variants is None else HANDED_IN_WITHIN_OF_VARIANTS
+        within = OPENED_WITHIN, HANDED_IN_WITHIN if None in variants else HANDED_IN_WITHIN_OF_VARIANTS
     descriptors = resource.getrlimit(resource.RLIMIT_NOFILE)
     resource.setrlimit(resource.RLIMIT_NOFILE, (descriptors[1], descriptors[1]))
     store = open_store(database, folder)
-    settings = LinkSettings(exercise_id="puma560", per_student=True, variants=variants, language="en")
-    tokens = enrolled(store, students, settings)
+    tokens = []
+    for place, count in enumerate(variants, 1):
+        settings = LinkSettings(exercise_id="puma560", per_student=True, variants=count, language="en")
+        course = f"{COURSE} {place}"
+        tokens += enrolled(store, students, settings, course)
+        if count is not None:
+            where = {
+                "FRAMEWISE_STORAGE": "on",
+                "FRAMEWISE_DATA_FOLDER": str(folder),
+                "FRAMEWISE_DATABASE_URL": database,
+            }
+            warm = [sys.executable, "-m", "service", "warm", course]
+            subprocess.run(warm, env={**os.environ, **where}, check=True)
     told = {"FRAMEWISE_WORKERS": str(WORKERS)}
-    if variants is not None:
-        where = {
-            "FRAMEWISE_STORAGE": "on",
-            "FRAMEWISE_DATA_FOLDER": str(folder),
-            "FRAMEWISE_DATABASE_URL": database,
-        }
-        warm = [sys.executable, "-m", "service", "warm", COURSE]
-        subprocess.run(warm, env={**os.environ, **where}, check=True)
     with killed(database, folder, told) as (origin, process):
         port = int(origin.rpartition(":")[2])
         asyncio.run(ready(port))
@@ -409,7 +412,7 @@ def main() -> None:
     with tempfile.TemporaryDirectory() as folder:
         outcome = run(
             options.students,
-            options.variants,
+            [options.variants],
             Path(folder),
             options.database,
             tuple(options.within) if options.within else None,
