@@ -27,6 +27,10 @@ if TYPE_CHECKING:
     from fastapi import FastAPI
 
 _LARGEST_PORT = 65535
+SILENT_SECONDS = 60
+"""So long one of several processes may leave its supervisor without an answer before it is replaced. Loading
+takes a second of processor time, for which a sixteenth of a processor needs a quarter of a minute; what is
+replaced before it can answer would never serve."""
 
 
 def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -54,7 +58,11 @@ def _serve(options: argparse.Namespace) -> int:
         figures = share_metrics()
         try:
             config = uvicorn.Config(
-                "service.cli.serve:one_of_several", factory=True, workers=workers, **chosen
+                "service.cli.serve:one_of_several",
+                factory=True,
+                workers=workers,
+                timeout_worker_healthcheck=SILENT_SECONDS,
+                **chosen,
             )
             supervisor = _Supervisor(config, sockets=[config.bind_socket()])
             supervisor.run()

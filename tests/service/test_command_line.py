@@ -12,6 +12,7 @@ import sys
 from pathlib import Path
 
 import pytest
+from uvicorn.supervisors.multiprocess import Process
 
 from courses.storage.database import open_store
 from service import __version__
@@ -286,6 +287,36 @@ def test_a_reader_that_has_had_enough_is_no_error() -> None:
         assert listing.stderr is not None
         listing.stdout.close()
         assert listing.stderr.read() == b""
+
+
+def test_a_process_that_is_slow_to_start_is_not_replaced(monkeypatch: pytest.MonkeyPatch) -> None:
+    """With a sixteenth of a processor none of two ever came to serve: each was killed after five seconds."""
+    from service.cli import serve
+
+    asked = []
+
+    class Patient(Process):
+        def is_alive(self, timeout: float = 0.0) -> bool:
+            asked.append(timeout)
+            return True
+
+        def start(self) -> None:
+            """Nothing is started here."""
+
+    def once(supervisor: serve._Supervisor) -> None:
+        supervisor.init_processes()
+        supervisor.keep_subprocess_alive()
+        for each in supervisor.sockets:
+            each.close()
+
+    monkeypatch.setattr("uvicorn.supervisors.multiprocess.Process", Patient)
+    monkeypatch.setattr(serve._Supervisor, "run", once)
+    monkeypatch.setattr("signal.signal", lambda *_: None)
+    for shared in ("share_secret", "share_metrics"):
+        monkeypatch.setattr(serve, shared, lambda: "nothing is shared here")
+    assert main(["serve", "--workers", "2", "--port", "0"]) == 0
+    assert asked == [serve.SILENT_SECONDS] * 2
+    assert serve.SILENT_SECONDS >= 16 * 2
 
 
 def test_what_looks_after_several_servers_does_not_load_what_they_need() -> None:
