@@ -13,7 +13,7 @@ from tests.kinematics.inverse.arms import STANFORD, UR5, apart, random_joints
 from tests.kinematics.robots import PUMA560, PUMA560_CRAIG, RX90
 
 TARGETS = 1000
-FOLDS, PRINTED, ALONE = (40, 24, 25) if EXPLORE else (6, 6, 12)
+FOLDS, PRINTED, ALONE = (40, 24, 25) if EXPLORE else (4, 4, 9)
 
 
 @pytest.mark.parametrize("table", [PUMA560, PUMA560_CRAIG], ids=["standard", "modified"])
