@@ -19,7 +19,7 @@ export MUED_URL MUED_AUTHORIZATION
 # Tests start the service a hundred times: what is compiled is kept, also where an image says otherwise.
 unexport PYTHONDONTWRITEBYTECODE
 
-.PHONY: university openapi-generator accessibility lint-python lint-web help sbom licences serve test mued test-clone test-openedx campaign kill-campaign measure-courses exam explore lint descriptions runners bench lock browser proxy clean vendor picture exercise check-exercises
+.PHONY: pytest university openapi-generator accessibility lint-python lint-web help sbom licences serve test mued test-clone test-openedx campaign kill-campaign measure-courses exam explore lint descriptions runners bench lock browser proxy clean vendor picture exercise check-exercises
 
 help: ## this list
 	@grep -hE '^[a-z-]+:.*##' $(MAKEFILE_LIST) | sed -E 's/:[^#]*## /\t/' | expand -t 14
@@ -34,13 +34,17 @@ $(VENV)/.runtime: requirements.lock | $(VENV)/bin/python
 
 $(VENV)/.dev: requirements-dev.lock | $(VENV)/bin/python
 	@echo "Installing what the tests need into $(VENV) …"
-	$(PIP) -r requirements-dev.lock
+	$(PIP) --no-compile -r requirements-dev.lock
+	@$(PY) -m compileall -qq -j 0 -x '/tests/' $(VENV)/lib || true # on all processors, without the packages' own tests
 	@touch $@ $(VENV)/.runtime
 
 serve: $(VENV)/.runtime vendor ## run the service on http://127.0.0.1:8000 (PORT= changes it)
 	$(PY) -m service --port $(PORT)
 
-test: $(VENV)/.dev vendor lint ## every check and test
+test: $(VENV)/.dev vendor ## every check and test
+	$(MAKE) -j 3 pytest lint-python lint-web
+
+pytest: $(VENV)/.dev vendor
 	$(PY) -m pytest -n 2 --dist loadfile --no-loadscope-reorder --durations 30
 
 mued: $(VENV)/.dev ## ask a µEd service at MUED_URL= (this checkout, if left out) whether it keeps the standard
