@@ -8,7 +8,7 @@ from typing import Any, TypeVar
 
 from fastapi import APIRouter, Response
 
-from courses.links.course_links import link_in
+from courses.links.course_links import MOST_DIGITS, link_in
 from courses.links.link_settings import read
 from courses.model import CourseSession, Link, LinkSettings, Role
 from courses.people.audit import log_access
@@ -109,7 +109,7 @@ def record_number(request: ApiRequest, name: str) -> int:
         UnknownRecordError: it is no number that a record could have.
     """
     text = request.path_params[name]
-    if not text.isdecimal() or len(text) > 9:
+    if not text.isdecimal() or len(text) > MOST_DIGITS:
         raise unknown_record(name)
     return int(text)
 

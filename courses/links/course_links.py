@@ -15,8 +15,8 @@ from courses.storage import records
 from courses.storage.database import Store
 from courses.storage.statements import filled
 
-LONGEST_NUMBER = 9
-"""Digits of a number of a course, and one more: both databases hold what has fewer."""
+MOST_DIGITS = 9
+"""Digits of the number of a record: both databases hold what has no more."""
 _LINK, _PART = records.link, records.participation
 
 
@@ -49,7 +49,7 @@ def links_of_course(store: Store, called: str) -> list[tuple[LinkSettings, tuple
     """Return the links of courses by title, or of one by number, with the pseudonyms of who was there."""
     course = records.course
     named = course.c.title == called
-    if called.isdecimal() and len(called) < LONGEST_NUMBER:
+    if called.isdecimal() and len(called) <= MOST_DIGITS:
         named = sa.or_(named, course.c.id == int(called))
     links = sa.select(_LINK).join(course, course.c.id == _LINK.c.course_id).where(named)
     people = sa.select(_PART.c.link_id, records.person.c.key).join(

@@ -19,6 +19,8 @@ _OF_A_PERSON = (
     records.score_to_send,
     records.session,
 )
+_OF_AN_ATTEMPT = (records.finding, records.regraded)
+"""What is removed with the attempt that it belongs to."""
 
 
 SHORTEST_KEY = 8
@@ -80,6 +82,11 @@ def export_person(store: Store, key: str, course_id: int | None = None) -> dict[
         for table in _OF_A_PERSON:
             rows = connection.execute(sa.select(table).where(*_of(table, person.id, course_id)))
             found[str(table.name)] = [_plain(row, hidden=("token_hash", "lease")) for row in rows]
+        attempt = records.attempt
+        for table in _OF_AN_ATTEMPT:
+            of_attempts = sa.select(table).join(attempt, attempt.c.id == table.c.attempt_id)
+            rows = connection.execute(of_attempts.where(*_of(attempt, person.id, course_id)))
+            found[str(table.name)] = [_plain(row) for row in rows]
         lines = connection.execute(sa.select(records.access).where(*_lines_about(key, course_id)))
         found["access"] = [_plain(row) for row in lines]
     return found

@@ -7,7 +7,7 @@ import json
 import sys
 from urllib.parse import urlsplit
 
-from courses.links.course_links import LONGEST_NUMBER
+from courses.links.course_links import MOST_DIGITS
 from courses.model import Platform, PlatformStatus
 from courses.people.administration import invite_administrator
 from courses.people.platforms import (
@@ -85,7 +85,7 @@ def _declare_add(parser: argparse.ArgumentParser) -> None:
 
 def _number(text: str) -> int:
     """Return the number of a platform, as `platforms` lists it."""
-    if len(text) > LONGEST_NUMBER:
+    if len(text) > MOST_DIGITS:
         raise argparse.ArgumentTypeError(f"no platform has a number such as {text}")
     return count(text)
 

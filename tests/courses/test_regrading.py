@@ -14,7 +14,7 @@ import sqlalchemy as sa
 from courses.attempts.report_codes import path_of_codes
 from courses.marks.outbox import delivered, lease_scores
 from courses.model import Attempt, LinkSettings, Role
-from courses.people.privacy import erase_person
+from courses.people.privacy import erase_person, export_person
 from courses.policies import AttemptPolicy
 from courses.refusals import OutdatedError, StorageUnavailableError, UnknownRecordError
 from courses.storage import records
@@ -63,6 +63,9 @@ def test_an_export_holds_what_counts(store: Store) -> None:
     assert [(row["counted"], row["codes"]) for row in rows] == [("1", " ".join(codes)), ("0", "")]
     told = json.loads(b"".join(json_of(exported_attempts(store, link))))
     assert told == {"attempts": [first, second]}
+    own = export_person(store, ann.person.key)
+    assert [each["score"] for each in own["regraded"]] == [0.875, 0.75]
+    assert [each["code"] for each in own["finding"]] == ["alpha_sign", "pose"]
     assert json.loads(b"".join(json_of([]))) == {"attempts": []}
 
 

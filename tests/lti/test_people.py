@@ -28,7 +28,7 @@ def test_staff_see_and_remove_what_their_own_course_has_of_a_person(
     key = students(staff[0])[0]["key"]
 
     told = [teacher.api("GET", f"course/people/{key}").json() for teacher in staff]
-    assert all(set(found) == {"person", *RELATIONS} for found in told)
+    assert all(set(found) == {"person", "finding", "regraded", *RELATIONS} for found in told)
     assert [[one["correct"] for one in found["attempt"]] for found in told] == [[True], [False]]
     assert [[line["action"] for line in found["access"]] for found in told] == [["person"], ["person"]]
 

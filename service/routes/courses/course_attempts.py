@@ -9,6 +9,7 @@ from typing import TypeVar
 from fastapi import Response
 
 from courses.attempts.stored_attempts import attempt_in
+from courses.links.course_links import MOST_DIGITS
 from courses.policies import Shown
 from courses.teaching.attempts_behind import AttemptFilter, Outcome, Progress, attempts_behind
 from service.course_callers import course_router, json_response, record_number, refused_setting, staff_of
@@ -27,7 +28,7 @@ async def list_attempts(request: ApiRequest) -> Response:
     staff = await staff_of(request)
     link, asked = await staff.link(), request.query_params
     named = asked.get("ids", "").split(",")[:200]
-    ids = tuple(int(text) for text in named if text.isdecimal() and len(text) < 10)
+    ids = tuple(int(text) for text in named if text.isdecimal() and len(text) <= MOST_DIGITS)
     chosen = AttemptFilter(
         kind=asked.get("kind"),
         code=asked.get("code"),
