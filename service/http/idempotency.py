@@ -23,6 +23,8 @@ from service.http.link_context import HEADER as LINK_HEADER
 from service.http.metering import path_of
 from service.http.problems import BodyError, ConflictError, RequestError, RequestPart, ServiceError
 
+REPLAYED = "Idempotency-Replayed"
+"""Header of an answer that was given before."""
 LONGEST_KEY = 255
 """Characters of a key; a UUID has 36."""
 LARGEST_ANSWER = 4 * 1024 * 1024
@@ -179,6 +181,6 @@ async def _digest(receive: Receive) -> bytes:
 
 async def _replay(answer: _GivenAnswer, send: Send) -> None:
     assert answer.start is not None
-    headers = [*answer.start["headers"], (b"idempotency-replayed", b"true")]
+    headers = [*answer.start["headers"], (REPLAYED.lower().encode(), b"true")]
     await send({**answer.start, "headers": headers})
     await send({"type": "http.response.body", "body": b"".join(answer.pieces)})

@@ -107,6 +107,24 @@ def test_a_copied_course_has_the_rules_of_the_one_it_was_copied_from(browser: Br
     assert browser.api("GET", "session").json()["exercise"] == "puma560"
 
 
+def test_a_key_names_one_answer(browser: Browser) -> None:
+    """Another answer under the same key was told the first one's verdict, and lost."""
+    long = "k" * 120
+    browser.launch("keys", hint(resource="keys", custom={"exercise": "puma560"}))
+    for key, other in (("one", "two"), (long, f"{long}x")):
+        first = browser.api("POST", "session/attempts", RIGHT, **{"Idempotency-Key": key})
+        again = browser.api("POST", "session/attempts", RIGHT, **{"Idempotency-Key": key})
+        assert "idempotency-replayed" not in first.headers
+        assert (again.headers["idempotency-replayed"], again.json()["attempt"]) == (
+            "true",
+            first.json()["attempt"],
+        )
+        reused = browser.api("POST", "session/attempts", WRONG, **{"Idempotency-Key": key})
+        assert (reused.status_code, reused.json()["code"]) == (422, "idempotency_key_reused")
+        stored = browser.api("POST", "session/attempts", WRONG, **{"Idempotency-Key": other}).json()
+        assert (stored["attempt"], stored["correct"]) == (first.json()["attempt"] + 1, False)
+
+
 def test_a_platform_without_a_coupled_line_item_gets_one(browser: Browser, lms: Lms) -> None:
     link = hint(resource="uncoupled", coupled=False, custom=CUSTOM)
     for user in ("ann", "bob"):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 from contextlib import suppress
 from dataclasses import replace
 from datetime import datetime, timedelta
@@ -17,11 +18,21 @@ from courses.people.sessions import end_session
 from courses.policies import Shown, counts_from
 from courses.refusals import AttemptError, NoExerciseError, StorageUnavailableError
 from exercises.errors import UnknownExerciseError
+from kinematics.errors import Fault
 from service.course_callers import course_router, grader_of, in_thread, json_response, signed_in
 from service.course_resources import bearer_token, now
 from service.http.arrival_tickets import HEADER, arrival_ticket, told_arrival
+from service.http.idempotency import REPLAYED
 from service.http.languages import language_of
-from service.http.problems import RETRY_SECONDS, BusyError, ServiceError, UnavailableError, cause
+from service.http.problems import (
+    RETRY_SECONDS,
+    BusyError,
+    RequestError,
+    RequestPart,
+    ServiceError,
+    UnavailableError,
+    cause,
+)
 from service.http.routing import ApiRequest
 from service.http.validation import validated
 from service.schemas.exercises.exercises import ExerciseAnswer
@@ -36,7 +47,7 @@ from service.work.session_grading import Grader, judged_submission
 router = course_router()
 
 LONGEST_KEY = 100
-"""Characters of an idempotency key that are stored; a UUID has 36."""
+"""Characters of an idempotency key that are stored as they are (a UUID has 36), or else its digest."""
 
 
 @router.post("/session/open")
@@ -124,24 +135,35 @@ async def _judged(request: ApiRequest, begun: datetime) -> Response:
             first = told_arrival(ticket, token, typed, _secret(request), arrived)
             arrived = counts_from(session.link.settings.policy, session.allowance, first, arrived)
         wire = validated(ExerciseAnswer, typed)
-        key = request.headers.get("idempotency-key", "")[:LONGEST_KEY] or None
+        key = _stored_key(request.headers.get("idempotency-key", ""))
         grader = replace(grader_of(request), help_now=request.resources.help_now)
         version = seen if isinstance(seen, str) else None
         work = partial(judged_submission, grader, session, wire, typed, key, language, arrived, form, version)
         try:
             submission, found = await request.resources.limiters[WorkKind.GRADING].run(work)
             attempt = await courses.keep(submission)
-            told = report_body(found, language) if attempt.at == submission.attempt.at else None
+            is_new = attempt.at == submission.attempt.at
+            told = report_body(found, language) if is_new else None
             metrics = request.resources.metrics
             metrics.graded(correct=attempt.correct, score=attempt.score, kept=True)
         except AttemptError:  # the last attempt that there is may be sent again, with its key
             known = await in_thread(request, by_key, courses.store, session, key) if key else None
             if known is None:
                 raise
-            attempt, told = known, None
+            attempt, told, is_new = known, None, False
+        if not is_new and attempt.answer != typed:
+            raise RequestError(Fault.at("idempotency_key_reused", "Idempotency-Key"), part=RequestPart.HEADER)
     shown = Shown(attempt.shown)
     report = masked(told or stored_report(attempt.report, language), shown) or {}
-    return json_response({**report, "attempt": attempt.number, "shown": shown.value})
+    answer = json_response({**report, "attempt": attempt.number, "shown": shown.value})
+    if not is_new:
+        answer.headers[REPLAYED] = "true"
+    return answer
+
+
+def _stored_key(key: str) -> str | None:
+    """What names a submission in the database; None if it has no key."""
+    return (key if len(key) <= LONGEST_KEY else hashlib.sha256(key.encode()).hexdigest()) or None
 
 
 @router.get("/session/attempts/{number}")
