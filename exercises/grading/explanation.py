@@ -231,7 +231,8 @@ def work_on(comparison: Comparison, tables: tuple[ReadTable, ReadTable], policy:
             return found
         fixing = lines_at_ends(strict, lines)
         for typed in (steps, NOTHING_TYPED):
-            ends = end_invariants(tightened(key, table, typed, fixing, share), table.n_joints, lines)
+            known = tightened(key, table, typed, fixing, share).beside(home_invariants_of(key, fixing))
+            ends = end_invariants(known, table.n_joints, lines)
             if (ends.strains(measured_as_typed(ends, table, NOTHING_TYPED, fixing)) > 1.0).any():
                 break
         return found.beside(ends)

@@ -67,7 +67,7 @@ def _past_sliders(
     """Along each run of parallel axes with a prismatic joint among them: the distance between its two ends.
 
     An end is the foot of the common normal with the next axis outside the run that is no prismatic joint; at
-    an end of the chain, a point that the policy fixes. As the line of a prismatic joint may be drawn anywhere,
+    an end of the chain, a point that the policy fixes. The line of a prismatic joint may be drawn anywhere:
     it has such a foot only where that axis is at right angles to it.
     """
     found: list[tuple[Shape, float]] = []

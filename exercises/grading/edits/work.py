@@ -18,7 +18,7 @@ from exercises.grading.judging.judgement import share_of
 from exercises.grading.judging.typed import ANGLES, NOTHING_TYPED, SAME, Place
 from kinematics.cells import ReadTable
 from kinematics.chain import chain_of_table
-from kinematics.equivalence import BaseRule, Kind, Policy, ToolRule
+from kinematics.equivalence import BaseRule, Kind, Policy, ToolRule, ZeroRule
 from kinematics.equivalence.batches import CellChange
 from kinematics.equivalence.decision import convention_fits, is_certified
 from kinematics.equivalence.invariants import Invariants, axes_of, invariants_of
@@ -112,7 +112,8 @@ class Work:
         None where it keeps the rule `axis` at both ends, or no key's line is meant but the joint's axis.
 
         Args:
-            to_the_letter: a line is off even where the typed digits would explain it.
+            to_the_letter: a line is off even where the typed digits would explain it, or where it is off only
+                because of the zeros that the policy fixes.
         """
         asked = (
             (Kind.BASE, self.policy.base is BaseRule.AXIS),
@@ -123,6 +124,8 @@ class Work:
             return None
         steps = NOTHING_TYPED if to_the_letter else self._typed_in(self.table)
         missed = elsewhere.intersection(self._ends_off(self.reference, self.table, steps))
+        if to_the_letter and self.policy.zero is ZeroRule.FIGURE:
+            missed = elsewhere  # a slider beside it takes the line along
         return replace(self, lines=frozenset(missed)) if missed else None
 
     @cached_property

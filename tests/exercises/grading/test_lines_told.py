@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from exercises.grading import BaseRule, HelpLevel, Policy, ToolRule, Verdict, grade
+from exercises.grading import BaseRule, HelpLevel, Policy, ToolRule, Verdict, ZeroRule, grade
 from tests.exercises.grading.written import Cell, read
 
 Rows = list[tuple[Cell, Cell, Cell, Cell]]
@@ -75,3 +75,11 @@ def test_digits_that_would_explain_the_line_leave_the_length_before_it_to_be_tol
     verdict = _told(key, (2, "a", off))
     assert ("a_value", 2) in {edit for repair in _edits(verdict) for edit in repair}
     assert 2 in {entry.row for entry in verdict.feedback}
+
+
+def test_a_slider_whose_zero_takes_the_line_of_the_tool_along_is_told() -> None:
+    """Joint 3 slides along the axis of joint 4, from which the key's last z stands off at right angles."""
+    key: Rows = [(-90, 0.4, 0.2, "q1"), (90, 0.3, 0.1, "q2"), (0, 0, "q3", 0), (90, 0, 0, "q4")]
+    verdict = _told(key, (3, "d", "q3+0.15"), policy=Policy(tool=ToolRule.AXIS, zero=ZeroRule.FIGURE))
+    assert ("d_offset", 3) in {edit for repair in _edits(verdict) for edit in repair}
+    assert 3 in {entry.row for entry in verdict.feedback}
