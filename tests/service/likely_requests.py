@@ -65,7 +65,37 @@ def with_whole_robots(document: dict[str, Any]) -> dict[str, Any]:
                 field["example"] = _BESIDE[name]
             elif _is_one_pose(field):
                 field["example"] = [0.1, 0.2, 0.3, 0, 0, 0]
+    shapes["ConvertRequest"] = _by_source(shapes["ConvertRequest"])
     return exemplary
+
+
+def _by_source(shape: dict[str, Any]) -> dict[str, Any]:
+    """Return the shape of a body that gives one of several fields as the shapes with each of them.
+
+    It is the same, but for bodies that give two or none; drawing beside what 22 cases forbid takes eight
+    times as long as all else.
+    """
+    forbidden = shape["not"]["anyOf"]
+    (none_given,) = (case for case in forbidden if "required" not in case)
+    sources = {name.strip("^$") for name in none_given["patternProperties"]}
+    null = {"type": "null"}
+    shapes = []
+    for source in sorted(sources):
+        others = sources - {source}
+        properties = {name: field for name, field in shape["properties"].items() if name not in others}
+        properties[source] = next(way for way in properties[source]["anyOf"] if way != null)
+        cases = []
+        for case in forbidden:
+            told = {name.strip("^$"): value for name, value in case["patternProperties"].items()}
+            if told.get(source) == null or any(told.get(name, null) != null for name in others):
+                continue  # it never holds where this one alone is given
+            left = {f"^{name}$": value for name, value in told.items() if name not in sources}
+            cases.append(
+                {"required": [*(n for n in case["required"] if n != source)], "patternProperties": left}
+            )
+        required = [*shape["required"], source]
+        shapes.append({**shape, "properties": properties, "required": required, "not": {"anyOf": cases}})
+    return {"anyOf": shapes}
 
 
 def _is_one_pose(field: dict[str, Any]) -> bool:
