@@ -215,8 +215,9 @@ class Facts:
         if shape.measure is Measure.SUM:
             return all(self._is_as_parallel(axes, i, i + 1) for i in span[:-1]) and _are_level(axes, shape)
         if shape.measure is Measure.DISTANCE:
-            spanning, basis = shape.axes[2:], tuple[Vector, ...]()
+            spanning = shape.axes[2:]
             others = [i for i in span if i not in spanning]
+            basis: tuple[Vector, ...] = ()
             for i in spanning if others else ():
                 rest = outside(axes[i].direction, basis)
                 basis = (*basis, unit(rest)) if norm(rest) > NEARLY else basis
