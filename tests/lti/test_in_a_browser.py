@@ -9,11 +9,11 @@ from collections.abc import Iterator
 from urllib.parse import urlencode, urljoin, urlsplit
 
 import pytest
-from courses.platforms import invite
 from playwright.sync_api import Browser as Chromium
 from playwright.sync_api import Frame, Page, Route, expect, sync_playwright
 
-from courses.storage import Store
+from courses.people.platforms import invite
+from courses.storage.database import Store
 from service.course_resources import now
 from tests.lti.classes import TEACHER, Browser, Lms, eventually, hint
 from tests.lti.test_launches import CUSTOM, RIGHT
