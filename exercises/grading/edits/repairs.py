@@ -126,10 +126,9 @@ def _found(work: Work, *, pairs: bool) -> Iterator[Repaired]:
                 yield from _pairs(work, _nearer(work, here, joint_left_out))
             return
     if pairs and lined is not None:
-        found_pairs = list(_pairs(lined, _nearer(lined, tried_unchanged(lined))))
-        yield from found_pairs
-        if found_pairs:
-            return
+        for repaired in _pairs(lined, _nearer(lined, tried_unchanged(lined))):
+            pairs = False
+            yield repaired
     if pairs:
         yield from _pairs(work, [*_nearer(work, here), *_beforehand(work)])
 
