@@ -4,11 +4,8 @@ from __future__ import annotations
 
 from datetime import datetime, timedelta
 
-import sqlalchemy as sa
-
-from courses.people.secrets import hashed, issue_code, redeem_code
+from courses.people.secrets import check_code, issue_code, redeem_code
 from courses.refusals import SessionError
-from courses.storage import records
 from courses.storage.database import Store
 from kinematics.errors import Fault
 
@@ -40,8 +37,7 @@ def check_administrator(store: Store, token: str, now: datetime) -> None:
     Raises:
         SessionError: it is not, or no longer.
     """
-    table = records.one_time_code
-    own = sa.and_(table.c.code_hash == hashed(token), table.c.purpose == _SESSION, table.c.expires > now)
-    with store.asking() as connection:
-        if connection.execute(sa.select(table.c.purpose).where(own)).first() is None:
-            raise SessionError(Fault.at("administrator_unknown"))
+    try:
+        check_code(store, _SESSION, token, now)
+    except SessionError:
+        raise SessionError(Fault.at("administrator_unknown")) from None

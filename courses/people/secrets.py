@@ -88,11 +88,10 @@ def redeem_code(store: Store, purpose: str, code: str, now: datetime) -> dict[st
     Raises:
         SessionError: it was used, is too old, or was never issued.
     """
-    table = records.one_time_code
-    wanted = sa.and_(table.c.code_hash == hashed(code), table.c.purpose == purpose)
+    own = _own(purpose, code)
     with store.writing() as connection:
-        row = connection.execute(sa.select(table).where(wanted).with_for_update()).first()
-        used = connection.execute(sa.delete(table).where(wanted)).rowcount
+        row = connection.execute(sa.select(records.one_time_code).where(own).with_for_update()).first()
+        used = connection.execute(sa.delete(records.one_time_code).where(own)).rowcount
     if row is None or used != 1 or row.expires <= now:
         raise SessionError(Fault.at("code_used"))
     content: dict[str, Any] = row.content
@@ -105,12 +104,16 @@ def check_code(store: Store, purpose: str, code: str, now: datetime) -> None:
     Raises:
         SessionError: it was used, is too old, or was never issued.
     """
-    table = records.one_time_code
-    wanted = sa.and_(table.c.code_hash == hashed(code), table.c.purpose == purpose)
-    with store.reading() as connection:
-        expires = connection.scalar(sa.select(table.c.expires).where(wanted))
+    wanted = sa.select(records.one_time_code.c.expires).where(_own(purpose, code))
+    with store.asking() as connection:
+        expires = connection.scalar(wanted)
     if expires is None or expires <= now:
         raise SessionError(Fault.at("code_used"))
+
+
+def _own(purpose: str, code: str) -> sa.ColumnElement[bool]:
+    table = records.one_time_code
+    return sa.and_(table.c.code_hash == hashed(code), table.c.purpose == purpose)
 
 
 def remember_nonce(store: Store, platform_id: int, value: str, now: datetime, life: timedelta) -> bool:
