@@ -73,7 +73,8 @@ class Family:
         parameters: these joints, if the family was followed; the interval of each holds while the others keep
             the values that they have in the solution.
         direction: (n,) joint velocities along the family, if it is straight, the parameter's being 1: then
-            all members are joints + t·direction. Of a family of more than one dimension none.
+            joints + t·direction reaches the target within three tolerances, for every value of the parameter
+            in its interval. Of a family of more than one dimension none.
         members: members in order along the family, ends included [rad, or m].
     """
 

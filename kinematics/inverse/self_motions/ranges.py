@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from kinematics.inverse.arm import Arm, Array
 from kinematics.inverse.distinct import differences
 from kinematics.inverse.limits import ON_LIMIT, within_limits
+from kinematics.inverse.residuals import are_solutions, errors_at
 from kinematics.inverse.results import Family, FamilyParameter
 from kinematics.inverse.search import Box
 from kinematics.inverse.self_motions.families import FamilyPath, Follower
@@ -24,7 +25,11 @@ FINE = 0.05
 """Distance between the points of a path at which limits are looked at [rad, or parts of the size]."""
 
 STRAIGHT = 1e-6
-"""A path that is off a straight line by no more than this [rad, or parts of the size] is one."""
+"""A path that is off a straight line by no more than this [rad, or parts of the size] may be one."""
+
+ON_LINE = 3.0
+"""It is one if the target is missed by no more tolerances all along it. A wrist that is off its line by one
+tolerance at a member, and reaches the target there, misses it by two on the other side."""
 
 
 def families_within(
@@ -55,9 +60,9 @@ def families_within(
         return [(wrapped[0], Family(dimension=component.dimension, parameters=tuple(parameters)))]
     path = component.paths[0]
     if not box.limited:
-        return [(wrapped[0], _told_freely(arm, path, box, wrapped[0]))]
+        return [(wrapped[0], _told_freely(arm, follower, path, box, wrapped[0]))]
     parts = _parts_within(arm, follower, path, box)
-    return [_with_member(arm, box, points, closed, wrapped[0]) for points, closed in parts]
+    return [_with_member(arm, follower, box, points, closed, wrapped[0]) for points, closed in parts]
 
 
 def _part_with(
@@ -65,14 +70,14 @@ def _part_with(
 ) -> tuple[Array, Family] | None:
     """The part of a path within the limits that holds a configuration."""
     if not box.limited:
-        return q, _told_freely(arm, path, box, q, pivot)
+        return q, _told_freely(arm, follower, path, box, q, pivot)
     within = _parts_within(arm, follower, path, box)
-    parts = [_with_member(arm, box, points, closed, q, pivot) for points, closed in within]
+    parts = [_with_member(arm, follower, box, points, closed, q, pivot) for points, closed in within]
     return min(parts, key=lambda part: float(np.abs(part[0] - q).sum()), default=None)
 
 
 def _with_member(
-    arm: Arm, box: Box, points: Array, closed: bool, q: Array, pivot: int | None = None
+    arm: Arm, follower: Follower, box: Box, points: Array, closed: bool, q: Array, pivot: int | None = None
 ) -> tuple[Array, Family]:
     """A part told, with the given member if it is on it, else its middle one."""
     apart = np.abs(differences(points, q, arm)).max(axis=1)
@@ -81,12 +86,15 @@ def _with_member(
     if float(apart.min()) <= FINE:
         member = np.clip(_turned_to(nearest, q, arm), box.low, box.high)
     if not closed:
-        return member, _told(arm, points, closed, member, pivot)
+        return member, _told(arm, follower, points, closed, member, pivot)
     (member,), _ = within_limits(member[None], arm.revolute, box, arm.size)
-    return member, _told_freely(arm, FamilyPath(points, closed, np.empty(0)), box, member, pivot)
+    path = FamilyPath(points, closed, np.empty(0))
+    return member, _told_freely(arm, follower, path, box, member, pivot)
 
 
-def _told(arm: Arm, points: Array, closed: bool, q: Array, pivot: int | None = None) -> Family:
+def _told(
+    arm: Arm, follower: Follower, points: Array, closed: bool, q: Array, pivot: int | None = None
+) -> Family:
     """A path as a family: its parameter is the first joint that moves farthest without turning back.
 
     Of a surface it is the joint that rests along the other paths, if it does not turn back.
@@ -107,18 +115,26 @@ def _told(arm: Arm, points: Array, closed: bool, q: Array, pivot: int | None = N
     elif arm.revolute[joint]:
         least, greatest = least + turns, greatest + turns
     direction = _direction(points / arm.units, joint)
+    if direction is not None:
+        direction = direction * arm.units / arm.units[joint]
+        line = q + (np.linspace(least, greatest, MEMBERS) - q[joint])[:, None] * direction
+        errors = errors_at(arm, line, follower.target)
+        if not are_solutions(errors, arm, ON_LINE * follower.tolerance).all():
+            direction = None
     chosen = points[np.linspace(0, len(points) - 1, min(MEMBERS, len(points))).round().astype(int)]
     return Family(
         dimension=1,
         parameters=(FamilyParameter(joint=joint + 1, least=least, greatest=greatest, full_turn=winds),),
-        direction=None if direction is None else tuple((direction * arm.units / arm.units[joint]).tolist()),
+        direction=None if direction is None else tuple(direction.tolist()),
         members=tuple(map(tuple, chosen.tolist())),
     )
 
 
-def _told_freely(arm: Arm, path: FamilyPath, box: Box, q: Array, pivot: int | None = None) -> Family:
+def _told_freely(
+    arm: Arm, follower: Follower, path: FamilyPath, box: Box, q: Array, pivot: int | None = None
+) -> Family:
     """A path that no limit cuts as a family, each member by turns within the limits, the nearest to zero."""
-    family = _told(arm, path.points, path.closed, q, pivot)
+    family = _told(arm, follower, path.points, path.closed, q, pivot)
     members, _ = within_limits(np.array(family.members), arm.revolute, box, arm.size)
     return replace(family, members=tuple(map(tuple, members.tolist())))
 

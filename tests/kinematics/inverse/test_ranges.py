@@ -7,6 +7,7 @@ import pytest
 
 from kinematics.forward import end_pose
 from kinematics.inverse import inverse_kinematics
+from kinematics.inverse.residuals import pose_errors
 from tests.kinematics.inverse.models import MODELS
 from tests.kinematics.inverse.test_singularities import WRIST_IN_LINE
 from tests.kinematics.robots import PUMA560
@@ -81,3 +82,24 @@ def keep(table, target, solutions, limits, exact):
         assert np.abs(end_pose(table, np.array(joints)) - target).max() <= exact
         for value, pair in zip(joints, limits, strict=True):
             assert pair is None or pair[0] - 1e-9 <= value <= pair[1] + 1e-9
+
+
+@pytest.mark.parametrize("off", [0.0, 1e-12, 1e-9, 1e-7, 1e-6])
+def test_a_direction_is_told_only_where_the_target_stays_reached_along_it(off):
+    table, told = MODELS["irb140"], 0
+    for seed in range(8):
+        rng = np.random.default_rng(seed)
+        joints = np.array([*rng.uniform(-1.0, 1.0, 4), off, rng.uniform(-1.0, 1.0)])
+        target = end_pose(table, joints)
+        answer = inverse_kinematics(table, target)
+        for solution in answer.solutions:
+            family = solution.family
+            if family is None or family.direction is None:
+                continue
+            told += 1
+            (chosen,) = family.parameters
+            for value in np.linspace(chosen.least, chosen.greatest, 7):
+                t = value - solution.joints[chosen.joint - 1]
+                pose = end_pose(table, np.add(solution.joints, t * np.array(family.direction)))
+                assert max(np.concatenate(pose_errors(pose[None], target))) <= 3.0 * answer.tolerance
+    assert told or off > 1e-12
