@@ -17,6 +17,7 @@ from service.messages import refusal_codes, template
 from service.resources import resources_of
 from service.schemas.base import Wire
 from service.web.api_reference import POLICY, reference_page
+from service.web.responses import text_response
 from service.work.limiters import WorkKind
 
 router = api_router("service")
@@ -37,7 +38,7 @@ async def openapi_document(request: Request) -> Response:
     document = await _drawn(request, request.app.openapi)
     prefix = request.scope.get("root_path", "")
     body = orjson.dumps({**document, "servers": [{"url": prefix or "/"}]})
-    return Response(body, media_type=JSON, headers={"Cache-Control": "no-cache"})
+    return text_response(request, body, JSON, {"Cache-Control": "no-cache"})
 
 
 @router.get("/docs", include_in_schema=False)

@@ -163,6 +163,13 @@ def test_the_document_is_served_with_the_address_it_was_asked_at(client: httpx.C
     assert served["paths"].keys() == DOCUMENT["paths"].keys()
 
 
+def test_the_document_is_sent_once_to_who_has_it(client: httpx.Client) -> None:
+    """Caches were told to ask again, with nothing to ask with."""
+    tag = client.get("/api/v1/openapi.json").headers["etag"]
+    again = client.get("/api/v1/openapi.json", headers={"If-None-Match": tag})
+    assert (again.status_code, again.content) == (304, b"")
+
+
 def test_the_page_for_people_shows_every_call(client: httpx.Client) -> None:
     response = client.get("/api/v1/docs")
     assert response.headers["content-type"] == "text/html; charset=utf-8"
