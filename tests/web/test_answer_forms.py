@@ -19,7 +19,7 @@ from exercises.parts.task import FieldShape, FormField
 from service.messages import sentence
 from tests.exercises.packaged import exercise, exercise_ids
 from tests.web.conftest import OpenPage, Watch
-from tests.web.driving import all_right, submit
+from tests.web.driving import all_right, submit, write
 
 
 def context(exercise_id: str) -> tuple[Part, Context]:
@@ -75,9 +75,7 @@ def fill_rows(table: Locator, rows: Any) -> None:
     for i, row in enumerate(rows):
         while table.locator("tbody tr").count() <= i:
             table.locator("button").click()
-        inputs = table.locator("tbody tr").nth(i).locator("input")
-        for k, value in enumerate(row):
-            inputs.nth(k).fill(typed(value))
+        write(table.locator("tbody tr").nth(i).locator("input"), [typed(value) for value in row])
 
 
 def test_every_kind_with_such_a_form_is_tried() -> None:
@@ -117,8 +115,8 @@ def test_a_form_is_filled_in_and_judged(
 def test_places_to_look_at_again_are_named_once(open_page: OpenPage) -> None:
     """Each matrix by its name, its entries after it; what has no field of its own is no place to go to."""
     page = open_page("/exercises/twolink-dynamics")
-    for entry in page.locator("#part-equations_of_motion input").all():
-        entry.fill("m1*L1")
+    entries = page.locator("#part-equations_of_motion input")
+    write(entries, ["m1*L1"] * entries.count())
     submit(page)
     report = page.locator(".part-report[data-kind=equations_of_motion]")
     places = report.locator("p.hint")

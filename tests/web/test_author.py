@@ -208,16 +208,18 @@ def test_an_arm_from_urdf(open_page: OpenPage) -> None:
 
 
 def kept(page: Page) -> None:
-    """Put two links into the browser as if they had been written there before."""
+    """Have two links in the browser as if they had been written there before."""
     work = json.dumps({"draft": TWO_LINKS, "source": None})
-    page.evaluate("text => localStorage.setItem('framewise:author', text)", work)
-    page.reload()
-    page.locator("html[data-ready=true]").wait_for()
+    page.add_init_script(
+        f"""if (location.protocol !== "about:" && !sessionStorage.getItem("kept")) {{
+          sessionStorage.setItem("kept", "once");
+          localStorage.setItem("framewise:author", {json.dumps(work)});
+        }}"""
+    )
 
 
 def test_a_draft_stays_in_the_browser_and_in_its_link(open_page: OpenPage) -> None:
-    page = open_page("/author")
-    kept(page)
+    page = open_page("/author", before=kept)
     title = page.locator("[data-path='definition/title/en']")
     title.fill("Two links, written over")
     page.get_by_role("button", name="Copy a link to the draft").click()
@@ -236,8 +238,7 @@ def test_a_draft_stays_in_the_browser_and_in_its_link(open_page: OpenPage) -> No
 
 
 def test_a_draft_that_somebody_shared_replaces_ones_own_in_a_step(open_page: OpenPage) -> None:
-    page = open_page("/author")
-    kept(page)
+    page = open_page("/author", before=kept)
     title = page.locator("[data-path='definition/title/en']")
     title.fill("The other draft")
     page.get_by_role("button", name="Copy a link to the draft").click()
@@ -253,8 +254,7 @@ def test_a_draft_that_somebody_shared_replaces_ones_own_in_a_step(open_page: Ope
 
 
 def test_undo_takes_back_and_redo_brings_again(open_page: OpenPage) -> None:
-    page = open_page("/author")
-    kept(page)
+    page = open_page("/author", before=kept)
     points = page.locator("[data-path='definition/parts/0/points']")
     points.fill("25")
     expect(page.locator("#author-parts")).to_contain_text("25 points")
@@ -266,8 +266,7 @@ def test_undo_takes_back_and_redo_brings_again(open_page: OpenPage) -> None:
 
 def test_a_fault_is_told_at_its_field(open_page: OpenPage, watch: Watch) -> None:
     watch.allow("422")
-    page = open_page("/author")
-    kept(page)
+    page = open_page("/author", before=kept)
     title = page.locator("[data-path='definition/title/en']")
     title.fill("<svg onload=alert(1)>")
     expect(title).to_have_attribute("aria-invalid", "true")
@@ -294,8 +293,7 @@ def test_a_fault_of_a_group_names_it_and_leads_to_it(open_page: OpenPage, watch:
 
 def test_the_exercise_is_tried_as_a_student(open_page: OpenPage, watch: Watch) -> None:
     watch.allow("422")
-    page = open_page("/author")
-    kept(page)
+    page = open_page("/author", before=kept)
     green(page)
     page.get_by_role("button", name="Show the commonest wrong").click()
     first = page.locator(".author-mistake textarea").first
@@ -321,8 +319,7 @@ def test_the_exercise_is_tried_as_a_student(open_page: OpenPage, watch: Watch) -
 
 
 def test_an_imported_folder_opens(open_page: OpenPage) -> None:
-    page = open_page("/author")
-    kept(page)
+    page = open_page("/author", before=kept)
     stream = io.BytesIO()
     with zipfile.ZipFile(stream, "w") as archive:
         for file in (Path(__file__).parents[2] / "exercises" / "definitions" / "scara").iterdir():
@@ -336,10 +333,7 @@ def test_an_imported_folder_opens(open_page: OpenPage) -> None:
 
 
 def test_a_draft_is_published_and_opens_as_an_exercise(open_page: OpenPage, stored: str) -> None:
-    page = open_page("/author")
-    page.goto(f"{stored}/author?lang=en")
-    page.locator("html[data-ready=true]").wait_for()
-    kept(page)
+    page = open_page("/author", origin=stored, before=kept)
     page.get_by_role("button", name="Publish on this service").click()
     page.locator(".author-published").get_by_role("link", name="Open the exercise").click(timeout=PATIENCE)
     page.wait_for_url(re.compile("/exercises/two-links-[0-9a-f]{12}"))
@@ -411,9 +405,12 @@ def test_the_axis_whose_fields_are_shown_looks_chosen(open_page: OpenPage) -> No
 def test_what_waits_is_said(open_page: OpenPage, watch: Watch) -> None:
     """Without a preview a text is not said to be missing, and no tests run in a moment."""
     watch.allow("ERR_FAILED")
-    page = open_page("/author")
-    page.route("**/api/v1/author/preview", lambda route: route.abort())
-    kept(page)
+
+    def without_preview(page: Page) -> None:
+        kept(page)
+        page.route("**/api/v1/author/preview", lambda route: route.abort())
+
+    page = open_page("/author", before=without_preview)
     expect(page.locator(".author-reading")).to_have_text("A moment …")
     expect(page.locator(".author-selftest")).to_have_text(
         "The tests run as soon as the faults above are corrected."
@@ -422,7 +419,6 @@ def test_what_waits_is_said(open_page: OpenPage, watch: Watch) -> None:
 
 def test_a_busy_service_is_asked_again(open_page: OpenPage, watch: Watch) -> None:
     watch.allow("503")
-    page = open_page("/author")
     answers = iter([503, 503])
 
     def busy(route: Route) -> None:
@@ -431,7 +427,10 @@ def test_a_busy_service_is_asked_again(open_page: OpenPage, watch: Watch) -> Non
         else:
             route.continue_()
 
-    page.route("**/api/v1/author/preview", busy)
-    kept(page)
+    def at_a_busy_service(page: Page) -> None:
+        kept(page)
+        page.route("**/api/v1/author/preview", busy)
+
+    page = open_page("/author", before=at_a_busy_service)
     expect(page.locator("#author-name")).not_to_be_empty(timeout=PATIENCE)
     expect(page.locator("#author-problem")).to_be_empty()

@@ -46,13 +46,8 @@ def crane() -> dict[str, Any]:
 
 def opened(open_page: OpenPage, draft: dict[str, Any]) -> Page:
     """The page with a draft from its address."""
-    page = open_page("/author")
-    address = page.url
     packed = zlib.compress(json.dumps({"draft": draft, "source": None}).encode())
-    page.goto("about:blank")
-    page.goto(f"{address}#draft={base64.urlsafe_b64encode(packed).decode().rstrip('=')}")
-    page.locator("html[data-ready=true]").wait_for()
-    return page
+    return open_page(f"/author#draft={base64.urlsafe_b64encode(packed).decode().rstrip('=')}")
 
 
 def leaves(value: Any, path: str = "definition") -> Iterator[str]:

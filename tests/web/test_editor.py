@@ -8,7 +8,7 @@ import unicodedata
 import pytest
 from playwright.sync_api import Page, expect
 
-from tests.web.conftest import LANGUAGES, OpenPage
+from tests.web.conftest import OpenPage
 from tests.web.driving import (
     PUMA,
     SCARA,
@@ -289,22 +289,6 @@ def test_a_name_that_the_figure_does_not_have_is_said_in_its_cell(open_page: Ope
     expect(page.locator(".fault:visible")).to_have_count(0)
 
 
-@pytest.mark.parametrize("language", LANGUAGES)
-def test_the_types_of_joints_are_not_cut(open_page: OpenPage, language: str) -> None:
-    page = open_page("/exercises/scara", lang=language, width=1280)
-    needed, given = joint(page, 0).evaluate(
-        """(select) => {
-          const free = select.cloneNode(true);
-          Object.assign(free.style, { width: "max-content", position: "absolute" });
-          select.after(free);
-          const widths = [free.offsetWidth, select.offsetWidth];
-          free.remove();
-          return widths;
-        }"""
-    )
-    assert needed <= given
-
-
 def test_dates_are_those_of_portugal_where_the_texts_are(open_page: OpenPage) -> None:
     """They were "22 de nov. de 2026", as in Brazil."""
     page = open_page("/exercises/twolink", lang="pt", locale="pt-PT")
@@ -321,7 +305,7 @@ def test_dates_are_those_of_portugal_where_the_texts_are(open_page: OpenPage) ->
 
 def test_the_score_is_drawn_in_forced_colours(open_page: OpenPage) -> None:
     """The ring was a background, which forced colours take away; the number alone stood there."""
-    page = open_page("/exercises/twolink", forced_colors="active")
+    page = open_page("/exercises/twolink", before=lambda page: page.emulate_media(forced_colors="active"))
     page.evaluate("document.body.innerHTML = '<div class=score-ring></div>'")
     ring = page.locator(".score-ring")
     shots = set()

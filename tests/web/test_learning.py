@@ -108,7 +108,7 @@ def test_a_right_answer_says_how_its_frames_differ_and_shows_both_robots(open_pa
 
 @pytest.mark.parametrize(("table", "width"), [(SCARA, 360), (RX90, 1280)])
 def test_a_moving_robot_stays_in_the_picture(open_page: OpenPage, table: Any, width: int) -> None:
-    page = open_page("/exercises/scara" if table is SCARA else "/exercises/rx90", width=width, webgl=True)
+    page = open_page("/exercises/scara" if table is SCARA else "/exercises/rx90", width=width)
     put_table(page, wrong(table, 1, alpha="45"))
     verdict = submit(page)
     scene = verdict.locator("robot-scene")
@@ -153,7 +153,9 @@ def test_on_a_phone_the_bar_of_progress_takes_two_lines(open_page: OpenPage) -> 
 
 
 def test_motion_starts_by_itself_only_where_it_is_welcome(open_page: OpenPage) -> None:
-    page = open_page("/exercises/scara", reduced_motion="no-preference")
+    page = open_page(
+        "/exercises/scara", before=lambda page: page.emulate_media(reduced_motion="no-preference")
+    )
     put_table(page, SCARA)
     verdict = submit(page)
     expect(verdict.get_by_role("button", name="Pause")).to_be_visible()

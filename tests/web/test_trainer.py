@@ -11,7 +11,7 @@ from playwright.sync_api import Page, expect
 
 from tests.conftest import EXPLORE
 from tests.exercises.packaged import table_ids
-from tests.web.conftest import LANGUAGES, OpenPage
+from tests.web.conftest import OpenPage
 from tests.web.driving import Held
 from tests.web.walking import (
     assigned,
@@ -75,15 +75,6 @@ def test_habits_lead_nowhere(open_page: OpenPage, web: str) -> None:
             done += walk(page, joints + 1, pick)
             walks += 1
     assert done <= 0.05 * walks
-
-
-@pytest.mark.parametrize("language", LANGUAGES)
-def test_speaks_every_language(open_page: OpenPage, language: str) -> None:
-    page = open_page("/trainer/scara", lang=language)
-    ready(page)
-    page.locator("fieldset.choices input").last.check()
-    text = page.locator("main").inner_text()
-    assert not re.search(r"\b(trainer|form|rule)-[a-z]", text)
 
 
 def test_a_broken_rule_is_named_at_the_end_of_the_step_and_not_before(open_page: OpenPage) -> None:
