@@ -17,7 +17,7 @@ from service.schemas.exercises.examples_authoring import TWO_LINKS
 from tests.lti.classes import TEACHER, Browser, Lms, hint
 from tests.lti.test_in_a_browser import PATIENCE, chromium, framed  # noqa: F401
 from tests.lti.test_launches import CUSTOM, RIGHT, WRONG
-from tests.web.conftest import Visits, assert_accessible_at_both_sizes, axe, wait_ready  # noqa: F401
+from tests.web.conftest import assert_accessible_at_both_sizes, axe, new_context, wait_ready  # noqa: F401
 
 Check = Callable[[Page], None]
 pytestmark = pytest.mark.parametrize("address", ["sqlite"], indirect=True)
@@ -25,19 +25,13 @@ PHONE = {"width": 320, "height": 900}
 ENDED = {"code": "session_expired", "title": "Not signed in", "detail": "You are no longer signed in."}
 
 
-@pytest.fixture(scope="module")
-def visits(chromium: Chromium, service: str) -> Iterator[Visits]:  # noqa: F811
-    """What works on a phone works in a large window."""
-    made = Visits(chromium, service, webgl=False, viewport=PHONE, locale="en")
-    made.context.set_default_timeout(PATIENCE)
-    yield made
-    made.context.close()
-
-
 @pytest.fixture
-def page(visits: Visits) -> Iterator[Page]:
-    yield visits.context.new_page()
-    visits.forget()
+def page(chromium: Chromium) -> Iterator[Page]:  # noqa: F811
+    """What works on a phone works in a large window."""
+    context = new_context(chromium, viewport=PHONE, locale="en")
+    context.set_default_timeout(PATIENCE)
+    yield context.new_page()
+    context.close()
 
 
 @pytest.fixture

@@ -101,8 +101,8 @@ class Visits:
     there before.
     """
 
-    def __init__(self, browser: Browser, origin: str, **options: Any) -> None:
-        self.context = new_context(browser, **{"webgl": True, **options})
+    def __init__(self, browser: Browser, origin: str) -> None:
+        self.context = new_context(browser, webgl=True)
         self.origins = {origin}
         """Where somebody has been."""
         self._first_page = self.context.new_page()
