@@ -18,7 +18,7 @@ IDLE_STEPS = 4
 get."""
 
 SIX_LINKS = 1e-14
-"""Size of the error vector below which a step that halves it may be a whim of rounding."""
+"""Size of the error vector below which rounding alone may halve it."""
 
 EXACT = 1e-16
 """Size of the error vector below which another Newton step would only move rounding."""
