@@ -18,7 +18,7 @@ IDLE_STEPS = 4
 get."""
 
 SIX_LINKS = 1e-14
-"""Size of the error vector below which rounding alone may halve it."""
+"""Size of the error vector that rounding of six links leaves: who has come as near looks no farther."""
 
 EXACT = 1e-16
 """Size of the error vector below which another Newton step would only move rounding."""
@@ -61,7 +61,7 @@ def polish(arm: Arm, targets: Array, joints: Array) -> Array:
         e = errors_of(arm, frames[-1], targets)
         cost = (e * e).sum(axis=1)
         better = cost < least
-        returning = (last > SIX_LINKS**2) & (cost < 0.25 * last)
+        returning = (least > SIX_LINKS**2) & (cost < 0.25 * last)
         last, idle = cost, np.where((cost < 0.25 * least) | returning, 0, idle + 1)
         best, least = np.where(better[:, None], x, best), np.where(better, cost, least)
         if (idle >= IDLE_STEPS).all() or cost.max(initial=0.0) <= EXACT**2:
