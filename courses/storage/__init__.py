@@ -3,6 +3,7 @@
 database         opened under a lock, brought to this program's schema, used in transactions
 engines          its connections: how they are opened and checked, how a transaction begins
 turns            who writes next to an SQLite file
+troubles         which errors are the database's own, and pass
 postgresql_connection  one that gives up where the server keeps silent
 records, column_types  its relations, the same for both
 statements       what both write alike

@@ -20,8 +20,9 @@ from sqlalchemy.exc import SQLAlchemyError
 
 from courses.refusals import StorageError
 from courses.storage.column_types import UtcTime
-from courses.storage.database import Store, newest_revision, reason_of, revision_in, revisions
+from courses.storage.database import Store, newest_revision, revision_in, revisions
 from courses.storage.records import metadata, prepared_answer
+from courses.storage.troubles import reason_of
 from kinematics.errors import Fault
 
 FORMAT = "framewise-backup-1"

@@ -16,13 +16,13 @@ from datetime import UTC, datetime
 from pathlib import Path
 
 import sqlalchemy as sa
-from sqlalchemy.exc import DisconnectionError, InterfaceError, OperationalError, SQLAlchemyError
-from sqlalchemy.exc import TimeoutError as PoolTimeoutError
+from sqlalchemy.exc import SQLAlchemyError
 
 from courses.refusals import StorageError, StorageUnavailableError
 from courses.storage.engines import ALONE, BUSY_SECONDS, WRITES, bound_connections, postgresql, sqlite
 from courses.storage.records import one_time_code
-from courses.storage.turns import TurnError, Turns
+from courses.storage.troubles import TROUBLES, is_trouble, reason_of, was_undone
+from courses.storage.turns import Turns
 from kinematics.errors import Fault
 
 MIGRATIONS = Path(__file__).resolve().parent / "migrations"
@@ -30,8 +30,6 @@ _REVISION = sa.table("alembic_version", sa.column("version_num"))
 """Where Alembic notes what it has applied."""
 FILE_NAME = "framewise.sqlite"
 _LOCK = 0x6672616D65776973  # "framewis", the advisory lock of migrations on PostgreSQL
-_UNDONE = "40"
-"""Class of the SQLSTATEs of a transaction that was undone for the sake of another one, such as a deadlock."""
 _TRIED_BYTES = 65_536
 """What is written to see whether there is room again: more than most attempts take."""
 _log = logging.getLogger("framewise.storage")
@@ -153,14 +151,15 @@ def _answering() -> Iterator[None]:
     """Refuse what failed for trouble of the database; let errors of the program through.
 
     Raises:
-        StorageUnavailableError: the database is gone, full, read-only or overrun.
+        StorageUnavailableError: the database is gone, full, read-only, damaged or overrun.
     """
     try:
         yield
-    except (OperationalError, InterfaceError, DisconnectionError, PoolTimeoutError, TurnError) as error:
+    except TROUBLES as error:
+        if not is_trouble(error):
+            raise
         _log.error("the database does not answer: %s", reason_of(error))
-        undone = str(getattr(getattr(error, "orig", None), "sqlstate", None)).startswith(_UNDONE)
-        raise StorageUnavailableError(is_gone=not undone) from error
+        raise StorageUnavailableError(is_gone=not was_undone(error)) from error
 
 
 def open_store(url: str, folder: Path, *, only_if_there: bool = False) -> Store:
@@ -274,8 +273,3 @@ def _unusable(store: Store, error: BaseException | None) -> StorageError:
 
 def _missing(location: str) -> StorageError:
     return StorageError(Fault.at("storage_missing", location=location))
-
-
-def reason_of(error: BaseException | None) -> str:
-    """Return what the database says in one line, without the rows that it was given."""
-    return str(getattr(error, "orig", None) or type(error).__name__).splitlines()[0]

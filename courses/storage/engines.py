@@ -9,11 +9,13 @@ from typing import Any
 
 import sqlalchemy as sa
 from sqlalchemy import event
+from sqlalchemy.engine import ExceptionContext
 from sqlalchemy.exc import ArgumentError, DisconnectionError
 from sqlalchemy.pool import ConnectionPoolEntry
 
 from courses.refusals import StorageError
 from courses.storage.column_types import WrittenJson
+from courses.storage.troubles import READ_ONLY, sqlstate_of
 from kinematics.errors import Fault
 
 BUSY_SECONDS = 15.0
@@ -55,6 +57,7 @@ def postgresql(url: str) -> sa.Engine:
     )
     event.listen(engine, "checkin", _note_use)
     event.listen(engine, "checkout", _check_idle)
+    event.listen(engine, "handle_error", _leave_who_only_reads)
     return engine
 
 
@@ -89,6 +92,12 @@ def _check_idle(connection: Any, record: ConnectionPoolEntry, _: Any) -> None:
         connection.rollback()
     except connection.Error as error:
         raise DisconnectionError from error
+
+
+def _leave_who_only_reads(context: ExceptionContext) -> None:
+    """Open new connections once a server takes no writes: after a failover the address leads to another."""
+    if sqlstate_of(context.original_exception) == READ_ONLY:
+        context.is_disconnect = True
 
 
 def sqlite(file: Path) -> sa.Engine:

@@ -186,6 +186,69 @@ def test_a_frozen_database_is_told_in_bounded_time_and_loses_nothing(
         store.close()
 
 
+_ONLY_READS = "default_transaction_read_only"
+
+
+@contextlib.contextmanager
+def taking_no_writes(url: str) -> Iterator[None]:
+    """A database as a standby offers it after a failover: new transactions and open ones can only read."""
+    name = sa.make_url(url).database
+    engine = sa.create_engine(sa.make_url(url).set(drivername="postgresql+psycopg", database="postgres"))
+
+    def told(setting: str) -> None:
+        with engine.connect().execution_options(isolation_level="AUTOCOMMIT") as connection:
+            connection.execute(
+                sa.text(f'ALTER DATABASE "{name}" SET default_transaction_read_only = {setting}')
+            )
+
+    try:
+        told("on")
+        with engine.connect() as connection:
+            connection.execute(
+                sa.text("SELECT pg_terminate_backend(pid) FROM pg_stat_activity WHERE datname = :name"),
+                {"name": name},
+            )
+        yield
+    finally:
+        told("off")
+        engine.dispose()
+
+
+def test_a_server_that_only_reads_is_told_and_left_as_soon_as_another_one_writes(
+    postgresql: str, tmp_path: Path
+) -> None:
+    """Each hand-in, draft and sign-in was answered 500, and so was /readyz."""
+    with new_database(postgresql) as url:
+        store = open_store(url, tmp_path)
+        told = {"role": Role.LEARNER, "deployment": "1", "context": "c", "resource": "r"}
+        arrival = Arrival(platform=platform(store), subject="s", exercise_id="puma560", **told)
+        token, _ = arrive(store, arrival, now())
+        store.close()
+        with (
+            running(Settings(storage="on", database_url=url, data_folder=tmp_path), ahead=True) as origin,
+            httpx.Client(base_url=origin, timeout=120, trust_env=False) as client,
+        ):
+            client.headers["Authorization"] = f"Bearer {token}"
+
+            def submit(key: str) -> httpx.Response:
+                return client.post("/api/v1/session/attempts", json=RIGHT, headers={"Idempotency-Key": key})
+
+            assert submit("before").status_code == 200
+            with taking_no_writes(url):
+                time.sleep(1.1)  # connections that were used later are believed to stand
+                for refused in (
+                    submit("later"),
+                    client.put("/api/v1/session/draft", json={"draft": RIGHT}),
+                    client.post("/api/v1/session/open", json={"code": "x"}),
+                ):
+                    assert (refused.status_code, refused.json()["code"]) == (503, "storage_unavailable")
+                    assert refused.headers["retry-after"]
+                assert client.get("/api/v1/session").status_code == 200
+                assert eventually_ready(client) == (503, "down")
+            assert submit("later").status_code == 200
+            assert eventually_ready(client) == (200, "up")
+
+
 def test_a_server_that_works_is_waited_for_and_one_that_waits_is_not(
     postgresql: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -336,6 +399,24 @@ def test_a_file_that_is_replaced_during_a_transaction_undoes_it(tmp_path: Path) 
     assert submitted(store, session, 0.5, key="kept").number == 1
     store.close()
     other.close()
+
+
+def test_a_file_that_is_damaged_is_trouble_of_the_database(tmp_path: Path) -> None:
+    """It was an error of the program: status 500, and a traceback for each request."""
+    store = open_store("", tmp_path)
+    session = joined(store)
+    submitted(store, session, 0.5, key="first")
+    store.close()
+    file = tmp_path / "framewise.sqlite"
+    pages = file.read_bytes()
+    file.write_bytes(pages[:4096] + bytes(len(pages) - 4096))
+    with pytest.raises(StorageUnavailableError):
+        submitted(store, session, 0.5, key="second")
+    assert not store.takes_writes
+    file.write_bytes(pages)
+    store.close()
+    assert submitted(store, session, 0.5, key="second").number == 2
+    store.close()
 
 
 def test_a_folder_that_cannot_be_written_is_said_at_the_start(tmp_path: Path) -> None:
