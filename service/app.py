@@ -83,7 +83,7 @@ TAGS = (
 
 
 _EXPOSED = (
-    "X-Request-Id", "Content-Language", "Idempotency-Replayed",
+    "X-Request-Id", "Content-Language", "Idempotency-Replayed", "Framewise-Arrival",
     "Retry-After", "RateLimit-Limit", "RateLimit-Remaining", "RateLimit-Reset",
 )  # fmt: skip
 """Headers that scripts of other origins may read."""
@@ -141,7 +141,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         app.add_middleware(
             CORSMiddleware,
             allow_origins=list(origins),
-            allow_methods=["GET", "POST"],
+            allow_methods=["GET", "POST", "PUT", "DELETE"],
             allow_headers=["*"],
             expose_headers=list(_EXPOSED),
         )

@@ -15,6 +15,7 @@ Who calls:
   link_context, link_guard  what students of a link may use
   metering, cost_window  what callers may cost, and have
 Answering:
+  shortages        what the machine lacks just now
   problems         the one table of statuses, and the problem document
   compression      large answers
   middleware       the outermost layer

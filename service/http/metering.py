@@ -55,6 +55,9 @@ _ONE_ANSWER, _ANSWER_UNIT = 4 * 1024, 512
 submissions in one body cost about as much as each by itself."""
 _SCOPES = {"grade": KeyScope.GRADE, "evaluate": KeyScope.GRADE, "receipts": KeyScope.GRADE}
 _PUBLISH = "/author/publish"
+_HANDING_IN = "/api/v1/session/attempts"
+EXCESS = "rate_exceeded"
+"""Where the scope of a hand-in says that it costs too much: its refusal is the route's."""
 _SAME_ORIGIN = b"same-origin"
 _READING = ("GET", "HEAD", "OPTIONS")
 
@@ -70,6 +73,7 @@ class MeteringMiddleware:
         self._settings = settings
         self._keys = KeyFile(settings.api_keys) if settings.api_keys else None
         self._window = CostWindow()
+        self._heard = CostWindow()
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Serve one connection."""
@@ -87,8 +91,10 @@ class MeteringMiddleware:
             if most:
                 told = self._charge(caller, _cost(scope, _said_size(scope) or 0), most)
         except ServiceError as error:
-            await self._refuse(Request(scope), error)(scope, receive, send)
-            return
+            if not (isinstance(error, RateError) and self._hears(scope, caller, most)):
+                await self._refuse(Request(scope), error)(scope, receive, send)
+                return
+            scope[EXCESS], most = error, 0
         size = 0
 
         async def receive_charged() -> Message:
@@ -110,6 +116,20 @@ class MeteringMiddleware:
 
         unsaid = most and scope["method"] == "POST" and _said_size(scope) is None
         await self._app(scope, receive_charged if unsaid else receive, send_with_limits if told else send)
+
+    def _hears(self, scope: Scope, caller: Name, most: int) -> bool:
+        """Return whether an answer that costs too much is read, so that its refusal can tell when it came.
+
+        Who sends as many of them in a minute as the minute may cost hands in nothing: that is a flood.
+        """
+        size = _said_size(scope)
+        is_answer = scope["method"] == "POST" and path_of(scope) == _HANDING_IN
+        return (
+            is_answer
+            and size is not None
+            and size <= _BODY_UNIT
+            and self._heard.charge(caller, 1, most).allowed
+        )
 
     def _key(self, scope: Scope) -> ApiKey | None:
         """Return the caller's key; None where none is needed.

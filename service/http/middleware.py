@@ -24,6 +24,7 @@ from service.http.addresses import caller_at
 from service.http.compression import accepts_gzip, compressing
 from service.http.languages import language_for
 from service.http.problems import INTERNAL, PROBLEM_JSON, Problem, busy, problem_of
+from service.http.shortages import shortage
 from service.http.uploads import HELD, Upload, may_be_under_way
 from service.logs import log_access
 from service.metrics import UNMATCHED
@@ -110,12 +111,10 @@ class OuterMiddleware:
             _log.warning("request %s: given up, because the server ends", request_id.decode())
             if not status:
                 await self._send_problem(scope, send_with_headers, problem_of(busy(), scope[REQUEST_ID]))
-        except Exception:
-            _log.exception("request %s: unhandled error", request_id.decode())
+        except Exception as error:
+            problem = _unexpected(error, scope[REQUEST_ID])
             if status:
                 raise
-            fault = Fault.at("internal_error", id=scope[REQUEST_ID])
-            problem = Problem(status=INTERNAL, faults=(fault,), request_id=scope[REQUEST_ID])
             await self._send_problem(scope, send_with_headers, problem)
         finally:
             if HELD in scope:
@@ -163,6 +162,15 @@ class OuterMiddleware:
         ]
         await send({"type": "http.response.start", "status": problem.status, "headers": headers})
         await send({"type": "http.response.body", "body": body})
+
+
+def _unexpected(error: Exception, request_id: str) -> Problem:
+    """Return what a caller is told of an error that nothing expects; the log is told the rest."""
+    if (refusal := shortage(error, request_id)) is not None:
+        return problem_of(refusal, request_id)
+    _log.exception("request %s: unhandled error", request_id)
+    fault = Fault.at("internal_error", id=request_id)
+    return Problem(status=INTERNAL, faults=(fault,), request_id=request_id)
 
 
 def _template(scope: Scope) -> str:

@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
+import errno
 from collections.abc import Iterator
 from datetime import UTC, datetime, timedelta
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import httpx
 import pytest
 import sqlalchemy as sa
+from pydantic import SecretStr
 
 import service.course_resources
 import service.routes.exercises.receipts
@@ -126,7 +129,14 @@ def examine(store: Store) -> None:
 
 
 @pytest.mark.parametrize(
-    "error", [busy(), StorageUnavailableError(is_gone=True)], ids=["busy", "no database"]
+    "error",
+    [
+        pytest.param(busy(), id="busy"),
+        pytest.param(StorageUnavailableError(is_gone=True), id="no database"),
+        pytest.param(MemoryError(), id="no memory"),
+        pytest.param(OSError(errno.EMFILE, "Too many open files"), id="no files"),
+        pytest.param(RuntimeError("can't start new thread"), id="no threads"),
+    ],
 )
 def test_what_was_sent_in_time_and_refused_as_busy_counts_when_it_is_sent_again(
     student: httpx.Client,
@@ -166,6 +176,40 @@ def test_what_was_sent_in_time_and_refused_as_busy_counts_when_it_is_sent_again(
     assert found["grade"]["attempt"] == 1
     clock.jump = timedelta(minutes=61)
     assert student.post("session/attempts", json=RIGHT, headers=ticket).status_code == 409
+
+
+def test_what_was_sent_in_time_and_cost_too_much_counts_when_it_is_sent_again(
+    store: Store, clock: type[Clock], tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It was refused as late: a class behind one address may use up what the address has in a minute."""
+    told = {"deployment": "1", "context": "c", "resource": "r", "exercise_id": "puma560"}
+    arrival = Arrival(platform=platform(store), subject="s", role=Role.LEARNER, **told)
+    headers = {"Authorization": f"Bearer {arrive(store, arrival, now())[0]}"}
+    examine(store)
+    settings = Settings(storage="on", data_folder=tmp_path, cost_per_minute=3, secret=SecretStr("s" * 32))
+    monkeypatch.setattr("service.http.cost_window.time", SimpleNamespace(monotonic=lambda: 1000.0))
+
+    def client() -> httpx.Client:
+        return httpx.Client(base_url=f"{origin}/api/v1/", headers=headers, trust_env=False, timeout=120)
+
+    with running(settings) as origin, client() as student:
+        refusals = []
+        while len(refusals) < 4:
+            answer = student.post("session/attempts", json=RIGHT)
+            refusals += [answer] if answer.status_code == 429 else []
+        assert all(int(refused.headers["retry-after"]) >= 1 for refused in refusals)
+        tickets = [refused.headers.get("framewise-arrival") for refused in refusals]
+        assert tickets[0]
+        assert tickets[3] is None  # who sends so many hands in nothing
+        assert "framewise-arrival" not in student.post("session/open", json={}).headers
+        large = student.post("session/attempts", json={**RIGHT, "form": "x" * 70_000})
+        assert (large.status_code, large.headers.get("framewise-arrival")) == (429, None)
+    clock.jump = timedelta(minutes=20)
+    with running(settings) as origin, client() as student:  # the next minute
+        late = student.post("session/attempts", json=RIGHT)
+        assert (late.status_code, late.json()["code"]) == (409, "attempts_closed")
+        ticket = {"Framewise-Arrival": str(tickets[0])}
+        assert student.post("session/attempts", json=RIGHT, headers=ticket).status_code == 200
 
 
 def test_a_ticket_makes_no_attempt_earlier_than_need_be(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import http.client
 import json
 import logging
@@ -143,6 +144,36 @@ def test_other_origins_may_call_only_where_that_is_set(client: httpx.Client) -> 
             f"{url}/api/v1/jacobian", headers={**wish, "Origin": "https://evil.example"}
         )
         assert "access-control-allow-origin" not in stranger.headers
+
+
+@pytest.mark.parametrize("method", ["POST", "PUT", "DELETE"])
+def test_a_course_in_a_sandboxed_frame_may_do_what_its_page_does(method: str) -> None:
+    """It could store no draft, and not read since when an answer counts that was refused as busy."""
+    with running(Settings(frame_ancestors=("https://lms.example",))) as url:
+        wish = {"Origin": "null", "Access-Control-Request-Method": method}
+        assert patient.options(f"{url}/api/v1/session/draft", headers=wish).status_code == 200
+        answer = patient.get(f"{url}/api/v1/session", headers={"Origin": "null"})
+        assert "Framewise-Arrival" in answer.headers["access-control-expose-headers"]
+
+
+@pytest.mark.parametrize(
+    "error", [MemoryError(), RuntimeError("can't start new thread"), OSError(errno.ENOMEM, "no memory")]
+)
+def test_a_machine_that_is_short_of_something_is_busy_and_has_no_error(
+    error: Exception, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    """The caller was to report it, and the log held a traceback, of which a crowd makes thousands."""
+
+    def fail(*_: object) -> object:
+        raise error
+
+    monkeypatch.setattr("service.http.routing.decode_json", fail)
+    with running(Settings()) as url:
+        refused = patient.post(f"{url}/api/v1/jacobian", json={})
+    assert (refused.status_code, refused.json()["code"]) == (503, "busy")
+    assert refused.headers["retry-after"]
+    assert "short of" in caplog.text
+    assert "Traceback" not in caplog.text
 
 
 def test_large_answers_are_compressed_for_those_who_take_it(client: httpx.Client) -> None:

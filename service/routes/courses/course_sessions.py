@@ -24,9 +24,12 @@ from service.course_resources import bearer_token, now
 from service.http.arrival_tickets import HEADER, arrival_ticket, told_arrival
 from service.http.idempotency import REPLAYED
 from service.http.languages import language_of
+from service.http.metering import EXCESS
+from service.http.middleware import REQUEST_ID
 from service.http.problems import (
     RETRY_SECONDS,
     BusyError,
+    RateError,
     RequestError,
     RequestPart,
     ServiceError,
@@ -34,6 +37,7 @@ from service.http.problems import (
     cause,
 )
 from service.http.routing import ApiRequest
+from service.http.shortages import shortage
 from service.http.validation import validated
 from service.schemas.exercises.exercises import ExerciseAnswer
 from service.secret import installation_secret
@@ -98,16 +102,29 @@ async def submit(request: ApiRequest) -> Response:
     Where that can't be done just now, the refusal tells when the answer came, for it to be sent again.
     """
     begun = now()
+    if (excess := request.scope.get(EXCESS)) is not None:
+        raise RateError(excess.faults, headers={**excess.headers, **await _ticket(request, begun)})
     try:
         return await _judged(request, begun)
     except (BusyError, UnavailableError, StorageUnavailableError) as error:
-        headers = {"Retry-After": str(RETRY_SECONDS)}
-        with suppress(ServiceError):  # an answer that can't be read has not come
-            token, typed, _ = await _sent(request)
-            arrived = begun + timedelta(seconds=request.body_seconds)
-            first = told_arrival(request.headers.get(HEADER, ""), token, typed, _secret(request), arrived)
-            headers[HEADER] = arrival_ticket(first or arrived, token, typed, _secret(request))
+        headers = {"Retry-After": str(RETRY_SECONDS), **await _ticket(request, begun)}
         raise BusyError(error.faults, headers=headers) from cause(error)
+    except (MemoryError, OSError, RuntimeError) as error:
+        refusal = shortage(error, request.scope[REQUEST_ID])
+        if refusal is None:
+            raise
+        headers = {**refusal.headers, **await _ticket(request, begun)}
+        raise BusyError(refusal.faults, headers=headers) from cause(error)
+
+
+async def _ticket(request: ApiRequest, begun: datetime) -> dict[str, str]:
+    """Return the field that tells when an answer came; none for one that can't be read: it has not come."""
+    with suppress(ServiceError):
+        token, typed, _ = await _sent(request)
+        arrived = begun + timedelta(seconds=request.body_seconds)
+        first = told_arrival(request.headers.get(HEADER, ""), token, typed, _secret(request), arrived)
+        return {HEADER: arrival_ticket(first or arrived, token, typed, _secret(request))}
+    return {}
 
 
 async def _sent(request: ApiRequest) -> tuple[str, Any, tuple[Any, Any]]:
