@@ -225,7 +225,7 @@ class CourseResources:
         return {
             pseudonym(self.store, platform.issuer, platform.client_id, member.user): member.name
             for member in listed
-            if not member.is_staff
+            if member.is_student
         }
 
     def keys(self) -> list[StoredKey]:

@@ -33,6 +33,7 @@ _ADMINISTRATING = {"Administrator", "SysAdmin"}
 _WATCHING = {"Observer", "ExternalObserver"}
 """Sub-roles of a manager that see a course and do nothing in it."""
 _COURSE = "/membership"
+_TEST_USER = "http://purl.imsglobal.org/vocab/lti/system/person#TestUser"
 
 
 def is_staff(roles: Iterable[str]) -> bool:
@@ -49,6 +50,15 @@ def is_staff(roles: Iterable[str]) -> bool:
         if principal in _ADMINISTRATING or (in_course and principal in _TEACHING and name not in _WATCHING):
             return True
     return False
+
+
+def is_test_user(roles: Iterable[str]) -> bool:
+    """Return whether a platform made somebody up to try things out (LTI 1.3 Core, system roles).
+
+    Canvas's student view and Blackboard's student preview say so, beside the role that is tried. Moodle does
+    not: there a teacher switches roles.
+    """
+    return _TEST_USER in roles
 
 
 HISTORY = "history"

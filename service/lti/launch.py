@@ -42,6 +42,7 @@ class Launch:
     subject: str | None
     name: str | None
     is_staff: bool
+    is_test_user: bool
     deployment: str
     context: str
     context_title: str
@@ -209,6 +210,7 @@ def _message(claims: Mapping[str, Any], subject: str | None, expected: Expected)
         subject=subject,
         name=_text(claims, "name"),
         is_staff=names.is_staff(str(role) for role in roles),
+        is_test_user=names.is_test_user(roles),
         deployment=deployment,
         context=_text(context, "id") or "",
         context_title=_text(context, "title") or _text(context, "label") or "",

@@ -23,7 +23,7 @@ class Member:
 
     user: str
     name: str | None
-    is_staff: bool
+    is_student: bool
 
 
 def members(services: Services, platform: LtiPlatform, address: str) -> list[Member]:
@@ -59,10 +59,11 @@ def _is_active(entry: object) -> bool:
 
 
 def _member(entry: Mapping[str, object]) -> Member:
-    roles = entry.get("roles")
+    told = entry.get("roles")
+    roles = [str(role) for role in told] if isinstance(told, list) else []
     name = entry.get("name")
     return Member(
         user=str(entry["user_id"]),
         name=name if isinstance(name, str) else None,
-        is_staff=names.is_staff(str(role) for role in roles) if isinstance(roles, list) else False,
+        is_student=not names.is_staff(roles) and not names.is_test_user(roles),
     )

@@ -312,9 +312,17 @@ class Handler(BaseHTTPRequestHandler):
             {"user_id": "student", "roles": ["Learner"], "status": "Active"},
             {"user_id": "late", "roles": ["Learner"]},
             {"user_id": "gone", "roles": ["Learner"], "status": "Inactive"},
+            {
+                "user_id": "tried",
+                "roles": ["Learner", "http://purl.imsglobal.org/vocab/lti/system/person#TestUser"],
+            },
         ]
         start = int(query.get("from", 0))
-        link = {"Link": f'<{self.lms.root}/members?from={start + 2}>; rel="next"'} if start + 2 < 4 else {}
+        link = (
+            {"Link": f'<{self.lms.root}/members?from={start + 2}>; rel="next"'}
+            if start + 2 < len(everybody)
+            else {}
+        )
         self._send(200, {"members": everybody[start : start + 2]}, **link)
 
     def post_deep(self, _: list[str], __: dict[str, str], body: bytes) -> None:

@@ -15,7 +15,7 @@ from courses.people.administration import invite_administrator
 from courses.people.platforms import add_platform, platforms
 from courses.storage.database import Store
 from service.course_resources import now
-from tests.lti.classes import TEACHER, Browser, Lms, hint
+from tests.lti.classes import LEARNER, TEACHER, TEST_USER, Browser, Lms, hint
 from tests.lti.test_launches import RIGHT, WRONG
 
 ADDRESSES = {
@@ -149,6 +149,26 @@ def test_names_come_from_the_platform_where_the_operator_lets_them(
     assert states == ["absent", "opened"]
     (counted,) = found["links"]
     assert (counted["absent"], counted["opened"]) == (1, 1)
+
+
+def test_a_test_user_of_the_platform_stands_in_no_number(browser: Browser, lms: Lms, service: str) -> None:
+    """Canvas's Test Student counted as one of the class."""
+    where = {"resource": "tried", "context": "tried", "custom": {"exercise": "puma560"}}
+    browser.launch("ann", hint(**where))
+    browser.api("POST", "session/attempts", RIGHT)
+    tester, teacher = Browser(lms, service), Browser(lms, service)
+    tester.launch("test student", hint([LEARNER, TEST_USER], **where))
+    answer = tester.api("POST", "session/attempts", WRONG)
+    assert (answer.status_code, answer.json()["attempt"]) == (200, 1)
+    assert tester.api("GET", "session").json()["role"] == "learner"
+    assert tester.api("GET", "course").json()["code"] == "staff_only"
+    teacher.launch("tina", hint([TEACHER], **where))
+    found = teacher.api("GET", "course").json()
+    numbers = teacher.api("GET", f"course/links/{found['link']}/statistics").json()
+    assert len(found["students"]) == 1
+    assert (numbers["attempts"], numbers["students"]) == (1, 1)
+    tester.client.close()
+    teacher.client.close()
 
 
 def test_a_preview_follows_the_rules_and_counts_for_nothing(browser: Browser, lms: Lms, service: str) -> None:

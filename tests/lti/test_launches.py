@@ -165,10 +165,11 @@ def test_names_and_roles_come_from_every_page(lms: Lms, settings: Settings, serv
     courses = CourseResources(settings)
     platform = next(each for each in platforms(courses.store) if each.issuer == lms.root)
     found = members(courses.services, platform, f"{lms.root}/members")
-    assert [(member.user, member.is_staff) for member in found] == [
-        ("teacher", True),
-        ("student", False),
-        ("late", False),
+    assert [(member.user, member.is_student) for member in found] == [
+        ("teacher", False),
+        ("student", True),
+        ("late", True),
+        ("tried", False),
     ]
     courses.close()
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from service.lti.claims import is_staff
+from service.lti.claims import is_staff, is_test_user
 
 LIS = "http://purl.imsglobal.org/vocab/lis/v2"
 SYSTEM = "http://purl.imsglobal.org/vocab/lti/system/person"
@@ -52,3 +52,8 @@ def test_staff(role: str) -> None:
 def test_no_staff(role: str) -> None:
     """A learner with the sub-role Instructor was let onto the lecturers' pages."""
     assert not is_staff([role])
+
+
+def test_a_user_made_up_to_try_things_out_says_so_beside_the_role_that_is_tried() -> None:
+    assert is_test_user([f"{LIS}/membership#Learner", f"{SYSTEM}#TestUser"])
+    assert not is_test_user([f"{LIS}/membership#Learner", f"{LIS}/membership/Learner#NonCreditLearner", ""])

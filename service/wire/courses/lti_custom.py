@@ -34,6 +34,7 @@ def arrival_of(launch: Launch, platform: Platform, library: Library) -> Arrival:
         platform=platform,
         subject=launch.subject,
         role=Role.STAFF if launch.is_staff else Role.LEARNER,
+        is_test_user=launch.is_test_user,
         deployment=launch.deployment,
         context=launch.context,
         resource=launch.resource,
