@@ -32,18 +32,41 @@ class StoredKey:
 
 
 def add_platform(store: Store, platform: Platform, deployments: tuple[str, ...], now: datetime) -> Platform:
-    """Insert a platform, or update the one with this issuer and client id; origins stay if none are named."""
-    names = "name authorization_endpoint token_endpoint token_audience jwks_uri names_shared"
-    values = {name: getattr(platform, name) for name in names.split()} | {"status": platform.status.value}
+    """Insert a platform, or update the one with this issuer and client id; origins stay if none are named.
+
+    One that is active and registers itself again at the same addresses stays as the operator has it: nobody
+    else can launch by it than before. At other addresses it waits to be activated.
+    """
+    values = {name: getattr(platform, name) for name in (*_ADDRESSES, "name", "names_shared")}
+    values["status"] = platform.status.value
     if platform.origins:
         values["origins"] = list(platform.origins)
     key = {"issuer": platform.issuer, "client_id": platform.client_id}
     with store.writing() as connection:
+        if platform.status is PlatformStatus.PENDING:
+            values |= _as_it_was(connection, platform)
         own = upsert(connection, _PLATFORM, key, values, {"created": now, "origins": []})
         stored = _platform(connection.execute(sa.select(_PLATFORM).where(_PLATFORM.c.id == own.id)).one())
         for deployment in deployments:
             insert_once(connection, records.deployment, {"platform_id": stored.id, "deployment": deployment})
     return stored
+
+
+_ADDRESSES = ("authorization_endpoint", "token_endpoint", "token_audience", "jwks_uri")
+
+
+def _as_it_was(connection: sa.Connection, platform: Platform) -> dict[str, Any]:
+    """Return what the operator has chosen of a platform that registers itself again."""
+    own = _PLATFORM.c.issuer == platform.issuer, _PLATFORM.c.client_id == platform.client_id
+    before = connection.execute(sa.select(_PLATFORM).where(*own)).first()
+    if before is None:
+        return {}
+    kept: dict[str, Any] = {"names_shared": before.names_shared}
+    if before.status == PlatformStatus.ACTIVE and all(
+        getattr(before, name) == getattr(platform, name) for name in _ADDRESSES
+    ):
+        kept["status"] = before.status
+    return kept
 
 
 def platforms(store: Store) -> list[Platform]:

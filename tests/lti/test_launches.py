@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
+from dataclasses import replace
 
 import pytest
 
 from courses.model import PlatformStatus
-from courses.people.platforms import invite, platforms, set_status
-from courses.storage.database import open_store
+from courses.people.platforms import add_platform, invite, platforms, set_status
+from courses.storage.database import Store, open_store
 from service.course_resources import CourseResources, now
 from service.lti.memberships import members
 from service.settings import Settings
@@ -138,6 +139,8 @@ def test_a_platform_registers_itself_with_an_invitation(
     browser: Browser, lms: Lms, service: str, settings: Settings
 ) -> None:
     store = open_store(settings.database_url, settings.data_folder)
+    own = next(each for each in platforms(store) if each.issuer == lms.root)
+    add_platform(store, replace(own, jwks_uri=f"{own.jwks_uri}-before"), (), now())
     secret = invite(store, "for a test", now())
     asked = {"openid_configuration": f"{lms.root}/openid", "registration_token": "once"}
     stranger = browser.client.get(f"{service}/lti/register/guess", params=asked)
@@ -159,6 +162,21 @@ def test_a_platform_registers_itself_with_an_invitation(
     set_status(store, platform.id, PlatformStatus.ACTIVE)
     assert browser.launch().status_code in (303, 404)
     store.close()
+
+
+def test_an_active_platform_that_registers_itself_again_stays_as_it_is(
+    browser: Browser, lms: Lms, service: str, store: Store
+) -> None:
+    """Its courses were cut off until an administrator came, and it shared names no more."""
+    own = next(each for each in platforms(store) if each.issuer == lms.root)
+    add_platform(store, replace(own, names_shared=True), (), now())
+    address = f"{service}/lti/register/{invite(store, 'again', now())}"
+    told = {"openid_configuration": f"{lms.root}/openid", "registration_token": "once"}
+    assert "links work as before" in browser.client.get(address, params=told).text
+    again = next(each for each in platforms(store) if each.issuer == lms.root)
+    assert (again.status, again.names_shared) == (PlatformStatus.ACTIVE, True)
+    assert browser.launch().status_code in (303, 404)
+    add_platform(store, own, (), now())
 
 
 def test_names_and_roles_come_from_every_page(lms: Lms, settings: Settings, service: str) -> None:

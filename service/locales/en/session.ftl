@@ -4,6 +4,7 @@ session-launch-title = Opening the exercise
 session-registration-title = Registering a learning platform
 session-new-window = Open in a new window
 session-registered = Framewise is registered with { $issuer }. An administrator of Framewise activates the registration; then links can be made.
+session-registered-again = Framewise is registered with { $issuer } again; links work as before.
 session-tool-description = Exercises in robot kinematics: every valid choice of frames is accepted, and wrong tables are explained.
 session-heading = Your session
 session-signed-in = Signed in as { $name } · { $course }

@@ -4,6 +4,7 @@ session-launch-title = Abriendo el ejercicio
 session-registration-title = Registro de una plataforma de aprendizaje
 session-new-window = Abrir en una ventana nueva
 session-registered = Framewise está registrado en { $issuer }. Un administrador de Framewise activa el registro; después se pueden crear enlaces.
+session-registered-again = Framewise está registrado de nuevo en { $issuer }; los enlaces funcionan como antes.
 session-tool-description = Ejercicios de cinemática de robots: se acepta toda elección válida de sistemas de referencia y se explican las tablas erróneas.
 session-heading = Su sesión
 session-signed-in = Sesión iniciada como { $name } · { $course }

@@ -4,6 +4,7 @@ session-launch-title = Ouverture de l’exercice
 session-registration-title = Enregistrement d’une plateforme d’apprentissage
 session-new-window = Ouvrir dans une nouvelle fenêtre
 session-registered = Framewise est enregistré auprès de { $issuer }. Un administrateur de Framewise active l’enregistrement ; des liens peuvent ensuite être créés.
+session-registered-again = Framewise est de nouveau enregistré auprès de { $issuer } ; les liens fonctionnent comme avant.
 session-tool-description = Exercices de cinématique des robots : tout choix valable de repères est accepté, et les tableaux faux sont expliqués.
 session-heading = Votre session
 session-signed-in = Connecté en tant que { $name } · { $course }

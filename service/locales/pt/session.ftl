@@ -4,6 +4,7 @@ session-launch-title = A abrir o exercício
 session-registration-title = Registo de uma plataforma de aprendizagem
 session-new-window = Abrir numa janela nova
 session-registered = O Framewise está registado em { $issuer }. Um administrador do Framewise ativa o registo; depois podem criar-se ligações.
+session-registered-again = O Framewise está novamente registado em { $issuer }; as ligações funcionam como antes.
 session-tool-description = Exercícios de cinemática de robôs: aceita-se qualquer escolha válida de referenciais e explicam-se as tabelas erradas.
 session-heading = A sua sessão
 session-signed-in = Sessão iniciada como { $name } · { $course }

@@ -4,6 +4,7 @@ session-launch-title = Se deschide exercițiul
 session-registration-title = Înregistrarea unei platforme de învățare
 session-new-window = Deschide într-o fereastră nouă
 session-registered = Framewise este înregistrat la { $issuer }. Un administrator Framewise activează înregistrarea; apoi se pot crea legături.
+session-registered-again = Framewise este din nou înregistrat la { $issuer }; legăturile funcționează ca înainte.
 session-tool-description = Exerciții de cinematica roboților: se acceptă orice alegere corectă a sistemelor de coordonate, iar tabelele greșite sunt explicate.
 session-heading = Sesiunea dumneavoastră
 session-signed-in = Autentificat ca { $name } · { $course }

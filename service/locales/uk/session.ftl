@@ -4,6 +4,7 @@ session-launch-title = Відкриття вправи
 session-registration-title = Реєстрація навчальної платформи
 session-new-window = Відкрити в новому вікні
 session-registered = Framewise зареєстровано в { $issuer }. Адміністратор Framewise активує реєстрацію; після цього можна створювати посилання.
+session-registered-again = Framewise знову зареєстровано в { $issuer }; посилання працюють, як і раніше.
 session-tool-description = Вправи з кінематики роботів: приймається будь-який правильний вибір систем координат, а помилкові таблиці пояснюються.
 session-heading = Ваш сеанс
 session-signed-in = Ви ввійшли як { $name } · { $course }

@@ -42,7 +42,7 @@ async def configuration(request: Request) -> Response:
 
 @router.get("/lti/register/{secret}")
 async def register_platform(request: Request, secret: str) -> Response:
-    """Register a platform that was invited; it stays pending until an administrator activates it."""
+    """Register a platform that was invited; a new one stays pending until an administrator activates it."""
     return await answered(request, partial(_register, request, secret), REGISTRATION)
 
 
@@ -60,8 +60,9 @@ def _register(request: Request, secret: str) -> Response:
     told = asdict(found)
     deployment = told.pop("deployment")
     platform = Platform(**told, status=PlatformStatus.PENDING)
-    add_platform(courses.store, platform, (deployment,) if deployment else (), now())
-    text = sentence(page_language(request), "session-registered", {"issuer": found.issuer}) or ""
+    stored = add_platform(courses.store, platform, (deployment,) if deployment else (), now())
+    message = "session-registered-again" if stored.status is PlatformStatus.ACTIVE else "session-registered"
+    text = sentence(page_language(request), message, {"issuer": found.issuer}) or ""
     return launch_page(request, step("close", text=text), REGISTRATION)
 
 
