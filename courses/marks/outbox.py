@@ -8,6 +8,7 @@ before its message leaves. A sender leases a row; nobody else sends it until the
 from __future__ import annotations
 
 import secrets
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime, timedelta
 from typing import Any
@@ -15,7 +16,9 @@ from typing import Any
 import sqlalchemy as sa
 
 from courses.links.link_settings import stored
+from courses.marks.gradebook import longest_extra
 from courses.model import ScoreToSend
+from courses.policies import score_due
 from courses.storage import records
 from courses.storage.database import Store
 from courses.storage.statements import filled, of_student
@@ -26,7 +29,11 @@ LEASE = timedelta(seconds=60)
 
 
 def lease_scores(store: Store, now: datetime, limit: int = 10) -> list[ScoreToSend]:
-    """Take scores that are due. Their next timestamps are stored before anybody sends them."""
+    """Take scores that are due. Their next timestamps are stored before anybody sends them.
+
+    What the rules withhold now waits on: they may have changed while another process had the score and died,
+    or between a student's sign-in and the storing of what was handed in.
+    """
     lease = secrets.token_hex(8)
     chosen = (
         sa.select(_OUTBOX.c.link_id, _OUTBOX.c.person_id, _OUTBOX.c.timestamp)
@@ -46,7 +53,25 @@ def lease_scores(store: Store, now: datetime, limit: int = 10) -> list[ScoreToSe
             }
             connection.execute(sa.update(_OUTBOX).where(own).values(values))
         found = connection.execute(_LEASED.where(_OUTBOX.c.lease == lease)).all()
-        return [_to_send(row) for row in found]
+        due = _due_by_link(connection, found, now)
+        for row in found:
+            if (until := due[row.link_id]) != now:
+                waiting = {"lease": None, "due": until, "tries": row.tries - 1}
+                own = of_student(_OUTBOX, row.link_id, row.person_id)
+                connection.execute(sa.update(_OUTBOX).where(own).values(waiting))
+        return [_to_send(row) for row in found if due[row.link_id] == now]
+
+
+def _due_by_link(connection: sa.Connection, rows: Sequence[Any], now: datetime) -> dict[int, datetime | None]:
+    """Return when scores of links may be sent, by the rules that the links have now."""
+    due: dict[int, datetime | None] = {}
+    for row in rows:
+        if row.link_id not in due:
+            policy, released = stored(row.exercise_id, row.settings).policy, row.released_at is not None
+            waits = policy.closes is not None and not released
+            longest = longest_extra(connection, row.link_id) if waits else timedelta()
+            due[row.link_id] = score_due(policy, now, released=released, longest=longest)
+    return due
 
 
 def next_timestamp(last: datetime | None, now: datetime) -> datetime:
@@ -66,6 +91,7 @@ _LEASED = (
         records.link.c.title,
         records.link.c.exercise_id,
         records.link.c.settings,
+        records.link.c.released_at,
     )
     .join(records.person, records.person.c.id == _OUTBOX.c.person_id)
     .join(records.link, records.link.c.id == _OUTBOX.c.link_id)

@@ -184,6 +184,33 @@ def test_scores_wait_until_the_last_student_is_done(store: Store, by: str) -> No
     assert [item.score for item in lease_scores(store, NOW + minutes(91))] == [0.7]
 
 
+def test_extra_time_that_is_given_after_the_sign_in_holds_back_what_is_stored_later(store: Store) -> None:
+    """The score was due as of the longest extra time that there was when its student signed in."""
+    rules = AttemptPolicy(mode=Mode.EXAM, closes=NOW + minutes(60))
+    change_settings(store, joined(store).link.id, LinkSettings(policy=rules), NOW)
+    session = joined(store)
+    another = joined(store, "another").person.key
+    allow(store, session.link, another, Allowance(extra_time=minutes(30)), NOW)
+    submitted(store, session, 0.7)
+    assert lease_scores(store, NOW + minutes(61)) == []
+    assert lease_scores(store, NOW + minutes(89)) == []
+    assert [item.score for item in lease_scores(store, NOW + minutes(91))] == [0.7]
+
+
+def test_a_score_whose_sender_died_is_withheld_by_rules_that_were_made_meanwhile(store: Store) -> None:
+    """It went out when the lease was over."""
+    session = joined(store)
+    submitted(store, session, 0.7)
+    (held,) = lease_scores(store, NOW)
+    rules = AttemptPolicy(feedback=FeedbackTiming.ON_RELEASE)
+    change_settings(store, session.link.id, LinkSettings(policy=rules), NOW)
+    assert lease_scores(store, NOW + minutes(2)) == []
+    assert lease_scores(store, NOW + minutes(9_000)) == []
+    release_feedback(store, session.link.id, NOW + minutes(3))
+    (sent,) = lease_scores(store, NOW + minutes(3))
+    assert (sent.score, sent.tries) == (0.7, held.tries + 1)
+
+
 def test_scores_go_out_at_once_where_an_exam_becomes_an_exercise(store: Store) -> None:
     rules = AttemptPolicy(mode=Mode.EXAM, closes=NOW + minutes(60))
     link = joined(store).link.id
