@@ -128,6 +128,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
         lifespan=_lifespan,
     )
     app.state.resources = Resources(settings)
+    app.state.endings = [app.state.resources.close]
     found = [route for router in routers() for route in router.routes]
     app.router.routes.extend(sorted(found, key=_rank))
     app.add_exception_handler(KinematicsError, _refuse)
@@ -153,7 +154,9 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     )
     app.add_middleware(OuterMiddleware, settings=settings)
     if settings.traces:
-        app.add_middleware(TracingMiddleware, provider=exporting(settings.traces))
+        provider = exporting(settings.traces)
+        app.state.endings.append(provider.shutdown)
+        app.add_middleware(TracingMiddleware, provider=provider)
     app.openapi = functools.cache(lambda: openapi.document(app, TAGS))  # type: ignore[method-assign]
     return app
 
@@ -191,7 +194,7 @@ async def _working(app: FastAPI) -> AsyncIterator[None]:
         yield
     finally:
         await asyncio.to_thread(stop_all, threads)
-        await asyncio.to_thread(call_briefly, resources.close)
+        await asyncio.gather(*(asyncio.to_thread(call_briefly, end) for end in app.state.endings))
 
 
 def _background_threads(resources: Resources) -> Iterator[BackgroundThread]:

@@ -24,6 +24,7 @@ _DETAIL = re.compile(
     re.DOTALL,
 )
 """What PostgreSQL says of the row that it refused, as far as another line of the error follows."""
+_QUERY = re.compile(r"(/[^\s?]*)\?[^\s)\"']+")
 _STANDARD = frozenset(vars(logging.makeLogRecord({}))) | {"message", "asctime", "color_message"}
 
 
@@ -46,6 +47,15 @@ class TextFormatter(_Formatter):
     def __init__(self) -> None:
         super().__init__("{asctime}.{msecs:03.0f}Z {levelname} {name}: {message}", "%Y-%m-%dT%H:%M:%S", "{")
         self.converter = time.gmtime
+
+
+class WithoutQueries(logging.Filter):
+    """Takes the queries off the addresses that libraries write, such as a collector's: they may be secret."""
+
+    def filter(self, record: logging.LogRecord) -> bool:
+        """Change a record."""
+        record.msg, record.args = _QUERY.sub(r"\1", record.getMessage()), None
+        return True
 
 
 class JsonFormatter(_Formatter):
@@ -73,7 +83,12 @@ def log_configuration(settings: Settings) -> dict[str, Any]:
         "version": 1,
         "disable_existing_loggers": False,
         "formatters": {"line": {"()": formatter}},
-        "handlers": {"error": {"class": "logging.StreamHandler", "formatter": "line"}},
+        "filters": {"addresses": {"()": WithoutQueries}},
+        "handlers": {
+            "error": {"class": "logging.StreamHandler", "formatter": "line"},
+            "libraries": {"class": "logging.StreamHandler", "formatter": "line", "filters": ["addresses"]},
+        },
+        "root": {"handlers": ["libraries"], "level": "WARNING"},
         "loggers": {
             name: {"handlers": ["error"], "level": "INFO", "propagate": False}
             for name in ("uvicorn", "framewise", "service")

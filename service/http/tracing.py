@@ -6,7 +6,7 @@ A span says method, route, status and request id: no address, no query, no heade
 from __future__ import annotations
 
 import logging
-from typing import Any
+from typing import TYPE_CHECKING, Any
 from urllib.parse import urlsplit
 
 from opentelemetry import propagate
@@ -15,6 +15,9 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from service import __version__
 from service.http.middleware import REQUEST_ID, ROUTE
+
+if TYPE_CHECKING:
+    from opentelemetry.sdk.trace import TracerProvider as SdkProvider
 
 _FAILED = 500
 _log = logging.getLogger("framewise")
@@ -54,8 +57,8 @@ class TracingMiddleware:
                 span.set_attribute("framewise.request_id", scope.get(REQUEST_ID, ""))
 
 
-def exporting(address: str) -> TracerProvider:
-    """Return a provider whose spans are sent to a collector.
+def exporting(address: str) -> SdkProvider:
+    """Return a provider whose spans are sent to a collector every few seconds; the last when it is shut down.
 
     Args:
         address: of the collector, such as http://collector:4318/v1/traces.

@@ -16,7 +16,7 @@ import httpx
 import pytest
 import sqlalchemy as sa
 from opentelemetry.sdk.trace import TracerProvider
-from opentelemetry.sdk.trace.export import SimpleSpanProcessor
+from opentelemetry.sdk.trace.export import BatchSpanProcessor, SimpleSpanProcessor
 from opentelemetry.sdk.trace.export.in_memory_span_exporter import InMemorySpanExporter
 from prometheus_client.parser import text_string_to_metric_families
 
@@ -195,6 +195,20 @@ def test_traces_name_routes_and_nobody(tmp_path: Path) -> None:
     }
     assert second.attributes["http.response.status_code"] == 404
     assert "ann" not in second.to_json()
+
+
+def test_the_last_traces_are_sent_when_the_server_ends(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Those of the last five seconds were lost with each process."""
+    kept = InMemorySpanExporter()
+    provider = TracerProvider()
+    provider.add_span_processor(BatchSpanProcessor(kept, schedule_delay_millis=3_600_000))
+    monkeypatch.setattr("service.app.exporting", lambda _: provider)
+    settings = Settings(storage="off", data_folder=tmp_path, traces="http://collector.example:4318/v1/traces")
+    with running(settings) as url:
+        assert httpx.get(f"{url}/version", timeout=120, trust_env=False).status_code == 200
+    assert [span.name for span in kept.get_finished_spans()] == ["GET /version"]
 
 
 def test_the_dashboard_asks_for_figures_that_there_are(client: httpx.Client) -> None:
