@@ -45,10 +45,10 @@ def fill_table(page: Page, table: Table) -> None:
             cell(page, i, name).fill(row[name])
 
 
-def put_table(page: Page | Frame, table: Table) -> None:
+def put_table(page: Page | Frame, table: Table, editor: str = "dh-table-editor") -> None:
     """Put a whole table into the editor at once, where a test is not about typing."""
     wire = {"angle_unit": "deg", "length_unit": "m", **table}
-    page.evaluate("table => (document.querySelector('dh-table-editor').table = table)", wire)
+    page.locator(editor).first.evaluate("(editor, table) => (editor.table = table)", wire)
 
 
 def switch_language(page: Page | Frame, language: str) -> None:

@@ -3,6 +3,7 @@
 import { Latest, Problem } from "../api.js";
 import { announce, el, fill, segmented, uniqueId } from "../dom.js";
 import { t } from "../i18n.js";
+import { COLUMNS } from "../editor/model.js";
 import { rowsTable } from "../editor/rows-table.js";
 import { Cells, cellValue } from "../playground/cells.js";
 import { problemNotice } from "../problem.js";
@@ -10,10 +11,17 @@ import { keep, recall } from "../storage.js";
 import { AxesForm } from "./axes-form.js";
 import { drawnAxes } from "./axes-scene.js";
 import { field } from "./fields.js";
+import { kindsInChain, namedValues } from "./named-values.js";
 import { withRobot } from "./robot-change.js";
 
 const WAYS = ["robot", "axes", "table", "scm", "urdf"];
-const NEW_VALUE = 0.3;
+const NEW_CHAIN = {
+  joints: [
+    { z: "L0", c: "q1" },
+    { x: "L1", c: "q2" },
+  ],
+  final: { x: "L2" },
+};
 const BEGUN = "author-begun";
 const MOST_BEGUN = 20;
 const SIX = ["x", "y", "z", "a", "b", "c"];
@@ -27,6 +35,8 @@ export class Start {
   #begun = recall(BEGUN, []);
   /** @type {any} */
   editor = null;
+  /** The key that the editor was last filled with, as text. */
+  #keyShown = "";
 
   /** @param {import("../api.js").Api} api @param {import("./draft-store.js").DraftStore} store @param {() => void} started */
   constructor(api, store, started) {
@@ -66,10 +76,18 @@ export class Start {
 
   /** What was drawn before, to go on with it. */
   resume() {
-    const axes = this.store.source?.axes;
+    const { source } = this.store;
+    const axes = source?.axes;
     if (axes) this.form.take(axes);
-    this.show(axes ? "axes" : "robot");
+    this.show(WAYS.find((way) => source?.[way]) ?? (this.#key ? "table" : "robot"));
     if (axes) void this.#draw(axes);
+  }
+
+  /** The key of the draft, if it stands there as a table. */
+  get #key() {
+    const key = this.store.draft?.definition.reference;
+    const rows = Array.isArray(key?.rows) ? key.rows : [];
+    return key?.convention in COLUMNS && rows.length && rows.every((/** @type {any} */ row) => row) ? key : null;
   }
 
   #catalogue() {
@@ -127,22 +145,27 @@ export class Start {
     fill(this.table, rowsTable(answer.draft.definition.reference));
   }
 
+  /** The table as it was typed, or the draft's key if that has become another one. */
   #tableEditor() {
-    const editor = /** @type {any} */ (document.createElement("dh-table-editor"));
-    void import("../editor/dh-table-editor.js");
-    this.editor = editor;
-    return [editor, this.#button(() => ({ table: editor.table }))];
+    this.editor ??= document.createElement("dh-table-editor");
+    void import("../editor/dh-table-editor.js").then(() => this.#showKey());
+    return [this.editor, this.#button(() => ({ table: this.editor.table }))];
+  }
+
+  #showKey() {
+    const key = this.#key;
+    const text = JSON.stringify(key);
+    if (!key || text === this.#keyShown) return;
+    this.#keyShown = text;
+    this.editor.table = key;
   }
 
   #chain() {
     const columns = SIX.map((name) => ({ name, label: name.toUpperCase(), otherwise: "0" }));
-    const joints = new Cells(t("author-start-scm"), columns, {
-      rows: [
-        { z: "L0", c: "q1" },
-        { x: "L1", c: "q2" },
-      ],
-    });
-    const final = new Cells(t("author-scm-final"), columns, { rows: [{ x: "L2" }], fixed: true });
+    const begun = this.store.source?.scm;
+    const chain = Array.isArray(begun?.joints) ? begun : NEW_CHAIN;
+    const joints = new Cells(t("author-start-scm"), columns, { rows: chain.joints });
+    const final = new Cells(t("author-scm-final"), columns, { rows: [chain.final], fixed: true });
     /** @param {any} row */
     const entries = (row) =>
       Object.fromEntries(
@@ -162,6 +185,7 @@ export class Start {
 
   #urdf() {
     const area = el("textarea", { rows: "8", spellcheck: "false", id: uniqueId("urdf") });
+    if (typeof this.store.source?.urdf === "string") /** @type {any} */ (area).value = this.store.source.urdf;
     const file = el("input", {
       type: "file",
       accept: ".urdf,.xml,text/xml,application/xml",
@@ -210,9 +234,21 @@ export class Start {
       const [form] = Object.keys(source);
       const missing = error instanceof Problem ? error.faults.filter(({ code }) => code === "parameter_missing") : [];
       if (!missing.length || missing.length < /** @type {Problem} */ (error).faults.length) throw error;
-      const parameters = Object.fromEntries(missing.map(({ params }) => [params.name, NEW_VALUE]));
+      const names = await this.#kinds(
+        source,
+        missing.map(({ params }) => String(params.name)),
+        signal,
+      );
+      if (!names.length) throw error;
+      const parameters = namedValues(names, source[form], this.store.draft?.definition);
       return this.api.post("author/start", { id, source: { [form]: { ...source[form], parameters } } }, { signal });
     }
+  }
+
+  /** Which names are angles, which lengths. @param {any} source @param {string[]} names @param {AbortSignal} signal */
+  async #kinds({ table, scm }, names, signal) {
+    if (scm) return kindsInChain(scm, names);
+    return table ? (await this.api.post("understand", { table }, { signal })).parameters : [];
   }
 
   /** @param {any} draft @param {any} source @param {string} tag */
