@@ -11,6 +11,7 @@ import { announce, el, fill, uniqueId } from "../dom.js";
 import { language, t } from "../i18n.js";
 import { Bar, editorFoot, symbolBar } from "./bar.js";
 import { convertedAngles, convertedLengths, holdsNumbers } from "./convert.js";
+import { isTable } from "./cut.js";
 import { Faults, placedFaults } from "./faults.js";
 import { Grid } from "./grid.js";
 import {
@@ -29,7 +30,7 @@ import {
   setJoint,
   toWire,
 } from "./model.js";
-import { isTable, readPasted, withBlock, withPasted } from "./paste.js";
+import { readPasted, withBlock, withPasted } from "./paste.js";
 
 /** @typedef {import("./model.js").CellName} CellName */
 /** @typedef {import("./model.js").Table} Table */
@@ -449,8 +450,13 @@ export class DhTableEditor extends HTMLElement {
     const before = this.#table;
     const next = withPasted(before, pasted, at, replace, this.#allowed);
     this.#change(next, { focus: [at, COLUMNS[next.convention][0]] });
-    const changed = next.convention !== before.convention ? ` ${t(`form-convention-now-${next.convention}`)}` : "";
-    this.#say(t("form-pasted", { rows: pasted.rows.length }) + changed);
+    const said = [
+      t("form-pasted", { rows: pasted.rows.length }),
+      next.convention !== before.convention && t(`form-convention-now-${next.convention}`),
+      next.angleUnit !== before.angleUnit && t(`form-unit-now-${next.angleUnit}`),
+      next.lengthUnit !== before.lengthUnit && t("form-unit-now-length", { unit: next.lengthUnit }),
+    ];
+    this.#say(said.filter(Boolean).join(" "));
   }
 }
 

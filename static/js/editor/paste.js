@@ -1,170 +1,16 @@
 /**
- * Tables as people paste them: from a spreadsheet, LaTeX, Markdown, a CSV file, the text of a PDF.
- * What a cell means is for the API to say; here text is only cut into cells, and LaTeX spelled out.
+ * Tables as people paste them: which column is which, and how the rows go into the form's table.
  *
  * @typedef {import("./model.js").CellName} CellName
  * @typedef {import("./model.js").JointType} JointType
- * @typedef {{format: string, convention: "standard" | "modified" | null,
+ * @typedef {{angleUnit?: "deg" | "rad", lengthUnit?: "m" | "cm" | "mm" | "in"}} Units
+ * @typedef {{format: string, convention: "standard" | "modified" | null, units: Units,
  *   rows: {joint: JointType | null, cells: Partial<Record<CellName, string>>}[]}} Pasted
  */
 
+import { holdsNumbers } from "./convert.js";
+import { cleaned, gridOf } from "./cut.js";
 import { CELLS, COLUMNS, inferredJoint, insertRow, MOST_ROWS, newRow, setCell } from "./model.js";
-
-/** Whether a text is more than one cell. @param {string} text */
-export function isTable(text) {
-  const trimmed = text.trim();
-  return (
-    /\t/.test(trimmed) ||
-    /\n/.test(trimmed) ||
-    /\\\\/.test(trimmed) ||
-    (trimmed.match(/\|/g) ?? []).length > 1 ||
-    /&/.test(trimmed)
-  );
-}
-
-/**
- * Cuts a text into rows of cells.
- * @param {string} text
- * @returns {{format: "latex" | "markdown" | "tabs" | "csv" | "text", grid: string[][]}}
- */
-export function gridOf(text) {
-  const clean = text
-    .replace(/\r\n?/g, "\n")
-    .replace(/\u00a0/g, " ")
-    .replace(/[\u200b\ufeff]/g, "");
-  if (/&/.test(clean)) return { format: "latex", grid: latexGrid(clean) };
-  const lines = clean.split("\n").filter((line) => line.trim() !== "");
-  if (lines.filter((line) => (line.match(/\|/g) ?? []).length > 1).length >= Math.max(1, lines.length / 2)) {
-    return { format: "markdown", grid: markdownGrid(lines) };
-  }
-  if (lines.some((line) => line.includes("\t")))
-    return { format: "tabs", grid: lines.map((line) => line.split("\t").map(cleaned)) };
-  if (lines.every((line) => line.includes(";")))
-    return { format: "csv", grid: lines.map((line) => separated(line, ";")) };
-  if (lines.every((line) => (line.match(/,/g) ?? []).length >= 3))
-    return { format: "csv", grid: lines.map((line) => separated(line, ",")) };
-  return { format: "text", grid: wideGrid(lines) ?? lines.map(textCells) };
-}
-
-/** @param {string} text */
-function latexGrid(text) {
-  const inner =
-    /\\begin\{(?:tabular|array|matrix|[bp]matrix|tabularx|longtable)\*?\}(?:\[[^\]]*\])?(?:\{(?:[^{}]|\{[^{}]*\})*\})*([\s\S]*?)\\end\{/.exec(
-      text,
-    );
-  return (inner ? inner[1] : text)
-    .replace(/(?<!\\)%.*$/gm, "")
-    .replace(/\\(?:hline|toprule|midrule|bottomrule|centering|cline\{[^}]*\}|rule\{[^}]*\}\{[^}]*\})/g, "")
-    .split(/\\\\(?:\[[^\]]*\])?|\\tabularnewline/)
-    .filter((line) => line.includes("&"))
-    .map((line) => line.split(/(?<!\\)&/).map((cell) => cleaned(fromLatex(cell))));
-}
-
-/** @param {string[]} lines */
-function markdownGrid(lines) {
-  return lines
-    .filter((line) => line.includes("|") && !/^[\s|:+-]+$/.test(line.replace(/[–—]/g, "-")))
-    .map((line) =>
-      line
-        .trim()
-        .replace(/^\|/, "")
-        .replace(/\|$/, "")
-        .split("|")
-        .map((cell) => cleaned(fromLatex(cell))),
-    );
-}
-
-/** @param {string} line @param {string} separator */
-function separated(line, separator) {
-  const cells = [];
-  let cell = "";
-  let quoted = false;
-  let depth = 0;
-  for (const character of line) {
-    if (character === '"') quoted = !quoted;
-    else if (character === separator && !quoted && depth === 0) {
-      cells.push(cell);
-      cell = "";
-      continue;
-    } else {
-      depth += character === "(" ? 1 : character === ")" ? -1 : 0;
-      cell += character;
-    }
-  }
-  return [...cells, cell].map(cleaned);
-}
-
-/** Cells parted by several blanks each, if every line has as many; blanks inside a cell are single. @param {string[]} lines */
-function wideGrid(lines) {
-  const grid = lines.map((line) =>
-    line
-      .trim()
-      .split(/\s{2,}/)
-      .map((cell) => cleaned(cell.replace(/^([+\-−–])\s+/, "$1"))),
-  );
-  return grid[0].length >= 4 && grid.every((row) => row.length === grid[0].length) ? grid : null;
-}
-
-/** Cells parted by blanks; a sign with blanks on both sides joins, one before a number parts. @param {string} line */
-function textCells(line) {
-  const joined = line
-    .trim()
-    .replace(/\s+([+*/^·×])\s+/g, "$1")
-    .replace(/(\S)\s+([-−–])\s+(?=\S)/g, "$1$2")
-    .replace(/\(\s+/g, "(")
-    .replace(/\s+\)/g, ")")
-    .replace(/,\s+(?=[^()]*\))/g, ",")
-    .replace(/\s+°/g, "°");
-  return joined.split(/\s+/).map(cleaned);
-}
-
-const FUNCTIONS = "sin|cos|tan|arcsin|arccos|arctan|sqrt";
-
-/** A piece of LaTeX as a cell would have it. @param {string} cell */
-export function fromLatex(cell) {
-  let text = cell
-    .replace(/\$+|\\[(){}[\]]/g, (found) => (found === "\\{" || found === "\\}" ? found.slice(1) : " "))
-    .replace(/\\(?:left|right|displaystyle|textstyle|,|;|:|!|quad|qquad|limits)(?![A-Za-z])/g, " ")
-    .replace(/\\(?:mathrm|text|textbf|mathbf|mathit|operatorname|boldsymbol|bm)\s*\{([^{}]*)\}/g, "$1")
-    .replace(/\^\s*\{?\s*\\circ\s*\}?|\\degree|\\textdegree/g, "°")
-    .replace(/\\(?:cdot|times)(?![A-Za-z])/g, "*")
-    .replace(/\\(?:var)?theta(?![A-Za-z])/g, "θ")
-    .replace(/\\alpha(?![A-Za-z])/g, "α")
-    .replace(/\\pi(?![A-Za-z])/g, "π");
-  for (let previous = ""; previous !== text;) {
-    previous = text;
-    text = text
-      .replace(
-        /\\[dt]?frac\s*\{([^{}]*)\}\s*\{([^{}]*)\}/g,
-        (_, top, bottom) => `${bracketed(top)}/${bracketed(bottom)}`,
-      )
-      .replace(/\\[dt]?frac\s*(\d)\s*(\d)/g, "$1/$2")
-      .replace(/\\sqrt\s*\{([^{}]*)\}/g, "sqrt($1)")
-      .replace(/_\s*\{\s*([^{}]*?)\s*\}/g, (_, index) => `_${index.replace(/\s+/g, "")}`)
-      .replace(/\^\s*\{\s*([^{}]*?)\s*\}/g, "^($1)");
-  }
-  return text
-    .replace(new RegExp(`\\\\(${FUNCTIONS})`, "g"), "$1")
-    .replace(/[{}]/g, " ")
-    .replace(/\\ /g, " ");
-}
-
-/** @param {string} text */
-function bracketed(text) {
-  const inner = text.trim();
-  return /^[\w.πθα°]+$/u.test(inner) ? inner : `(${inner})`;
-}
-
-/** A cell without blanks, emphasis, quotes or a variable's star around it, and with a decimal point. @param {string} cell */
-function cleaned(cell) {
-  const text = cell
-    .trim()
-    .replace(/^["'*_`]+|["'*∗⋆★`]+$/g, "")
-    .replace(/[◦∘º˚]/g, "°")
-    .replace(/\s+/g, " ")
-    .trim();
-  return /^[+\-−–]?\d+,\d+\s*°?$/.test(text) ? text.replace(",", ".") : text;
-}
 
 const HEADINGS = /** @type {[CellName | "joint" | "index", RegExp][]} */ ([
   ["alpha", /^(α|alpha|alfa|альфа|twist|al)[ijkn]?(?![a-zа-я])/i],
@@ -206,7 +52,7 @@ function jointOf(text) {
  */
 export function readPasted(text, order) {
   const { format, grid } = gridOf(text);
-  const rows = grid.filter((row) => row.some((cell) => cell !== ""));
+  const rows = filledColumns(grid.filter((row) => row.some((cell) => cell !== "")));
   if (rows.length === 0) return null;
   const heading = headingOf(rows[0]);
   const body = heading ? rows.slice(1) : rows;
@@ -214,7 +60,15 @@ export function readPasted(text, order) {
   const columns = numbered(heading?.columns ?? (looksLikeValues(body) ? guessedColumns(body, order) : null), body);
   if (!columns) return null;
   const read = body.map((row) => readRow(row, columns));
-  return { format, convention: heading?.convention ?? null, rows: read };
+  return { format, convention: heading?.convention ?? null, units: heading?.units ?? {}, rows: read };
+}
+
+/** Without columns before and after the four in which nothing stands; beside numbered rows one of the four may be empty. @param {string[][]} rows */
+function filledColumns(rows) {
+  const width = Math.max(0, ...rows.map((row) => row.length));
+  const isEmpty = (/** @type {number} */ i) => rows.every((row) => !row[i]);
+  if (width <= 4 || rows.every((row, k) => row[0] === String(k + 1))) return rows;
+  return rows.map((row) => row.filter((_, i) => !((i === 0 || i === width - 1) && isEmpty(i))));
 }
 
 /** A column of joints that only counts them says nothing of their types. @param {any[] | null} columns @param {string[][]} body */
@@ -231,10 +85,13 @@ function numbered(columns, body) {
 
 /**
  * @param {string[]} row
- * @returns {{columns: (CellName | "joint" | "index" | null)[], convention: "standard" | "modified" | null} | null}
+ * @returns {{columns: (CellName | "joint" | "index" | null)[], convention: "standard" | "modified" | null, units: Units} | null}
  */
 function headingOf(row) {
-  const columns = row.map(meaningOf);
+  const khalil = ["d", "r"].every((letter) =>
+    row.some((cell) => new RegExp(`^${letter}[_{\\s]*[ijn]?}?(?![a-z])`).test(cell)),
+  );
+  const columns = row.map(khalil ? meaningForKhalil : meaningOf);
   const found = columns.filter((name) => name !== null && /** @type {string[]} */ (CELLS).includes(name));
   if (new Set(found).size < 3 || found.length !== new Set(found).size) return null;
   if (row.some((/** @type {string} */ cell, /** @type {number} */ i) => columns[i] && /^[θq][_ ]?\d/.test(cell)))
@@ -244,7 +101,31 @@ function headingOf(row) {
     .join(" ");
   const before = /[ijn]\s*[-−–]\s*1|[ijn]₋₁/i.test(lengths);
   const same = /[_\s]*[ijn]\b|[ᵢⱼₙ]/i.test(lengths.replace(/alpha|alfa|α/gi, ""));
-  return { columns, convention: before ? "modified" : same ? "standard" : null };
+  const convention = khalil || before ? "modified" : same ? "standard" : null;
+  return { columns, convention, units: { ...unitIn(row, columns, ANGLES), ...unitIn(row, columns, LENGTHS) } };
+}
+
+/** In the notation of Khalil and Kleinfinger d is the length, r the offset, and a the link before. @param {string} heading */
+function meaningForKhalil(heading) {
+  const meaning = meaningOf(heading);
+  if (meaning === "d") return /^d/i.test(heading) ? "a" : "d";
+  return meaning === "a" ? null : meaning;
+}
+
+const ANGLES = { key: "angleUnit", cells: ["alpha", "theta"], units: { "°": "deg", deg: "deg", rad: "rad" } };
+const LENGTHS = { key: "lengthUnit", cells: ["a", "d"], units: { mm: "mm", cm: "cm", m: "m", in: "in" } };
+
+/**
+ * The unit that headings name in brackets, if they agree: a (mm), α [deg].
+ * @param {string[]} row @param {(string | null)[]} columns
+ * @param {{key: string, cells: string[], units: Record<string, string>}} kind
+ */
+function unitIn(row, columns, { key, cells, units }) {
+  const named = row.flatMap((heading, i) => {
+    const unit = cells.includes(columns[i] ?? "") && /[[(]\s*(°|deg|rad|mm|cm|m|in)[^[\]()]*[\])]\s*$/.exec(heading);
+    return unit && unit[1] in units ? [units[unit[1]]] : [];
+  });
+  return new Set(named).size === 1 ? { [key]: named[0] } : {};
 }
 
 /** Whether rows without headings may be a table at all: most of their cells hold a number, a Greek letter or one letter. @param {string[][]} body */
@@ -327,7 +208,17 @@ export function withPasted(table, pasted, at, whole, allowed) {
   });
   const kept = whole ? [] : table.rows.slice(at + rows.length);
   const convention = pasted.convention && allowed.includes(pasted.convention) ? pasted.convention : table.convention;
-  return { ...table, convention, rows: [...table.rows.slice(0, at), ...rows, ...kept].slice(0, MOST_ROWS) };
+  const before = table.rows.slice(0, at);
+  const units = unitsBeside({ ...table, rows: [...before, ...kept] }, pasted.units);
+  return { ...table, ...units, convention, rows: [...before, ...rows, ...kept].slice(0, MOST_ROWS) };
+}
+
+/** Units of pasted rows, unless rows that stay hold numbers in another one. @param {import("./model.js").Table} rest @param {Units} units @returns {Units} */
+function unitsBeside(rest, { angleUnit, lengthUnit }) {
+  return {
+    ...(angleUnit && !holdsNumbers(rest, ANGLES.cells) ? { angleUnit } : {}),
+    ...(lengthUnit && !holdsNumbers(rest, LENGTHS.cells) ? { lengthUnit } : {}),
+  };
 }
 
 /**

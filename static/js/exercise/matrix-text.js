@@ -3,7 +3,7 @@
  * means is for the API to say; here text is only cut into cells, and text that is no matrix is left alone.
  */
 
-import { fromLatex } from "../editor/paste.js";
+import { fromLatex } from "../editor/latex.js";
 
 const LAST = ["0", "0", "0", "1"];
 

@@ -1,7 +1,9 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { COLUMNS, newTable } from "../../../static/js/editor/model.js";
-import { fromLatex, gridOf, isTable, readPasted, withBlock, withPasted } from "../../../static/js/editor/paste.js";
+import { gridOf, isTable } from "../../../static/js/editor/cut.js";
+import { fromLatex } from "../../../static/js/editor/latex.js";
+import { readPasted, withBlock, withPasted } from "../../../static/js/editor/paste.js";
 
 const rowsOf = (pasted) => pasted.rows.map(({ cells }) => [cells.alpha, cells.a, cells.d, cells.theta]);
 
@@ -215,4 +217,69 @@ test("a column that numbers the joints is not read as their types", () => {
     typed.rows.map((row) => row.joint),
     ["revolute", "prismatic"],
   );
+});
+
+const cellsOf = (pasted) => pasted.rows.map(({ cells }) => [cells.theta, cells.d, cells.a, cells.alpha]);
+
+test("LaTeX as textbooks and siunitx write it: a variable's star, a decimal comma, quantities", () => {
+  const stars = "1 & $\\theta_1^{*}$ & 0 & 0 & $90^\\circ$\\\\ 2 & $\\theta_2^* - 90$ & $0{,}15$ & $a_2$ & 0";
+  assert.deepEqual(cellsOf(readPasted(stars, COLUMNS.standard)), [
+    ["θ_1", "0", "0", "90°"],
+    ["θ_2* - 90", "0.15", "a_2", "0"],
+  ]);
+  const quantities = String.raw`$\theta_1$ & \SI{0.4}{\metre} & \qty{20}{\milli\metre} & \ang{90} \\ $\theta_2$ & \num{0.2} & 0 & \SI{-90}{\degree}`;
+  assert.deepEqual(cellsOf(readPasted(quantities, COLUMNS.standard)), [
+    ["θ_1", "0.4 m", "20 mm", "90°"],
+    ["θ_2", "0.2", "0", "-90°"],
+  ]);
+});
+
+test("units that headings name become the table's, unless numbers in another one stay", () => {
+  const pasted = readPasted("Joint\tθ (deg)\td [mm]\ta [mm]\tα (deg)\n1\tq1\t0\t431.8\t90", COLUMNS.standard);
+  assert.deepEqual(pasted.units, { angleUnit: "deg", lengthUnit: "mm" });
+  const table = newTable("standard", 2, { angleUnit: "rad" });
+  const whole = withPasted(table, pasted, 0, true, ["standard"]);
+  assert.deepEqual([whole.angleUnit, whole.lengthUnit], ["deg", "mm"]);
+  table.rows[1] = { ...table.rows[1], a: "0.3" };
+  const beside = withPasted(table, pasted, 0, false, ["standard"]);
+  assert.deepEqual([beside.angleUnit, beside.lengthUnit], ["deg", "m"]);
+  const mixed = readPasted("θ\td (mm)\ta (m)\tα\nq1\t10\t1\t90", COLUMNS.standard);
+  assert.deepEqual(mixed.units, {});
+});
+
+test("the notation of Khalil and Kleinfinger, in which d is the length and r the offset", () => {
+  const pasted = readPasted("j\tσj\tαj\tdj\tθj\trj\n1\t0\t0\t0\tθ1\t0\n2\t1\tπ/2\tD2\t0\tr2", COLUMNS.standard);
+  assert.equal(pasted.convention, "modified");
+  assert.deepEqual(cellsOf(pasted), [
+    ["θ1", "0", "0", "0"],
+    ["0", "r2", "D2", "π/2"],
+  ]);
+  assert.deepEqual(
+    pasted.rows.map((row) => row.joint),
+    ["revolute", "prismatic"],
+  );
+});
+
+test("tables drawn with lines, lists of programs, letters of formulas, empty columns", () => {
+  const expected = [
+    ["q1", "0", "0", "90"],
+    ["q2", "0", "a2", "-90"],
+  ];
+  const ways = {
+    pandoc:
+      "  i    theta   d     a     alpha\n --- ------- ----- ----- -------\n  1    q1      0     0     90\n  2    q2      0     a2    -90",
+    grid: "+---+----+---+----+-----+\n| i | θ  | d | a  | α   |\n+===+====+===+====+=====+\n| 1 | q1 | 0 | 0  | 90  |\n+---+----+---+----+-----+\n| 2 | q2 | 0 | a2 | -90 |\n+---+----+---+----+-----+",
+    python: "[[q1, 0, 0, 90],\n [q2, 0, a2, -90]]",
+    matlab: "[q1 0 0 90; q2 0 a2 -90];",
+    formulas: "𝜃\t𝑑\t𝑎\t𝛼\n𝑞1\t0\t0\t90\n𝑞2\t0\t𝑎2\t-90",
+    trailing: "q1\t0\t0\t90\t\nq2\t0\ta2\t-90\t",
+  };
+  for (const [name, text] of Object.entries(ways)) {
+    assert.ok(isTable(text), name);
+    assert.deepEqual(cellsOf(readPasted(text, COLUMNS.standard)), expected, name);
+  }
+  const signs = readPasted("1 q1 0 0 - 90°\n2 q2 0 a2 0", COLUMNS.standard);
+  assert.deepEqual(cellsOf(signs)[0], ["q1", "0", "0", "-90°"]);
+  const numbered = readPasted("1\tq1\t0\t0\t\n2\tq2\t0\ta2\t", COLUMNS.standard);
+  assert.deepEqual(cellsOf(numbered)[1], ["q2", "0", "a2", ""]);
 });
