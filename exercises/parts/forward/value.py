@@ -111,7 +111,7 @@ def _is_robot_at(
     tolerance = tolerance or usual
     if not agreeing(poses_of(samples), chain.poses(samples), context.size, tolerance).all():
         return False
-    in_units = _scaled(chain, 1.0 / context.unit_ratio)
+    in_units = scaled_chain(chain, 1.0 / context.unit_ratio)
     policy = replace(context.policy, tolerance=tolerance)
     return is_certified([prepared(key)], [in_units], policy)
 
@@ -167,8 +167,8 @@ def _axis(screw: Matrix, joint_type: JointType, tolerance: Tolerance, size: floa
     return Axis(False, _triple(direction), _triple(cross_arrays(direction, shift)))
 
 
-def _scaled(chain: Chain, factor: float) -> Chain:
-    """The chain with its lengths in another unit."""
+def scaled_chain(chain: Chain, factor: float) -> Chain:
+    """Return a chain with its lengths in another unit."""
     axes = tuple(axis._replace(point=scale(axis.point, factor)) for axis in chain.axes)
     end = (*chain.end[:9], *scale(chain.end[9:], factor))
     return Chain(axes, end, chain.extent * factor)

@@ -1,7 +1,8 @@
 """A Jacobian in numbers, and the joint forces that hold a wrench.
 
 Beside a table they are those of the student's own table, at the joint values of its own variables, and earn
-their marks if they follow from it; alone they are those of the key, which is then given.
+their marks if they follow from it; alone they are those of the key, which is then given. Lengths are in the
+exercise's unit, as the task says; those of an answer beside a table in another unit may be in that one.
 """
 
 from __future__ import annotations
@@ -25,7 +26,7 @@ from exercises.parts.definition_keys import (
     joint_names,
     usual_joints,
 )
-from exercises.parts.forward.pose import joints_at
+from exercises.parts.forward.value import scaled_chain
 from exercises.parts.given_table import given_table
 from exercises.parts.joint_draws import drawn_joints, in_radians, joint_labels, key_numbers, read_joints
 from exercises.parts.motion.jacobian_cells import (
@@ -173,12 +174,22 @@ class JacobianPartType(JacobianType[JacobianPart, JacobianNumbers]):
     def marking(self, part: JacobianPart, answer: JacobianNumbers, context: Context) -> Mark:
         """Return how an answer is marked at the joint values of the question."""
         chain, joints = _arm(part, context)
+        per_joint = np.array([1.0 if axis.prismatic else 1.0 / context.unit_ratio for axis in chain.axes])
 
         def judge_matrix(jacobian: Floats) -> JacobianVerdict:
-            return judge_jacobian(chain, joints, jacobian, part.frame, part.tolerance, part.angles)
+            readings = _readings(jacobian, np.vstack([per_joint] * 3 + [np.ones_like(per_joint)] * 3))
+            found = (
+                judge_jacobian(chain, joints, reading, part.frame, part.tolerance, part.angles)
+                for reading in readings
+            )
+            return max(found, key=lambda verdict: verdict.share)
 
         def judge_statics(forces: Sequence[float]) -> tuple[Sequence[bool], JacobianMistake | None]:
-            return judge_forces(chain, joints, part.wrench, forces, part.frame, part.tolerance)
+            found = (
+                judge_forces(chain, joints, part.wrench, reading.tolist(), part.frame, part.tolerance)
+                for reading in _readings(np.array(forces), per_joint)
+            )
+            return max(found, key=lambda verdict: sum(verdict[0]))
 
         def mark(question: JacobianAsk) -> JacobianMark:
             if question is JacobianAsk.JACOBIAN:
@@ -213,12 +224,21 @@ class JacobianPartType(JacobianType[JacobianPart, JacobianNumbers]):
 
 
 def _arm(part: JacobianPart, context: Context) -> tuple[Chain, Sequence[float]]:
-    """Return the arm that the answer is about, and its configuration: the student's own, or the key."""
+    """Return the arm that the answer is about, and its configuration: the student's own, or the key.
+
+    Lengths are in the exercise's unit.
+    """
     drawn: tuple[Fraction, ...] = context.instance.drawn[part.kind]
+    joints = in_radians(context.instance.exercise, drawn)
     if context.instance.exercise.part(TABLE) is None or context.own is None:
-        return chain_of_table(key_numbers(context.instance)), in_radians(context.instance.exercise, drawn)
+        return chain_of_table(key_numbers(context.instance)), joints
     table = bind(context.own.table, context.values(context.own_names()))
-    return chain_of_table(table), joints_at(context, drawn)
+    return scaled_chain(chain_of_table(table), 1.0 / context.unit_ratio), joints
+
+
+def _readings(entries: Floats, factors: Floats) -> tuple[Floats, ...]:
+    """Return entries as they stand and, if that differs, with their lengths taken from the table's unit."""
+    return (entries,) if (factors == 1.0).all() else (entries, entries * factors)
 
 
 PART = JacobianPartType()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 
 import numpy as np
@@ -10,8 +11,10 @@ import pytest
 from exercises.answers import RawAnswer, parse
 from exercises.grader import grade
 from exercises.instance import generate
+from exercises.parts.joint_draws import key_numbers
 from exercises.parts.motion.jacobians import PART
 from exercises.selftest.answers import context_of
+from kinematics.cells import AngleUnit, LengthUnit, RawRow, RawTable
 from service.messages import languages, sentence
 from tests.exercises.packaged import exercise
 
@@ -55,3 +58,31 @@ def test_the_axes_of_the_next_joints_are_told_once() -> None:
 def test_millimetres_are_told_as_such() -> None:
     codes = told(lambda matrix: matrix * np.array([1000] * 3 + [1] * 3)[:, None])
     assert [code for code, _ in codes] == ["jacobian_wrong", "jacobian_other_unit"]
+
+
+@pytest.mark.parametrize("per_table", [False, True])
+def test_lengths_are_those_of_the_task_or_of_the_table(per_table: bool) -> None:
+    """The task asks for metres; a table in millimetres beside it made these wrong."""
+    asked = exercise("scorbot-own-jacobian")
+    instance = generate(asked, "4")
+    own = asked.reference
+    in_mm = RawTable(
+        convention=own.table.convention,
+        rows=tuple(
+            RawRow(
+                theta=f"q{i}", d=1000 * row.d if row.d else 0, a=1000 * row.a, alpha=math.degrees(row.alpha)
+            )
+            for i, row in enumerate(key_numbers(instance).rows, 1)
+        ),
+        angle_unit=AngleUnit.DEG,
+        length_unit=LengthUnit.MM,
+    )
+    kind = "jacobian"
+    kept = next(found for found in instance.exercise.parts if found.kind == kind)
+    right = PART.right(kept, context_of(instance, own))
+    ratio = 1000.0 if per_table else 1.0
+    columns = np.array(right.jacobian, dtype=float) * np.array([ratio] * 3 + [1.0] * 3)[:, None]
+    forces = None if right.forces is None else tuple(ratio * force for force in right.forces)
+    answer = replace(right, jacobian=tuple(map(tuple, columns.tolist())), forces=forces)
+    report = grade(instance, parse(instance, RawAnswer(table=in_mm, jacobian=answer)))
+    assert all(found.correct for found in report.parts if found.kind in ("table", kind))
