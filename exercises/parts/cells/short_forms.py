@@ -1,7 +1,7 @@
 """A cell of a matrix: everything that a cell of a table may hold, and short forms.
 
 `c1`, `s23`, `cθ1`, `C(q1)`, `Sθ_1` and the like are understood: c and s stand for cosine and sine, and
-one-digit indices in a row for the sum of the variables.
+one-digit indices in a row for the sum of the variables. `c1 (L1 + L2)` is a product.
 """
 
 from __future__ import annotations
@@ -25,7 +25,10 @@ from kinematics.table import JointType
 
 _SHORT = re.compile(r"([cCsS])([0-9]+)")
 _GREEK = re.compile(r"(?<![A-Za-z_])([cCsS])(?:θ|ϑ|\\theta|theta)_?\{?([0-9]+)\}?")
-_CALLED = re.compile(r"(?<![A-Za-z_])([cCsS])(?= *\()")
+_BEFORE_BRACKET = re.compile(
+    r"(?<![A-Za-z_])([cCsS])(?= *\()|(?<![A-Za-z0-9_])([cCsS]_?(?:[0-9]+|\{[0-9]+\}))( ?)(?= *\()"
+)
+"""A short form before a bracket: of a function with its argument, or a factor."""
 _FUNCTIONS = {"c": Function.COS, "s": Function.SIN}
 
 
@@ -83,15 +86,25 @@ def _meaning(cell: Cell | NoCell, manner: CellManner) -> CellMeaning:
     if not isinstance(cell, str):
         return cell_meaning(cell, position, unit, limits, variable)
     text = _GREEK.sub(lambda m: f"{m[1]}{m[2]}".rjust(len(m[0])), cell)
-    places = [m.start() for m in _CALLED.finditer(text)]
-    text = _CALLED.sub(lambda m: _FUNCTIONS[m[1].lower()].value, text)
+    inserted: list[tuple[int, int]] = []
+
+    def written_out(m: re.Match[str]) -> str:
+        if m[1]:
+            inserted.append((m.start(), 2))
+            return _FUNCTIONS[m[1].lower()].value
+        inserted.extend([] if m[3] else [(m.end(), 1)])
+        return f"{m[2]}*"
+
+    text = _BEFORE_BRACKET.sub(written_out, text)
     try:
         return cell_meaning(text, position, unit, limits, variable)
     except CellRefusal as refusal:
         column = refusal.params.get("column")
         if isinstance(column, int):
-            before = sum(1 for k, place in enumerate(places) if place + 2 * (k + 1) < column)
-            refusal.params["column"] = max(1, column - 2 * before)
+            before = 0
+            for place, added in inserted:
+                before += added if place + before + added < column else 0
+            refusal.params["column"] = max(1, column - before)
         raise
 
 

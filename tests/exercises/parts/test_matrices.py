@@ -18,6 +18,7 @@ from exercises.parts.motion.singularities import SingularityCells
 from exercises.parts.report import Credit
 from kinematics.cells import AngleUnit
 from kinematics.errors import CellError, Fault
+from kinematics.table import JointType
 from tests.exercises.answering import (
     SCARA,
     SCARA_MATRICES,
@@ -224,6 +225,27 @@ def test_units_of_the_table_are_units_of_the_matrices() -> None:
     for matrix in (first, named):
         report = judged("dmra", table=dmra, link_matrices=[matrix, None, None, None, None, None])
         assert part(report, "link_matrices").facts[0].finding is Finding.OK
+
+
+@pytest.mark.parametrize(
+    "entry",
+    ["c1 (a2 + a3 c2)", "c1(a2 + a3 c2)", "C_1 (a2 + a3 c2)", "c_{1}(a2 + a3 c(q2))", "cθ1 (a2 + a3 cθ2)"],
+)
+def test_a_short_form_before_a_bracket_is_a_factor(entry: str) -> None:
+    types = (JointType.REVOLUTE, JointType.REVOLUTE)
+    (read,) = read_functions([entry], types, AngleUnit.RAD, ("row",))
+    (same,) = read_functions(["c1*(a2 + a3*cos(q2))"], types, AngleUnit.RAD, ("row",))
+    assert not isinstance(read, Fault) and not isinstance(same, Fault)
+    assert read.expression == same.expression
+
+
+@pytest.mark.parametrize(
+    ("entry", "column"), [("c1(a2 + ?)", 9), ("c1 (a2 + ?)", 10), ("C(q1) s2(?)", 10), ("c1(c(q2) ?)", 10)]
+)
+def test_a_fault_is_found_where_it_was_typed(entry: str, column: int) -> None:
+    (fault,) = read_functions([entry], (JointType.REVOLUTE,) * 2, AngleUnit.RAD, ("row",))
+    assert isinstance(fault, Fault)
+    assert fault.params["column"] == column
 
 
 @pytest.mark.parametrize("entry", [{}, [], {"a": 1}, None, True])
