@@ -96,7 +96,8 @@ def judge_joints(question: JointQuestion, answer: JointAnswer) -> JointVerdict:
         expected=expected,
         rows=rows,
         missing=missing,
-        combination_missing=bool(touched - covered) and not says_none,
+        combination_missing=any(_has_condition(solutions[k]) for k in touched - covered if k is not None)
+        and not says_none,
         combinations=valid,
         loose=loose,
         complete=question.known,
@@ -298,18 +299,27 @@ def _covered(
     valid: Sequence[bool],
     k: int,
 ) -> bool:
-    """Return whether a solution has its row, and a straight family its condition besides."""
+    """Return whether a solution has its row, and a straight family its condition besides.
+
+    Of a family without a condition it has to be said that there are infinitely many.
+    """
     own = [row for row, verdict in zip(answer.rows, rows, strict=True) if verdict.solution == k]
     family = question.found.solutions[k].family
-    if not own or family is None or family.direction is None:
+    if not own or family is None:
         return bool(own)
     direction = family.direction
-    if sum(abs(rate) > STILL for rate in direction) == 1:
-        return True
+    if direction is None or not _has_condition(question.found.solutions[k]):
+        return answer.claim is JointClaim.INFINITE
     return any(
         holds and _fixed(c, direction) and any(_describes(question, row, c) for row in own)
         for c, holds in zip(answer.combinations, valid, strict=True)
     )
+
+
+def _has_condition(found: IKSolution) -> bool:
+    """Return whether a solution is a straight family of several joints, which a combination describes."""
+    direction = None if found.family is None else found.family.direction
+    return direction is not None and sum(abs(rate) > STILL for rate in direction) > 1
 
 
 def _branch(question: JointQuestion, missing: IKSolution, others: Sequence[IKSolution]) -> Branch:

@@ -205,6 +205,17 @@ def test_a_member_of_a_family_is_half_of_it_and_its_condition_the_other() -> Non
     assert judge_joints(question, wrong).share == pytest.approx(min(n - families / 2, n - 1) / n)
 
 
+def test_of_a_family_without_a_condition_it_is_half_that_there_are_infinitely_many() -> None:
+    """Two equal links, folded: the claim that there is one solution had nearly all of the marks."""
+    links = robot("twolink")
+    table = replace(links, rows=(links.rows[0], replace(links.rows[1], a=links.rows[0].a)))
+    reach = ArmReach.POSITION
+    question = joint_question(solver_of(table, reach=reach), product(table, (0.4, math.pi)), reach=reach)
+    one = judge_joints(question, finite((0.4, math.pi)))
+    assert (one.right, one.share, one.combination_missing) == (False, 0.5, False)
+    assert judge_joints(question, replace(finite((0.4, math.pi)), claim=JointClaim.INFINITE)).right
+
+
 def test_no_solution_is_told_to_be_missing_where_none_is_said_to_exist() -> None:
     question = asked()
     none = judge_joints(question, JointAnswer(claim=JointClaim.OUT_OF_REACH))
