@@ -91,6 +91,29 @@ def agreeing(actual: Matrices, wanted: Matrices, size: float, tolerance: Toleran
     return np.asarray(close.all(axis=0), dtype=np.bool_)
 
 
+def halves_right(cells: NDArray[np.bool_], wanted: Matrices, size: float, tolerance: Tolerance) -> float:
+    """Return what a ⁰T_N earns by its cells: half for the rotation and half for the position.
+
+    A half that the identity has right, too, earns nothing without the other: the position of a wrist, the
+    rotation of a slide. Without a last row 0 0 0 1 nothing is earned.
+
+    Args:
+        cells: (4, 4) which are right.
+        wanted: (k, 4, 4) what is right.
+        size: typical length of the robot.
+        tolerance: within which cells agree.
+    """
+    rotation, position = bool(cells[:3, :3].all()), bool(cells[:3, 3].all())
+    if not cells[3].all():
+        return 0.0
+    if rotation and position:
+        return 1.0
+    for_nothing = agreeing(np.broadcast_to(np.eye(4), wanted.shape), wanted, size, tolerance)
+    rotation = rotation and not for_nothing[:3, :3].all()
+    position = position and not for_nothing[:3, 3].all()
+    return 0.5 * (rotation + position)
+
+
 def is_doubled(once: Matrices, twice: Matrices, size: float) -> bool:
     """Return whether a matrix names every length.
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from random import Random
 from typing import Annotated, ClassVar
@@ -31,6 +32,7 @@ from exercises.parts.protocol import TABLE, Length, PartType, Reading
 from exercises.parts.report import Credit, Fact, PartReport, fact, judged, told_from
 from exercises.parts.task import PartTask
 from kinematics.se3 import inverse_transform
+from kinematics.table import JointType, NumericRow
 
 
 def _own_link(context: Context, row: int) -> Expected:
@@ -146,7 +148,7 @@ class LinkMatricesPart(PartType[Part, Sequence[CellMatrix | None], tuple[Symboli
 
 
 def _by_own_rows(context: Context, answer: Sequence[SymbolicMatrix | None], part: Part) -> PartReport:
-    """Judge link matrices by the rows of the student's own table; each counts the same."""
+    """Judge link matrices by the rows of the student's own table; see `_weights`."""
     facts: list[Fact] = []
     feedback: list[Feedback] = []
     for i, matrix in enumerate(answer):
@@ -159,11 +161,41 @@ def _by_own_rows(context: Context, answer: Sequence[SymbolicMatrix | None], part
         if not compared.right:
             facts += _cell_facts(i, compared)
             feedback.append(_what_is_off(context, i, compared))
-    right = sum(fact.finding is Finding.OK and len(fact.where) == 1 for fact in facts)
-    if right == len(answer):
+    right = [fact.finding is Finding.OK for fact in facts if len(fact.where) == 1]
+    weights = _weights(context, right)
+    if all(right):
         code = "matrices_right" if context.own_correct else "matrices_follow_table"
         feedback.append(Feedback(code=code))
-    return judged(part, right / len(answer), context.own_credit, facts=facts, feedback=feedback)
+    earned = sum(weight for weight, good in zip(weights, right, strict=True) if good)
+    return judged(part, earned / sum(weights), context.own_credit, facts=facts, feedback=feedback)
+
+
+def _weights(context: Context, right: Sequence[bool]) -> list[float]:
+    """Return what the matrix of each row counts.
+
+    Those of joints count the same. Rows without a variable may be added to a table at will, so all of them
+    together count no more than the key's, or one; one of zeros, whose matrix is there for nothing, can only
+    lose.
+
+    Args:
+        context: holds the student's own table.
+        right: of each row, whether its matrix is.
+    """
+    assert context.own is not None
+    rows = context.own_numbers(context.values(context.own_names())).rows
+    fixed = [row.joint is JointType.FIXED for row in rows]
+    idle = [still and good and _is_nothing(row) for row, still, good in zip(rows, fixed, right, strict=True)]
+    if all(idle):
+        return [1.0] * len(rows)
+    fixed_in_key = sum(row.joint is JointType.FIXED for row in context.reference_numbers.rows)
+    share = min(1.0, max(1, fixed_in_key) / max(1, sum(fixed) - sum(idle)))
+    return [0.0 if nothing else share if still else 1.0 for still, nothing in zip(fixed, idle, strict=True)]
+
+
+def _is_nothing(row: NumericRow) -> bool:
+    """Whether the matrix of a row without a variable is the identity."""
+    turns = (row.theta, row.alpha)
+    return not row.a and not row.d and all(abs(math.remainder(turn, math.tau)) < 1e-9 for turn in turns)
 
 
 PART = LinkMatricesPart()

@@ -16,7 +16,6 @@ from random import Random
 from typing import ClassVar, TypeAlias
 
 import numpy as np
-from numpy.typing import NDArray
 
 from exercises.definition import Exercise, Part
 from exercises.draws import Draw, Picker
@@ -26,6 +25,7 @@ from exercises.parts.cells.comparison import (
     Matrices,
     agreeing,
     cell_facts,
+    halves_right,
     transposed_cells,
     transposed_rotation,
 )
@@ -147,7 +147,7 @@ class PosePartType(PartType[PosePart, CellMatrix, Matrices]):
         joints = joints_at(context, context.instance.drawn[self.kind])
         allowed = Tolerance(length=part.tolerance, angle=part.tolerance)
         ways = (
-            (_score(agreeing(given[None], pose[None], context.size, allowed)), given, pose, credit)
+            (_score(given, pose, context.size, allowed), given, pose, credit)
             for pose, credit in _expected(context, joints, context.answer.get("transform"))
             for given in _in_either_unit(context, answer)
         )
@@ -184,10 +184,9 @@ def joints_at(context: Context, drawn: Sequence[Fraction]) -> list[float]:
     ]
 
 
-def _score(cells: NDArray[np.bool_]) -> float:
-    """Half for the rotation and half for the position, nothing without a last row 0 0 0 1."""
-    rotation, position = cells[:3, :3].all(), cells[:3, 3].all()
-    return 0.5 * (float(rotation) + float(position)) if cells[3].all() else 0.0
+def _score(given: Matrices, pose: Matrices, size: float, allowed: Tolerance) -> float:
+    cells = agreeing(given[None], pose[None], size, allowed)
+    return halves_right(cells, pose[None], size, allowed)
 
 
 def _in_either_unit(context: Context, answer: Matrices) -> Iterator[Matrices]:

@@ -21,6 +21,7 @@ from exercises.parts.cells.comparison import (
     cell_facts,
     cell_names,
     compare,
+    halves_right,
     is_rigid,
     transposed_cells,
     transposed_rotation,
@@ -48,11 +49,11 @@ def _wrong(context: Context, compared: Compared, part: Part) -> PartReport:
     cells = compared.cells
     rotation, position = bool(cells[:3, :3].all()), bool(cells[:3, 3].all())
     feedback = [_what_is_off(context, compared)]
-    if rotation:
+    score = halves_right(cells, _own(context)(compared.samples), context.size, context.policy.tolerance)
+    if rotation and score:
         feedback.append(Feedback(code="transform_rotation_right"))
-    if position:
+    if position and score:
         feedback.append(Feedback(code="transform_position_right"))
-    score = 0.5 * (rotation + position)
     return judged(part, score, context.own_credit, correct=False, facts=cell_facts(cells), feedback=feedback)
 
 
