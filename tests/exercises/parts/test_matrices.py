@@ -235,7 +235,8 @@ def test_a_short_form_before_a_bracket_is_a_factor(entry: str) -> None:
     types = (JointType.REVOLUTE, JointType.REVOLUTE)
     (read,) = read_functions([entry], types, AngleUnit.RAD, ("row",))
     (same,) = read_functions(["c1*(a2 + a3*cos(q2))"], types, AngleUnit.RAD, ("row",))
-    assert not isinstance(read, Fault) and not isinstance(same, Fault)
+    assert not isinstance(read, Fault)
+    assert not isinstance(same, Fault)
     assert read.expression == same.expression
 
 
