@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from threading import Thread
+from collections.abc import Callable, Iterator
+from concurrent.futures import Future, ThreadPoolExecutor, wait
+from contextlib import contextmanager
+from types import ModuleType
 from typing import Any
 
 import pytest
@@ -105,30 +107,32 @@ def test_who_was_erased_meanwhile_spoils_nobody_elses_submission(store: Store) -
     assert isinstance(second, Attempt)
 
 
+@contextmanager
+def meanwhile(module: ModuleType, name: str, change: Callable[[], object]) -> Iterator[None]:
+    """Begin a change in another thread once a function is about to be called; both must end without an error.
+
+    The function waits for the change a moment only: the change may have to wait for what calls the function.
+    """
+    with ThreadPoolExecutor(1) as threads, pytest.MonkeyPatch.context() as patch:
+        begun: list[Future[object]] = []
+        own = getattr(module, name)
+
+        def late(*given: Any) -> Any:
+            begun.append(threads.submit(change))
+            wait(begun, 0.3)
+            return own(*given)
+
+        patch.setattr(module, name, late)
+        yield
+        (changed,) = begun
+        changed.result()
+
+
 def handed_in_while(store: Store, session: CourseSession, change: Callable[[], object]) -> None:
     """An attempt whose rules have been read when staff changes them, and which is not stored yet."""
-    failed: list[BaseException] = []
-
-    def changing() -> None:
-        try:
-            change()
-        except BaseException as error:
-            failed.append(error)
-
-    thread = Thread(target=changing)
-    known = submissions._known
-
-    def slow(*given: Any) -> Any:
-        thread.start()
-        thread.join(0.3)
-        return known(*given)
-
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(submissions, "_known", slow)
+    with meanwhile(submissions, "_known", change):
         (attempt,) = store_submissions(store, [judged(session, "meanwhile", 0.5)], NOW)
-    thread.join()
     assert isinstance(attempt, Attempt)
-    assert failed == []
 
 
 def test_a_first_attempt_during_a_release_is_sent(store: Store) -> None:
@@ -159,18 +163,8 @@ def test_an_attempt_and_a_change_of_rules_do_not_undo_each_other(store: Store) -
 def test_a_launch_and_an_erasure_do_not_undo_each_other(store: Store) -> None:
     """Each waited for a row that the other one had."""
     session = joined(store)
-    thread = Thread(target=erase_person, args=(store, session.person.key))
-    course = enrolment._course
-
-    def slow(*given: Any) -> Any:
-        thread.start()
-        thread.join(0.3)
-        return course(*given)
-
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(enrolment, "_course", slow)
+    with meanwhile(enrolment, "_course", lambda: erase_person(store, session.person.key)):
         enrolment.arrive(store, arrival(store), NOW)
-    thread.join()
     with store.reading() as connection:
         assert connection.execute(sa.select(records.person)).first() is None
 

@@ -2,14 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+import asyncio
+import threading
+from collections.abc import Iterator, Sequence
+from datetime import datetime
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Any
 
 import pytest
 import sqlalchemy as sa
 
 from courses.attempts.report_codes import path_of_codes
+from courses.attempts.stored_attempts import Typed, keep_drafts, standing_of
 from courses.links.publications import MOST, publish
 from courses.model import Attempt, CourseSession, LinkSettings
 from courses.policies import AttemptPolicy
@@ -21,7 +26,7 @@ from exercises.grading import HelpLevel
 from exercises.instance import cached_instance, generate
 from exercises.library import Library
 from kinematics.cells import DEFAULT
-from service.course_resources import CourseResources, now
+from service.course_resources import _DRAFTS_PAUSE, CourseResources, now
 from service.schemas.exercises.exercises import ExerciseAnswer
 from service.settings import Settings
 from service.work.session_grading import Grader, judged_submission, with_exercise_rules
@@ -194,4 +199,40 @@ def test_what_strangers_have_published_keeps_no_course_from_its_exercise(tmp_pat
         grader, session, ExerciseAnswer.model_validate(WRONG), WRONG, None, "en", now()
     )
     assert courses.published(handed_in(courses.store, judged, now()).version) is not None
+    courses.close()
+
+
+def test_drafts_that_come_close_together_share_a_transaction(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Each transaction keeps those waiting who hand in; nobody waits for a draft to be stored."""
+    courses = CourseResources(Settings(storage="on", data_folder=tmp_path / "data"))
+    sessions = [joined(courses.store, f"student-{n}", at=now()) for n in range(5)]
+    stored: list[Sequence[Typed]] = []
+    all_came = threading.Event()
+
+    def keep(store: Store, typed: Sequence[Typed], at: datetime) -> list[None]:
+        stored.append(typed)
+        return keep_drafts(store, typed, at)
+
+    async def typing() -> None:
+        kept = [asyncio.ensure_future(courses.keep_draft((each, {"n": each.person.id}))) for each in sessions]
+        await asyncio.sleep(0)
+        all_came.set()
+        await asyncio.gather(*kept)
+
+    pauses: list[float] = []
+
+    def sleep(seconds: float) -> None:
+        pauses.append(seconds)
+        assert all_came.wait(60)
+
+    monkeypatch.setattr("service.course_resources.keep_drafts", keep)
+    monkeypatch.setattr("service.work.batcher.time", SimpleNamespace(sleep=sleep))
+    asyncio.run(typing())
+    assert [len(each) for each in stored] == [5]
+    assert pauses == [_DRAFTS_PAUSE]
+    again = [joined(courses.store, f"student-{n}", at=now()) for n in range(5)]
+    drafts = [standing_of(courses.store, each).draft for each in again]
+    assert [draft and draft.state for draft in drafts] == [{"n": each.person.id} for each in sessions]
     courses.close()

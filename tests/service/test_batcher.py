@@ -9,7 +9,7 @@ from collections.abc import Sequence
 import pytest
 
 from service.http.problems import BusyError
-from service.work.batcher import Batcher
+from service.work.batcher import MOST, Batcher
 
 
 class Work:
@@ -52,6 +52,72 @@ def test_each_gets_its_own_error_and_a_broken_batch_is_done_one_by_one() -> None
     batcher.close()
     assert [str(each) for each in found] == ["4", "3", "13", "8"]
     assert [type(each) for each in found] == [int, ValueError, RuntimeError, int]
+
+
+class Pause:
+    """Stands for sleep: tells for how long, and lasts until it is ended."""
+
+    def __init__(self) -> None:
+        self.seconds: list[float] = []
+        self.over = threading.Event()
+
+    def sleep(self, seconds: float) -> None:
+        self.seconds.append(seconds)
+        assert self.over.wait(60)
+
+
+@pytest.fixture
+def pause(monkeypatch: pytest.MonkeyPatch) -> Pause:
+    stands_for_sleep = Pause()
+    monkeypatch.setattr("service.work.batcher.time", stands_for_sleep)
+    return stands_for_sleep
+
+
+async def asked_within(
+    batcher: Batcher[int, int], pause: Pause, numbers: Sequence[int]
+) -> list[int | BaseException]:
+    """Ask for the first number, and for the others while the batcher pauses for more to come."""
+    tasks = [asyncio.create_task(batcher(numbers[0]))]
+    while not pause.seconds:
+        await asyncio.sleep(0.01)
+    tasks += [asyncio.create_task(batcher(number)) for number in numbers[1:]]
+    await asyncio.sleep(0)
+    pause.over.set()
+    return list(await asyncio.gather(*tasks, return_exceptions=True))
+
+
+def test_what_comes_within_a_pause_is_of_the_same_batch(pause: Pause) -> None:
+    work = Work()
+    work.go.set()
+    batcher = Batcher(work, batches=1, capacity=100, pause=lambda: 0.25)
+    numbers = list(range(0, 40, 2))
+    assert asyncio.run(asked_within(batcher, pause, numbers)) == [2 * number for number in numbers]
+    batcher.close()
+    assert work.batches == [numbers]
+    assert pause.seconds == [0.25]
+
+
+def test_a_full_batch_is_not_kept_waiting_for_more(pause: Pause) -> None:
+    work = Work()
+    work.go.set()
+    batcher = Batcher(work, batches=1, capacity=3 * MOST, pause=lambda: 0.25)
+    numbers = list(range(0, 2 * 2 * MOST, 2))
+    assert asyncio.run(asked_within(batcher, pause, numbers)) == [2 * number for number in numbers]
+    batcher.close()
+    assert work.batches == [numbers[:MOST], numbers[MOST:]]
+    assert pause.seconds == [0.25], "before the first, when one waited"
+
+
+def test_whether_a_batch_may_grow_is_asked_before_each(pause: Pause) -> None:
+    work = Work()
+    seconds = iter((0.0, 0.25))
+    batcher = Batcher(work, batches=1, capacity=9, pause=lambda: next(seconds))
+    assert asyncio.run(asked(batcher, work, [2])) == [4]
+    assert pause.seconds == []
+    assert asyncio.run(asked_within(batcher, pause, [6, 8])) == [12, 16]
+    batcher.close()
+    assert work.batches == [[2], [6, 8]]
+    assert pause.seconds == [0.25]
 
 
 def test_nobody_waits_without_a_place() -> None:
