@@ -90,6 +90,7 @@ class _Supervisor(Multiprocess):
         """Start the first processes."""
         super().init_processes()
         self._first = tuple(self.processes)
+        self._hear_of_deaths()
 
     def keep_subprocess_alive(self) -> None:
         """Replace a process that has died; end if a first one could not start, as none would.
@@ -101,6 +102,12 @@ class _Supervisor(Multiprocess):
             self.should_exit.set()
             return
         super().keep_subprocess_alive()
+        self._hear_of_deaths()
+
+    def _hear_of_deaths(self) -> None:
+        """Close the processes' ends of their pipes here: while one is open, a dead process is waited for."""
+        for each in self.processes:
+            each.child_conn.close()
 
     def terminate_all(self) -> None:
         """Have them answer what is in progress; who comes now is refused, and does not wait for nothing."""

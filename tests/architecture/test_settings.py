@@ -255,12 +255,16 @@ def test_a_setting_misspelt_is_answered_with_the_one_meant(monkeypatch: pytest.M
 
 @pytest.mark.parametrize("workers", ["1", "2"])
 def test_a_start_that_lacks_something_ends_with_a_sentence(tmp_path: Path, workers: str) -> None:
-    """Several processes were started again for ever, each with a stack trace, and nobody was answered."""
+    """Several processes were started again for ever, each with a stack trace, and nobody was answered.
+
+    Nor is a dead process given the time in which one that loads has to answer.
+    """
     (tmp_path / "file").write_text("")
-    command = [sys.executable, "-m", "service", "--port", "0", "--workers", workers]
+    patient = "from service.cli import serve; serve.SILENT_SECONDS = 3600"
+    command = [sys.executable, "-c", f"{patient}; from service.__main__ import main; main()"]
     lacking = {"FRAMEWISE_STORAGE": "on", "FRAMEWISE_DATA_FOLDER": str(tmp_path / "file")}
     result = subprocess.run(
-        command,
+        [*command, "--port", "0", "--workers", workers],
         cwd=ROOT,
         env={**os.environ, **lacking},
         capture_output=True,
