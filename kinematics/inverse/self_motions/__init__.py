@@ -4,7 +4,8 @@ isolation      which solutions stand alone, in one pass
 components     which solutions stand alone, and which families there are
 membership     which solutions belong to a family
 corrections    from beside a family back to it
-families       families followed along their path
+families       families, and what is counted while they are followed
+paths          families followed along their paths
 weights        distance weighed against angle where a target is missed by both
 walks          ways from one solution to another
 crossings      where families cross others

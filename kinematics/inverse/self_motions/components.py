@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
@@ -17,6 +17,7 @@ from kinematics.inverse.self_motions.families import (
 from kinematics.inverse.self_motions.gaps import nearest_places, way_through_gaps
 from kinematics.inverse.self_motions.isolation import LONG, fold_length, lost_value, told_apart
 from kinematics.inverse.self_motions.membership import Component, Membership
+from kinematics.inverse.self_motions.paths import path_through
 from kinematics.inverse.self_motions.weights import follower_at, weighed_otherwise
 
 GAP = 4.0 / LONG
@@ -161,7 +162,7 @@ class _Sorter:
 
     def _long_paths(self, follower: Follower, q: Array, null: Array) -> list[FamilyPath]:
         x = q / follower.arm.units
-        paths = (follower.path(x, d, np.empty((0, len(x)))) for d in null)
+        paths = (path_through(follower, x, d) for d in null)
         return [path for path in paths if self._is_long(path)]
 
     def _freedoms(self, x: Array, moving: Sequence[Array]) -> int:
@@ -177,17 +178,27 @@ class _Sorter:
 
     def _surface(self, x: Array, moving: Sequence[Array]) -> Component:
         """The family of as many dimensions as a solution can be moved in."""
-        directions = np.array(moving)
-        paths = self._paths_of_surface(x, directions)
-        return Component(x * self.arm.units, paths, len(moving), tuple(pivots_of(directions)))
+        return self._with_paths(x, moving, tuple(self._paths_of_surface(x, moving)))
 
-    def _surface_at(self, x: Array, fewer: int) -> Component | None:
-        """The surface that a solution is on, of fewer dimensions than so many; None if it is on none."""
+    def _with_paths(self, x: Array, moving: Sequence[Array], paths: tuple[FamilyPath, ...]) -> Component:
+        return Component(x * self.arm.units, paths, len(moving), tuple(pivots_of(np.array(moving))))
+
+    def _wide_surface(self, x: Array, moving: Sequence[Array]) -> Component | None:
+        """The same, if it is more than the width that a tolerance gives to families where they cross."""
+        paths: list[FamilyPath] = []
+        for path in self._paths_of_surface(x, moving):
+            if np.ptp(path.points / self.arm.units, axis=0).max() <= BESIDE_A_CROSSING:
+                return None
+            paths.append(path)
+        return self._with_paths(x, moving, tuple(paths))
+
+    def _on_a_surface(self, x: Array, fewer: int) -> list[Array]:
+        """Directions of the surface that a solution is on, of fewer than so many dimensions; none if on none."""
         null = null_space(self.follower.jacobian(x), self.lost)
         if not 1 < len(null) < fewer:
-            return None
+            return []
         moving = [d for d in null if self._moves(x, d)]
-        return self._surface(x, moving) if len(moving) > 1 and self._spanned(x, moving) else None
+        return moving if len(moving) > 1 and self._spanned(x, moving) else []
 
     def _curves(self, x: Array, null: Array) -> list[FamilyPath]:
         """Paths through a solution, each once."""
@@ -197,7 +208,7 @@ class _Sorter:
             near = BESIDE_A_BRANCH * self.long
             if moved is None or any(is_beside(self.follower, one, moved, near) for one in found):
                 continue
-            path = self.follower.path(x, direction, np.empty((0, len(x))))
+            path = path_through(self.follower, x, direction)
             if self._is_long(path):
                 found.append(path)
         return found
@@ -219,9 +230,9 @@ class _Sorter:
                 there = self.follower.moves(x, direction, step)
                 if there is None or any(self.members.within(one, there * self.arm.units) for one in found):
                     continue
-                surface = self._surface_at(there, fewer=len(moving))
-                if surface is not None:
-                    found.append(surface)
+                directions = self._on_a_surface(there, fewer=len(moving))
+                if directions:
+                    found.append(self._surface(there, directions))
         return found
 
     def _holds(self, surface: Component, path: FamilyPath) -> bool:
@@ -239,11 +250,12 @@ class _Sorter:
                     continue
                 if any(self.members.within(one, x * self.arm.units) for one in surfaces):
                     continue
-                surface = self._surface_at(x, fewer=self.arm.n_joints)
-                if surface is not None and self._is_wide(surface):
+                directions = self._on_a_surface(x, fewer=self.arm.n_joints)
+                surface = self._wide_surface(x, directions) if directions else None
+                if surface is not None:
                     surfaces.append(surface)
                     continue
-                branch = self.follower.path(x, way, np.empty((0, len(x))))
+                branch = path_through(self.follower, x, way)
                 if self._is_long(branch):
                     found.append(branch)
                 if len(found) + len(surfaces) >= self.most:
@@ -255,11 +267,6 @@ class _Sorter:
         x = path.points / self.arm.units
         return float(np.abs(x - x[0]).max()) > 0.5 * self.long
 
-    def _is_wide(self, surface: Component) -> bool:
-        """Whether a surface is more than the width that a tolerance gives to families where they cross."""
-        extents = (np.ptp(path.points / self.arm.units, axis=0).max() for path in surface.paths)
-        return all(extent > BESIDE_A_CROSSING for extent in extents)
-
     def _moves(self, x: Array, direction: Array) -> bool:
         return self._moved(x, direction) is not None
 
@@ -267,9 +274,8 @@ class _Sorter:
         both = self.follower.moves_each(x, self.long * np.array((direction, -direction)))
         return next((there for there in both if there is not None), None)
 
-    def _paths_of_surface(self, x: Array, directions: Array) -> tuple[FamilyPath, ...]:
+    def _paths_of_surface(self, x: Array, directions: Sequence[Array]) -> Iterator[FamilyPath]:
         """Along each direction, the joints that move most along the others held."""
-        pivots = pivots_of(directions)
-        held = np.eye(len(x))[pivots]
-        others = [np.delete(held, k, axis=0) for k in range(len(pivots))]
-        return tuple(self.follower.path(x, d, rows) for d, rows in zip(directions, others, strict=True))
+        held = np.eye(len(x))[pivots_of(np.array(directions))]
+        for k, direction in enumerate(directions):
+            yield path_through(self.follower, x, direction, np.delete(held, k, axis=0))

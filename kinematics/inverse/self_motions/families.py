@@ -4,10 +4,7 @@ A target is known to within a tolerance, so its solutions are the components of
 {q : the pose at q is within the tolerance of the target}. Most components are tiny balls around one solution.
 Where the Jacobian loses rank they may be long: a whole turn of q_4 against q_6 at a wrist in line, a shorter
 interval beside it. Such a component is followed in small steps from one of its members, every step
-corrected by Gauss–Newton steps across it, until the pose leaves the tolerance or the path closes.
-
-Source: for the predictor and the corrector, E. L. Allgower, K. Georg, Introduction to numerical continuation
-methods (2003) ch. 2 and 3.
+corrected by Gauss–Newton steps across it, until the pose leaves the tolerance or the path closes (`paths`).
 """
 
 from __future__ import annotations
@@ -22,52 +19,17 @@ from numpy.typing import NDArray
 from kinematics.inverse.arm import Arm, Array
 from kinematics.inverse.distinct import shorter_way
 from kinematics.inverse.residuals import are_solutions, errors_and_jacobians
-from kinematics.inverse.self_motions.corrections import corrected, corrected_across
-
-FIRST_STEP = 0.02
-"""First step along a component [rad, or parts of the size]; it is halved where it loses the target, and
-doubled while the path stays straight. A path that noise bends is followed by steps longer than the bends."""
-
-LONGEST_STEP = 0.4
-"""Straight families (a wrist in line) are followed in steps of this length; bent ones in shorter steps."""
-
-SHORTEST_STEP = 1e-7
-"""A path ends where not even this step keeps the target."""
-
-SLIDING = 1e-9
-"""Turns below this [rad per unit] in a direction: slides alone move, and steps may be of any length."""
+from kinematics.inverse.self_motions.corrections import corrected
 
 FARTHEST = 10.0
 """Slides without end are followed for ten times the arm's size and the target's distance."""
-
-MOST_STEPS = 400
-"""More steps than the longest closed paths of seven-joint arms were seen to take (some 250)."""
 
 LOST = 1e-6
 """Second singular values below this, or the root of the tolerance, are as good as zero: within a tolerance ε
 families join that are some √ε apart."""
 
-CLEARANCE = 3.0
-"""A path that comes back to its start is beside it by a few roots of the tolerance: so wide is what a
-tolerance leaves where the Jacobian loses rank."""
-
-STRAIGHT = 0.03
-"""Turn of the direction in one step [rad] below which the next step may be twice as long; with three times
-this a step is taken again at half the length."""
-
 TOGETHER = 1e-12
 """Solutions this near [rad, or parts of the size] are one."""
-
-NEAR_ONE_END, SAGGING = 0.2, 0.75
-"""Of second singular values at both ends of a step: one below this part of the other, or one in the middle
-below this part of their mean, may vanish between."""
-
-PARTS, NARROWINGS = 10, 6
-"""Parts of a step of which the ends are looked at for a crossing, and how often the two beside the least
-second singular value are divided again."""
-
-AGAIN, ASIDE = 0.9, 0.02
-"""Cosine above which a path that comes as near as this part of a step to an earlier point goes its way."""
 
 AT_REST = 1e-3
 """Parts of a direction up to this [rad, or parts of the size] leave a joint at rest."""
@@ -135,7 +97,7 @@ class Follower:
         self.target, self.tolerance = target, tolerance
         self.lost = max(LOST, math.sqrt(tolerance))
         self.spent = 0
-        self._farthest = FARTHEST * (1.0 + float(np.linalg.norm(target[:3, 3])) / self.arm.sliding)
+        self.farthest = FARTHEST * (1.0 + float(np.linalg.norm(target[:3, 3])) / self.arm.sliding)
 
     def count(self, rows: int) -> None:
         """Count one correction of so many configurations."""
@@ -211,22 +173,6 @@ class Follower:
         kept[asked[off]] = False
         return kept
 
-    def path(self, x: Array, direction: Array, held: Array) -> FamilyPath:
-        """Return the component through x along a direction, both ways.
-
-        Args:
-            x: (n,) a solution, in units.
-            direction: (n,) unit direction that the Jacobian does not see.
-            held: (k, n) rows of which held·x stays as it is: the other directions of a family of more than
-            one.
-        """
-        ahead, closed = self._one_way(x, direction, held)
-        points = [x, *ahead]
-        if not closed:
-            behind, _ = self._one_way(x, -direction, held)
-            points = [*behind[::-1], *points]
-        return FamilyPath(np.array(points) * self.arm.units, closed, self.second(np.array(points)))
-
     def jacobian(self, x: Array) -> Array:
         """(6, n) Jacobian in units."""
         return np.asarray(self.jacobians(x[None])[0])
@@ -240,116 +186,6 @@ class Follower:
         values = np.linalg.svd(self.jacobians(x), compute_uv=False)
         place = self.arm.n_joints - 2
         return np.asarray(values[:, place] if 0 <= place < values.shape[1] else np.zeros(len(x)))
-
-    def _second_of(self, J: Array, held: Array) -> float:
-        """The second least singular value; infinite where a direction is held or two are spare."""
-        if len(held) or self.arm.redundancy > 1:
-            return math.inf
-        values = np.linalg.svd(J, compute_uv=False)
-        place = self.arm.n_joints - 2
-        return float(values[place]) if 0 <= place < len(values) else math.inf
-
-    def _passes_a_crossing(self, x: Array, new: Array, second: float, there: float) -> bool:
-        """Whether a step may lead past a place where two families all but cross, and from one to the other.
-
-        The second singular value, small at such a place, grows from it on both sides, by one for each radian
-        at most. Where it is lost the two are one within the tolerance, and a step may lead on.
-        """
-        least, greatest = min(second, there), max(second, there)
-        if least <= self.lost or second + there >= float(np.linalg.norm(new - x)):
-            return False
-        if least < NEAR_ONE_END * greatest:
-            return True
-        (middle,) = self.second(0.5 * (x + new)[None])
-        return bool(middle < SAGGING * 0.5 * (second + there))
-
-    def _crosses_between(self, x: Array, new: Array) -> bool:
-        """Whether a place on the way of a step reaches the target where the second singular value vanishes.
-
-        Two families cross there. Corrected across both, which all but touch beside it, a place stays between.
-        """
-        way = new - x
-        plane = np.linalg.svd(self.jacobian(x + 0.5 * way))[2][len(x) - 2 :]
-        across = np.eye(len(x)) - plane.T @ plane
-        low, high = 0.0, 1.0
-        for _ in range(NARROWINGS):
-            parts = np.linspace(low, high, PARTS + 1)
-            self.count(len(parts))
-            places, e, _ = corrected_across(self.arm, self.target, x + parts[:, None] * way, across)
-            values = self.second(places)
-            k = int(values.argmin())
-            if values[k] <= self.lost:
-                return self.reached(e[k])
-            low, high = float(parts[max(k - 1, 0)]), float(parts[min(k + 1, PARTS)])
-        return False
-
-    def _one_way(self, start: Array, direction: Array, held: Array) -> tuple[list[Array], bool]:
-        x, t, h = start, direction, FIRST_STEP
-        found: list[Array] = []
-        directions: list[Array] = []
-        gone = 0.0
-        second = self._second_of(self.jacobian(start), held)
-        for _ in range(MOST_STEPS):
-            new, e, J = self._ahead(x + h * t, t, held)
-            turned = self._direction(J, t, held)
-            bend = float(np.arccos(np.clip(turned @ t, -1.0, 1.0)))
-            off = float(np.linalg.norm(new - x - h * t))
-            there = self._second_of(J, held)
-            crossed = self._passes_a_crossing(x, new, second, there)
-            if crossed and bend <= 3.0 * STRAIGHT and self.reached(e) and off <= h:
-                crossed = not self._crosses_between(x, new)
-            if not self.reached(e) or off > h or crossed or (bend > 3.0 * STRAIGHT and h > FIRST_STEP):
-                h *= 0.5
-                if h < SHORTEST_STEP:
-                    return found, False
-                continue
-            gone += h
-            back = self.back_to(start, new)
-            along = float(back @ turned)
-            aside = float(np.linalg.norm(back - along * turned))
-            if gone > 4.0 * h and abs(along) <= h and aside < max(0.2 * h, CLEARANCE * self.lost):
-                return [*found, new], True
-            if gone > 2.0 * math.pi and self._was_there(found, directions, new, turned, h):
-                return found, False
-            x, t, second = new, turned, there
-            found.append(new)
-            directions.append(turned)
-            slides = float(np.abs(t[self.arm.revolute]).max(initial=0.0)) < SLIDING
-            h = min(2.0 * h if bend < STRAIGHT else h, np.inf if slides else LONGEST_STEP)
-            if float(np.abs(new - start)[~self.arm.revolute].max(initial=0.0)) > self._farthest:
-                return found, False
-        return found, False
-
-    def _was_there(
-        self, found: Sequence[Array], directions: Sequence[Array], x: Array, t: Array, step: float
-    ) -> bool:
-        """Whether a path comes back to where it was, as one does that leads round a loop of families."""
-        alike = np.flatnonzero(np.abs(np.array(directions) @ t) > AGAIN)
-        back = self.back_to(np.array(found)[alike], x)
-        along = back @ t
-        aside = np.linalg.norm(back - along[:, None] * t, axis=1)
-        near = (np.abs(along) <= step) & (aside < max(ASIDE * step, CLEARANCE * self.lost))
-        return bool(near[alike < len(found) - 4].any())
-
-    def _ahead(self, x: Array, t: Array, held: Array) -> tuple[Array, Array, Array]:
-        """The nearest pose across a unit direction, held·x unchanged."""
-        if len(held):
-            return self.corrected(x, np.vstack((t, held)))
-        self.count(1)
-        found, e, J = corrected_across(
-            self.arm, self.target, x[None], (np.eye(len(x)) - np.outer(t, t))[None]
-        )
-        return found[0], e[0], J[0]
-
-    def _direction(self, J: Array, before: Array, held: Array) -> Array:
-        """What of the direction before the Jacobian does not see here, nor any held row."""
-        _, values, rows = np.linalg.svd(np.vstack((J, held)))
-        n = J.shape[1]
-        values = np.concatenate((values, np.zeros(n - len(values))))
-        null = rows[values <= max(float(np.sort(values)[0]) * 3.0, 1e-5)]
-        t = null.T @ (null @ before)
-        length = float(np.linalg.norm(t))
-        return np.asarray(t / length if length > 0.1 else before)
 
     def back_to(self, start: Array, x: Array) -> Array:
         """Return the way from x to the start, turns on the circle."""

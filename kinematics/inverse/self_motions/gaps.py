@@ -14,6 +14,7 @@ from kinematics.inverse.arm import Array
 from kinematics.inverse.newton import polish
 from kinematics.inverse.residuals import are_solutions, errors_at
 from kinematics.inverse.self_motions.families import FamilyPath, Follower, nearest_on
+from kinematics.inverse.self_motions.paths import path_through
 
 WIDEST = 0.05
 """A way is followed no farther from its target than this [rad, and parts of the size]: corrections from there
@@ -35,7 +36,7 @@ def way_through_gaps(follower: Follower, joints: Array, path: FamilyPath, gap: f
     length = float(np.linalg.norm(chord))
     if length == 0.0 or wide.tolerance <= follower.tolerance:
         return path
-    way = wide.path(joints / arm.units, chord / length, np.empty((0, arm.n_joints)))
+    way = path_through(wide, joints / arm.units, chord / length)
     follower.spent += wide.spent
     return way
 

@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 from kinematics.inverse.arm import Array
 from kinematics.inverse.residuals import are_solutions
 from kinematics.inverse.self_motions.corrections import corrected_across
-from kinematics.inverse.self_motions.families import FIRST_STEP, MOST_STEPS, Follower
+from kinematics.inverse.self_motions.families import Follower
+from kinematics.inverse.self_motions.paths import FIRST_STEP, MOST_STEPS
 
 WALK, SHORTEST_WALK = 0.2, 1e-2
 """Steps of a walk from one solution to another [rad, or parts of the size]: longest and shortest."""

@@ -14,6 +14,7 @@ from kinematics.inverse.results import Isolation, Method
 from kinematics.inverse.self_motions.crossings import tangents
 from kinematics.inverse.self_motions.families import FamilyPath, Follower, nearest_on, null_space
 from kinematics.inverse.self_motions.gaps import nearest_places, way_through_gaps
+from kinematics.inverse.self_motions.paths import path_through
 from kinematics.inverse.self_motions.walks import leads
 from kinematics.table import Convention
 from tests.conftest import EXPLORE
@@ -98,7 +99,7 @@ def test_pieces_of_a_family_are_on_one_way():
     solver = solver_of(table)
     follower = Follower(solver.arm, end_pose(table, q), 7e-10)
     (direction,) = null_space(follower.jacobian(q), follower.lost)
-    path = follower.path(q, direction, np.empty((0, 6)))
+    path = path_through(follower, q, direction)
     assert not path.closed
     way = way_through_gaps(follower, q, path, 100.0)
     assert way.closed
@@ -285,7 +286,7 @@ def test_a_path_does_not_change_over_to_a_family_that_it_all_but_crosses():
     solver, pose = solver_of(table), end_pose(table, q)
     follower = Follower(solver.arm, pose, 5e-9)
     (null,) = np.linalg.svd(follower.jacobian(q))[2][6:]
-    loop = follower.path(q, null, np.empty((0, 7)))
+    loop = path_through(follower, q, null)
     assert loop.closed
     answer = solver.solve(pose)
     assert len(answer.solutions) == 4
@@ -293,7 +294,7 @@ def test_a_path_does_not_change_over_to_a_family_that_it_all_but_crosses():
     # The way round is the same from wherever on the loop it is followed.
     for start in loop.points[:: len(loop.points) // 8]:
         direction = np.linalg.svd(follower.jacobian(start))[2][6]
-        again = follower.path(start, direction, np.empty((0, 7)))
+        again = path_through(follower, start, direction)
         assert again.closed
         turn = math.tau * round((again.points[-1, 2] - again.points[0, 2]) / math.tau)
         assert abs(turn) == math.tau

@@ -8,14 +8,14 @@ from kinematics.inverse import ArmReach, newton, solver_of
 from kinematics.inverse.goals import read_goal
 from kinematics.inverse.results import Isolation, UnreachableReason
 from kinematics.inverse.search import MOST_STARTS
-from kinematics.inverse.self_motions import corrections, families, walks
+from kinematics.inverse.self_motions import corrections, families, paths, walks
 from kinematics.inverse.self_motions.families import Follower
 from kinematics.inverse.self_motions.walks import leads
 from kinematics.table import Convention
 from tests.kinematics.inverse.models import MODELS
 from tests.kinematics.robots import PUMA560, numeric
 
-LONGEST_PATH = 2 * families.MOST_STEPS
+LONGEST_PATH = 2 * paths.MOST_STEPS
 
 STRETCHED = np.radians([30, -90, 90, 20, 0, -80])
 
@@ -29,7 +29,7 @@ def counted(monkeypatch):
         calls.append(len(x))
         return correct(arm, targets, x, across)
 
-    for module in (corrections, families, walks):
+    for module in (corrections, paths, walks):
         monkeypatch.setattr(module, "corrected_across", corrected)
     return calls
 
