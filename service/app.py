@@ -21,21 +21,12 @@ from kinematics.errors import Fault, KinematicsError
 from service import __version__
 from service.http import openapi
 from service.http.idempotency import IdempotencyMiddleware
-from service.http.languages import language_for
 from service.http.link_guard import LinkGuard
 from service.http.metering import MeteringMiddleware, path_of
-from service.http.middleware import REQUEST_ID, OuterMiddleware
+from service.http.middleware import OuterMiddleware
 from service.http.negotiation import preferred_media_type
-from service.http.problems import (
-    PROBLEM_JSON,
-    BodyError,
-    MethodError,
-    NotFoundError,
-    Problem,
-    RequestPart,
-    ServiceError,
-    problem_of,
-)
+from service.http.problems import BodyError, MethodError, NotFoundError, RequestPart, ServiceError
+from service.http.refusals import refusal
 from service.http.routing import DirectRoute
 from service.http.tracing import TracingMiddleware, exporting
 from service.http.validation import request_error
@@ -135,9 +126,9 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     app.add_exception_handler(ServiceError, _refuse)
     app.add_exception_handler(RequestValidationError, _refuse_invalid)
     app.add_exception_handler(HTTPException, _refuse_http)
-    app.add_middleware(IdempotencyMiddleware, refuse=_refuse_at_the_door)
+    app.add_middleware(IdempotencyMiddleware)
     if settings.api_keys or settings.cost_per_minute:
-        app.add_middleware(MeteringMiddleware, settings=settings, refuse=_refuse_at_the_door)
+        app.add_middleware(MeteringMiddleware, settings=settings)
     if origins := settings.calling_origins:
         app.add_middleware(
             CORSMiddleware,
@@ -146,12 +137,8 @@ def create_app(settings: Settings | None = None) -> FastAPI:
             allow_headers=["*"],
             expose_headers=list(_EXPOSED),
         )
-    app.add_middleware(
-        LinkGuard,
-        secret=installation_secret(settings),
-        library=app.state.resources.exercises,
-        refuse=_refuse_at_the_door,
-    )
+    secret, library = installation_secret(settings), app.state.resources.exercises
+    app.add_middleware(LinkGuard, secret=secret, library=library)
     app.add_middleware(OuterMiddleware, settings=settings)
     if settings.traces:
         provider = exporting(settings.traces)
@@ -235,30 +222,9 @@ async def _collect(collection: Collection) -> None:
         await asyncio.sleep(LOOK_SECONDS)
 
 
-def problem_response(request: Request, problem: Problem) -> Response:
-    """Return the problem document in the caller's language."""
-    language = language_for(request.headers.get("accept-language"))
-    resources_of(request).metrics.refused(problem.faults[0].code)
-    settings = resources_of(request).settings
-    body = problem.encoded(
-        language, prefix=request.scope.get("root_path", ""), fault_limit=settings.fault_limit
-    )
-    headers = {
-        **problem.headers,
-        "Content-Language": language,
-        "Vary": "Accept-Language",
-        "Cache-Control": "no-store",
-    }
-    return Response(body, problem.status, headers, PROBLEM_JSON)
-
-
-def _refuse_at_the_door(request: Request, error: ServiceError) -> Response:
-    return problem_response(request, problem_of(error, request.scope.get(REQUEST_ID, "")))
-
-
 async def _refuse(request: Request, error: Exception) -> Response:
     assert isinstance(error, (ServiceError, KinematicsError))
-    return problem_response(request, problem_of(error, request.scope.get(REQUEST_ID, "")))
+    return refusal(request, error)
 
 
 async def _refuse_invalid(request: Request, error: Exception) -> Response:

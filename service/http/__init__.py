@@ -16,7 +16,7 @@ Who calls:
   metering, cost_window  what callers may cost, and have
 Answering:
   shortages        what the machine lacks just now
-  problems         the one table of statuses, and the problem document
+  problems, refusals  the one table of statuses, the problem document, and how it is sent
   compression      large answers
   middleware       the outermost layer
   tracing          traces of requests

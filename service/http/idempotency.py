@@ -10,18 +10,16 @@ from __future__ import annotations
 import hashlib
 import time
 from collections import OrderedDict
-from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import TypeAlias
 
-from starlette.requests import Request
-from starlette.responses import Response
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from kinematics.errors import Fault
 from service.http.link_context import HEADER as LINK_HEADER
 from service.http.metering import path_of
 from service.http.problems import BodyError, ConflictError, RequestError, RequestPart, ServiceError
+from service.http.refusals import refuse
 
 REPLAYED = "Idempotency-Replayed"
 """Header of an answer that was given before."""
@@ -43,7 +41,6 @@ _NOT_STORED = (408, 409, 429)
 """Refusals that say "not now", as every 5xx does: the next try may succeed."""
 
 _Slot: TypeAlias = bytes
-_Refuse: TypeAlias = Callable[[Request, ServiceError], Response]
 
 
 @dataclass(slots=True)
@@ -58,16 +55,10 @@ class _GivenAnswer:
 
 
 class IdempotencyMiddleware:
-    """Replay the stored response to a repeated Idempotency-Key.
+    """Replay the stored response to a repeated Idempotency-Key."""
 
-    Args:
-        app: what answers.
-        refuse: how a refusal is answered.
-    """
-
-    def __init__(self, app: ASGIApp, refuse: _Refuse) -> None:
+    def __init__(self, app: ASGIApp) -> None:
         self._app = app
-        self._refuse = refuse
         self._answers: OrderedDict[_Slot, _GivenAnswer] = OrderedDict()
         self._bytes = 0
 
@@ -96,7 +87,7 @@ class IdempotencyMiddleware:
             else:
                 await _replay(answer, send)
         except ServiceError as error:
-            await self._refuse(Request(scope), error)(scope, receive, send)
+            await refuse(error, scope, receive, send)
 
     def _known(self, slot: _Slot) -> _GivenAnswer | None:
         oldest = time.monotonic() - LONGEST_LIFE

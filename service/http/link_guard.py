@@ -5,10 +5,9 @@ It lists what may be called, not what may not: an address that is added later is
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 
 from starlette.requests import Request
-from starlette.responses import Response
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from exercises.access import Tool
@@ -16,11 +15,10 @@ from exercises.library import Library
 from kinematics.errors import Fault
 from service.http.link_context import COOKIE, QUERY, LinkContext, token_of, verified
 from service.http.problems import ForbiddenError, RequestPart, ServiceError
+from service.http.refusals import refuse
 
 CONTEXT = "link_context"
 """Key of the context in a request's scope."""
-
-Refuse = Callable[[Request, ServiceError], Response]
 
 _CALLS: Mapping[str, tuple[Tool, ...]] = {
     "robots": (Tool.CATALOGUE,),
@@ -71,8 +69,8 @@ _LECTURERS = (["links"], ["scorm.zip"])
 class LinkGuard:
     """Verifies the context that a request brings, and refuses what it switches off."""
 
-    def __init__(self, app: ASGIApp, *, secret: bytes, library: Library, refuse: Refuse) -> None:
-        self._app, self._secret, self._library, self._refuse = app, secret, library, refuse
+    def __init__(self, app: ASGIApp, *, secret: bytes, library: Library) -> None:
+        self._app, self._secret, self._library = app, secret, library
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Serve one connection."""
@@ -87,7 +85,7 @@ class LinkGuard:
             context = verified(token, self._secret)
             self._check(scope["path"].removeprefix(scope.get("root_path", "")), context)
         except ServiceError as error:
-            await self._refuse(Request(scope), error)(scope, receive, send)
+            await refuse(error, scope, receive, send)
             return
         scope[CONTEXT] = context
         await self._app(scope, receive, _with_cookie(send, scope, token))

@@ -7,17 +7,15 @@ Nothing here is on until the operator sets it: without `FRAMEWISE_API_KEYS` ever
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
 from datetime import UTC, datetime
 
-from starlette.requests import Request
-from starlette.responses import Response
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from kinematics.errors import Fault
 from service.http.api_keys import PREFIX, ApiKey, KeyFile, KeyScope
 from service.http.cost_window import CostWindow
 from service.http.problems import ForbiddenError, RateError, RequestPart, ServiceError, UnauthorizedError
+from service.http.refusals import refuse
 from service.settings import Settings
 from service.work.fair_queue import Name, Proven, current_client, proven
 
@@ -65,11 +63,8 @@ _READING = ("GET", "HEAD", "OPTIONS")
 class MeteringMiddleware:
     """Refuse callers without a valid key, and callers that ask for too much."""
 
-    def __init__(
-        self, app: ASGIApp, settings: Settings, refuse: Callable[[Request, ServiceError], Response]
-    ) -> None:
+    def __init__(self, app: ASGIApp, settings: Settings) -> None:
         self._app = app
-        self._refuse = refuse
         self._settings = settings
         self._keys = KeyFile(settings.api_keys) if settings.api_keys else None
         self._window = CostWindow()
@@ -92,7 +87,7 @@ class MeteringMiddleware:
                 told = self._charge(caller, _cost(scope, _said_size(scope) or 0), most)
         except ServiceError as error:
             if not (isinstance(error, RateError) and self._hears(scope, caller, most)):
-                await self._refuse(Request(scope), error)(scope, receive, send)
+                await refuse(error, scope, receive, send)
                 return
             scope[EXCESS], most = error, 0
         size = 0

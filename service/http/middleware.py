@@ -22,8 +22,8 @@ from uvicorn.middleware.proxy_headers import ProxyHeadersMiddleware
 from kinematics.errors import Fault
 from service.http.addresses import caller_at
 from service.http.compression import accepts_gzip, compressing
-from service.http.languages import language_for
-from service.http.problems import INTERNAL, PROBLEM_JSON, Problem, busy, problem_of
+from service.http.problems import ServiceError, busy
+from service.http.refusals import REQUEST_ID, refuse
 from service.http.shortages import shortage
 from service.http.uploads import HELD, Upload, may_be_under_way
 from service.logs import log_access
@@ -31,7 +31,6 @@ from service.metrics import UNMATCHED
 from service.settings import PREFIX, Settings
 from service.work.fair_queue import current_client, proven
 
-REQUEST_ID = "request_id"
 ROUTE = "route_template"
 """Where a scope says, once the request is over, which route served it: a template without names."""
 PEER = "peer"
@@ -110,12 +109,12 @@ class OuterMiddleware:
         except asyncio.CancelledError:  # the server ends, and has waited for as long as it may
             _log.warning("request %s: given up, because the server ends", request_id.decode())
             if not status:
-                await self._send_problem(scope, send_with_headers, problem_of(busy(), scope[REQUEST_ID]))
+                await refuse(busy(), scope, receive, send_with_headers)
         except Exception as error:
-            problem = _unexpected(error, scope[REQUEST_ID])
+            refusal = _unexpected(error, scope[REQUEST_ID])
             if status:
                 raise
-            await self._send_problem(scope, send_with_headers, problem)
+            await refuse(refusal, scope, receive, send_with_headers)
         finally:
             if HELD in scope:
                 scope["app"].state.resources.uploads.release(scope)
@@ -150,27 +149,13 @@ class OuterMiddleware:
         prefix = forwarded.decode("latin-1").split(",")[0].strip().rstrip("/")
         return prefix if PREFIX.fullmatch(prefix) else ""
 
-    async def _send_problem(self, scope: Scope, send: Send, problem: Problem) -> None:
-        languages = [value for name, value in scope["headers"] if name == b"accept-language"]
-        language = language_for(languages[0].decode("latin-1") if languages else None)
-        body = problem.encoded(language, prefix=scope.get("root_path", ""))
-        headers = [
-            *((name.lower().encode(), value.encode()) for name, value in problem.headers.items()),
-            (b"content-type", PROBLEM_JSON.encode()),
-            (b"content-language", language.encode()),
-            (b"content-length", str(len(body)).encode()),
-        ]
-        await send({"type": "http.response.start", "status": problem.status, "headers": headers})
-        await send({"type": "http.response.body", "body": body})
 
-
-def _unexpected(error: Exception, request_id: str) -> Problem:
+def _unexpected(error: Exception, request_id: str) -> ServiceError:
     """Return what a caller is told of an error that nothing expects; the log is told the rest."""
     if (refusal := shortage(error, request_id)) is not None:
-        return problem_of(refusal, request_id)
+        return refusal
     _log.exception("request %s: unhandled error", request_id)
-    fault = Fault.at("internal_error", id=request_id)
-    return Problem(status=INTERNAL, faults=(fault,), request_id=request_id)
+    return ServiceError(Fault.at("internal_error", id=request_id))
 
 
 def _template(scope: Scope) -> str:

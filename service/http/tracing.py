@@ -14,7 +14,8 @@ from opentelemetry.trace import SpanKind, StatusCode, TracerProvider
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 from service import __version__
-from service.http.middleware import REQUEST_ID, ROUTE
+from service.http.middleware import ROUTE
+from service.http.refusals import REQUEST_ID
 
 if TYPE_CHECKING:
     from opentelemetry.sdk.trace import TracerProvider as SdkProvider
