@@ -79,20 +79,17 @@ class CourseResources:
         capacity = settings.grading_queue
         self.sign_in: Batcher[str, CourseSession] = Batcher(
             lambda tokens: sessions_of(self.store, tokens, now()),
-            batches=1,
             capacity=capacity,
             gives_up=_database_is_gone,
         )
         self.keep: Batcher[JudgedSubmission, Attempt] = Batcher(
             lambda submissions: store_submissions(self.store, submissions, now()),
-            batches=1,
             capacity=capacity,
             gives_up=_database_is_gone,
             pause=lambda: _CROWDED_PAUSE if is_crowded() else 0.0,
         )
         self.keep_draft: Batcher[Typed, None] = Batcher(
             lambda typed: keep_drafts(self.store, typed, now()),
-            batches=1,
             capacity=capacity,
             gives_up=_database_is_gone,
             pause=lambda: _DRAFTS_PAUSE,

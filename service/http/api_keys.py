@@ -7,7 +7,7 @@ import json
 import os
 import secrets
 from collections.abc import Mapping
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from datetime import UTC, datetime
 from enum import StrEnum
 from pathlib import Path
@@ -103,9 +103,7 @@ class KeyFile:
         """Refuse a key from now on; return whether there is one of that id."""
         now = datetime.now(UTC).isoformat(timespec="seconds")
         keys = self.all()
-        changed = tuple(
-            ApiKey(**{**asdict(key), "revoked": now}) if key.id == key_id else key for key in keys
-        )
+        changed = tuple(replace(key, revoked=now) if key.id == key_id else key for key in keys)
         self._write(changed)
         return changed != keys
 

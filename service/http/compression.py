@@ -7,6 +7,8 @@ import gzip
 from anyio.to_thread import run_sync
 from starlette.types import Message, Send
 
+from service.http.negotiation import weighted
+
 SMALLEST = 32 * 1024
 """Answers [byte] that are worth compressing; below it a page arrives no sooner."""
 IN_A_THREAD = 256 * 1024
@@ -18,11 +20,7 @@ _TYPES = (b"application/json", b"application/problem+json", b"image/svg+xml", b"
 
 def accepts_gzip(accept_encoding: bytes) -> bool:
     """Return whether a caller with this header takes gzip."""
-    for item in accept_encoding.lower().split(b","):
-        coding, _, weight = item.replace(b" ", b"").partition(b";q=")
-        if coding == b"gzip":
-            return weight.strip(b"0.") != b"" or weight == b""
-    return False
+    return dict(weighted(accept_encoding.decode("latin-1"))).get("gzip", 0.0) > 0.0
 
 
 def compressing(send: Send) -> Send:

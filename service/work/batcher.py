@@ -26,13 +26,12 @@ _Result = TypeVar("_Result")
 
 
 class Batcher(Generic[_Item, _Result]):
-    """Collects items into batches, each processed in a thread."""
+    """Collects items into batches, processed in a thread one after another."""
 
     def __init__(
         self,
         work: Callable[[Sequence[_Item]], Sequence[_Result | Exception]],
         *,
-        batches: int,
         capacity: int,
         gives_up: Callable[[Exception], bool] = lambda _: False,
         pause: Callable[[], float] = lambda: 0.0,
@@ -41,7 +40,6 @@ class Batcher(Generic[_Item, _Result]):
 
         Args:
             work: returns for each item its result, or what is to be raised for it.
-            batches: how many are worked on at the same time.
             capacity: how many items may wait.
             gives_up: whether a batch that failed so would fail item by item, too.
             pause: how long a batch that is not full may grow before it is worked on [s].
@@ -49,12 +47,11 @@ class Batcher(Generic[_Item, _Result]):
         self._work = work
         self._gives_up = gives_up
         self._pause = pause
-        self._batches = batches
         self._capacity = capacity
         self._waiting: deque[tuple[_Item, asyncio.Future[_Result]]] = deque()
-        self._running = 0
+        self._is_running = False
         self._lock = threading.Lock()
-        self._threads = ThreadPoolExecutor(max_workers=batches, thread_name_prefix="batcher")
+        self._threads = ThreadPoolExecutor(max_workers=1, thread_name_prefix="batcher")
 
     async def __call__(self, item: _Item) -> _Result:
         """Process an item in the next batch, and return its result.
@@ -67,8 +64,7 @@ class Batcher(Generic[_Item, _Result]):
             if len(self._waiting) >= self._capacity:
                 raise busy()
             self._waiting.append((item, future))
-            starts = self._running < self._batches
-            self._running += starts
+            starts, self._is_running = not self._is_running, True
         if starts:
             self._threads.submit(self._run)
         try:
@@ -99,8 +95,7 @@ class Batcher(Generic[_Item, _Result]):
             time.sleep(seconds)
         with self._lock:
             batch = [self._waiting.popleft() for _ in range(min(MOST, len(self._waiting)))]
-            if not batch:
-                self._running -= 1
+            self._is_running = bool(batch)
             return batch
 
     def _found(self, items: list[_Item]) -> Sequence[_Result | Exception]:

@@ -37,7 +37,7 @@ async def asked(batcher: Batcher[int, int], work: Work, numbers: Sequence[int]) 
 
 def test_what_comes_while_one_batch_is_worked_on_makes_the_next() -> None:
     work = Work()
-    batcher = Batcher(work, batches=1, capacity=100)
+    batcher = Batcher(work, capacity=100)
     numbers = list(range(0, 40, 2))
     assert asyncio.run(asked(batcher, work, numbers)) == [2 * number for number in numbers]
     batcher.close()
@@ -47,7 +47,7 @@ def test_what_comes_while_one_batch_is_worked_on_makes_the_next() -> None:
 
 def test_each_gets_its_own_error_and_a_broken_batch_is_done_one_by_one() -> None:
     work = Work()
-    batcher = Batcher(work, batches=1, capacity=100)
+    batcher = Batcher(work, capacity=100)
     found = asyncio.run(asked(batcher, work, [2, 3, 13, 4]))
     batcher.close()
     assert [str(each) for each in found] == ["4", "3", "13", "8"]
@@ -122,7 +122,7 @@ def test_whether_a_batch_may_grow_is_asked_before_each(pause: Pause) -> None:
 
 def test_nobody_waits_without_a_place() -> None:
     work = Work()
-    batcher = Batcher(work, batches=1, capacity=2)
+    batcher = Batcher(work, capacity=2)
 
     async def crowded() -> list[object]:
         first = asyncio.create_task(batcher(0))
@@ -141,7 +141,7 @@ def test_nobody_waits_without_a_place() -> None:
 
 def test_who_goes_away_keeps_nobody_from_their_result() -> None:
     work = Work()
-    batcher = Batcher(work, batches=1, capacity=9)
+    batcher = Batcher(work, capacity=9)
 
     async def gone() -> int:
         first = asyncio.create_task(batcher(2))
@@ -161,7 +161,7 @@ def test_who_goes_away_keeps_nobody_from_their_result() -> None:
 def test_closing_finishes_what_waits() -> None:
     work = Work()
     work.go.set()
-    batcher = Batcher(work, batches=1, capacity=9)
+    batcher = Batcher(work, capacity=9)
     assert asyncio.run(asked(batcher, work, [2])) == [4]
     batcher.close()
     with pytest.raises(RuntimeError):

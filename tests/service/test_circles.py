@@ -158,7 +158,7 @@ def test_what_fails_in_a_thread_leaves_no_circles() -> None:
 
 
 def test_what_fails_in_a_batch_leaves_no_circles() -> None:
-    batcher: Batcher[int, int] = Batcher(fails, batches=1, capacity=4)
+    batcher: Batcher[int, int] = Batcher(fails, capacity=4)
     try:
         assert not left_by(lambda: batcher(1))
     finally:

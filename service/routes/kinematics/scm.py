@@ -9,7 +9,6 @@ from typing import Annotated, Any, TypeAlias
 from pydantic import Field
 
 from kinematics.jacobian import JacobianFrame
-from kinematics.poses import pose_notations
 from kinematics.printing import Format, Notation
 from kinematics.scm import (
     ScmKinematics,
@@ -23,12 +22,13 @@ from kinematics.se3 import inverse_transform
 from service.http.calls import CallRouter
 from service.http.routing import ApiRequest, BytesResponse, OneRobotRoute
 from service.schemas.base import LONGEST_LIST, Matrix4, OneOf, Real, Vector3
-from service.schemas.kinematics.orientations import AxisAngleModel, Orientation
+from service.schemas.kinematics.orientations import Orientation
 from service.schemas.kinematics.scm import LENGTHS, SCARA, STANFORD, ChainQuestion, ScmJoints
 from service.schemas.tables import Units, units_of
 from service.wire.json_chunks import plain_lists
 from service.wire.kinematics.chain_forms import ChainTask, Wanted, is_quick, written_chain
 from service.wire.kinematics.joint_values import values_in_radians
+from service.wire.kinematics.pose_answers import orientation_of
 from service.wire.kinematics.prepared_chains import PreparedChain, prepared_chain, written_structure
 from service.work.workers import Lane
 
@@ -161,7 +161,7 @@ async def forward_kinematics(
         links=plain_lists(motion.links),
         frames=plain_lists(motion.frames),
         end=plain_lists(motion.end),
-        orientation=_orientation(motion.transform, prepared.angle),
+        orientation=Orientation.model_validate(orientation_of(motion.transform, prepared.angle)),
     )
 
 
@@ -233,14 +233,3 @@ async def _moved(
     prepared = await _prepared(body, request)
     q = values_in_radians(joints, prepared.joint_units, "joints")
     return prepared, forward_kinematics_scm(prepared.chain, q, prepared.values)
-
-
-def _orientation(transform: Any, angle: float) -> Orientation:
-    position, quaternion, rpy, (axis, turn), _ = pose_notations(transform)
-    roll, pitch, yaw = (value / angle for value in rpy)
-    return Orientation(
-        quaternion=list(quaternion),
-        rpy=[roll, pitch, yaw],
-        axis_angle=AxisAngleModel(axis=list(axis), angle=turn / angle),
-        xyzabc=[*position, yaw, pitch, roll],
-    )

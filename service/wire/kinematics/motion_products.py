@@ -107,9 +107,8 @@ def _numbers(matrix: Matrix, task: ProductsTask) -> dict[str, Any]:
         check_transform(values)
     except PoseError:
         return {"numbers": values.tolist()}
-    (x, y, z), _, (roll, pitch, yaw), _, _ = pose_notations(values)
-    unit = task.read.angle_unit.radians
+    xyzabc, unit = pose_notations(values).xyzabc, task.read.angle_unit.radians
     return {
         "numbers": values.tolist(),
-        "xyzabc": [x, y, z, *(angle / unit for angle in (yaw, pitch, roll))],
+        "xyzabc": [*xyzabc[:3], *(angle / unit for angle in xyzabc[3:])],
     }

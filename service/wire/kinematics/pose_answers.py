@@ -109,7 +109,7 @@ def one_answer(question: PoseQuestion) -> bytes:
     else:
         for part in question.parts:
             if part is PoseQuantity.ORIENTATION:
-                answer[part.value] = _orientation(_notations(poses.transform, question.robot.angle))
+                answer[part.value] = orientation_of(poses.transform, question.robot.angle)
             else:
                 answer[part.value] = _ARRAYS[part](poses)
     if question.points:
@@ -244,6 +244,11 @@ def _notations(transform: Floats, angle: float) -> list[float]:
         return [*quaternion, *rpy, *xyzabc, *axis, turn]
     roll, pitch, yaw = (value / angle for value in rpy)
     return [*quaternion, roll, pitch, yaw, *xyzabc[:3], yaw, pitch, roll, *axis, turn / angle]
+
+
+def orientation_of(transform: Floats, angle: float) -> dict[str, object]:
+    """Return the orientation of a pose in four notations, angles in units of so many [rad]."""
+    return _orientation(_notations(transform, angle))
 
 
 def _orientation(row: list[float]) -> dict[str, object]:
