@@ -15,7 +15,7 @@ from exercises.grading import BaseRule, HelpLevel, ToolRule
 from exercises.library import Library
 from exercises.loader import exercise_of_files, load_exercise
 from exercises.parts.forward.pose import PosePart
-from exercises.parts.forward.workspace import ReachFrom, WorkspacePart
+from exercises.parts.forward.workspace import WorkspacePart
 from kinematics.errors import Fault
 from tests.exercises.folders import TWO_LINKS, changed, folder, with_part
 from tests.exercises.packaged import exercise
@@ -200,7 +200,7 @@ def test_parts_with_values_are_read(tmp_path: Path) -> None:
     assert isinstance(pose, PosePart)
     assert pose.joints == (30, -45)
     assert isinstance(workspace, WorkspacePart)
-    assert (workspace.reach_from, workspace.limits) == (ReachFrom.AXIS, ((0, 90), None))
+    assert (workspace.origin, workspace.limits) == (None, ((0, 90), None))
 
 
 @pytest.mark.parametrize(

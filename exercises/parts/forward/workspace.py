@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from enum import StrEnum
 from fractions import Fraction
-from functools import lru_cache, partial
+from functools import partial
 from random import Random
 from typing import ClassVar
 
@@ -23,7 +22,7 @@ from exercises.names import in_own_names
 from exercises.parts.cells.by_name import ByName, read_by_name
 from exercises.parts.context import Context
 from exercises.parts.definition_keys import TOLERANCE, DefinitionKey, KeyShape, Start, joint_names
-from exercises.parts.forward.reach import Interval, Reach, reach
+from exercises.parts.forward.reach import Reach, reach
 from exercises.parts.protocol import PartType, Reading, RobotFacts
 from exercises.parts.report import Credit, PartReport, fact, judged, told_from
 from exercises.parts.task import PartTask
@@ -32,21 +31,11 @@ from kinematics.cells import AngleUnit, Cell, ParameterKind, read_cell
 from kinematics.chain import chain_of_table
 from kinematics.errors import CellError, Fault, KinematicsError
 from kinematics.expressions import evaluate
-from kinematics.se3 import inverse_transform
-from kinematics.table import JointType, NumericTable
+from kinematics.se3 import Vector, inverse_transform
+from kinematics.table import JointType
 
-Key = tuple[float, float, float]
-
-
-class ReachFrom(StrEnum):
-    """From where the radii of a workspace are measured.
-
-    AXIS: from the axis of the first joint, square to it.
-    POINT: from a named point of the figure that no joint moves, or only joint 1 about itself.
-    """
-
-    AXIS = "axis"
-    POINT = "point"
+AXIS = "axis"
+"""In the place of a point: the radii are measured from the axis of the first joint, square to it."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -55,15 +44,14 @@ class WorkspacePart(Part):
 
     Attributes:
         point: name of the point of the figure whose workspace is meant.
-        reach_from: from where the radii are measured.
-        origin: name of the point from which they are measured, if from a point.
+        origin: name of the point from which the radii are measured, one that no joint moves, or only joint 1
+            about itself; None: from the axis of the first joint.
         limits: per joint its lowest and highest value [units of the exercise]; None leaves it unlimited
             (a revolute joint turns fully).
         tolerance: largest error of a radius, as a fraction of the outer radius.
     """
 
     point: str
-    reach_from: ReachFrom
     origin: str | None
     limits: tuple[tuple[Fraction, Fraction] | None, ...]
     tolerance: float
@@ -95,14 +83,6 @@ class WorkspaceTask:
     reach_from: str
 
 
-@dataclass(frozen=True, kw_only=True, slots=True)
-class WorkspaceAnswer:
-    """Inner and outer radius, in the student's length unit."""
-
-    inner: float
-    outer: float
-
-
 def workspace_of(context: Context, part: WorkspacePart) -> Reach:
     """Return the radii of the robot's workspace, in the exercise's unit."""
     table = context.reference_numbers
@@ -110,39 +90,26 @@ def workspace_of(context: Context, part: WorkspacePart) -> Reach:
     points = Points(context.instance.exercise.figure, context.reference.table, values)
     to_base, to_last = inverse_transform(points.frames[0]), inverse_transform(points.frames[-1])
     point = to_last[:3, :3] @ points.point(part.point) + to_last[:3, 3]
-    if part.reach_from is ReachFrom.POINT and part.origin is not None:
+    if part.origin is not None:
         origin = to_base[:3, :3] @ points.point(part.origin) + to_base[:3, 3]
         axis = None
     else:
         first = chain_of_table(table).axes[0]
         origin, axis = np.array(first.point), np.array(first.direction)
     unit = context.reference.angle_unit
-    limits = [
+    limits = tuple(
         None if limit is None else _interval(limit, unit if joint_type is JointType.REVOLUTE else None)
         for limit, joint_type in zip(part.limits, table.joint_types, strict=True)
-    ]
-    free = [
-        (0.0, 0.0) if limit is None and joint_type is JointType.PRISMATIC else limit
-        for limit, joint_type in zip(limits, table.joint_types, strict=True)
-    ]
-    return _radii(table, _key(point), _key(origin), None if axis is None else _key(axis), tuple(free))
+    )
+    return reach(table, _rounded(point), _rounded(origin), None if axis is None else _rounded(axis), limits)
 
 
-@lru_cache(maxsize=512)
-def _radii(
-    table: NumericTable, point: Key, origin: Key, axis: Key | None, limits: tuple[Interval | None, ...]
-) -> Reach:
-    """The radii, once for all who have the same values."""
-    square_to = None if axis is None else np.array(axis)
-    return reach(table, np.array(point), np.array(origin), square_to, limits)
-
-
-def _key(vector: Array) -> Key:
+def _rounded(vector: Array) -> Vector:
     x, y, z = np.round(vector, 12).tolist()
     return x, y, z
 
 
-class WorkspacePartType(PartType[WorkspacePart, RadiiCells, ByName[WorkspaceAnswer]]):
+class WorkspacePartType(PartType[WorkspacePart, RadiiCells, ByName[Reach]]):
     """Inner and outer radius of the workspace."""
 
     kind = "workspace"
@@ -158,13 +125,12 @@ class WorkspacePartType(PartType[WorkspacePart, RadiiCells, ByName[WorkspaceAnsw
 
     def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> WorkspacePart:
         """Return the part with its point, limits and tolerance."""
-        origin = reader.text("from", ReachFrom.AXIS.value)
+        origin = reader.text("from", AXIS)
         return WorkspacePart(
             kind=self.kind,
             points=points,
             point=reader.text("point"),
-            reach_from=ReachFrom.AXIS if origin == ReachFrom.AXIS.value else ReachFrom.POINT,
-            origin=None if origin == ReachFrom.AXIS.value else origin,
+            origin=None if origin == AXIS else origin,
             limits=_limits(reader, len(robot.joint_types), robot.limits),
             tolerance=reader.number("tolerance", 0.01),
         )
@@ -173,14 +139,14 @@ class WorkspacePartType(PartType[WorkspacePart, RadiiCells, ByName[WorkspaceAnsw
         """Return the keys of the point, from where it is measured, and the limits."""
         return (
             DefinitionKey(name="point", shape=KeyShape.POINT),
-            DefinitionKey(name="from", shape=KeyShape.POINT, options=(ReachFrom.AXIS.value,)),
+            DefinitionKey(name="from", shape=KeyShape.POINT, options=(AXIS,)),
             DefinitionKey(name="limits", shape=KeyShape.RANGES, labels=joint_names(len(robot.joint_types))),
             TOLERANCE,
         )
 
     def start(self, robot: RobotFacts) -> Start:
         """Return a point by its usual name."""
-        return {"point": "P", "from": ReachFrom.AXIS.value}
+        return {"point": "P", "from": AXIS}
 
     def inconsistencies(self, part: WorkspacePart, exercise: Exercise) -> Iterator[Fault]:
         """Yield the points that the figure does not mark."""
@@ -197,21 +163,22 @@ class WorkspacePartType(PartType[WorkspacePart, RadiiCells, ByName[WorkspaceAnsw
             "limits": "some" if limited else "none",
             "unit": instance.exercise.length_unit.value,
         }
-        given = WorkspaceTask(point=part.point, reach_from=part.origin or ReachFrom.AXIS.value)
-        return PartTask(message=f"task-workspace-{part.reach_from.value}", values=values, given=given)
+        given = WorkspaceTask(point=part.point, reach_from=part.origin or AXIS)
+        measured = AXIS if part.origin is None else "point"
+        return PartTask(message=f"task-workspace-{measured}", values=values, given=given)
 
-    def read(self, raw: RadiiCells, reading: Reading) -> ByName[WorkspaceAnswer] | None:
+    def read(self, raw: RadiiCells, reading: Reading) -> ByName[Reach] | None:
         """Return the radii in the student's unit."""
         return read_by_name(raw, reading, self._read, lambda read: (read.inner, read.outer))
 
-    def _read(self, raw: RadiiCells, reading: Reading) -> WorkspaceAnswer | None:
+    def _read(self, raw: RadiiCells, reading: Reading) -> Reach | None:
         inner, outer = (
             reading.keep(self.kind, partial(_radius, getattr(raw, name), name, reading))
             for name in ("inner", "outer")
         )
-        return None if inner is None or outer is None else WorkspaceAnswer(inner=inner, outer=outer)
+        return None if inner is None or outer is None else Reach(inner=inner, outer=outer)
 
-    def grade(self, part: WorkspacePart, answer: ByName[WorkspaceAnswer], context: Context) -> PartReport:
+    def grade(self, part: WorkspacePart, answer: ByName[Reach], context: Context) -> PartReport:
         """Judge the radii at the student's lengths and, if they are right there and in names, at others."""
         report = self._judged(part, answer.here, context)
         elsewhere = answer.elsewhere(context) if report.correct else None
@@ -226,7 +193,7 @@ class WorkspacePartType(PartType[WorkspacePart, RadiiCells, ByName[WorkspaceAnsw
             return self._judged(exact, named, there)
         return report
 
-    def _judged(self, part: WorkspacePart, answer: WorkspaceAnswer, context: Context) -> PartReport:
+    def _judged(self, part: WorkspacePart, answer: Reach, context: Context) -> PartReport:
         """Judge the radii: each counts half, but a least distance of zero only beside the greatest."""
         key = workspace_of(context, part)
         scaled = Reach(inner=key.inner * context.unit_ratio, outer=key.outer * context.unit_ratio)
@@ -249,8 +216,7 @@ class WorkspacePartType(PartType[WorkspacePart, RadiiCells, ByName[WorkspaceAnsw
 
     def right(self, part: WorkspacePart, context: Context) -> RadiiCells:
         """Return the robot's radii: they do not follow from a table."""
-        radii = workspace_of(context, part)
-        ratio = context.unit_ratio
+        radii, ratio = workspace_of(context, part), context.unit_ratio
         return RadiiCells(inner=radii.inner * ratio, outer=radii.outer * ratio)
 
     def wrong(self, part: WorkspacePart, context: Context, rng: Random) -> Iterator[tuple[str, RadiiCells]]:
@@ -261,7 +227,7 @@ class WorkspacePartType(PartType[WorkspacePart, RadiiCells, ByName[WorkspaceAnsw
         yield "workspace_swapped", RadiiCells(inner=outer, outer=inner)
 
 
-def _what_is_off(answer: WorkspaceAnswer, key: Reach, context: Context, limit: float) -> Feedback | None:
+def _what_is_off(answer: Reach, key: Reach, context: Context, limit: float) -> Feedback | None:
     def near(inner: float, outer: float, allowed: float) -> bool:
         return abs(answer.inner - inner) <= allowed and abs(answer.outer - outer) <= allowed
 
@@ -297,9 +263,7 @@ def _limits(
 ) -> tuple[tuple[Fraction, Fraction] | None, ...]:
     """Limits of the joints: "catalogue", a list with one entry per joint ([] for none), or none at all."""
     free: tuple[tuple[Fraction, Fraction] | None, ...] = (None,) * n
-    if not reader.given("limits"):
-        return free
-    value = reader.values["limits"]
+    value = reader.values["limits"] if reader.given("limits") else [[]] * n
     if value == "catalogue":
         if known is None:
             reader.fault("exercise_limits_unknown", "limits")
@@ -318,10 +282,10 @@ def _limits(
             continue
         inner = Reader({"pair": entry}, (*reader.where, "limits", i), reader.faults)
         pair = inner.exacts("pair")
-        if len(pair) != 2 or pair[0] > pair[1]:
+        low, high = pair if len(pair) == 2 else (Fraction(1), Fraction(0))
+        if low > high:
             inner.fault("exercise_limits_reversed", joint=i + 1)
-            pair = (Fraction(0), Fraction(0))
-        limits.append((pair[0], pair[1]))
+        limits.append((low, high))
     return tuple(limits)
 
 
