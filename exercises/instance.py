@@ -15,7 +15,7 @@ from exercises.definition import DrawnParameter, Exercise
 from exercises.draws import Picker, pick
 from exercises.errors import AnswerError
 from exercises.parts.registry import part_type
-from kinematics.cells import parameters_in_radians
+from kinematics.cells import LengthUnit, ParameterKind, parameters_in_radians
 from kinematics.errors import Fault
 
 SEED_CHARACTERS = 200
@@ -51,6 +51,15 @@ class Instance:
         """The same as the kinematics takes it: angles in [rad]."""
         exercise = self.exercise
         return parameters_in_radians(self.parameters, exercise.reference.parameters, exercise.angle_unit)
+
+    def values_in(self, unit: LengthUnit) -> dict[str, float]:
+        """Return the value of every dimension in a length unit (an angle in the exercise's unit)."""
+        ratio = float(self.exercise.length_unit.metres_per_unit / unit.metres_per_unit)
+        kinds = self.exercise.reference.parameters
+        return {
+            name: value * (ratio if kinds[name] is ParameterKind.LENGTH else 1.0)
+            for name, value in self.parameters.items()
+        }
 
 
 def cached_instance(exercise: Exercise, seed: str | None) -> Instance:

@@ -24,7 +24,7 @@ from exercises.parts.definition_keys import DefinitionKey, Start
 from exercises.parts.report import Disclosure, PartReport, shown
 from exercises.parts.task import PartTask
 from exercises.reading import Reader
-from kinematics.cells import AngleUnit, LengthUnit, Limits, ParameterKind, ReadTable, parameters_in_radians
+from kinematics.cells import AngleUnit, LengthUnit, Limits, ReadTable, parameters_in_radians
 from kinematics.errors import CellError, Fault, KinematicsError
 from kinematics.expressions import Expression
 from kinematics.table import JointType, bind
@@ -146,7 +146,7 @@ class Reading:
     @property
     def values(self) -> dict[str, float]:
         """Value of every dimension in the answer's length unit (an angle in the exercise's unit)."""
-        return values_in_unit(self.instance, self.source.length_unit)
+        return self.instance.values_in(self.source.length_unit)
 
     def fault(self, code: str, *where: str | int, **params: Any) -> None:
         """Keep a fault at a place in the whole answer."""
@@ -175,7 +175,7 @@ class Reading:
         if own is None:
             return None
         values = parameters_in_radians(
-            values_in_unit(self.instance, own.length_unit), exercise.reference.parameters, exercise.angle_unit
+            self.instance.values_in(own.length_unit), exercise.reference.parameters, exercise.angle_unit
         )
         return None if self.keep(part, lambda: bind(own.table, values)) is None else own
 
@@ -298,14 +298,3 @@ class PartType(ABC, Generic[P, Raw, Read]):
     def misconceptions(self) -> tuple[str, ...]:
         """Feedback codes of the misconceptions that are told at the highest level of help."""
         return tuple(code for code, entry in self.disclosures.items() if entry.level is HelpLevel.REPAIR)
-
-
-def values_in_unit(instance: Instance, unit: LengthUnit) -> dict[str, float]:
-    """Return the value of every dimension in a length unit (an angle in the exercise's unit)."""
-    exercise = instance.exercise
-    ratio = float(exercise.length_unit.metres_per_unit / unit.metres_per_unit)
-    kinds = exercise.reference.parameters
-    return {
-        name: value * (ratio if kinds[name] is ParameterKind.LENGTH else 1.0)
-        for name, value in instance.parameters.items()
-    }

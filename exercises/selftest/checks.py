@@ -20,7 +20,7 @@ from exercises.grading import HelpLevel, Verdict
 from exercises.grading.score import marks_to_earn
 from exercises.instance import Instance, generate
 from exercises.needs import unneeded_dimensions
-from exercises.parts.protocol import TABLE, values_in_unit
+from exercises.parts.protocol import TABLE
 from exercises.parts.registry import part_type
 from exercises.parts.report import Credit
 from exercises.selftest.answers import answer_from, context_of, is_refused, judged_answer, other_frames
@@ -264,7 +264,7 @@ def certificate_holds(instance: Instance, read: ReadTable, verdict: Verdict, rng
     assert certificate is not None
     exercise = instance.exercise
     reference = in_length_unit(exercise.reference, read.length_unit)
-    known = {**values_in_unit(instance, read.length_unit), **certificate.parameters}
+    known = {**instance.values_in(read.length_unit), **certificate.parameters}
     given = parameters_in_radians(known, {**read.parameters, **reference.parameters}, read.angle_unit)
     ours, theirs = bind(reference.table, given), bind(read.table, given)
     size = size_of(chain_of_table(ours)) or 1.0

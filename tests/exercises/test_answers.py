@@ -21,7 +21,7 @@ from exercises.parts.inverse.joint_cells import JointAnswerCells
 from exercises.parts.mistakes.find_mistake import FoundMistakeCells
 from exercises.parts.mistakes.frame_mistake import FoundFrameMistakeCells
 from exercises.parts.mistakes.matrix_mistake import FoundMatrixMistakeCells
-from exercises.parts.motion.singularities import SingularityCells
+from exercises.parts.motion.singularity_cells import SingularityCells
 from kinematics.answers.joint_verdicts import JointClaim
 from kinematics.table import JointType
 from tests.exercises.answering import SCARA, SCARA_MATRICES, SCARA_TRANSFORM, edited, judged, table

@@ -15,7 +15,7 @@ from random import Random
 from typing import ClassVar
 
 from exercises.definition import DrawnParameter, Exercise, Part
-from exercises.draws import Picker, read_draw
+from exercises.draws import Picker
 from exercises.grading import Feedback, Finding, HelpLevel
 from exercises.instance import Instance
 from exercises.parts.cells.matrix_cells import write_matrix
@@ -23,6 +23,7 @@ from exercises.parts.context import Context
 from exercises.parts.definition_keys import TOLERANCE, DefinitionKey, KeyShape, Start, choices, joint_names
 from exercises.parts.given_table import given_table
 from exercises.parts.motion.motion_cells import MotionCells, read_motion
+from exercises.parts.motion.weighed_links import given_links, read_links, read_three, read_weights
 from exercises.parts.protocol import PartType, Reading, RobotFacts
 from exercises.parts.report import Credit, Disclosure, Fact, PartReport, fact, judged, share_earned, told_from
 from exercises.parts.task import FieldShape, FormField, GivenNumbers, PartTask
@@ -37,14 +38,13 @@ from kinematics.answers.dynamics_answers import (
 from kinematics.cells import Cell, LengthUnit, ReadTable
 from kinematics.dynamics import rate_name
 from kinematics.dynamics.equations import Derivation
-from kinematics.dynamics.reading import NOTHING, RawBody, ReadBodies, read_bodies
+from kinematics.dynamics.reading import RawBody, ReadBodies, read_bodies
 from kinematics.errors import Fault, KinematicsError
 from kinematics.expressions import ZERO
 from kinematics.symbolic import Matrix
 
 MOST_OF_WRONG = 0.8
 """Of a matrix with a wrong entry no more than this is earned, however many entries are right."""
-_COLUMNS = ("m [kg]", "x", "y", "z", "Ixx", "Iyy", "Izz")
 
 
 class MotionAsk(StrEnum):
@@ -91,34 +91,13 @@ class MotionType(PartType[MotionPart, MotionCells, EquationsAnswer]):
 
     def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> MotionPart:
         """Return the part with what is asked and what the links weigh."""
-        links = []
-        for entry in reader.entries("links", needed=True):
-            links.append(
-                RawBody(
-                    mass=_cell(entry, "mass"),
-                    centre=_cells(entry, "centre"),
-                    inertia=tuple(
-                        tuple(value if i == k else 0 for k in range(3))
-                        for i, value in enumerate(_cells(entry, "moments"))
-                    ),
-                )
-            )
-            entry.finish()
-        weights = []
-        for name, inner in reader.tables("weights"):
-            weights.append(
-                DrawnParameter(
-                    name=inner.name(name), value=inner.exact("value"), draw=read_draw(inner, "draw")
-                )
-            )
-            inner.finish()
         return MotionPart(
             kind=self.kind,
             points=points,
+            links=read_links(reader),
+            weights=read_weights(reader),
             ask=reader.choices("ask", MotionAsk, ("mass", "coriolis", "gravity")),
-            links=tuple(links),
-            gravity=_cells(reader, "gravity"),
-            weights=tuple(weights),
+            gravity=read_three(reader, "gravity"),
             tolerance=reader.number("tolerance", 0.005),
         )
 
@@ -181,7 +160,7 @@ class MotionType(PartType[MotionPart, MotionCells, EquationsAnswer]):
         if MotionAsk.GRAVITY in part.ask:
             form.append(FormField(name="gravity", shape=FieldShape.VECTOR, labels=names))
         weights: Mapping[str, Fraction] = instance.drawn[self.kind]
-        numbers = [given_table(instance), _given_links(part, unit)]
+        numbers = [given_table(instance), given_links(part.links, unit)]
         gravity = tuple(entry if isinstance(entry, str) else float(entry) for entry in part.gravity)
         told = {"unit": unit}
         numbers.append(
@@ -263,25 +242,6 @@ class MotionType(PartType[MotionPart, MotionCells, EquationsAnswer]):
             yield "motion_mass_wrong", replace(right, mass=(changed, *rest))
 
 
-def _cell(reader: Reader, key: str) -> Cell:
-    value = reader.values.get(key) if reader.given(key) else 0
-    if isinstance(value, bool) or not isinstance(value, int | float | str):
-        reader.fault("motion_cell", key)
-        return 0
-    return value
-
-
-def _cells(reader: Reader, key: str) -> tuple[Cell, ...]:
-    """Return three cells; zeros where they are left out."""
-    value = reader.values.get(key) if reader.given(key) else NOTHING
-    entries = tuple(value) if isinstance(value, list | tuple) else ()
-    good = all(isinstance(entry, int | float | str) and not isinstance(entry, bool) for entry in entries)
-    if len(entries) != len(NOTHING) or not good:
-        reader.fault("motion_cell", key)
-        return NOTHING
-    return entries
-
-
 def _asks_matrix(part: MotionPart) -> bool:
     return MotionAsk.CORIOLIS in part.ask or MotionAsk.SKEW in part.ask
 
@@ -298,19 +258,6 @@ def _question(part: MotionPart, context: Context) -> DynamicsQuestion:
     values = {**context.reference_values, **{name: float(value) for name, value in weights.items()}}
     return DynamicsQuestion(
         table=context.reference.table, links=bodies.links, gravity=bodies.gravity, values=values
-    )
-
-
-def _given_links(part: MotionPart, unit: str) -> GivenNumbers:
-    """Return what the links weigh, without the columns in which everything is zero."""
-    table = [(link.mass, *link.centre, *(link.inertia[i][i] for i in range(3))) for link in part.links]
-    kept = [k for k in range(len(_COLUMNS)) if k == 0 or any(row[k] != 0 for row in table)]
-    labels = tuple(f"{name} [{unit}]" if name in ("x", "y", "z") else name for name in _COLUMNS)
-    return GivenNumbers(
-        name="link-weights",
-        labels=("i", *(labels[k] for k in kept)),
-        rows=tuple((str(i), *(str(row[k]) for k in kept)) for i, row in enumerate(table, 1)),
-        values={"unit": unit},
     )
 
 

@@ -4,67 +4,38 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from random import Random
-from typing import Annotated, ClassVar
+from typing import ClassVar
 
 from exercises.definition import Exercise, Part
 from exercises.draws import Draw, Picker
 from exercises.grading import Feedback, Finding, HelpLevel
 from exercises.grading.verdict import ParamValue
 from exercises.instance import Instance
-from exercises.parts.cells.number_cells import DECIMALS, read_numbers_of
+from exercises.parts.cells.number_cells import DECIMALS
 from exercises.parts.context import Context
 from exercises.parts.definition_keys import DefinitionKey, Start, choice, joint_keys
 from exercises.parts.given_table import given_table
 from exercises.parts.joint_draws import drawn_joints, in_radians, joint_labels, read_joints, told_units
-from exercises.parts.motion.conditions import read_conditions
-from exercises.parts.protocol import TABLE, Length, PartType, Reading, RobotFacts
+from exercises.parts.motion.singularity_cells import (
+    MOST,
+    SingularityAnswer,
+    SingularityCells,
+    read_singularities,
+)
+from exercises.parts.protocol import TABLE, PartType, Reading, RobotFacts
 from exercises.parts.report import Credit, Fact, PartReport, fact, judged, told_from
 from exercises.parts.task import FieldShape, FormField, GivenNumbers, PartTask
 from exercises.reading import Reader
-from kinematics.answers.left_open import Rounded
 from kinematics.answers.lost_motions import lost_motion_is_right, lost_motions_at
 from kinematics.answers.singular_arms import SingularArm, arm_of
 from kinematics.answers.singularity_answers import ConditionStatus, is_sine_for_cosine, judge_singularities
-from kinematics.cells import Cell
-from kinematics.cells.meaning import Position
 from kinematics.errors import Fault, FormSizeError
-from kinematics.expressions import Expression, joint_variables_in
+from kinematics.expressions import joint_variables_in
 from kinematics.printing import Format, MatrixPrinter, Notation, Purpose
 from kinematics.symbolic.determinants import MotionRows, largest_minor
-
-MOST = 16
-"""Conditions in one answer; the arms of the documents have five families."""
-ConditionRow = Annotated[tuple[Cell, ...], Length(least=1, most=1)]
-Conditions = Annotated[tuple[ConditionRow, ...], Length(most=MOST)]
-Motion = Annotated[tuple[Cell, ...], Length(least=3, most=6)]
-
-
-@dataclass(frozen=True, kw_only=True, slots=True)
-class SingularityCells:
-    """Conditions for a singularity, and a motion that is lost.
-
-    Attributes:
-        conditions: rows of one cell: a function that vanishes (sin(q3)), or an equation (q3 = 0, π).
-        lost: what every velocity of the end has no component along: three numbers for v, or six for (v, ω).
-    """
-
-    conditions: Conditions | None = None
-    lost: Motion | None = None
-
-
-@dataclass(frozen=True, kw_only=True, slots=True)
-class SingularityAnswer:
-    """The same, read: for each row the functions that vanish where its conditions hold.
-
-    What those with decimals are with one of these moved is `rounded`.
-    """
-
-    conditions: tuple[tuple[Expression, ...], ...] | None
-    lost: tuple[float, ...] | None
-    rounded: Rounded = field(default_factory=dict)
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -164,35 +135,9 @@ class SingularitiesType(PartType[SingularitiesPart, SingularityCells, Singularit
 
     def read(self, raw: SingularityCells, reading: Reading) -> SingularityAnswer | None:
         """Return the functions that vanish, row by row, and the motion."""
-        before = len(reading.faults)
-        exercise = reading.instance.exercise
-        types = exercise.reference.table.joint_types
-        again = replace(reading, faults=[])
-        rows: list[tuple[Expression, ...]] = []
-        rounded: dict[Expression, tuple[Expression, ...]] = {}
-        for i, (cell,) in enumerate(raw.conditions or ()):
-            where = (self.kind, "conditions", i, 0)
-            found = read_conditions(cell, types, exercise.angle_unit, where)
-            read = [entry for entry in found if not isinstance(entry, Fault)]
-            reading.faults.extend(entry for entry in found if isinstance(entry, Fault))
-            own = [reading.own_names(entry.expression, where, idle=entry.idle) for entry in read]
-            rows.append(tuple(function for function in own if function is not None))
-            for entry, function in zip(read, own, strict=True):
-                near = [again.own_names(other, where) for other in entry.rounded]
-                if function is not None and near:
-                    rounded[function] = tuple(other for other in near if other is not None)
-        lost = None
-        part = next(part for part in exercise.parts if isinstance(part, SingularitiesPart))
-        if raw.lost is not None and reading.is_row_of(
-            len(_labels(part)), raw.lost, self.kind, "lost", code="vector_length"
-        ):
-            lost = read_numbers_of(raw.lost, Position.LENGTH, reading, self.kind, "lost")
-        if raw.conditions is None and raw.lost is None:
-            reading.fault("conditions_empty", self.kind)
-        if len(reading.faults) > before:
-            return None
-        conditions = tuple(rows) if raw.conditions is not None else None
-        return SingularityAnswer(conditions=conditions, lost=lost, rounded=rounded)
+        part = reading.instance.exercise.part(self.kind)
+        assert isinstance(part, SingularitiesPart)
+        return read_singularities(raw, reading, self.kind, len(_labels(part)))
 
     def grade(self, part: SingularitiesPart, answer: SingularityAnswer, context: Context) -> PartReport:
         """Judge the conditions as a set; the lost motion counts a quarter, if it is asked."""

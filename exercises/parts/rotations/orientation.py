@@ -7,10 +7,9 @@ asked. Each notation that is asked earns marks of its own.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from functools import partial
 from random import Random
 from typing import ClassVar
 
@@ -18,7 +17,6 @@ from exercises.definition import Exercise, Part
 from exercises.draws import Draw, Picker, read_draw
 from exercises.grading import Feedback, Finding, HelpLevel
 from exercises.instance import Instance
-from exercises.parts.cells.number_cells import DECIMALS, number_of, read_numbers_of
 from exercises.parts.context import Context
 from exercises.parts.definition_keys import (
     DEGREES,
@@ -38,13 +36,14 @@ from exercises.parts.rotations.orientation_cells import (
     OrientationAnswer,
     OrientationCells,
     OrientationNotation,
+    read_orientation,
+    rounded,
+    written_orientation,
 )
 from exercises.parts.task import FieldShape, FormField, GivenNumbers, PartTask, choice_field
 from exercises.reading import Reader
-from kinematics.cells import Cell
-from kinematics.cells.meaning import Position
 from kinematics.poses import axis_angle_from_transform, quaternion_from_transform
-from kinematics.rotations.matrices import Matrix3, Triple, as_transform, matrix3
+from kinematics.rotations.matrices import Matrix3, Triple, as_transform
 from kinematics.rotations.orientation_answers import (
     RIGHT,
     USUAL_TOLERANCE,
@@ -58,7 +57,7 @@ from kinematics.rotations.orientation_answers import (
     judge_quaternion,
     judge_triples,
 )
-from kinematics.rotations.sequences import Combination, EulerSequence, GimbalFamily, euler_solutions
+from kinematics.rotations.sequences import Combination, EulerSequence
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -164,43 +163,7 @@ class OrientationPartType(PartType[OrientationPart, OrientationCells, Orientatio
 
     def read(self, raw: OrientationCells, reading: Reading) -> OrientationAnswer | None:
         """Return the notations in numbers."""
-        before = len(reading.faults)
-        kind = self.kind
-
-        def numbers(
-            cells: tuple[Cell, ...] | None, position: Position, *where: str | int
-        ) -> tuple[float, ...] | None:
-            return None if cells is None else read_numbers_of(cells, position, reading, kind, *where)
-
-        def one(cell: Cell | None, position: Position, name: str) -> float | None:
-            if cell is None:
-                return None
-            return reading.keep(kind, partial(number_of, cell, position, reading.instance, (name,)))
-
-        rows = [numbers(row, Position.RATIO, "matrix", i) for i, row in enumerate(raw.matrix or ())]
-        triples = [numbers(row, Position.ANGLE, "angles", i) for i, row in enumerate(raw.angles or ())]
-        answer = OrientationAnswer(
-            matrix=matrix3([row for row in rows if row]) if rows and all(rows) else None,
-            quaternion=numbers(raw.quaternion, Position.RATIO, "quaternion"),
-            component_order=raw.component_order,
-            axis=numbers(raw.axis, Position.RATIO, "axis"),
-            angle=one(raw.angle, Position.ANGLE, "angle"),
-            angles=tuple((t[0], t[1], t[2]) for t in triples if t) or None,
-        )
-        middle, value = one(raw.middle, Position.ANGLE, "middle"), one(raw.value, Position.ANGLE, "value")
-        if middle is not None and value is not None and raw.combination is not None:
-            answer = replace(
-                answer, family=GimbalFamily(middle=middle, combination=raw.combination, value=value)
-            )
-        if raw.quaternion is not None and raw.component_order is None:
-            reading.fault("component_order_missing", kind, "component_order")
-        if (raw.axis is None) != (raw.angle is None):
-            reading.fault("axis_and_angle", kind, "angle" if raw.angle is None else "axis")
-        if len({raw.middle is None, raw.value is None, raw.combination is None}) > 1:
-            reading.fault("family_incomplete", kind, "combination")
-        if len(reading.faults) == before and answer == OrientationAnswer(component_order=raw.component_order):
-            reading.fault("orientation_empty", kind)
-        return answer if len(reading.faults) == before else None
+        return read_orientation(raw, reading, self.kind)
 
     def grade(self, part: OrientationPart, answer: OrientationAnswer, context: Context) -> PartReport:
         """Judge notation by notation; each counts the same."""
@@ -229,7 +192,7 @@ class OrientationPartType(PartType[OrientationPart, OrientationCells, Orientatio
         """Return every notation that is asked, rounded as on paper."""
         instance = context.instance
         rotation = part.sequence.matrix(instance.drawn[self.kind])
-        return _written(part, rotation, instance)
+        return written_orientation(rotation, part.ask, part.asked_sequence, instance)
 
     def wrong(
         self, part: OrientationPart, context: Context, rng: Random
@@ -237,7 +200,7 @@ class OrientationPartType(PartType[OrientationPart, OrientationCells, Orientatio
         """Yield one notation transposed, one with a component changed."""
         instance = context.instance
         rotation = part.sequence.matrix(instance.drawn[self.kind])
-        right = _written(part, rotation, instance)
+        right = written_orientation(rotation, part.ask, part.asked_sequence, instance)
         if right.matrix is not None:
             reflected = tuple((row[0], row[1], -float(row[2])) for row in right.matrix)
             yield "rotation_right_handed", replace(right, matrix=(reflected[0], reflected[1], reflected[2]))
@@ -285,22 +248,18 @@ def _given(part: OrientationPart, instance: Instance, unit: str) -> GivenNumbers
     rotation = part.sequence.matrix(drawn)
     pose = as_transform(rotation)
     if part.given is OrientationNotation.MATRIX:
-        rows: tuple[tuple[float, ...], ...] = tuple(_rounded(row) for row in rotation)
+        rows: tuple[tuple[float, ...], ...] = tuple(rounded(row) for row in rotation)
         return GivenNumbers(name="rotation", labels=(), rows=rows)
     if part.given is OrientationNotation.QUATERNION:
-        rows = (_rounded(quaternion_from_transform(pose)),)
+        rows = (rounded(quaternion_from_transform(pose)),)
         return GivenNumbers(name="quaternion", labels=("w", "x", "y", "z"), rows=rows)
     if part.given is OrientationNotation.AXIS_ANGLE:
         axis, angle = axis_angle_from_transform(pose)
-        rows = (_rounded((*axis, in_unit(angle))),)
+        rows = (rounded((*axis, in_unit(angle))),)
         return GivenNumbers(name="axis_angle", labels=("x", "y", "z", f"θ [{unit}]"), rows=rows)
-    rows = (_rounded([in_unit(angle) for angle in drawn]),)
+    rows = (rounded([in_unit(angle) for angle in drawn]),)
     labels = tuple(f"{name} ({axis}) [{unit}]" for name, axis in zip("αβγ", part.sequence.axes, strict=True))
     return GivenNumbers(name="angles", labels=labels, rows=rows)
-
-
-def _rounded(values: Sequence[float]) -> tuple[float, ...]:
-    return tuple(round(float(value), DECIMALS) + 0.0 for value in values)
 
 
 def _judged(
@@ -337,42 +296,6 @@ def _judged_angles(
     if family.right and (found is None or found.mistakes == (RotationMistake.FAMILY_MISSING,)):
         return RIGHT
     return family if found is None or family.right is False else found
-
-
-def _written(part: OrientationPart, rotation: Matrix3, instance: Instance) -> OrientationCells:
-    """Return an orientation in the notations that are asked, rounded as on paper."""
-    in_unit = instance.exercise.angle_unit.from_radians
-    pose = as_transform(rotation)
-
-    def typed(*angles: float) -> list[float]:
-        return [round(in_unit(angle), DECIMALS) for angle in angles]
-
-    written = OrientationCells()
-    for notation in part.ask:
-        match notation:
-            case OrientationNotation.MATRIX:
-                r0, r1, r2 = (_rounded(row) for row in rotation)
-                rows = ((r0[0], r0[1], r0[2]), (r1[0], r1[1], r1[2]), (r2[0], r2[1], r2[2]))
-                written = replace(written, matrix=rows)
-            case OrientationNotation.QUATERNION:
-                w, x, y, z = _rounded(quaternion_from_transform(pose))
-                order = ComponentOrder.SCALAR_FIRST
-                written = replace(written, quaternion=(w, x, y, z), component_order=order)
-            case OrientationNotation.AXIS_ANGLE:
-                axis, angle = axis_angle_from_transform(pose)
-                a, b, c = _rounded(axis)
-                written = replace(written, axis=(a, b, c), angle=typed(angle)[0])
-            case OrientationNotation.ANGLES | OrientationNotation.EVERY_TRIPLE:
-                found = euler_solutions(rotation, part.asked_sequence)
-                every = notation is OrientationNotation.EVERY_TRIPLE
-                if every and found.family is not None:
-                    middle, value = typed(found.family.middle, found.family.value)
-                    way = found.family.combination
-                    written = replace(written, middle=middle, value=value, combination=way)
-                else:
-                    triples = [typed(*triple) for triple in found.triples[: 2 if every else 1]]
-                    written = replace(written, angles=tuple((t[0], t[1], t[2]) for t in triples))
-    return written
 
 
 PART = OrientationPartType()

@@ -2,15 +2,21 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from enum import StrEnum
+from functools import partial
 from typing import Annotated
 
-from exercises.parts.protocol import Length
+from exercises.instance import Instance
+from exercises.parts.cells.number_cells import DECIMALS, number_of, read_numbers_of
+from exercises.parts.protocol import Length, Reading
 from kinematics.cells import Cell
-from kinematics.rotations.matrices import Matrix3, Triple
+from kinematics.cells.meaning import Position
+from kinematics.poses import axis_angle_from_transform, quaternion_from_transform
+from kinematics.rotations.matrices import Matrix3, Triple, as_transform, matrix3
 from kinematics.rotations.orientation_answers import ComponentOrder
-from kinematics.rotations.sequences import Combination, GimbalFamily
+from kinematics.rotations.sequences import Combination, EulerSequence, GimbalFamily, euler_solutions
 
 CellRow3 = tuple[Cell, Cell, Cell]
 
@@ -66,3 +72,84 @@ class OrientationAnswer:
     angle: float | None = None
     angles: tuple[Triple, ...] | None = None
     family: GimbalFamily | None = None
+
+
+def read_orientation(raw: OrientationCells, reading: Reading, kind: str) -> OrientationAnswer | None:
+    """Return the notations in numbers; faults are kept in the reading."""
+    before = len(reading.faults)
+
+    def numbers(
+        cells: tuple[Cell, ...] | None, position: Position, *where: str | int
+    ) -> tuple[float, ...] | None:
+        return None if cells is None else read_numbers_of(cells, position, reading, kind, *where)
+
+    def one(cell: Cell | None, position: Position, name: str) -> float | None:
+        if cell is None:
+            return None
+        return reading.keep(kind, partial(number_of, cell, position, reading.instance, (name,)))
+
+    rows = [numbers(row, Position.RATIO, "matrix", i) for i, row in enumerate(raw.matrix or ())]
+    triples = [numbers(row, Position.ANGLE, "angles", i) for i, row in enumerate(raw.angles or ())]
+    answer = OrientationAnswer(
+        matrix=matrix3([row for row in rows if row]) if rows and all(rows) else None,
+        quaternion=numbers(raw.quaternion, Position.RATIO, "quaternion"),
+        component_order=raw.component_order,
+        axis=numbers(raw.axis, Position.RATIO, "axis"),
+        angle=one(raw.angle, Position.ANGLE, "angle"),
+        angles=tuple((t[0], t[1], t[2]) for t in triples if t) or None,
+    )
+    middle, value = one(raw.middle, Position.ANGLE, "middle"), one(raw.value, Position.ANGLE, "value")
+    if middle is not None and value is not None and raw.combination is not None:
+        answer = replace(answer, family=GimbalFamily(middle=middle, combination=raw.combination, value=value))
+    if raw.quaternion is not None and raw.component_order is None:
+        reading.fault("component_order_missing", kind, "component_order")
+    if (raw.axis is None) != (raw.angle is None):
+        reading.fault("axis_and_angle", kind, "angle" if raw.angle is None else "axis")
+    if len({raw.middle is None, raw.value is None, raw.combination is None}) > 1:
+        reading.fault("family_incomplete", kind, "combination")
+    if len(reading.faults) == before and answer == OrientationAnswer(component_order=raw.component_order):
+        reading.fault("orientation_empty", kind)
+    return answer if len(reading.faults) == before else None
+
+
+def rounded(values: Sequence[float]) -> tuple[float, ...]:
+    """Return numbers as they are written, none of them −0."""
+    return tuple(round(float(value), DECIMALS) + 0.0 for value in values)
+
+
+def written_orientation(
+    rotation: Matrix3, ask: Sequence[OrientationNotation], sequence: EulerSequence, instance: Instance
+) -> OrientationCells:
+    """Return an orientation in the notations that are asked, rounded as on paper."""
+    in_unit = instance.exercise.angle_unit.from_radians
+    pose = as_transform(rotation)
+
+    def typed(*angles: float) -> list[float]:
+        return [round(in_unit(angle), DECIMALS) for angle in angles]
+
+    written = OrientationCells()
+    for notation in ask:
+        match notation:
+            case OrientationNotation.MATRIX:
+                r0, r1, r2 = (rounded(row) for row in rotation)
+                rows = ((r0[0], r0[1], r0[2]), (r1[0], r1[1], r1[2]), (r2[0], r2[1], r2[2]))
+                written = replace(written, matrix=rows)
+            case OrientationNotation.QUATERNION:
+                w, x, y, z = rounded(quaternion_from_transform(pose))
+                order = ComponentOrder.SCALAR_FIRST
+                written = replace(written, quaternion=(w, x, y, z), component_order=order)
+            case OrientationNotation.AXIS_ANGLE:
+                axis, angle = axis_angle_from_transform(pose)
+                a, b, c = rounded(axis)
+                written = replace(written, axis=(a, b, c), angle=typed(angle)[0])
+            case OrientationNotation.ANGLES | OrientationNotation.EVERY_TRIPLE:
+                found = euler_solutions(rotation, sequence)
+                every = notation is OrientationNotation.EVERY_TRIPLE
+                if every and found.family is not None:
+                    middle, value = typed(found.family.middle, found.family.value)
+                    way = found.family.combination
+                    written = replace(written, middle=middle, value=value, combination=way)
+                else:
+                    triples = [typed(*triple) for triple in found.triples[: 2 if every else 1]]
+                    written = replace(written, angles=tuple((t[0], t[1], t[2]) for t in triples))
+    return written

@@ -10,7 +10,7 @@ from exercises.grading import HelpLevel
 from exercises.parts.inverse.joint_cells import JointAnswerCells
 from exercises.parts.motion.jacobian_cells import JacobianCells
 from exercises.parts.motion.motion_cells import MotionCells
-from exercises.parts.motion.singularities import SingularityCells
+from exercises.parts.motion.singularity_cells import SingularityCells
 from kinematics.answers.joint_verdicts import JointClaim
 from kinematics.answers.screw_answers import ScrewOrder
 from tests.exercises.answering import codes, judged, part

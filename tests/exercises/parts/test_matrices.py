@@ -14,7 +14,7 @@ from exercises.grading import Finding, HelpLevel
 from exercises.instance import generate
 from exercises.loader import load_exercise
 from exercises.parts.cells.matrix_cells import read_functions, read_matrix
-from exercises.parts.motion.singularities import SingularityCells
+from exercises.parts.motion.singularity_cells import SingularityCells
 from exercises.parts.report import Credit
 from kinematics.cells import AngleUnit
 from kinematics.errors import CellError, Fault
