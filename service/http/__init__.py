@@ -3,7 +3,7 @@
 Reading:
   connections, uploads  limits on what a caller may leave undone
   routing, calls   routes that read their requests strictly, and calls that are functions
-  decoding, long_lists  JSON, and long lists in it
+  decoding, long_lists, json_faults  JSON, long lists in it, and what is wrong with it
   npy, forms       arrays, forms
   validation       findings of pydantic as faults
   negotiation, languages  media type and language of the answer
@@ -15,8 +15,8 @@ Who calls:
   link_context, link_guard  what students of a link may use
   metering, cost_window  what callers may cost, and have
 Answering:
-  shortages        what the machine lacks just now
-  problems, refusals  the one table of statuses, the problem document, and how it is sent
+  problems, shortages  the one table of statuses, and what the machine lacks just now
+  refusals         the problem document
   compression      large answers
   middleware       the outermost layer
   tracing          traces of requests

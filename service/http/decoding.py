@@ -6,27 +6,20 @@ the text has. Only then is the slow reader asked where.
 
 from __future__ import annotations
 
-import json
-import math
-from collections.abc import Iterator
 from dataclasses import dataclass, replace
-from itertools import chain, islice
+from itertools import chain
 from typing import Any
 
 import orjson
 
 from kinematics.errors import Fault
+from service.http.json_faults import duplicate_faults, syntax_faults, too_deep
 from service.http.long_lists import AT_ONCE, PIECE, blank, first_list, items, list_of_numbers, numbers
 from service.http.problems import BodyError, BodySizeError
 
 _BYTE_ORDER_MARK = b"\xef\xbb\xbf"
-_NOT_FINITE = ("NaN", "Infinity", "-Infinity", "inf", "nan", "-inf")
-_MOST_FAULTS = 50
-"""Faults that an answer lists."""
 DEEPEST = 1024
 """How deeply orjson nests lists and objects."""
-LONGEST_SEARCHED = 64 * 1024
-"""In a longer body [byte] the place of such a fault is not looked for: so much takes up to 20 ms."""
 LONGEST_REST = 1024 * 1024
 """Bytes beside the list in a body that is too long to be read at once: as many as other calls read."""
 _SHALLOW = 16
@@ -34,9 +27,6 @@ _SHALLOW = 16
 _NO_BRACKETS = bytes(set(range(256)) - set(b"[]{}"))
 _FEW = 64
 """Items of a list that is searched for objects: for those of a longer one it is quicker to write it."""
-_DEPTH_MESSAGE = "depth limit"
-_INFINITE_MESSAGE = "infinity"
-_UTF8_MESSAGE = "UTF-8"
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -81,15 +71,15 @@ def decode_json(body: bytes, limits: JsonLimits = JsonLimits()) -> Any:
     except orjson.JSONDecodeError as error:
         if body.startswith(_BYTE_ORDER_MARK):
             return decode_json(body[len(_BYTE_ORDER_MARK) :], limits)
-        raise BodyError(_syntax_faults(body, error)) from None
+        raise BodyError(syntax_faults(body, error)) from None
     if not _is_plain(body, value):
         try:
             quotes = _expected_quotes(value, limits)
         # What is read may be too deep to be walked again.
         except (RecursionError, orjson.JSONEncodeError):
-            raise BodyError(_too_deep()) from None
+            raise BodyError(too_deep()) from None
         if _unescaped_quotes(body) != quotes:
-            raise BodyError(_duplicate_faults(body))
+            raise BodyError(duplicate_faults(body))
     if body.count(b":") > limits.fields:  # each field has one: where there are few, no object is wide
         _refuse_wide(value, limits)
     return value
@@ -124,7 +114,7 @@ def _read_large(body: bytes, limits: JsonLimits) -> Any:
     try:
         found, stop = items(body, start)
     except orjson.JSONDecodeError as error:
-        raise BodyError(_syntax_faults(body, error)) from None
+        raise BodyError(syntax_faults(body, error)) from None
     rest = replace(limits, long=frozenset())
     if len(body) - (stop - start) > LONGEST_REST:
         raise BodySizeError(Fault.at("body_too_large", limit=AT_ONCE))
@@ -207,7 +197,7 @@ def _refuse_many(body: bytes, limits: JsonLimits) -> None:
     for sign, limit in counted:
         if len(body) > limit and body.count(sign) > limit:
             if _is_deep(body):
-                raise BodyError(_too_deep())
+                raise BodyError(too_deep())
             raise BodySizeError(Fault.at("json_too_many_values", limit=limit))
 
 
@@ -233,95 +223,3 @@ def _refuse_wide(value: Any, limits: JsonLimits) -> None:
             inner = [*chain.from_iterable(map(dict.values, objects))]
             inner.extend(chain.from_iterable(node for node in level if type(node) is list))
         level = [item for item in inner if type(item) is dict or type(item) is list]
-
-
-def _duplicate_faults(body: bytes) -> Iterator[Fault]:
-    try:
-        found = [*islice(_duplicates(body), _MOST_FAULTS)] if len(body) <= LONGEST_SEARCHED else []
-    except RecursionError:  # Python's reader goes less deep than the one that took the body
-        found = []
-    for where in found:
-        yield Fault.at("json_duplicate_key", *where, key=str(where[-1]))
-    if not found:
-        yield Fault.at("json_duplicate_key", key="…")
-
-
-def _duplicates(body: bytes) -> Iterator[tuple[str | int, ...]]:
-    """Where a key stands for the second time."""
-    repeated: dict[int, list[str]] = {}
-    objects: list[dict[str, Any]] = []
-
-    def keep(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-        found: dict[str, Any] = {}
-        for key, item in pairs:
-            if key in found:
-                repeated.setdefault(id(found), []).append(key)
-            found[key] = item
-        objects.append(found)
-        return found
-
-    for place, node in _nodes(json.loads(body, object_pairs_hook=keep)):
-        yield from ((*_steps(place), key) for key in repeated.get(id(node), ()))
-
-
-_Place = tuple[Any, str | int] | None
-"""The place of what holds a value, and its key there: whole places, written out, are long in a deep body."""
-
-
-def _nodes(value: Any) -> Iterator[tuple[_Place, Any]]:
-    """Yield every object, list and number that is not finite, in the order that they are written in."""
-    stack: list[tuple[_Place, Any]] = [(None, value)]
-    while stack:
-        place, node = stack.pop()
-        yield place, node
-        if type(node) is not float:
-            pairs = node.items() if type(node) is dict else enumerate(node) if type(node) is list else ()
-            stack.extend(reversed([((place, key), item) for key, item in pairs if _is_followed(item)]))
-
-
-def _is_followed(item: Any) -> bool:
-    return type(item) in (dict, list) or (type(item) is float and not math.isfinite(item))
-
-
-def _steps(place: _Place) -> tuple[str | int, ...]:
-    steps = []
-    while place is not None:
-        place, key = place
-        steps.append(key)
-    return tuple(reversed(steps))
-
-
-def _syntax_faults(body: bytes, error: orjson.JSONDecodeError) -> Iterator[Fault]:
-    place = {"line": error.lineno, "column": error.colno}
-    rest = error.doc[error.pos : error.pos + 9]
-    if not rest.startswith(_NOT_FINITE) and _INFINITE_MESSAGE not in error.msg:
-        yield _syntax_fault(body, error)
-        return
-    for where in _not_finite(body) or [()]:
-        yield Fault.at("json_not_finite", *where, **place)
-
-
-def _not_finite(body: bytes) -> list[tuple[str | int, ...]]:
-    """Where NaN and infinite numbers stand, as far as Python's lenient reader can tell."""
-    if len(body) > LONGEST_SEARCHED:
-        return []
-    try:
-        walked = _nodes(json.loads(body, parse_int=float))  # an int is never infinite
-    except (ValueError, RecursionError):
-        return []
-    found = (_steps(place) for place, node in walked if type(node) is float)
-    return list(islice(found, _MOST_FAULTS))
-
-
-def _syntax_fault(body: bytes, error: orjson.JSONDecodeError) -> Fault:
-    if not body.strip():
-        return Fault.at("body_missing")
-    if _UTF8_MESSAGE in error.msg:
-        return Fault.at("json_not_utf8")
-    if _DEPTH_MESSAGE in error.msg:
-        return _too_deep()
-    return Fault.at("json_invalid", line=error.lineno, column=error.colno, reason=error.msg)
-
-
-def _too_deep() -> Fault:
-    return Fault.at("json_too_deep")

@@ -6,7 +6,7 @@ import asyncio
 import warnings
 from collections.abc import AsyncGenerator, Awaitable, Callable, Coroutine, Sequence
 from enum import Enum
-from functools import partial
+from functools import cached_property, partial
 from typing import TYPE_CHECKING, Any, ClassVar, TypeVar
 
 from fastapi import APIRouter, Response
@@ -107,14 +107,10 @@ class ApiRequest(Request):
         small = len(await self.body()) <= SMALL_BODY and not heavy
         return work() if small else await self.in_thread(work)
 
-    @property
+    @cached_property
     def fields(self) -> dict[bytes, bytes]:
         """The header fields by their names in lower case; of a repeated one, the last."""
-        try:
-            return self._fields
-        except AttributeError:
-            self._fields: dict[bytes, bytes] = dict(self.scope["headers"])
-            return self._fields
+        return dict(self.scope["headers"])
 
     async def body(self) -> bytes:
         """Return the whole body; what is done with it waits for the client's turn.
