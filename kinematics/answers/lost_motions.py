@@ -42,9 +42,8 @@ def lost_motions_at(arm: SingularArm, joints: Sequence[float]) -> list[tuple[flo
     """Return a basis of the motions that are lost in a configuration, the largest component 1."""
     J, moving = _scaled(arm, joints)
     left, values, _ = np.linalg.svd(J[moving])
-    usual = arm.usual
-    rank = int((usual > 1e-9 * usual.max(initial=0.0)).sum())
-    kept = int((values[:rank] > LOST * usual[:rank]).sum())
+    rank = len(arm.usual)
+    kept = int((values[:rank] > LOST * arm.usual).sum())
     found = []
     for k in range(kept, rank):
         vector = np.zeros(len(moving))

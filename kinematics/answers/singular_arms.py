@@ -74,17 +74,14 @@ class SingularArm(ValuedRobot):
     def lost(self, joints: Floats) -> Floats:
         """Return the smallest singular value that is not always zero, relative, of (n, k) configurations."""
         values = self._singular_values(joints.T)
-        usual = self.usual
-        rank = int((usual > 1e-9 * usual.max(initial=0.0)).sum())
-        if rank == 0:
-            return np.ones(joints.shape[1])
-        return np.asarray(values[:, rank - 1] / usual[rank - 1])
+        rank = len(self.usual)
+        return np.asarray(values[:, rank - 1] / self.usual[-1]) if rank else np.ones(joints.shape[1])
 
     @cached_property
     def usual(self) -> Floats:
-        """The medians of the singular values."""
+        """The medians of the singular values that are not always zero."""
         values: Floats = np.median(self._singular_values(self.lines[0].T), axis=0)
-        return values
+        return values[values > 1e-9 * values.max(initial=0.0)]
 
     def _singular_values(self, joints: Floats) -> Floats:
         J = self.chain.jacobian(joints) * self.units

@@ -23,9 +23,8 @@ from kinematics.frames.axes import (
     Gripper,
     JointAxis,
     Pose,
-    gripper_frame,
+    ends_of,
     matrix,
-    pose_of,
     read_axes,
     robot_size,
 )
@@ -185,9 +184,7 @@ def assign_frames(
         )
         raise DescriptionError(fault)
     lines = read_axes(axes)
-    first = None if base is None else pose_of(base, "base")
-    tool_matrix = gripper_frame(tool) if isinstance(tool, Gripper) else tool
-    last = None if tool_matrix is None else pose_of(tool_matrix, "tool")
+    first, last = ends_of(base, tool)
     size = robot_size(lines, first, last)
     if near_parallel is NearParallel.PARALLEL:
         lines, tilts = straighten(lines, parallel_tolerance)

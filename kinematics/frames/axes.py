@@ -151,6 +151,12 @@ def pose_of(transform: ArrayLike, name: str) -> Pose:
     return Pose(origin, unit(rejection(x, z)), z)
 
 
+def ends_of(base: ArrayLike | None, tool: ArrayLike | Gripper | None) -> tuple[Pose | None, Pose | None]:
+    """Return the frames that base and tool prescribe; see `pose_of`."""
+    end = gripper_frame(tool) if isinstance(tool, Gripper) else tool
+    return None if base is None else pose_of(base, "base"), None if end is None else pose_of(end, "tool")
+
+
 def matrix(pose: Pose) -> Transform:
     """Return the 4×4 matrix of a frame."""
     y = cross(pose.z, pose.x)

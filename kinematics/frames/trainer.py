@@ -17,9 +17,8 @@ from kinematics.frames.axes import (
     JointAxis,
     PartialPose,
     Pose,
-    gripper_frame,
+    ends_of,
     matrix,
-    pose_of,
     read_axes,
     read_direction,
     read_point,
@@ -132,9 +131,7 @@ def check_frames(
     """
     lines, _ = straighten(read_axes(axes), PARALLEL_TOLERANCE)
     read = _read_frames(chosen, len(lines))
-    first = None if base is None else pose_of(base, "base")
-    end = gripper_frame(tool) if isinstance(tool, Gripper) else tool
-    last = None if end is None else pose_of(end, "tool")
+    first, last = ends_of(base, tool)
     size = robot_size(lines, first, last)
     frames, places, broken = _against_rules(read, lines, convention, size, rounding)
     sound = _sound(frames, broken)
@@ -226,7 +223,7 @@ def _read_frames(chosen: Sequence[ChosenFrame | None], count: int) -> list[Parti
             before = len(faults)
             y = read_direction(frame.y, (*where, "y"), faults)
             if len(faults) == before and not _follows(y, read):
-                faults.append(_foreign_y((*where, "y")))
+                faults.append(Fault.at("frame_y_not_z_cross_x", *where, "y"))
     if faults:
         raise DescriptionError(faults)
     return frames
@@ -238,10 +235,6 @@ def _follows(y: Vector, frame: PartialPose) -> bool:
         return False
     across = cross(frame.z, frame.x)
     return norm(across) < SAME_DIRECTION or norm(subtract(y, unit(across))) <= SAME_DIRECTION
-
-
-def _foreign_y(where: tuple[str | int, ...]) -> Fault:
-    return Fault.at("frame_y_not_z_cross_x", *where)
 
 
 def _drawn_lines(
@@ -273,14 +266,11 @@ def _place(
     i: int, lines: Sequence[AxisLine], drawn: Sequence[AxisLine | None], convention: Convention, size: float
 ) -> FramePlace:
     own, partner = own_axis(i, len(lines), convention), partner_axis(i, len(lines), convention)
-    own_line = None
-    if own is not None:
-        own_line = drawn[own - 1] or lines[own - 1]
     return FramePlace(
         index=i,
         convention=convention,
         own=own,
-        own_line=own_line,
+        own_line=None if own is None else drawn[own - 1] or lines[own - 1],
         partner=partner,
         partner_direction=None if partner is None else lines[partner - 1].direction,
         partner_line=None if partner is None else drawn[partner - 1],
