@@ -130,13 +130,7 @@ def _exercise(exercise_id: str, reader: Reader, statements: Mapping[str, str]) -
     for i, code in enumerate(misconceptions):
         if code not in MISTAKES:
             known = ", ".join(MISTAKES)
-            tests.fault(
-                "misconception_unknown",
-                "misconceptions",
-                i,
-                name=code,
-                known=known,
-            )
+            tests.fault("misconception_unknown", "misconceptions", i, name=code, known=known)
     samples = read_samples(tests, reference)
     tests.finish()
     reader.finish()

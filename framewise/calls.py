@@ -144,10 +144,7 @@ def assign_frames(axes: Sequence[Mapping[str, Any]], convention: str, **options:
 
 
 def check_frames(
-    axes: Sequence[Mapping[str, Any]],
-    convention: str,
-    frames: Sequence[Mapping[str, Any]],
-    **options: Any,
+    axes: Sequence[Mapping[str, Any]], convention: str, frames: Sequence[Mapping[str, Any]], **options: Any
 ) -> ApiCall:
     """Return which rules of a convention frames break (POST /check-frames)."""
     return post("check-frames", axes=list(axes), convention=convention, frames=list(frames), **options)

@@ -45,11 +45,7 @@ class VelocityEllipsoids:
 
 
 def velocity_ellipsoids(
-    table: NumericTable,
-    joints: ArrayLike,
-    *,
-    base: ArrayLike | None = None,
-    tool: ArrayLike | None = None,
+    table: NumericTable, joints: ArrayLike, *, base: ArrayLike | None = None, tool: ArrayLike | None = None
 ) -> VelocityEllipsoids:
     """Return manipulability ellipsoids {J q̇ : |q̇| <= 1} and the motions that are lost.
 
@@ -79,10 +75,7 @@ def velocity_ellipsoids(
     scaled = J / np.array([length] * 3 + [1.0] * 3)[:, None]
     U, sigma, _ = np.linalg.svd(scaled)
     return VelocityEllipsoids(
-        translation=translation,
-        rotation=rotation,
-        blocked=_signed(U.T[_rank(sigma) :]),
-        length=length,
+        translation=translation, rotation=rotation, blocked=_signed(U.T[_rank(sigma) :]), length=length
     )
 
 

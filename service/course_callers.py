@@ -53,11 +53,7 @@ def grader_of(request: ApiRequest) -> Grader:
     """Return what judges answers by the application's exercises and limits."""
     resources = request.resources
     edition = resources.courses.edition if resources.courses else None
-    return Grader(
-        library=resources.exercises,
-        limits=resources.settings.cell_limits,
-        edition=edition,
-    )
+    return Grader(library=resources.exercises, limits=resources.settings.cell_limits, edition=edition)
 
 
 def json_response(body: Any, status: int = 200) -> Response:

@@ -101,8 +101,7 @@ class Settings(BaseSettings):
     log_format: LogFormat = Field(LogFormat.TEXT, description="how the log is written: text, or json")
     metrics: Literal["on", "off"] = Field("on", description="serve Prometheus metrics at /metrics")
     traces: str = Field(
-        "",
-        description="OpenTelemetry collector (OTLP over HTTP) for traces; needs the extra telemetry",
+        "", description="OpenTelemetry collector (OTLP over HTTP) for traces; needs the extra telemetry"
     )
     shutdown_seconds: int = Field(
         10,
@@ -193,10 +192,7 @@ class Settings(BaseSettings):
         (), description="origins of platforms that may be called although they are not public or not https"
     )
     people_days: int = Field(
-        400,
-        ge=1,
-        le=LONGEST_DAYS,
-        description="time to keep a person's data after their last visit [day]",
+        400, ge=1, le=LONGEST_DAYS, description="time to keep a person's data after their last visit [day]"
     )
     access_days: int = Field(
         400, ge=1, le=LONGEST_DAYS, description="time to keep lines of the audit log [day]"
@@ -212,8 +208,7 @@ class Settings(BaseSettings):
         "key, such keys alone; nobody",
     )
     exercise_folders: Annotated[tuple[Path, ...], NoDecode] = Field(
-        (),
-        description="folders with your own exercises, which override packaged ones of the same id",
+        (), description="folders with your own exercises, which override packaged ones of the same id"
     )
     grading_threads: int = Field(
         2,
@@ -238,8 +233,7 @@ class Settings(BaseSettings):
         None, description="file of the keys that sign receipts (framewise receipts rotate), if not the secret"
     )
     api_keys: Path | None = Field(
-        None,
-        description="file of the keys with which programs call (framewise keys); none: no key needed",
+        None, description="file of the keys with which programs call (framewise keys); none: no key needed"
     )
     cost_per_minute: NonNegativeInt = Field(
         0,

@@ -155,10 +155,7 @@ def from_scm(reader: Reader) -> ExerciseSource:
     if chain is None or table is None or reader.faults:
         raise DefinitionError(reader.faults)
     read = ReadTable(
-        table=table,
-        angle_unit=chain.angle_unit,
-        length_unit=chain.length_unit,
-        parameters=chain.parameters,
+        table=table, angle_unit=chain.angle_unit, length_unit=chain.length_unit, parameters=chain.parameters
     )
     return with_names(read, {name: parameters[name] for name in chain.parameters})
 

@@ -59,12 +59,7 @@ def dimension_layout(scene: Scene, view: View, width: float = 480.0, *, note: st
                 ways=tuple(ways),
             )
         )
-    return DimensionLayout(
-        box=drawing.box(),
-        distances=OFFSETS,
-        usual=USUAL_OFFSET,
-        places=tuple(places),
-    )
+    return DimensionLayout(box=drawing.box(), distances=OFFSETS, usual=USUAL_OFFSET, places=tuple(places))
 
 
 def _pair(point: Array) -> tuple[float, float]:

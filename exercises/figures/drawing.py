@@ -70,13 +70,7 @@ def drawn(scene: Scene, view: View, width: float, note: str, frames: Sequence[Dr
     unscaled = camera_for(view)
     bodies = [body_of(axis, scene.size, unscaled) for axis in scene.axes]
     extent = _extent(scene, bodies)
-    camera = fitted(
-        unscaled,
-        extent,
-        width=width - 2 * MARGIN,
-        height=HEIGHT - 2 * MARGIN,
-        most=MOST_SCALE,
-    )
+    camera = fitted(unscaled, extent, width=width - 2 * MARGIN, height=HEIGHT - 2 * MARGIN, most=MOST_SCALE)
     drawing = Drawing(scene, bodies, camera, extent, width, arrows(frames, scene.size, camera))
     drawing.draw()
     if note:

@@ -173,12 +173,7 @@ def _axis(points: Points, joint: int, mark: JointMark, size: float, *, signed: b
     off = (point - pose[:3, 3]).tolist()
     distance = math.hypot(*cross(off, direction.tolist()))
     if joint_type is JointType.REVOLUTE and distance > ON_AXIS * size:
-        points.fault(
-            "joint_off_axis",
-            ("joints", joint, "at"),
-            joint=joint,
-            point=mark.at,
-        )
+        points.fault("joint_off_axis", ("joints", joint, "at"), joint=joint, point=mark.at)
     sense = points.reference.rows[points.reference.joint_rows[joint - 1]].sign
     return FigureJointAxis(
         joint=joint,

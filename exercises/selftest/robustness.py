@@ -55,11 +55,7 @@ def check_robustness(findings: Findings, instance: Instance, rng: Random, mistak
 def strictest_policy(policy: Policy) -> Policy:
     """Return the policy that leaves nothing free but the convention."""
     return replace(
-        policy,
-        base=BaseRule.FRAME,
-        tool=ToolRule.FRAME,
-        zero=ZeroRule.FIGURE,
-        direction=DirectionRule.FIGURE,
+        policy, base=BaseRule.FRAME, tool=ToolRule.FRAME, zero=ZeroRule.FIGURE, direction=DirectionRule.FIGURE
     )
 
 

@@ -180,12 +180,7 @@ def judge_dynamics(
         if not all(gravity) and judge.agrees(answer.gravity, [negate(g) for g in _column(found.gravity)]):
             mistakes.append(DynamicsMistake.GRAVITY_SIGN)
     return DynamicsVerdict(
-        mass=mass,
-        velocity=velocity,
-        skew=skew,
-        gravity=gravity,
-        proof=judge.proof,
-        mistakes=tuple(mistakes),
+        mass=mass, velocity=velocity, skew=skew, gravity=gravity, proof=judge.proof, mistakes=tuple(mistakes)
     )
 
 

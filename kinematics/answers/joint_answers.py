@@ -231,10 +231,7 @@ def _off(question: JointQuestion, found: IKSolution, member: Sequence[float], ro
 
 
 def _combination_holds(
-    question: JointQuestion,
-    answer: JointAnswer,
-    rows: Sequence[RowVerdict],
-    combination: Sequence[float],
+    question: JointQuestion, answer: JointAnswer, rows: Sequence[RowVerdict], combination: Sequence[float]
 ) -> bool:
     """Return whether a combination describes some family, or that of some row."""
     families = [found for found in question.found.solutions if found.family is not None]
@@ -293,11 +290,7 @@ def _free(combination: Sequence[float], joints: Sequence[int], n: int) -> list[F
 
 
 def _covered(
-    question: JointQuestion,
-    answer: JointAnswer,
-    rows: Sequence[RowVerdict],
-    valid: Sequence[bool],
-    k: int,
+    question: JointQuestion, answer: JointAnswer, rows: Sequence[RowVerdict], valid: Sequence[bool], k: int
 ) -> bool:
     """Return whether a solution has its row, and a straight family its condition besides.
 

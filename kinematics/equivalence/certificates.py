@@ -8,16 +8,7 @@ from kinematics.chain import Chain
 from kinematics.equivalence.groups import Rotations, outside
 from kinematics.equivalence.plan import Plan, Step
 from kinematics.equivalence.policy import ZeroRule
-from kinematics.se3 import (
-    Motion,
-    Vector,
-    angle_about,
-    compose,
-    dot,
-    inverse,
-    position,
-    subtract,
-)
+from kinematics.se3 import Motion, Vector, angle_about, compose, dot, inverse, position, subtract
 
 
 class CertificateCandidate(NamedTuple):

@@ -130,9 +130,7 @@ def _trails(plan: Plan, reference: Reference, submission: Chain, policy: Policy)
     """The best few ways down the chain."""
     size = reference.size
     judge = _Judge(
-        reference.chain.axes,
-        NOTICEABLE * policy.tolerance.angle,
-        NOTICEABLE * policy.tolerance.length * size,
+        reference.chain.axes, NOTICEABLE * policy.tolerance.angle, NOTICEABLE * policy.tolerance.length * size
     )
     trails = [Trail(0.0, start, (), ()) for start in plan.starts]
     for depth, step in enumerate(plan.steps):

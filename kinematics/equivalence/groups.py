@@ -155,10 +155,7 @@ def with_translations_along(group: Group, direction: Vector, near: Nearness) -> 
     if norm(rest) <= near.slide:
         return group
     return Group(
-        group.rotations,
-        point=group.point,
-        axis=group.axis,
-        translations=(*group.translations, unit(rest)),
+        group.rotations, point=group.point, axis=group.axis, translations=(*group.translations, unit(rest))
     )
 
 

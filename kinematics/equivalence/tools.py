@@ -7,14 +7,7 @@ from dataclasses import dataclass
 
 from kinematics.chain import Axis, Chain
 from kinematics.equivalence.alignment import align
-from kinematics.equivalence.groups import (
-    Group,
-    Nearness,
-    Rotations,
-    are_parallel,
-    distance_to_line,
-    outside,
-)
+from kinematics.equivalence.groups import Group, Nearness, Rotations, are_parallel, distance_to_line, outside
 from kinematics.equivalence.plan import Plan, Step, prepare
 from kinematics.equivalence.policy import ToolRule
 from kinematics.equivalence.reference import Reference

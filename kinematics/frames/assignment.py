@@ -18,16 +18,7 @@ from numpy.typing import ArrayLike
 
 from kinematics.errors import DescriptionError, Fault
 from kinematics.forward import forward_kinematics
-from kinematics.frames.axes import (
-    AxisLine,
-    Gripper,
-    JointAxis,
-    Pose,
-    ends_of,
-    matrix,
-    read_axes,
-    robot_size,
-)
+from kinematics.frames.axes import AxisLine, Gripper, JointAxis, Pose, ends_of, matrix, read_axes, robot_size
 from kinematics.frames.directions import CrossProduct, LengthSigns, choose_directions
 from kinematics.frames.ends import entering, leaving, may_end, may_start
 from kinematics.frames.exactness import clean_angle, clean_length

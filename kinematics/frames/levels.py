@@ -14,11 +14,7 @@ from kinematics.se3 import Vector, foot
 
 
 def settle_levels(
-    lines: Sequence[AxisLine],
-    normals: Sequence[CommonNormal],
-    *,
-    start: Vector | None,
-    end: Vector | None,
+    lines: Sequence[AxisLine], normals: Sequence[CommonNormal], *, start: Vector | None, end: Vector | None
 ) -> list[tuple[Vector, Vector]]:
     """Return both feet of every common normal, those that may slide put where d vanishes.
 

@@ -63,11 +63,7 @@ def right_handed(origin: Vector, x: Vector, z: Vector) -> DrawnFrame:
 
 
 def frame_mistakes(
-    axes: Sequence[JointAxis],
-    convention: Convention,
-    frames: Sequence[DrawnFrame],
-    *,
-    rounding: float = 0.0,
+    axes: Sequence[JointAxis], convention: Convention, frames: Sequence[DrawnFrame], *, rounding: float = 0.0
 ) -> list[frozenset[str]]:
     """Return by frame what is wrong with it; nothing if the frames obey the convention.
 

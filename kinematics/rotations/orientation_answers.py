@@ -222,10 +222,7 @@ def judge_triples(
 
 
 def judge_family(
-    expected: Matrix3,
-    sequence: EulerSequence,
-    given: GimbalFamily,
-    tolerance: float = USUAL_TOLERANCE,
+    expected: Matrix3, sequence: EulerSequence, given: GimbalFamily, tolerance: float = USUAL_TOLERANCE
 ) -> OrientationVerdict:
     """Judge the relation that describes all triples of a locked rotation.
 

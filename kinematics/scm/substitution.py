@@ -32,10 +32,7 @@ def with_values(chain: ScmChain, values: Mapping[str, Expression]) -> ScmChain:
 
 
 def _placement(
-    placement: Placement,
-    values: Mapping[str, Expression],
-    where: tuple[str | int, ...],
-    faults: list[Fault],
+    placement: Placement, values: Mapping[str, Expression], where: tuple[str | int, ...], faults: list[Fault]
 ) -> Placement:
     entries: dict[str, Expression] = {}
     for entry in Entry:

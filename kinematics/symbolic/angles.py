@@ -113,9 +113,7 @@ def _sum(angle: Angle, other: Angle, sign: int) -> Angle:
     kept = [(part, weight) for part, weight in weights.items() if weight]
     kept.sort(key=_place)
     return Angle(
-        _wrapped(angle.half_turns + sign * other.half_turns),
-        angle.number + sign * other.number,
-        tuple(kept),
+        _wrapped(angle.half_turns + sign * other.half_turns), angle.number + sign * other.number, tuple(kept)
     )
 
 

@@ -74,10 +74,7 @@ class SympyNodes:
     """
 
     def __init__(
-        self,
-        *,
-        evaluate: bool = True,
-        atoms: Callable[[Expression], sympy.Expr | None] = lambda _: None,
+        self, *, evaluate: bool = True, atoms: Callable[[Expression], sympy.Expr | None] = lambda _: None
     ) -> None:
         self._evaluate = evaluate
         self._atoms = atoms

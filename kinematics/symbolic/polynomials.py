@@ -76,12 +76,7 @@ class PolynomialReader:
     def copy(self) -> PolynomialReader:
         """Return a reader that knows the symbols of this one, and leaves it as it is."""
         return PolynomialReader(
-            self.parts,
-            dict(self._names),
-            dict(self._angles),
-            dict(self._pairs),
-            self._end,
-            self._beyond,
+            self.parts, dict(self._names), dict(self._angles), dict(self._pairs), self._end, self._beyond
         )
 
     def read(self, expression: Expression) -> Polynomial | None:

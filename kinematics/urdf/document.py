@@ -150,7 +150,7 @@ class UrdfJoint:
         """Return the refusal of an attribute that has to hold so many numbers."""
         return refused(
             "urdf_numbers_malformed",
-            joint=self.name, element=tag, attribute=name, count=count, limit=f"{MAX_NUMBER:g}",
+            joint=self.name, element=tag, attribute=name, count=count, limit=f"{MAX_NUMBER:g}"
         )  # fmt: skip
 
     def _found(self, tag: str) -> Element | None:
@@ -160,7 +160,7 @@ class UrdfJoint:
             if name not in _ATTRIBUTES[tag]:
                 raise refused(
                     "urdf_attribute_unknown",
-                    joint=self.name, element=tag, attribute=_short(name), known=_ATTRIBUTES[tag],
+                    joint=self.name, element=tag, attribute=_short(name), known=_ATTRIBUTES[tag]
                 )  # fmt: skip
         return element
 

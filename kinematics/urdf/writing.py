@@ -123,10 +123,7 @@ def urdf_from_table(
         "",
     ]
     return WrittenUrdf(
-        text="\n".join(lines),
-        base_link=base_link,
-        tip_link=tip_link,
-        assumed_limits=tuple(writer.assumed),
+        text="\n".join(lines), base_link=base_link, tip_link=tip_link, assumed_limits=tuple(writer.assumed)
     )
 
 

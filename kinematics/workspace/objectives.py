@@ -39,10 +39,7 @@ def distance_objectives(
     if axis is not None:
         across -= np.outer(axis, axis)
     place, nothing = np.asarray(origin, dtype=np.float64), np.zeros(3)
-    return (
-        Objective(origin=place, W=-across, c=nothing),
-        Objective(origin=place, W=across, c=nothing),
-    )
+    return (Objective(origin=place, W=-across, c=nothing), Objective(origin=place, W=across, c=nothing))
 
 
 def direction_objective(direction: Array) -> Objective:

@@ -157,10 +157,7 @@ def workspace(
 
 
 def _conditions(
-    base: Transform,
-    plane: tuple[ArrayLike, ArrayLike] | None,
-    held: ArrayLike | None,
-    counts: ArmReach,
+    base: Transform, plane: tuple[ArrayLike, ArrayLike] | None, held: ArrayLike | None, counts: ArmReach
 ) -> Conditions | None:
     """What has to hold, seen from frame 0; None if nothing has."""
     if plane is None and held is None:

@@ -72,8 +72,7 @@ class IdempotencyMiddleware:
         try:
             if not 0 < len(key) <= LONGEST_KEY:
                 raise BodyError(
-                    Fault.at("idempotency_key_length", *_WHERE, limit=LONGEST_KEY),
-                    part=RequestPart.HEADER,
+                    Fault.at("idempotency_key_length", *_WHERE, limit=LONGEST_KEY), part=RequestPart.HEADER
                 )
             slot = _slot(scope, fields, key)
             answer = self._known(slot)

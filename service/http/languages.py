@@ -38,7 +38,6 @@ def language_of(request: Request) -> str:
     if asked not in languages():
         known = ", ".join(languages())
         raise RequestError(
-            Fault.at("language_unknown", "lang", language=asked[:20], known=known),
-            part=RequestPart.QUERY,
+            Fault.at("language_unknown", "lang", language=asked[:20], known=known), part=RequestPart.QUERY
         )
     return asked

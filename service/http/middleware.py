@@ -56,10 +56,7 @@ class OuterMiddleware:
         self._next_id = _request_ids()
         self._behind_proxies = ProxyHeadersMiddleware(self._serve, list(settings.trusted_proxies))
         ancestors = " ".join(settings.frame_ancestors)
-        self._policy = (
-            _POLICY,
-            f"default-src 'none'; frame-ancestors {ancestors}".encode("latin-1"),
-        )
+        self._policy = (_POLICY, f"default-src 'none'; frame-ancestors {ancestors}".encode("latin-1"))
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Serve one connection: note who asks, before a trusted proxy tells for whom."""

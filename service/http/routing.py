@@ -214,8 +214,7 @@ class ApiRequest(Request):
         chosen = preferred_media_type(", ".join(self.headers.getlist("accept")), offers)
         if chosen is None:
             raise NotAcceptableError(
-                Fault.at("not_acceptable", "Accept", offers=offers),
-                part=RequestPart.HEADER,
+                Fault.at("not_acceptable", "Accept", offers=offers), part=RequestPart.HEADER
             )
         return chosen
 

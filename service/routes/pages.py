@@ -32,10 +32,7 @@ EXERCISE = Page(
     styles=("scene", "editor", "exercise"),
 )
 LESSON = Page(
-    name="lesson",
-    title="lesson-title",
-    messages=("lesson",),
-    styles=("scene", "exercise", "playground"),
+    name="lesson", title="lesson-title", messages=("lesson",), styles=("scene", "exercise", "playground")
 )
 PLAYGROUND = Page(
     name="playground",
@@ -86,11 +83,7 @@ async def exercise_page(request: ApiRequest) -> Response:
     query = urlencode({"lang": language, **kept})
 
     def work() -> tuple[dict[str, str], dict[str, str]]:
-        told = {
-            "id": found.id,
-            "title": found.title(language),
-            "statement": statement_html(found, language),
-        }
+        told = {"id": found.id, "title": found.title(language), "statement": statement_html(found, language)}
         return told, {"figure": _figure(request, found, language, query)}
 
     question = ("page", found.id, query, context_of(request))

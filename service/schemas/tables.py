@@ -42,12 +42,10 @@ class TableHead(Wire):
 
     convention: OneOf[Convention] = Field(description="standard (a_i, α_i) or modified (a_{i-1}, α_{i-1})")
     angle_unit: OneOf[AngleUnit] = Field(
-        AngleUnit.RAD,
-        description="unit of every angle: table, joints, parameters and answer",
+        AngleUnit.RAD, description="unit of every angle: table, joints, parameters and answer"
     )
     length_unit: OneOf[LengthUnit] = Field(
-        LengthUnit.M,
-        description="unit of every length: table, joints, parameters and answer",
+        LengthUnit.M, description="unit of every length: table, joints, parameters and answer"
     )
 
 

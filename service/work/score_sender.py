@@ -24,14 +24,7 @@ from courses.people.platforms import platform_by_id
 from courses.refusals import StorageUnavailableError
 from service.course_resources import CourseResources, now
 from service.lti.launch_errors import PlatformError, unreachable
-from service.lti.scores import (
-    Delivery,
-    DeliveryReport,
-    ScoreMessage,
-    has_result,
-    line_item_for,
-    post_score,
-)
+from service.lti.scores import Delivery, DeliveryReport, ScoreMessage, has_result, line_item_for, post_score
 from service.work.threads import BackgroundThread
 
 PAUSE = 1.0

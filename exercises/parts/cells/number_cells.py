@@ -29,12 +29,7 @@ def on_paper(values: Floats, decimals: int = DECIMALS) -> Floats:
     return rounded
 
 
-def number_of(
-    cell: Cell,
-    position: Position,
-    instance: Instance,
-    where: tuple[str | int, ...],
-) -> float:
+def number_of(cell: Cell, position: Position, instance: Instance, where: tuple[str | int, ...]) -> float:
     """Return the value of a cell without joint variables; an angle in [rad], a length in the exercise's unit.
 
     Args:

@@ -54,9 +54,7 @@ class InverseKinematicsType(PartType[InverseKinematicsPart, JointAnswerCells, Jo
         **told_from(HelpLevel.ROW, "joints_wrong", "joints_twice", "joints_missing"),
         **told_from(HelpLevel.KIND, *(f"branch_{branch.value}" for branch in Branch)),
         **told_from(
-            HelpLevel.REPAIR,
-            *(f"joints_{mistake.value}" for mistake in JointMistake),
-            instead="joints_wrong",
+            HelpLevel.REPAIR, *(f"joints_{mistake.value}" for mistake in JointMistake), instead="joints_wrong"
         ),
         **told_from(HelpLevel.KIND, "joints_family_missing"),
         **told_from(HelpLevel.ROW, *(f"joints_combination_{said}" for said in ("wrong", "loose", "zero"))),

@@ -107,10 +107,7 @@ class CompareTablesType(PartType[Part, ComparisonCells, ComparisonCells]):
         """Show both tables."""
         return PartTask(
             message="task-compare-tables",
-            form=(
-                choice_field("verdict", SameRobot),
-                choice_field("reason", ComparisonReason),
-            ),
+            form=(choice_field("verdict", SameRobot), choice_field("reason", ComparisonReason)),
             numbers=(
                 given_table(instance, None, "first-table"),
                 given_table(instance, instance.drawn[self.kind], "second-table"),
@@ -136,10 +133,7 @@ class CompareTablesType(PartType[Part, ComparisonCells, ComparisonCells]):
             feedback.append(Feedback(code=code))
         else:
             feedback.append(Feedback(code="tables_right"))
-        facts = (
-            fact(told, "verdict"),
-            fact(why, "reason"),
-        )
+        facts = (fact(told, "verdict"), fact(why, "reason"))
         return judged(part, 0.5 * (told + why), Credit.KEY, facts=facts, feedback=feedback)
 
     def right(self, part: Part, context: Context) -> ComparisonCells:

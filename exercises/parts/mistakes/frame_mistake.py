@@ -84,10 +84,7 @@ class FrameMistakeType(MistakeType[MistakePart, FoundFrameMistakeCells, ByName[F
     raw: ClassVar = FoundFrameMistakeCells
     meaning = "the planted mistake in a figure: which frame is wrong, why, and the frame as it should be"
     words: ClassVar = MistakeWords(
-        "frame_mistake_place_wrong",
-        "frame_mistake_name_wrong",
-        "frame_not_mended",
-        "frame_mistake_missing",
+        "frame_mistake_place_wrong", "frame_mistake_name_wrong", "frame_not_mended", "frame_mistake_missing"
     )
     disclosures: ClassVar = words.told()
     fields: ClassVar = ("wrong_frame", "mistake", "mended_origin")

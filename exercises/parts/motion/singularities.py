@@ -114,9 +114,7 @@ class SingularitiesType(PartType[SingularitiesPart, SingularityCells, Singularit
         """Show the key, and the configuration of the lost motion."""
         exercise = instance.exercise
         numbers = [given_table(instance)] if exercise.part(TABLE) is None else []
-        form = [
-            FormField(name="conditions", shape=FieldShape.LIST, labels=("g(q) = 0",), rows=MOST),
-        ]
+        form = [FormField(name="conditions", shape=FieldShape.LIST, labels=("g(q) = 0",), rows=MOST)]
         if part.joints is not None:
             drawn: tuple[Fraction, ...] = instance.drawn[self.kind]
             row = tuple(float(value) for value in drawn)

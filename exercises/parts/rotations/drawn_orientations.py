@@ -15,11 +15,7 @@ from kinematics.rotations.sequences import EulerSequence, Turning
 
 
 def drawn_triple(
-    exercise: Exercise,
-    picker: Picker,
-    usual: Sequence[Fraction],
-    ways: Sequence[Draw | None],
-    name: str,
+    exercise: Exercise, picker: Picker, usual: Sequence[Fraction], ways: Sequence[Draw | None], name: str
 ) -> Triple:
     """Return a student's three angles [rad].
 

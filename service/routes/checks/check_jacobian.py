@@ -28,12 +28,7 @@ from service.schemas.kinematics.robot_question import NO_ROBOT, RobotQuestion
 from service.schemas.spoken import feedback_sentence
 from service.schemas.tables import Cell, Units
 from service.wire.fault_pointers import traced
-from service.wire.kinematics.answer_functions import (
-    check_count,
-    form_values,
-    read_row,
-    roundings_of,
-)
+from service.wire.kinematics.answer_functions import check_count, form_values, read_row, roundings_of
 from service.wire.kinematics.joint_values import values_in_radians
 from service.wire.kinematics.prepared_robots import PreparedRobot
 

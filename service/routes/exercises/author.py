@@ -135,10 +135,7 @@ async def folder_of_draft(
     with draft_refused():
         await _in_worker(request, trial, draft)
         archive = archive_of_draft(draft)
-    headers = {
-        "Content-Disposition": f'attachment; filename="{draft.id}.zip"',
-        "Cache-Control": "no-store",
-    }
+    headers = {"Content-Disposition": f'attachment; filename="{draft.id}.zip"', "Cache-Control": "no-store"}
     return Response(archive, media_type=ZIP, headers=headers)
 
 

@@ -24,12 +24,7 @@ from service.http.routing import JSON, ApiRequest, DirectRoute, api_router
 from service.http.validation import validated
 from service.resources import resources_of
 from service.schemas.exercises import examples_grading as examples
-from service.schemas.exercises.exercises import (
-    ExerciseAnswer,
-    ExerciseList,
-    ExerciseModel,
-    GradedModel,
-)
+from service.schemas.exercises.exercises import ExerciseAnswer, ExerciseList, ExerciseModel, GradedModel
 from service.web.responses import IMMUTABLE, packed_response, text_response
 from service.wire.exercises.exercise_views import attempts_of, exercise_list, exercise_view, instance_of
 from service.wire.exercises.figure_files import figure_address, figure_path, known_figure, packed_figure
@@ -166,10 +161,7 @@ async def _figure(request: ApiRequest, caching: str, asked: str | None = None) -
     "/exercises/{exercise_id}/grade",
     response_model=GradedModel,
     responses=problems(404, 503),
-    openapi_extra={
-        **request_body(ExerciseAnswer, examples.ANSWERS),
-        **_ONE_STUDENTS,
-    },
+    openapi_extra={**request_body(ExerciseAnswer, examples.ANSWERS), **_ONE_STUDENTS},
     summary="Judge an answer to an exercise",
 )
 async def grade_answer(request: ApiRequest) -> Response:

@@ -153,10 +153,7 @@ _ARRAY = {"schema": {"type": "string", "format": "binary"}}
     summary="Joint rates to the velocity of the tool",
     response_model=JacobianReply,
     responses=problems(406, 503),
-    openapi_extra={
-        **request_body(JacobianBody, examples.JACOBIAN | _SYMBOLIC, x_npy=_ARRAY),
-        **NPY_QUERY,
-    },
+    openapi_extra={**request_body(JacobianBody, examples.JACOBIAN | _SYMBOLIC, x_npy=_ARRAY), **NPY_QUERY},
 )
 async def jacobian(request: ApiRequest) -> Response:
     """Return the geometric Jacobians J0 and Jn of one configuration or of a batch: (v, ω) = J(q) dq/dt.

@@ -141,11 +141,7 @@ async def robot(
 
 
 def _headers(language: str) -> dict[str, str]:
-    return {
-        "Cache-Control": "public, max-age=300",
-        "Content-Language": language,
-        "Vary": "Accept-Language",
-    }
+    return {"Cache-Control": "public, max-age=300", "Content-Language": language, "Vary": "Accept-Language"}
 
 
 @cache

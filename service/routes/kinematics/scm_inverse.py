@@ -9,11 +9,7 @@ from typing import Annotated, Any, TypeAlias
 from pydantic import Field
 
 from kinematics.errors import Fault, JointValueError
-from kinematics.scm import (
-    default_limits,
-    random_configurations,
-    table_of_chain,
-)
+from kinematics.scm import default_limits, random_configurations, table_of_chain
 from kinematics.table import bind
 from service.http.calls import CallRouter
 from service.http.routing import ApiRequest, OneRobotRoute
@@ -118,10 +114,7 @@ async def random_configuration(
     drawn = random_configurations([(low, high) for low, high in limits], count=body.count, seed=body.seed)
     configurations: list[list[float]] = drawn.tolist()
     return RandomConfigurationAnswer(
-        **units_of(prepared.read),
-        joints=configurations[0],
-        configurations=configurations,
-        limits=limits,
+        **units_of(prepared.read), joints=configurations[0], configurations=configurations, limits=limits
     )
 
 

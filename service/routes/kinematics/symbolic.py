@@ -67,9 +67,7 @@ PUMA_LENGTHS: dict[str, Any] = {
     "rows": [
         {**row, **cells}
         for row, cells in zip(
-            PUMA_560["rows"],
-            [{}, {"a": "a2"}, {"a": "a3", "d": "d3"}, {"d": "d4"}, {}, {}],
-            strict=True,
+            PUMA_560["rows"], [{}, {"a": "a2"}, {"a": "a3", "d": "d3"}, {"d": "d4"}, {}, {}], strict=True
         )
     ],
 }

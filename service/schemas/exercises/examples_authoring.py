@@ -52,9 +52,7 @@ IMPORT = {
         "archive": b64encode(
             archive_of_draft(
                 ExerciseDraft(
-                    id=TWO_LINKS["id"],
-                    definition=TWO_LINKS["definition"],
-                    statements=TWO_LINKS["statements"],
+                    id=TWO_LINKS["id"], definition=TWO_LINKS["definition"], statements=TWO_LINKS["statements"]
                 )
             )
         ).decode()

@@ -65,8 +65,7 @@ class WeighedRobot(RobotQuestion):
     """A robot and what its links weigh."""
 
     links: Listed[LinkBody] | None = Field(
-        None,
-        description="one for each row of the table, fixed rows too; `puma560` brings its own",
+        None, description="one for each row of the table, fixed rows too; `puma560` brings its own"
     )
     gravity: Cells3 = Field([0, 0, -9.81], description="acceleration of free fall in frame 0 [m/s²]")
 

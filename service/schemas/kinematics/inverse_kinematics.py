@@ -97,8 +97,7 @@ class SolutionFamily(Wire):
         description="these joints; each interval holds while the others keep the values of the solution"
     )
     direction: list[Real] | None = Field(
-        None,
-        description="of a straight family: every member is joints + t·direction",
+        None, description="of a straight family: every member is joints + t·direction"
     )
     members: list[list[Real]] = Field(description="members in order along the family, its ends included")
 

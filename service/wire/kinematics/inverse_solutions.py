@@ -197,10 +197,7 @@ def _solve_each(
 
 
 def _answer(answer: InverseKinematics, robot: PreparedRobot) -> InverseKinematicsAnswer:
-    return InverseKinematicsAnswer(
-        **robot.units,
-        **target_answer(answer, robot),
-    )
+    return InverseKinematicsAnswer(**robot.units, **target_answer(answer, robot))
 
 
 def target_answer(answer: InverseKinematics, robot: InUnits) -> dict[str, Any]:

@@ -130,10 +130,7 @@ def _in_query(request: ApiRequest) -> Mapping[str, Any]:
     if set(given) == {"robot"}:
         return {"robot": given["robot"]}
     if set(given) != {"request"}:
-        raise RequestError(
-            Fault.at("query_missing", "request"),
-            part=RequestPart.QUERY,
-        )
+        raise RequestError(Fault.at("query_missing", "request"), part=RequestPart.QUERY)
     try:
         body: Mapping[str, Any] = decode_json(given["request"].encode())
     except BodyError as error:

@@ -44,10 +44,7 @@ def described_product(request: ConvertRequest, _settings: Settings) -> RobotDesc
         product = screws_module.ProductOfExponentials(screws=screws, home=home)
         assigned = table_of_product(product, convention)
     read = ReadTable(
-        table=exact_table(assigned.table),
-        angle_unit=unit,
-        length_unit=given.length_unit,
-        parameters={},
+        table=exact_table(assigned.table), angle_unit=unit, length_unit=given.length_unit, parameters={}
     )
     return RobotDescription(read=read, base=assigned.base, tool=assigned.tool)
 
@@ -73,8 +70,5 @@ def product_answer(robot: RobotDescription, request: ConvertRequest) -> ProductA
         for joint, screw in zip(prepared.table.joint_types, product.screws, strict=True)
     ]
     return ProductAnswer(
-        **units_of(robot.read),
-        screws=screws,
-        home=product.home.tolist(),
-        **robot.names_and_limits,
+        **units_of(robot.read), screws=screws, home=product.home.tolist(), **robot.names_and_limits
     )

@@ -49,10 +49,7 @@ def described_chain(request: ConvertRequest, settings: Settings) -> RobotDescrip
         strict = request.verify is not Verification.OFF
         table = modified_dh_from_scm(chain.chain) if strict else unrolled_dh_from_scm(chain.chain)
     read = ReadTable(
-        table=table,
-        angle_unit=chain.angle_unit,
-        length_unit=chain.length_unit,
-        parameters=chain.parameters,
+        table=table, angle_unit=chain.angle_unit, length_unit=chain.length_unit, parameters=chain.parameters
     )
     read, named = with_names(read, request, settings.cell_limits)
     if request.parameters is not None:

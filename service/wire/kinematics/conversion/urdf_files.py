@@ -29,12 +29,7 @@ def described_urdf(request: ConvertRequest, _settings: Settings) -> RobotDescrip
         )
     unit = request.angle_unit or AngleUnit.RAD
     turning = [kind is JointType.REVOLUTE for kind in robot.table.joint_types]
-    read = ReadTable(
-        table=exact_table(robot.table),
-        angle_unit=unit,
-        length_unit=LengthUnit.M,
-        parameters={},
-    )
+    read = ReadTable(table=exact_table(robot.table), angle_unit=unit, length_unit=LengthUnit.M, parameters={})
     return RobotDescription(
         read=read,
         base=robot.base,
