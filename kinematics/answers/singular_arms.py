@@ -80,8 +80,8 @@ class SingularArm(ValuedRobot):
     @cached_property
     def usual(self) -> Floats:
         """The medians of the singular values that are not always zero."""
-        values: Floats = np.median(self._singular_values(self.lines[0].T), axis=0)
-        return values[values > 1e-9 * values.max(initial=0.0)]
+        values = np.median(self._singular_values(self.lines[0].T), axis=0)
+        return np.asarray(values[values > 1e-9 * values.max(initial=0.0)])
 
     def _singular_values(self, joints: Floats) -> Floats:
         J = self.chain.jacobian(joints) * self.units
