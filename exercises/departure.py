@@ -162,7 +162,7 @@ def joints_alike(key: NumericTable, answer: NumericTable, policy: Policy) -> int
     chain = chain_of_table(_first(answer, joints))
     invariants = invariants_of(prepared(_first(key, joints)).beside(chain), policy)
     axes = axes_of(chain, policy)
-    fits = np.stack(invariants.fits(invariants.measured(axis_batch([axes]))))
+    fits = invariants.fits(invariants.measured(axis_batch([axes])))
     concerned = invariants.spans[1] <= np.arange(1, joints + 1)  # of the first 1 … n joints
     wrong = least_cost(invariants.shapes, len(axes), np.asarray(concerned & ~fits, dtype=np.float64))
     return int((wrong == 0.0).sum())

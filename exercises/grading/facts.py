@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
+from itertools import product
 from typing import NamedTuple
 
 import numpy as np
@@ -30,8 +31,9 @@ Floats = NDArray[np.float64]
 
 # Axes less than this apart [rad] count as parallel: rounded entries turn them by less, mistakes by more.
 NEARLY = 0.01
-# Whether one of two axes is turned round and the other is not: by whether the first is, and the second.
-_TURNED = np.array(((0, 1), (1, 0)))
+# So many links are looked at together, the axes turned in all 64 ways: all that an arm of six joints has.
+STRETCH = 5
+_WAYS = np.array(list(product((0.0, 1.0), repeat=STRETCH + 1)))
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -108,7 +110,7 @@ class Facts:
 
     def at_least_wrong(self, found: Floats) -> Floats:
         """(k,) the least that facts can weigh which answers do not have, from their invariants (q, k)."""
-        fits = np.array(self.invariants.fits(found))
+        fits = self.invariants.fits(found)
         return self._least(fits, np.logical_or(fits[0], fits[1]))
 
     def _least(
@@ -140,7 +142,7 @@ class Facts:
             [axes[i - by] if 0 <= i - by < len(axes) else own for i, own in enumerate(self.axes)]
             for by in shifts
         ]
-        fits = np.array(self.invariants.fits(self.invariants.measured(axis_batch(besides))))
+        fits = self.invariants.fits(self.invariants.measured(axis_batch(besides)))
         either = np.logical_or(fits[0], fits[1])
         for q, k in np.argwhere(either).tolist():
             either[q, k] = self._means(self.invariants.shapes[q], besides[k])
@@ -165,7 +167,7 @@ class Facts:
         """
         if found is None:
             found = self.invariants.measured(axis_batch([axes]))
-        fits = np.array(self.invariants.fits(found))
+        fits = self.invariants.fits(found)
         has = np.logical_or(fits[0], fits[1])
         kept, unseen = 1.0, np.zeros_like(has)
         if others:
@@ -273,7 +275,7 @@ def fixed_signs(shapes: tuple[Shape, ...], fixed: tuple[int, ...]) -> list[int]:
 
 
 def least_cost(shapes: tuple[Shape, ...], axes: int, costs: Floats, fixed: tuple[int, ...] = ()) -> Floats:
-    """Return the least cost of invariants over the directions of all axes: a forward sweep along the chain.
+    """Return the least cost of invariants over the directions of all axes: a sweep along the chain.
 
     Args:
         shapes: the invariants.
@@ -284,42 +286,54 @@ def least_cost(shapes: tuple[Shape, ...], axes: int, costs: Floats, fixed: tuple
     Returns:
         (k,) the sums.
     """
-    alone, pairs, free, held = _links(shapes, axes, fixed)
-    steps = (pairs @ costs)[_TURNED] + alone @ costs  # (before, now, axes, k)
-    if fixed:
-        steps[:, 1, fixed] = np.inf
-    best = steps[0, :, 0]
-    for step in steps.transpose(2, 0, 1, 3)[1:]:
-        turned_or_not = best[:, None] + step
-        best = np.minimum(turned_or_not[0], turned_or_not[1])
-    least = np.minimum(best[0], best[1])
+    stretches, free, held = _stretches(shapes, axes, fixed)
+    flat = costs.reshape(-1, costs.shape[2])
+    best = np.zeros((2, flat.shape[1]))
+    for ways, places in stretches:
+        sums = (ways @ flat.take(places, axis=0)).reshape(2, -1, 2, flat.shape[1])
+        best = (best[:, None] + sums.min(axis=1)).min(axis=0)
+    least = best.min(axis=0)
     if free or held:
         least += costs[:, free].min(axis=0).sum(axis=0) + costs[0, held].sum(axis=0)
     return np.asarray(least, dtype=np.float64)
 
 
 @cached_by_size(lambda shapes, axes, fixed: axes, longest=USUAL_ROWS, most=256, few=32)
-def _links(
+def _stretches(
     shapes: tuple[Shape, ...], axes: int, fixed: tuple[int, ...]
-) -> tuple[Floats, Floats, list[int], list[int]]:
-    """Which invariants depend on how one axis points, which on how it and the one before do, and the rest.
+) -> tuple[list[tuple[Floats, NDArray[np.intp]]], list[int], list[int]]:
+    """The chain in stretches of axes, each from the last one of the stretch before; and what is in none.
 
     Returns:
-        (axes, q) and (axes, q), one where so, else zero; the places of the rest, and of those between axes
-        that may not be turned round.
+        Of every stretch (ways, costs), one where a cost counts with its axes turned so, else zero, and the
+        places of these costs among all, those as the axes point first; the places of the invariants that no
+        direction changes, or one that is free; and of those between axes that may not be turned round.
     """
-    alone, pairs = np.zeros((axes, len(shapes))), np.zeros((axes, len(shapes)))
+    ends: dict[int, tuple[int, ...]] = {}
     free: list[int] = []
     held: list[int] = []
     for q, shape in enumerate(shapes):
         i, j = shape.axes[:2]
         if shape.measure is Measure.OFFSET:
-            alone[j, q] = 1.0
+            ends[q] = (j,)
         elif shape.measure is not Measure.TURN and j == i + 1:
-            pairs[j, q] = 1.0
+            ends[q] = (i, j)
         else:
             (held if {i, j} <= set(fixed) else free).append(q)
-    return alone, pairs, free, held
+    first = min((pair[0] for pair in ends.values()), default=0)
+    last = max((pair[-1] for pair in ends.values()), default=0)
+    stretches = []
+    for start in range(first, max(last, first + 1), STRETCH):
+        turns = np.array([0.0 if start + k in fixed else 1.0 for k in range(STRETCH + 1)])
+        own = {
+            q: (_WAYS * turns)[:, [axis - start for axis in axes_of]].sum(axis=1) % 2.0
+            for q, axes_of in ends.items()
+            if start <= axes_of[0] and max(axes_of[-1], first + 1) in range(start + 1, start + STRETCH + 1)
+        }
+        turned = np.array(list(own.values())).reshape(len(own), len(_WAYS)).T
+        places = np.array(list(own), dtype=np.intp)
+        stretches.append((np.hstack((1.0 - turned, turned)), np.hstack((places, places + len(shapes)))))
+    return stretches, free, held
 
 
 def _are_parallel(one: Axis, other: Axis) -> bool:

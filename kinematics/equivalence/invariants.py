@@ -10,7 +10,6 @@ suits best (`exercises.grading.facts`), hardly anything wrong is left.
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -91,23 +90,19 @@ class Invariants:
 
     def reversed(self, found: Floats) -> Floats:
         """(q, k) what the measured values would be if one of the axes were turned round."""
-        arrays = self.arrays
-        return np.where(arrays.reverses, np.where(arrays.twists, math.pi, 0.0) - found, found)
+        return self.arrays.half_turns + self.arrays.ways * found
 
     def sizes(self, found: Floats) -> Floats:
         """(q, k) the measured values whichever way axes point: angles up to π/2, lengths without signs."""
-        return np.where(self.arrays.twists, np.minimum(found, math.pi - found), np.abs(found))
+        return np.minimum(np.abs(found), np.abs(self.arrays.half_turns - found))
 
     def strains(self, found: Floats) -> Floats:
         """(q, k) how far the sizes of the measured values are off, in units of what they may be."""
         return np.asarray(np.abs(self.sizes(found) - self.own_sizes) / self.slacks)
 
-    def fits(self, found: Floats) -> tuple[NDArray[np.bool_], NDArray[np.bool_]]:
-        """(q, k) which of the measured values fit; and which would if one of their axes were turned round."""
-        return (
-            np.abs(found - self.values) <= self.slacks,
-            np.abs(self.reversed(found) - self.values) <= self.slacks,
-        )
+    def fits(self, found: Floats) -> NDArray[np.bool_]:
+        """(2, q, k) which measured values fit, and which would if one of their axes were turned round."""
+        return np.abs(np.array((found, self.reversed(found))) - self.values) <= self.slacks
 
     def some(self, which: Sequence[int]) -> Invariants:
         """Return some of them."""

@@ -79,7 +79,8 @@ class InvariantArrays:
     """Invariants as arrays: their places in the list, and what they are measured between.
 
     Attributes:
-        reverses: (q, 1) which have a sign, or a supplement.
+        ways: (q, 1) -1 for those with a sign, or a supplement, else 1.
+        half_turns: (q, 1) π for angles between two axes, else 0.
         twists: (q, 1) which are angles between two axes.
         angular: (q, 1) which are angles, and so do not depend on lengths.
         first: (q, 1) the first axis that each concerns.
@@ -92,7 +93,8 @@ class InvariantArrays:
             many axes each has.
     """
 
-    reverses: NDArray[np.bool_]
+    ways: Floats
+    half_turns: Floats
     twists: NDArray[np.bool_]
     angular: NDArray[np.bool_]
     first: NDArray[np.intp]
@@ -130,7 +132,8 @@ def invariant_arrays(shapes: tuple[Shape, ...]) -> InvariantArrays:
         else:
             others.setdefault((shape.measure, len(axes)), []).append(place)
     return InvariantArrays(
-        reverses=np.array([shape.reverses for shape in shapes], dtype=bool)[:, None],
+        ways=np.array([-1.0 if shape.reverses else 1.0 for shape in shapes])[:, None],
+        half_turns=np.array([np.pi if shape.measure is Measure.ANGLE else 0.0 for shape in shapes])[:, None],
         twists=np.array([shape.measure is Measure.ANGLE for shape in shapes], dtype=bool)[:, None],
         angular=np.array([shape.is_angle for shape in shapes], dtype=bool)[:, None],
         first=np.array([min(shape.axes) for shape in shapes], dtype=np.intp)[:, None],

@@ -66,7 +66,7 @@ def surely_right(work: Work, edits: Sequence[tuple[Sequence[Change], Floats | No
         variations = [(k, ()) for k in range(len(others))]
         found = np.hstack((found, measured_of_tables(known.shapes, others, variations, policy)))
     values, slacks = (one.repeat(len(made), axis=1) for one in (known.values, known.slacks))
-    fits = np.array(Invariants(known.shapes, values, slacks).fits(found))
+    fits = Invariants(known.shapes, values, slacks).fits(found)
     right = fits[0].all(axis=0)
     if not right.all():
         axes = len(work.reference.chain.axes) + 2
