@@ -29,7 +29,6 @@ from exercises.grading.edits.trials import (
 )
 from exercises.grading.edits.wanted_changes import changes_beforehand, changes_of
 from exercises.grading.edits.work import ANYTHING, EVERYWHERE, Work
-from exercises.grading.facts import Floats
 from kinematics.equivalence.meter import WorkExhaustedError
 from kinematics.equivalence.search import Effort
 from kinematics.table import NumericTable
@@ -105,7 +104,7 @@ def _in_the_other_convention(work: Work) -> Iterator[Repaired]:
 def _found(work: Work, *, pairs: bool) -> Iterator[Repaired]:
     """Single edits, by growing effort; if there are none, pairs."""
     here, near = _seen_from_here(work)
-    (made,) = finishing([near])
+    (made,) = finishing([near], alone=True)
     lined = work.for_lines()
     to_the_letter = lined or (work.for_lines(to_the_letter=True) if here and not here.failing else None)
     if to_the_letter is not None:
@@ -170,27 +169,27 @@ def _likelihood(change: Change, table: NumericTable) -> tuple[float, bool, int]:
 
 def _helping(work: Work, made: Iterable[Finish], effort: Effort) -> Iterator[Change]:
     """The single changes that make the table right."""
-    for (change,) in _mending(work, ((work, (change,), found) for change, found in made), effort):
+    for (change,) in _mending(work, ((work, (one.change,), one) for one in made), effort):
         yield change
 
 
 def _mending(
-    work: Work, edits: Iterator[tuple[Work, tuple[Change, ...], Floats | None]], effort: Effort
+    work: Work, edits: Iterator[tuple[Work, tuple[Change, ...], Finish]], effort: Effort
 ) -> Iterator[tuple[Change, ...]]:
     """Of edits those that mend the table; each place once.
 
     Args:
         work: the table.
-        edits: each with the table that its last is made in, and the invariants of what it leads to.
+        edits: each with the table that its last is made in, and that last one.
         effort: how hard to try.
     """
     told: set[frozenset[tuple[str, int | None, str | None]]] = set()
     placed = ((frozenset((one.code, one.row, one.cell) for one in edit[1]), *edit) for edit in edits)
     untold = (edit for edit in placed if edit[0] not in told)
     while some := list(islice(untold, MOST_REPAIRS)):
-        seen = surely_right(work, [(changes, found) for *_, changes, found in some])
-        for (places, edited, changes, _), sure in zip(some, seen, strict=True):
-            if places not in told and (sure or _is_right(work, edited, changes, effort)):
+        seen = surely_right(work, [(changes, None if one.sure else one.found) for *_, changes, one in some])
+        for (places, edited, changes, one), sure in zip(some, seen, strict=True):
+            if places not in told and (one.sure or sure or _is_right(work, edited, changes, effort)):
                 told.add(places)
                 yield changes
 
@@ -218,7 +217,7 @@ def _mends(work: Work, changes: Sequence[Change], effort: Effort) -> bool:
     if len(changes) > 1:
         first = [*tried(work), *_beforehand(work)]
         return any(_mends(half, changes[1:], effort) for half in _halves(work, first))
-    if any(work.accepts(change, effort) for change, _ in finishing([work])[0]):
+    if any(work.accepts(one.change, effort) for one in finishing([work])[0]):
         return True
     return effort is Effort.REFINED and any(True for _ in _fitted(work))
 
@@ -232,15 +231,15 @@ def _pairs(work: Work, first: Sequence[Trial]) -> Iterator[Repaired]:
 
 def _pairs_to_try(
     work: Work, first: Sequence[Trial]
-) -> Iterator[tuple[Work, tuple[Change, Change], Floats | None]]:
+) -> Iterator[tuple[Work, tuple[Change, Change], Finish]]:
     """The same before they are judged, as `_mending` takes them."""
     together = max(MOST_ROWS_TOGETHER // len(work.table.rows), 1)
     for start in range(0, len(first), together):
         some = first[start : start + together]
         halves = _halves(work, some, keeping=True)
         for trial, half, rest in zip(some, halves, finishing(halves), strict=True):
-            for other, found in rest:
-                yield half, (trial.change, other), found
+            for one in rest:
+                yield half, (trial.change, one.change), one
 
 
 def _halves(work: Work, trials: Iterable[Trial], *, keeping: bool = False) -> list[Work]:

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import replace
 from functools import cached_property
+from math import cos, sin
 from typing import NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
+from exercises.grading.edits.certainty import surely_right
 from exercises.grading.edits.changes import Change, Extent
 from exercises.grading.edits.fitting import OFF, Unsolved, fitting_values, measured
 from exercises.grading.edits.joint_places import joint_places
@@ -26,7 +28,9 @@ from kinematics.table import VARIABLE_CELLS, NumericTable
 REACH_OF_A_ROW = 1
 """Two rows exchanged, the widest of the edits in a row, change the links before, between and after them."""
 DIGITS = 9
-"""Values that agree so far [rad or length] are the same solution."""
+"""Lengths that agree so far are the same solution."""
+DIGITS_OF_ANGLES = 7
+"""The same of sines and cosines: of parallel axes, an angle is the root of a rounding error."""
 Catalogue: TypeAlias = Callable[[Work], Iterator[Change]]
 
 
@@ -63,16 +67,20 @@ class Finish(NamedTuple):
     Attributes:
         change: the edit.
         found: (q,) the invariants of the table that it leads to; None where key's lines are among them.
+        sure: it is seen to make the table right, as `surely_right` says.
     """
 
     change: Change
     found: NDArray[np.float64] | None
+    sure: bool = False
 
 
 UNCHANGED = Change("", Extent.CELL)
 
 
-def finishing(works: Sequence[Work], catalogue: Catalogue = changes_of) -> list[list[Finish]]:
+def finishing(
+    works: Sequence[Work], catalogue: Catalogue = changes_of, *, alone: bool = False
+) -> list[list[Finish]]:
     """Return for every table the edits of a catalogue after which it might be the robot.
 
     No fact fails then, and the axes can be turned so that their signs agree.
@@ -80,15 +88,23 @@ def finishing(works: Sequence[Work], catalogue: Catalogue = changes_of) -> list[
     Args:
         works: tables for one key, at the same draw.
         catalogue: the edits that may be made to a table.
+        alone: the one table is the answer itself: where an edit surely mends it, others of the same kind are
+            not solved for.
     """
     sieves = [Sieve(work) for work in works]
     works = [sieve.narrowed() for sieve in sieves]
     made: list[list[Finish]] = [[] for _ in works]
     for batch in _batches(works, catalogue, finishing_reaches(works), sieves, finishing=True):
+        some = []
         for k in batch.misfits.might_be_none():
             number, change = batch.made[k]
-            found = None if works[number].lines else batch.misfits.found[:, k]
-            made[number].append(Finish(change, found))
+            some.append((number, Finish(change, None if works[number].lines else batch.misfits.found[:, k])))
+        if alone and any(one.change.unsolved for _, one in some):
+            seen = surely_right(works[0], [((one.change,), one.found) for _, one in some])
+            some = [(0, one._replace(sure=sure)) for (_, one), sure in zip(some, seen, strict=True)]
+            batch.settled = {(one.change.code, one.change.row) for _, one in some if one.sure}
+        for number, one in some:
+            made[number].append(one)
     return made
 
 
@@ -211,7 +227,10 @@ class _Batch:
     Attributes:
         made: the number of the table that each is made in, and the change.
         misfits: what came of them.
+        settled: codes and rows of changes that need not be solved for.
     """
+
+    settled: Collection[tuple[str, int | None]] = ()
 
     def __init__(self, works: Sequence[Work], made: Sequence[tuple[int, Change]]) -> None:
         self._works, self.made = works, made
@@ -242,7 +261,7 @@ class _Batch:
         unsolved: list[int] = []
         wanted: list[Unsolved] = []
         for k, (_, change) in enumerate(self.made):
-            if not change.unsolved:
+            if not change.unsolved or (change.code, change.row) in self.settled:
                 continue
             if finishing and change.code == "row_missing" and not self._fits_elsewhere(k, change):
                 continue
@@ -271,9 +290,15 @@ class _Batch:
 
     @staticmethod
     def _content(number: int, change: Change) -> tuple[object, ...]:
-        """What a change leads to, but for rounding errors."""
-        cells = {(row, cell): round(value, DIGITS) for row, cell, value in change.cells}
-        return number, id(change.table), *cells.items()
+        """What a change leads to, in whatever order its cells were solved for, but for rounding and turns."""
+        values = {(row, cell): value for row, cell, value in change.cells}
+        cells = (
+            (*place, round(cos(value), DIGITS_OF_ANGLES), round(sin(value), DIGITS_OF_ANGLES))
+            if place[1] in ANGLES
+            else (*place, round(value, DIGITS))
+            for place, value in values.items()
+        )
+        return number, id(change.table), frozenset(cells)
 
 
 class _Misfit(NamedTuple):
@@ -310,7 +335,7 @@ class _Misfits:
         """The numbers of those of which nothing fails, and the axes can be turned so that the signs agree."""
         which = np.flatnonzero((self._counts == 0) & (self._misplaced == 0))
         if which.size:
-            fits = np.array(self._invariants.fits(self.found[:, which]))
+            fits = self._invariants.fits(self.found[:, which])
             if not fits[0].all():
                 costs = (~fits).astype(float)
                 sums = least_cost(self._invariants.shapes, self._axes, costs, self._fixed)
