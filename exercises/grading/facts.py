@@ -193,7 +193,7 @@ class Facts:
 
     def _has(self, found: Floats) -> NDArray[np.bool_]:
         """(q, 1) which measured invariants have the key's values, but for signs."""
-        return np.logical_or(*self.invariants.fits(found))
+        return np.asarray(self.invariants.fits(found).any(axis=0), dtype=np.bool_)
 
     def _means(self, shape: Shape, axes: Sequence[Axis]) -> bool:
         """Whether an invariant means in an answer with other joints what it means in the key."""

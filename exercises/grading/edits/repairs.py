@@ -229,9 +229,7 @@ def _pairs(work: Work, first: Sequence[Trial]) -> Iterator[Repaired]:
         yield Repaired(tuple(sorted(shown, key=lambda c: -1 if c.row is None else c.row)))
 
 
-def _pairs_to_try(
-    work: Work, first: Sequence[Trial]
-) -> Iterator[tuple[Work, tuple[Change, Change], Finish]]:
+def _pairs_to_try(work: Work, first: Sequence[Trial]) -> Iterator[tuple[Work, tuple[Change, Change], Finish]]:
     """The same before they are judged, as `_mending` takes them."""
     together = max(MOST_ROWS_TOGETHER // len(work.table.rows), 1)
     for start in range(0, len(first), together):

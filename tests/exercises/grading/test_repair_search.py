@@ -297,6 +297,11 @@ VERDICTS: dict[str, tuple[float, str, list[str]]] = {
         ".... x... .... ..x. .... ....",
         ["not_equivalent", "length_wrong 2", "offset_wrong 4"],
     ),
+    "a row of the wrist missing": (
+        0.78,
+        ".... .... .... .... .... ++++ ++++",
+        ["not_equivalent", "joint_count_wrong", "one_of_these", "row_missing 5", "row_missing 6"],
+    ),
     "a row missing and a cell": (
         0.67,
         ".... x... .... .... .... ++++",

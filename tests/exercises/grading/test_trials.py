@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 
 import pytest
@@ -44,10 +45,22 @@ def test_after_a_length_no_angle_is_solved_for() -> None:
     """With a length first, an angle that fails is never mended."""
     short = work(SHORT)
     made = [(0, change) for change in CHANGES["row_missing"](short)]
+    turned = [(0, change) for _, change in made if change.cells[0][2] == math.pi / 2]
     left = {
-        (change.cells[-1][1], change.unsolved) for _, change in _Batch([short], made).solved(finishing=False)
+        (change.cells[-1][1], change.unsolved) for _, change in _Batch([short], turned).solved(finishing=False)
     }
     assert left == {("alpha", ("a", "d")), ("a", ("d",))}
+    # of twists nothing comes that is not among the rows put in already
+    assert {change.cells[-1][1] for _, change in _Batch([short], made).solved(finishing=False)} == {"a"}
+
+
+def test_cells_solved_for_in_another_order_make_the_same_row() -> None:
+    change = Change("row_missing", Extent.ROW, 1, cells=((1, "a", 0.2), (1, "d", 0.1), (1, "alpha", math.pi)))
+    other = change._replace(cells=((1, "alpha", 2e-8 - math.pi), (1, "d", 0.1), (1, "a", 0.2 + 1e-12)))
+    assert _Batch._content(0, change) == _Batch._content(0, other)
+    for apart in (((1, "alpha", 1e-6),), ((1, "alpha", 0.0), (1, "a", 1e-8))):
+        further = change._replace(cells=apart)
+        assert _Batch._content(0, further) != _Batch._content(0, change._replace(cells=((1, "alpha", 0.0),)))
 
 
 def test_values_are_sought_for_all_cells_while_nothing_is_known_of_what_is_off() -> None:
