@@ -6,6 +6,7 @@ after a minute, and another one sends what it had.
 
 from __future__ import annotations
 
+import itertools
 import logging
 import random
 import threading
@@ -18,7 +19,15 @@ from urllib.parse import urlsplit
 
 from sqlalchemy.exc import SQLAlchemyError
 
-from courses.marks.outbox import bumped, delivered, keep_line_item, lease_scores, postponed, undeliverable
+from courses.marks.outbox import (
+    bumped,
+    delivered,
+    hasten,
+    keep_line_item,
+    lease_scores,
+    postponed,
+    undeliverable,
+)
 from courses.model import Platform, ScoreToSend
 from courses.people.platforms import platform_by_id
 from courses.refusals import StorageUnavailableError
@@ -29,6 +38,8 @@ from service.work.threads import BackgroundThread
 
 PAUSE = 1.0
 """Time between two looks at the outbox [s]."""
+LOOKS = 60
+"""So many looks apart, what the clock has put off is looked for."""
 SIMULTANEOUS = 8
 """Scores that a process sends at a time: a platform that takes 0.2 s for each then gets 40 a second."""
 LONGEST_WAIT = 3600.0
@@ -66,8 +77,12 @@ class ScoreSender(BackgroundThread):
             self._send_until_stopped()
 
     def _send_until_stopped(self) -> None:
-        while not self.stopping.wait(self._pause * random.uniform(0.75, 1.25)):  # noqa: S311
+        for look in itertools.count(1):
+            if self.stopping.wait(self._pause * random.uniform(0.75, 1.25)):  # noqa: S311
+                return
             try:
+                if look % LOOKS == 0:
+                    hasten(self._resources.store, now())
                 while not self.stopping.is_set() and self.send_due():
                     pass
             except StorageUnavailableError:
@@ -174,7 +189,7 @@ def _message(item: ScoreToSend) -> ScoreMessage:
         timestamp=item.timestamp,
         given=round(item.score * item.points, 6),
         maximum=item.points,
-        submitted_at=item.submitted_at,
+        submitted_at=item.submitted_at and min(item.submitted_at, item.timestamp),
     )
 
 

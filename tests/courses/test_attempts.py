@@ -14,7 +14,7 @@ import pytest
 import sqlalchemy as sa
 
 from courses.attempts.stored_attempts import LISTED, attempt_numbered, keep_drafts, standing_of
-from courses.marks.outbox import delivered, lease_scores, postponed, resend, undeliverable
+from courses.marks.outbox import delivered, hasten, lease_scores, postponed, resend, undeliverable
 from courses.model import CourseSession, LinkSettings, Role
 from courses.people import privacy
 from courses.people.privacy import erase_person, export_person, person_named, purge
@@ -209,6 +209,32 @@ def test_a_score_whose_sender_died_is_withheld_by_rules_that_were_made_meanwhile
     release_feedback(store, session.link.id, NOW + minutes(3))
     (sent,) = lease_scores(store, NOW + minutes(3))
     assert (sent.score, sent.tries) == (0.7, held.tries + 1)
+
+
+def test_a_score_of_a_time_to_which_the_clock_had_run_ahead_does_not_wait_for_it(store: Store) -> None:
+    """The mark of an afternoon at which the clock was a year ahead came a year later."""
+    year = 365 * 24 * 60
+    submitted(store, joined(store, "never tried"), 0.7, minutes=year)
+    submitted(store, joined(store, "tried"), 0.6, minutes=year - 1)
+    (tried,) = lease_scores(store, NOW + minutes(year - 1))
+    postponed(store, tried, "http_503", NOW + minutes(year + 9))
+    submitted(store, joined(store, "now"), 0.5)
+    assert [item.score for item in lease_scores(store, NOW)] == [0.5]
+    hasten(store, NOW)
+    assert sorted(item.score for item in lease_scores(store, NOW)) == [0.6, 0.7]
+
+
+def test_what_is_withheld_or_waits_for_another_try_is_not_hastened(store: Store) -> None:
+    rules = AttemptPolicy(mode=Mode.EXAM, closes=NOW + minutes(60))
+    change_settings(store, joined(store).link.id, LinkSettings(policy=rules), NOW)
+    submitted(store, joined(store), 0.7, minutes=30)
+    hasten(store, NOW)
+    assert lease_scores(store, NOW) == []
+    (sent,) = lease_scores(store, NOW + minutes(61))
+    postponed(store, sent, "http_503", NOW + minutes(90))
+    hasten(store, NOW + minutes(70))
+    assert lease_scores(store, NOW + minutes(89)) == []
+    assert len(lease_scores(store, NOW + minutes(90))) == 1
 
 
 def test_scores_go_out_at_once_where_an_exam_becomes_an_exercise(store: Store) -> None:
