@@ -12,6 +12,8 @@ from pydantic import SecretStr
 from service.cli.environment import require_what_is_named, settings_of_environment
 
 HIDDEN = "********"
+_SECRET = re.compile(r"([?&][^=&]*(?:password|token|secret|key)=)[^&]*", re.IGNORECASE)
+"""Values of an address's query that are not shown: of a database, and of a collector."""
 
 
 def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -43,4 +45,4 @@ def _written(value: object) -> str:
 def _without_password(address: str) -> str:
     """What is printed is shown to others: hide the password of an address, wherever it stands."""
     hidden = re.sub(r"(://[^:/?#]*):.*@", rf"\1:{HIDDEN}@", address)
-    return re.sub(r"([?&](?:ssl)?password=)[^&]*", rf"\1{HIDDEN}", hidden)
+    return re.sub(_SECRET, rf"\1{HIDDEN}", hidden)

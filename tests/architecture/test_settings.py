@@ -207,6 +207,17 @@ def test_no_password_is_printed(
     assert "host/database" in printed
 
 
+def test_no_token_of_a_collector_is_printed(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.setattr("service.cli.config.require_what_is_named", lambda _: None)
+    monkeypatch.setenv("FRAMEWISE_TRACES", "https://u:lovelace@host/v1/traces?Api-Key=lovelace&region=eu")
+    main(["config"])
+    printed = capsys.readouterr().out
+    assert "lovelace" not in printed
+    assert "region=eu" in printed
+
+
 @pytest.mark.parametrize("name", ["DATABASE_URL", "TRACES"])
 def test_no_password_is_repeated_in_a_refusal(monkeypatch: pytest.MonkeyPatch, name: str) -> None:
     monkeypatch.setenv(f"FRAMEWISE_{name}", "ftp://ada:lovelace@host/x")
