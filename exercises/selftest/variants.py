@@ -15,7 +15,7 @@ from random import Random
 from exercises.grading import BaseRule, ConventionRule, DirectionRule, Policy, ToolRule, ZeroRule
 from kinematics.cells import ReadTable
 from kinematics.conversion import convert, fixed_row
-from kinematics.expressions import ZERO, Expression, Number, add, multiply, negate, pi_fraction, pi_times
+from kinematics.expressions import ZERO, Expression, Number, Sum, add, multiply, negate, pi_fraction, pi_times
 from kinematics.table import Convention, DHRow, DHTable, JointType, SymbolicRow, SymbolicTable
 
 Rows = list[SymbolicRow]
@@ -39,7 +39,7 @@ def variant(
     for _ in range(rng.randint(2, 6)):
         rule = rng.choice(_rules(policy))
         rows = rule(rows, lengths, rng)
-    return table_in(_modified(rows), rng.choice(_conventions(policy)))
+    return _as_written(table_in(_modified(rows), rng.choice(_conventions(policy))))
 
 
 def small_changes(
@@ -60,7 +60,24 @@ def small_changes(
         found = table_in(_modified(rows), table.convention)
         if found.convention is Convention.STANDARD and found.rows[-1] == EMPTY:
             found = replace(found, rows=found.rows[:-1])
-        yield found
+        yield _as_written(found)
+
+
+def _as_written(table: SymbolicTable) -> SymbolicTable:
+    """Return the table without whole turns in its angles, which nobody would write: 540° is 180°."""
+    rows = [
+        replace(row, theta=_within_a_turn(row.theta), alpha=_within_a_turn(row.alpha)) for row in table.rows
+    ]
+    return replace(table, rows=tuple(rows))
+
+
+def _within_a_turn(angle: Expression) -> Expression:
+    """Return an angle whose multiple of π lies above -π and up to π."""
+    terms = angle.terms if isinstance(angle, Sum) else (angle,)
+    turns = [pi_fraction(term) for term in terms]
+    rest = [term for term, turn in zip(terms, turns, strict=True) if turn is None]
+    total = sum((turn for turn in turns if turn is not None), Fraction(0))
+    return add((*rest, pi_times(1 - (1 - total) % 2)))
 
 
 def key_as_asked(key: ReadTable, policy: Policy) -> ReadTable:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 
 import pytest
@@ -20,6 +21,7 @@ from exercises.parts.mistakes.compare_tables import (
 from exercises.parts.mistakes.find_mistake import PART, FoundMistakeCells
 from exercises.parts.mistakes.planting import PLANTABLE, Planted
 from exercises.selftest.answers import context_of
+from exercises.written_table import written_table
 from kinematics.cells import AngleUnit, LengthUnit, RawRow, RawTable, read_table
 from kinematics.equivalence.decision import mechanism_only
 from kinematics.table import Convention, JointType
@@ -128,6 +130,16 @@ def test_every_true_reason_is_right_and_no_other() -> None:
         verdicts |= {same for same, _ in full}
         assert {report.score for report in reports.values()} == {0, 0.5, 1}
     assert verdicts == set(SameRobot)
+
+
+def test_the_second_table_has_no_whole_turns_in_its_angles() -> None:
+    """A table with "q1 + 540" looks like a mistake of its own."""
+    found = exercise("stanford-compare")
+    for seed in range(40):
+        second = written_table(generate(found, str(seed)).drawn["compare_tables"])
+        cells = [str(cell) for row in second.rows for cell in (row.theta, row.alpha)]
+        turns = [int(number) for cell in cells for number in re.findall(r"(?<!\w)\d+", cell)]
+        assert max(turns) <= 180
 
 
 @pytest.mark.parametrize(
