@@ -40,17 +40,13 @@ class Sentence:
 def describe(scene: Scene, view: View, unit: str) -> Iterator[Sentence]:
     """Yield the sentences of a scene, in the order in which they are read.
 
-    Coordinates count to the right, away from the reader and up, from where the robot is fixed.
+    Coordinates are those of the figure, in which frames are asked for and drawn, too.
     """
     basis = _directions(view)
-    origin = scene.ground.at if scene.ground else scene.axes[0].point
-
-    def place(point: Vector) -> str:
-        return _triple(_seen(basis, subtract(point, origin)))
-
-    yield Sentence(code="coordinates", params={"unit": unit, "joints": len(scene.axes)})
+    params: dict[str, str | int] = {"unit": unit, "joints": len(scene.axes)}
+    yield Sentence(code="coordinates", params={**params, **coordinates_told(scene, view)})
     for axis in scene.axes:
-        yield _joint(axis, basis, place(axis.point))
+        yield _joint(axis, basis)
     for dimension in scene.dimensions:
         along = _seen(basis, subtract(dimension.end, dimension.start))
         yield Sentence(
@@ -60,15 +56,30 @@ def describe(scene: Scene, view: View, unit: str) -> Iterator[Sentence]:
                 "length": _number(norm(along)),
                 "unit": unit,
                 "course": _course(along),
-                "start": place(dimension.start),
-                "end": place(dimension.end),
+                "start": _triple(dimension.start),
+                "end": _triple(dimension.end),
             },
         )
     for point in scene.points:
-        yield Sentence(code="point", params={"name": point.name, "place": place(point.at)})
+        yield Sentence(code="point", params={"name": point.name, "place": _triple(point.at)})
 
 
-def _joint(axis: FigureJointAxis, basis: Basis, place: str) -> Sentence:
+def coordinates_told(scene: Scene, view: View) -> dict[str, str]:
+    """Return what `figure-place` says of the figure's coordinates: where X points, and a place that is drawn.
+
+    That place is where the robot is fixed, or the body of joint 1.
+    """
+    right, away, _ = _directions(view)
+    pointing = {(1, 0): "right", (0, 1): "back", (-1, 0): "left", (0, -1): "front"}
+    at = scene.ground.at if scene.ground else scene.axes[0].point
+    return {
+        "x": pointing[round(right[0]), round(away[0])],
+        "fixed": "ground" if scene.ground else "joint",
+        "at": _triple(at),
+    }
+
+
+def _joint(axis: FigureJointAxis, basis: Basis) -> Sentence:
     direction = _seen(basis, axis.direction)
     turning = "revolute" if axis.type is JointType.REVOLUTE else "prismatic"
     return Sentence(
@@ -76,8 +87,8 @@ def _joint(axis: FigureJointAxis, basis: Basis, place: str) -> Sentence:
         params={
             "joint": axis.joint,
             "course": _course(direction),
-            "place": place,
-            "direction": _triple(direction),
+            "place": _triple(axis.point),
+            "direction": _triple(axis.direction),
         },
     )
 

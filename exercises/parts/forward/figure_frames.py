@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterable, Sequence
 
 from exercises.drawings import true_scene
+from exercises.figures.description import coordinates_told
 from exercises.figures.points import Points
 from exercises.instance import Instance
 from exercises.parts.cells.number_cells import read_numbers_of
@@ -27,6 +28,11 @@ def figure_axes(instance: Instance) -> list[JointAxis]:
         JointAxis(joint=axis.type, direction=axis.direction, point=axis.point)
         for axis in true_scene(instance).axes
     ]
+
+
+def figure_coordinates(instance: Instance) -> dict[str, str]:
+    """Return the values by which a task says in which coordinates the figure counts."""
+    return coordinates_told(true_scene(instance), instance.exercise.figure.view)
 
 
 def key_frames(instance: Instance) -> list[DrawnFrame]:

@@ -19,7 +19,13 @@ from exercises.grading import ConventionRule, Feedback, Finding, HelpLevel, Poli
 from exercises.instance import Instance
 from exercises.parts.cells.by_name import ByName, read_by_name
 from exercises.parts.context import Context
-from exercises.parts.forward.figure_frames import figure_axes, key_frames, lengths_in_frame, read_vector
+from exercises.parts.forward.figure_frames import (
+    figure_axes,
+    figure_coordinates,
+    key_frames,
+    lengths_in_frame,
+    read_vector,
+)
 from exercises.parts.protocol import Length, PartType, Reading
 from exercises.parts.report import Credit, Disclosure, Fact, PartReport, fact, judged, share_earned, told_from
 from exercises.parts.task import PartTask
@@ -89,7 +95,7 @@ class FramesPart(PartType[Part, FramesCells, ByName[FramesAnswer]]):
         """Ask for a frame on every link."""
         exercise = instance.exercise
         values = {"n": exercise.reference.table.n_joints, "unit": exercise.length_unit.value}
-        return PartTask(message="task-frames", values=values)
+        return PartTask(message="task-frames", values={**values, **figure_coordinates(instance)})
 
     def read(self, raw: FramesCells, reading: Reading) -> ByName[FramesAnswer] | None:
         """Return the frames in numbers."""

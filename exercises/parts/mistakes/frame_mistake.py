@@ -18,7 +18,13 @@ from exercises.errors import DefinitionError
 from exercises.instance import Instance, generate
 from exercises.parts.cells.by_name import ByName, read_by_name
 from exercises.parts.context import Context
-from exercises.parts.forward.figure_frames import figure_axes, key_frames, lengths_in_frame, read_vector
+from exercises.parts.forward.figure_frames import (
+    figure_axes,
+    figure_coordinates,
+    key_frames,
+    lengths_in_frame,
+    read_vector,
+)
 from exercises.parts.mistakes.found_mistakes import (
     FoundStep,
     MistakePart,
@@ -122,7 +128,7 @@ class FrameMistakeType(MistakeType[MistakePart, FoundFrameMistakeCells, ByName[F
         numbers = tuple(str(i) for i in range(len(found.shown)))
         return PartTask(
             message="task-frame-mistake",
-            values={"convention": convention},
+            values={"convention": convention, **figure_coordinates(instance)},
             form=(
                 choice_field("wrong_frame", numbers),
                 self.name_field(FRAME_MISTAKES),

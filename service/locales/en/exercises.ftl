@@ -6,7 +6,16 @@ figure-title = { $title }: joints, axes and dimensions
 figure-coordinates = { $joints ->
     [one] A robot with one joint.
    *[other] A robot with { $joints } joints, one behind the other, counted from the base.
-} Positions are given in { $unit } as (right; back; up), measured from where the robot is fixed.
+} Positions are given in { $unit } as (X; Y; Z). { figure-place }
+figure-place = X points { $x ->
+    [back] to the back, Y to the left
+    [left] to the left, Y to the front
+    [front] to the front, Y to the right
+   *[right] to the right, Y to the back
+}, Z up; { $fixed ->
+    [ground] the robot is fixed
+   *[joint] the body of joint 1 stands
+} at { $at }.
 figure-joint-revolute = Joint { $joint } turns. Its body stands at { $place }; its axis { $course ->
     [vertical] is vertical
     [sideways] runs from left to right
@@ -227,7 +236,7 @@ error-context_expired = This link has expired.
 error-switched_off = { $path } is switched off for this exercise.
 error-attempts_used_up = You have used all { $limit } attempts.
 error-ladder_falls = Each attempt may be told as much as the one before it or more, never less.
-task-frames = Place frames 0 to { $n } on the robot as the figure shows it: for each frame its origin, in { $unit } and in the coordinates of the figure, and the directions of x and z.
+task-frames = Place frames 0 to { $n } on the robot as the figure shows it: for each frame its origin, in { $unit } and in the coordinates of the figure, and the directions of x and z. { figure-place }
 error-frames_count = There are frames 0 to N: { $expected } are needed, and { $given } were given.
 error-convention_not_asked = The exercise asks for the { $asked } convention.
 error-weight_out_of_range = The weight of { $name } is a number from 0 to { $most }.

@@ -370,7 +370,7 @@ form-receipt-qr = Receipt as a QR code
 form-receipt-pdf = Page to print (PDF)
 
 form-part-frames = Frames
-form-frames-hint = In the coordinates of the figure, with their origin where the robot is fixed: X points right, Y back, Z up. Lengths in { $unit }. A direction may have any length.
+form-frames-hint = Lengths in { $unit }. A direction may have any length.
 form-frames-scene = The robot with your frames
 form-frames-drawn = { $drawn } of { $all } frames are drawn.
 form-frames-frame = Frame { $frame }

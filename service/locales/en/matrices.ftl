@@ -53,7 +53,7 @@ task-frame-mistake =
     { $convention ->
         [standard] The frames in the figure should follow the standard convention, z of frame i along joint i+1
        *[modified] The frames in the figure should follow the modified convention, z of frame i along joint i
-    }, but one of them has a mistake. Which frame is wrong, what is wrong with it, and how should it stand? Points and directions are given in the coordinates of the figure; any length of a direction will do.
+    }, but one of them has a mistake. Which frame is wrong, what is wrong with it, and how should it stand? Points and directions are given in the coordinates of the figure; any length of a direction will do. { figure-place }
 
 feedback-frame_mistake_place_wrong = This frame is right; the mistake is in another one.
 feedback-frame_mistake_name_wrong = The mistake is of another kind.

@@ -6,7 +6,16 @@ figure-title = { $title }: articulaciones, ejes y cotas
 figure-coordinates = { $joints ->
     [one] Un robot con una articulación.
    *[other] Un robot con { $joints } articulaciones, una tras otra, contadas desde la base.
-} Los lugares se dan en { $unit } como (a la derecha; hacia atrás; hacia arriba), medidos desde donde está fijado el robot.
+} Los lugares se dan en { $unit } como (X; Y; Z). { figure-place }
+figure-place = X apunta { $x ->
+    [back] hacia atrás, Y hacia la izquierda
+    [left] hacia la izquierda, Y hacia delante
+    [front] hacia delante, Y hacia la derecha
+   *[right] hacia la derecha, Y hacia atrás
+}, Z hacia arriba; { $fixed ->
+    [ground] el robot está fijado
+   *[joint] el cuerpo de la articulación 1 está
+} en { $at }.
 figure-joint-revolute = La articulación { $joint } es de rotación. Su cuerpo está en { $place }; su eje { $course ->
     [vertical] es vertical
     [sideways] va de izquierda a derecha
@@ -227,7 +236,7 @@ error-context_expired = Este enlace ha caducado.
 error-switched_off = { $path } está desactivado para este ejercicio.
 error-attempts_used_up = Se han agotado los { $limit } intentos.
 error-ladder_falls = A cada intento se le puede decir tanto como al anterior o más, nunca menos.
-task-frames = Coloque los sistemas 0 a { $n } en el robot tal como lo muestra la figura: de cada uno, su origen, en { $unit } y en las coordenadas de la figura, y las direcciones de x y z.
+task-frames = Coloque los sistemas 0 a { $n } en el robot tal como lo muestra la figura: de cada uno, su origen, en { $unit } y en las coordenadas de la figura, y las direcciones de x y z. { figure-place }
 error-frames_count = Hay sistemas de 0 a N: se necesitan { $expected } y se han dado { $given }.
 error-convention_not_asked = El ejercicio pide la convención { $asked }.
 error-weight_out_of_range = El peso de { $name } es un número de 0 a { $most }.

@@ -370,7 +370,7 @@ form-receipt-qr = Comprobante como código QR
 form-receipt-pdf = Página para imprimir (PDF)
 
 form-part-frames = Sistemas de referencia
-form-frames-hint = En las coordenadas de la figura, con origen donde está fijado el robot: X apunta a la derecha, Y hacia atrás, Z hacia arriba. Longitudes en { $unit }. Una dirección puede tener cualquier longitud.
+form-frames-hint = Longitudes en { $unit }. Una dirección puede tener cualquier longitud.
 form-frames-scene = El robot con sus sistemas
 form-frames-drawn = Dibujados { $drawn } de { $all } sistemas.
 form-frames-frame = Sistema { $frame }

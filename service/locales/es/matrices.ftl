@@ -53,7 +53,7 @@ task-frame-mistake =
     { $convention ->
         [standard] Los sistemas de la figura deberían seguir la convención estándar, con z del sistema i a lo largo de la articulación i+1
        *[modified] Los sistemas de la figura deberían seguir la convención modificada, con z del sistema i a lo largo de la articulación i
-    }, pero uno de ellos tiene un error. ¿Qué sistema está mal, qué tiene mal y cómo debería estar? Los puntos y las direcciones se dan en las coordenadas de la figura; la longitud de una dirección no importa.
+    }, pero uno de ellos tiene un error. ¿Qué sistema está mal, qué tiene mal y cómo debería estar? Los puntos y las direcciones se dan en las coordenadas de la figura; la longitud de una dirección no importa. { figure-place }
 
 feedback-frame_mistake_place_wrong = Este sistema está bien; el error está en otro.
 feedback-frame_mistake_name_wrong = El error es de otro tipo.

@@ -6,7 +6,16 @@ figure-title = { $title } : articulations, axes et cotes
 figure-coordinates = { $joints ->
     [one] Un robot à une articulation.
    *[other] Un robot à { $joints } articulations, l’une après l’autre, comptées depuis la base.
-} Les positions sont données en { $unit } sous la forme (à droite ; vers l’arrière ; vers le haut), mesurées depuis le point de fixation du robot.
+} Les positions sont données en { $unit } sous la forme (X ; Y ; Z). { figure-place }
+figure-place = X pointe { $x ->
+    [back] vers l’arrière, Y vers la gauche
+    [left] vers la gauche, Y vers l’avant
+    [front] vers l’avant, Y vers la droite
+   *[right] vers la droite, Y vers l’arrière
+}, Z vers le haut ; { $fixed ->
+    [ground] le robot est fixé
+   *[joint] le corps de l’articulation 1 se trouve
+} en { $at }.
 figure-joint-revolute = L’articulation { $joint } est rotoïde. Son corps se trouve en { $place } ; son axe { $course ->
     [vertical] est vertical
     [sideways] va de gauche à droite
@@ -227,7 +236,7 @@ error-context_expired = Ce lien a expiré.
 error-switched_off = { $path } est désactivé pour cet exercice.
 error-attempts_used_up = Les { $limit } essais sont épuisés.
 error-ladder_falls = À chaque essai, on peut en dire autant qu’à l’essai précédent ou plus, jamais moins.
-task-frames = Placez les repères 0 à { $n } sur le robot tel que le montre la figure : pour chacun son origine, en { $unit } et dans les coordonnées de la figure, et les directions de x et de z.
+task-frames = Placez les repères 0 à { $n } sur le robot tel que le montre la figure : pour chacun son origine, en { $unit } et dans les coordonnées de la figure, et les directions de x et de z. { figure-place }
 error-frames_count = Il y a les repères 0 à N : il en faut { $expected }, { $given } ont été donnés.
 error-convention_not_asked = L’exercice demande la convention { $asked }.
 error-weight_out_of_range = Le poids de { $name } est un nombre de 0 à { $most }.

@@ -370,7 +370,7 @@ form-receipt-qr = Reçu en code QR
 form-receipt-pdf = Page à imprimer (PDF)
 
 form-part-frames = Repères
-form-frames-hint = Dans les coordonnées de la figure, dont l’origine est là où le robot est fixé : X pointe à droite, Y vers l’arrière, Z vers le haut. Longueurs en { $unit }. Une direction peut avoir n’importe quelle longueur.
+form-frames-hint = Longueurs en { $unit }. Une direction peut avoir n’importe quelle longueur.
 form-frames-scene = Le robot avec vos repères
 form-frames-drawn = { $drawn } repères sur { $all } sont dessinés.
 form-frames-frame = Repère { $frame }

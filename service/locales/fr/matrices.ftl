@@ -53,7 +53,7 @@ task-frame-mistake =
     { $convention ->
         [standard] Les repères de la figure devraient suivre la convention standard, z du repère i le long de l’articulation i+1
        *[modified] Les repères de la figure devraient suivre la convention modifiée, z du repère i le long de l’articulation i
-    }, mais l’un d’eux contient une erreur. Quel repère est faux, qu’a-t-il de faux et comment devrait-il être placé ? Points et directions sont donnés dans les coordonnées de la figure ; la longueur d’une direction est libre.
+    }, mais l’un d’eux contient une erreur. Quel repère est faux, qu’a-t-il de faux et comment devrait-il être placé ? Points et directions sont donnés dans les coordonnées de la figure ; la longueur d’une direction est libre. { figure-place }
 
 feedback-frame_mistake_place_wrong = Ce repère est juste ; l’erreur est dans un autre.
 feedback-frame_mistake_name_wrong = L’erreur est d’un autre genre.

@@ -6,7 +6,16 @@ figure-title = { $title }: juntas, eixos e cotas
 figure-coordinates = { $joints ->
     [one] Um robô com uma junta.
    *[other] Um robô com { $joints } juntas, uma após a outra, contadas a partir da base.
-} Os lugares são dados em { $unit } como (à direita; atrás; acima), medidos a partir de onde o robô está fixado.
+} Os lugares são dados em { $unit } como (X; Y; Z). { figure-place }
+figure-place = X aponta { $x ->
+    [back] para trás, Y para a esquerda
+    [left] para a esquerda, Y para a frente
+    [front] para a frente, Y para a direita
+   *[right] para a direita, Y para trás
+}, Z para cima; { $fixed ->
+    [ground] o robô está fixado
+   *[joint] o corpo da junta 1 está
+} em { $at }.
 figure-joint-revolute = A junta { $joint } é rotativa. O seu corpo está em { $place }; o seu eixo { $course ->
     [vertical] é vertical
     [sideways] vai da esquerda para a direita
@@ -227,7 +236,7 @@ error-context_expired = Esta ligação expirou.
 error-switched_off = { $path } está desativado para este exercício.
 error-attempts_used_up = As { $limit } tentativas estão esgotadas.
 error-ladder_falls = A cada tentativa pode dizer-se tanto como à anterior ou mais, nunca menos.
-task-frames = Coloque os referenciais 0 a { $n } no robô tal como a figura o mostra: de cada um, a origem, em { $unit } e nas coordenadas da figura, e as direções de x e z.
+task-frames = Coloque os referenciais 0 a { $n } no robô tal como a figura o mostra: de cada um, a origem, em { $unit } e nas coordenadas da figura, e as direções de x e z. { figure-place }
 error-frames_count = Há referenciais de 0 a N: são precisos { $expected } e foram dados { $given }.
 error-convention_not_asked = O exercício pede a convenção { $asked }.
 error-weight_out_of_range = O peso de { $name } é um número de 0 a { $most }.

@@ -370,7 +370,7 @@ form-receipt-qr = Comprovativo como código QR
 form-receipt-pdf = Página para imprimir (PDF)
 
 form-part-frames = Referenciais
-form-frames-hint = Nas coordenadas da figura, com origem onde o robô está fixo: X aponta para a direita, Y para trás, Z para cima. Comprimentos em { $unit }. Uma direção pode ter qualquer comprimento.
+form-frames-hint = Comprimentos em { $unit }. Uma direção pode ter qualquer comprimento.
 form-frames-scene = O robô com os seus referenciais
 form-frames-drawn = { $drawn } de { $all } referenciais estão desenhados.
 form-frames-frame = Referencial { $frame }

@@ -53,7 +53,7 @@ task-frame-mistake =
     { $convention ->
         [standard] Os referenciais da figura deveriam seguir a convenção standard, com z do referencial i ao longo da junta i+1
        *[modified] Os referenciais da figura deveriam seguir a convenção modificada, com z do referencial i ao longo da junta i
-    }, mas um deles tem um erro. Que referencial está errado, o que tem de errado e como deveria estar? Os pontos e as direções são dados nas coordenadas da figura; o comprimento de uma direção é livre.
+    }, mas um deles tem um erro. Que referencial está errado, o que tem de errado e como deveria estar? Os pontos e as direções são dados nas coordenadas da figura; o comprimento de uma direção é livre. { figure-place }
 
 feedback-frame_mistake_place_wrong = Este referencial está certo; o erro está noutro.
 feedback-frame_mistake_name_wrong = O erro é de outro tipo.

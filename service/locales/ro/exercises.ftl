@@ -7,7 +7,16 @@ figure-coordinates = { $joints ->
     [one] Un robot cu o singură cuplă.
     [few] Un robot cu { $joints } cuple, una după alta, numărate de la bază.
    *[other] Un robot cu { $joints } de cuple, una după alta, numărate de la bază.
-} Pozițiile sunt date în { $unit } sub forma (dreapta; în spate; sus), măsurate de la locul în care este fixat robotul.
+} Pozițiile sunt date în { $unit } sub forma (X; Y; Z). { figure-place }
+figure-place = X arată { $x ->
+    [back] în spate, Y la stânga
+    [left] la stânga, Y în față
+    [front] în față, Y la dreapta
+   *[right] la dreapta, Y în spate
+}, Z în sus; { $fixed ->
+    [ground] robotul este fixat
+   *[joint] corpul cuplei 1 se află
+} la { $at }.
 figure-joint-revolute = Cupla { $joint } este de rotație. Corpul ei se află la { $place }; axa ei { $course ->
     [vertical] este verticală
     [sideways] este orientată de la stânga la dreapta
@@ -255,7 +264,7 @@ error-attempts_used_up =
        *[other] Toate cele { $limit } de încercări au fost folosite.
     }
 error-ladder_falls = La fiecare încercare se poate spune cel puțin cât la cea dinainte, niciodată mai puțin.
-task-frames = Așezați sistemele 0 până la { $n } pe robotul din figură: pentru fiecare originea, în { $unit } și în coordonatele figurii, și direcțiile axelor x și z.
+task-frames = Așezați sistemele 0 până la { $n } pe robotul din figură: pentru fiecare originea, în { $unit } și în coordonatele figurii, și direcțiile axelor x și z. { figure-place }
 error-frames_count = Există sistemele 0 până la N: sunt necesare { $expected }, au fost date { $given }.
 error-convention_not_asked = Exercițiul cere convenția { $asked }.
 error-weight_out_of_range = Ponderea lui { $name } este un număr de la 0 la { $most }.

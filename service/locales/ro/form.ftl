@@ -381,7 +381,7 @@ form-receipt-qr = Recipisa ca un cod QR
 form-receipt-pdf = Pagină de tipărit (PDF)
 
 form-part-frames = Sisteme de coordonate
-form-frames-hint = În coordonatele figurii, cu originea unde este fixat robotul: X arată la dreapta, Y în spate, Z în sus. Lungimi în { $unit }. O direcție poate avea orice lungime.
+form-frames-hint = Lungimi în { $unit }. O direcție poate avea orice lungime.
 form-frames-scene = Robotul cu sistemele dumneavoastră
 form-frames-drawn = Sunt desenate { $drawn } din { $all } sisteme.
 form-frames-frame = Sistemul { $frame }

@@ -53,7 +53,7 @@ task-frame-mistake =
     { $convention ->
         [standard] Sistemele de coordonate din figură ar trebui să respecte convenția standard, cu z al sistemului i de-a lungul cuplei i+1
        *[modified] Sistemele de coordonate din figură ar trebui să respecte convenția modificată, cu z al sistemului i de-a lungul cuplei i
-    }, dar unul dintre ele are o greșeală. Care sistem este greșit, ce este greșit la el și cum ar trebui să stea? Punctele și direcțiile sunt date în coordonatele figurii; lungimea unei direcții nu contează.
+    }, dar unul dintre ele are o greșeală. Care sistem este greșit, ce este greșit la el și cum ar trebui să stea? Punctele și direcțiile sunt date în coordonatele figurii; lungimea unei direcții nu contează. { figure-place }
 
 feedback-frame_mistake_place_wrong = Acest sistem este corect; greșeala este în altul.
 feedback-frame_mistake_name_wrong = Greșeala este de alt fel.

@@ -387,7 +387,7 @@ form-receipt-qr = Квитанція QR-кодом
 form-receipt-pdf = Сторінка для друку (PDF)
 
 form-part-frames = Системи координат
-form-frames-hint = У координатах рисунка з початком там, де закріплено робота: X вказує праворуч, Y назад, Z вгору. Довжини в { $unit }. Напрям може мати будь-яку довжину.
+form-frames-hint = Довжини в { $unit }. Напрям може мати будь-яку довжину.
 form-frames-scene = Робот із вашими системами координат
 form-frames-drawn = Намальовано { $drawn } з { $all } систем координат.
 form-frames-frame = Система { $frame }

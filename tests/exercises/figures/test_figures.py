@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from dataclasses import replace
 from xml.etree import ElementTree
@@ -16,6 +17,7 @@ from exercises.figures.svg import document, split_name
 from exercises.grading import DirectionRule
 from exercises.instance import Instance, generate
 from exercises.loader import load_exercise
+from exercises.parts.registry import part_type
 from kinematics.table import JointType
 from tests.exercises.folders import folder
 from tests.exercises.packaged import exercise, exercise_ids
@@ -155,6 +157,37 @@ def test_the_description_speaks_of_every_joint_and_dimension(exercise_id: str) -
         mark.name for mark in found.figure.dimensions
     ]
     assert bool(found.figure.lengths) is any(entry.code == "not-to-scale" for entry in sentences)
+
+
+@pytest.mark.parametrize("exercise_id", ["scara-frame-mistake", "twolink-frames"])
+def test_description_task_and_geometry_count_in_the_same_coordinates(exercise_id: str) -> None:
+    """The words counted from where the robot is fixed, what was asked and drawn from the key's frame 0."""
+    found = generate(exercise(exercise_id))
+    (kind,) = (part for part in found.exercise.parts if part.kind in {"frames", "frame_mistake"})
+    told = part_type(kind.kind).task(kind, found).values
+    scene = true_scene(found)
+    assert scene.ground is not None
+    first, *others = figure_sentences(found)
+    assert [told[name] for name in ("x", "fixed", "at")] == ["right", "ground", first.params["at"]]
+    assert numbers_in(first.params["at"]) == pytest.approx(scene.ground.at)
+    places = [numbers_in(entry.params["place"]) for entry in others if "place" in entry.params]
+    points = [axis.point for axis in scene.axes] + [point.at for point in scene.points]
+    assert np.array(places) == pytest.approx(np.array(points), abs=1e-3)
+
+
+def numbers_in(triple: str | int) -> list[float]:
+    return [float(text) for text in str(triple).strip("()").split("; ")]
+
+
+@pytest.mark.parametrize("azimuth", [-60, -10, 60, 140, 215])
+def test_the_words_say_where_x_points_on_paper(azimuth: float) -> None:
+    found = generate(exercise("scara"))
+    view = replace(found.exercise.figure.view, azimuth=math.radians(azimuth))
+    figure = replace(found.exercise.figure, view=view)
+    (first, *_) = figure_sentences(replace(found, exercise=replace(found.exercise, figure=figure)))
+    x, towards = camera_for(view).right[0], camera_for(view).eye[0]
+    sideways, away = ("right" if x > 0 else "left"), ("front" if towards > 0 else "back")
+    assert first.params["x"] == (sideways if abs(x) > abs(towards) else away)
 
 
 def with_signs(exercise_id: str) -> Instance:
