@@ -255,6 +255,10 @@ class PartType(ABC, Generic[P, Raw, Read]):
         if any(exercise.part(kind) is not None for kind in (TABLE, *others)):
             yield Fault.at("key_given_away", "kind")
 
+    def shows_answer(self, part: P) -> bool:
+        """Return whether the task shows what it asks for."""
+        return False
+
     def draw(self, part: P, exercise: Exercise, picker: Picker) -> Any:
         """Return what is drawn for one student beside the robot's dimensions; None if nothing is."""
         return None

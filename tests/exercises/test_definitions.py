@@ -10,12 +10,13 @@ import pytest
 
 from exercises.consistency import inconsistencies
 from exercises.definition import LANGUAGES
+from exercises.errors import DefinitionError
 from exercises.grading import ToolRule
 from exercises.loader import load_exercise
 from exercises.selftest.checks import check
 from exercises.statements import names_in
 from kinematics import catalogue
-from tests.exercises.folders import TWO_LINKS, changed, folder
+from tests.exercises.folders import TWO_LINKS, changed, folder, with_part
 from tests.exercises.packaged import exercise, exercise_ids, table_ids
 
 SEEDS = int(os.environ.get("EXERCISE_SEEDS", "0"))
@@ -160,3 +161,75 @@ def test_where_no_answer_can_earn_a_part_the_author_is_told(
 ) -> None:
     found = check(load_exercise(folder(tmp_path, text)), 0)
     assert {one.check for one in found.warnings} - {"unneeded", "alike"} == told
+
+
+TABLE_ALONE = '\n[[parts]]\nkind = "table"\npoints = 10\n'
+ANGLES = 'kind = "orientation"\naxes = "ZYX"\nangles = [30, 20, 10]\n'
+CHAIN = 'kind = "frame_chain"\njoints = [30, 45]\nknown = [{ from = 0, to = 1 }, { from = 1, to = 2 }]\n'
+
+
+def asking_only(part: str, text: str = TWO_LINKS) -> str:
+    """A definition that asks for one part and no table."""
+    return with_part(f"{part}points = 10", changed(TABLE_ALONE, "", text))
+
+
+@pytest.mark.parametrize(
+    ("part", "told"),
+    [
+        (f'{ANGLES}given = "matrix"\nask = ["matrix"]\n', True),
+        (f'{ANGLES}given = "angles"\nask = ["angles"]\n', True),
+        (f'{ANGLES}given = "angles"\nask = ["angles"]\nasked_axes = "ZYZ"\n', False),
+        (f'{ANGLES}given = "angles"\nask = ["every_triple"]\n', False),
+        (f"{CHAIN}asked = {{ from = 0, to = 1 }}\n", True),
+        (f"{CHAIN}asked = {{ from = 1, to = 0 }}\n", False),
+    ],
+)
+def test_an_author_is_warned_of_a_task_that_shows_what_it_asks_for(
+    part: str, told: bool, tmp_path: Path
+) -> None:
+    found = check(load_exercise(folder(tmp_path, asking_only(part))), 1)
+    assert found.failures == []
+    assert ("asked_as_shown" in {one.check for one in found.warnings}) is told
+
+
+@pytest.mark.parametrize("kind", ["transform", "link_matrices"])
+def test_matrices_may_be_asked_without_a_table(kind: str, tmp_path: Path) -> None:
+    """Their own wrong answers were refused, or explained by a table that nobody asks for."""
+    assert check(load_exercise(folder(tmp_path, asking_only(f'kind = "{kind}"\n'))), 2).failures == []
+
+
+GANTRY = """rows = [
+  { joint = "prismatic", theta = 0, d = "q1", a = 0, alpha = -90 },
+  { joint = "prismatic", theta = -90, d = "q2", a = 0, alpha = 90 },
+]
+"""
+JOINTS_OF = 'kind = "inverse_kinematics"\nreach = "position"\njoints = '
+
+
+@pytest.mark.parametrize("folded", [False, True], ids=["no hinge", "a hinge that may stand anywhere"])
+def test_joint_values_are_asked_of_an_arm_whose_first_joint_cannot_be_wrong(
+    folded: bool, tmp_path: Path
+) -> None:
+    """The self-test's answer with the first hinge half a turn off did not exist, or was right."""
+    if folded:
+        text = asking_only(
+            f"{JOINTS_OF}[30, 180]\n", TWO_LINKS.replace('"L2"', '"L1"').replace("L2.value = 0.3", "")
+        )
+    else:
+        start, end = TWO_LINKS.index("rows = ["), TWO_LINKS.index("[[parts]]")
+        text = asking_only(f"{JOINTS_OF}[0.2, 0.3]\n", f"{TWO_LINKS[:start]}{GANTRY}\n{TWO_LINKS[end:]}")
+    found = check(load_exercise(folder(tmp_path, text, statement="An arm.")), 1)
+    assert found.failures == []
+
+
+@pytest.mark.parametrize(
+    ("part", "code"),
+    [
+        ('kind = "pose"\njoints = [30, 45]\n', "pose_without_table"),
+        ('kind = "jacobian"\njoints = [30, 45]\naxes = "ZYZ"\n', "angles_locked"),
+    ],
+)
+def test_a_part_that_no_answer_can_be_right_for_is_refused(part: str, code: str, tmp_path: Path) -> None:
+    with pytest.raises(DefinitionError) as refused:
+        load_exercise(folder(tmp_path, asking_only(part)))
+    assert [fault.code for fault in refused.value.faults] == [code]

@@ -27,7 +27,7 @@ from exercises.parts.cells.comparison import (
 from exercises.parts.cells.matrix_cells import CellMatrix, read_known_matrix, write_matrix
 from exercises.parts.cells.symbolic_matrix import SymbolicMatrix
 from exercises.parts.context import Context
-from exercises.parts.forward.value import is_robot
+from exercises.parts.forward.value import is_robot, reads_as_robot
 from exercises.parts.protocol import TABLE, Length, PartType, Reading
 from exercises.parts.report import Credit, Fact, PartReport, fact, judged, told_from
 from exercises.parts.task import PartTask
@@ -141,10 +141,17 @@ class LinkMatricesPart(PartType[Part, Sequence[CellMatrix | None], tuple[Symboli
         i = rng.randrange(len(right))
         chosen = right[i]
         assert chosen is not None
-        yield "matrix_missing", [*right[:i], None, *right[i + 1 :]]
+        asked = context.instance.exercise.part(TABLE) is not None
+        if asked:
+            yield "matrix_missing", [*right[:i], None, *right[i + 1 :]]
         turned = transposed_cells(chosen)
-        if turned is not None:
-            yield "matrix_rotation_transposed", [*right[:i], turned, *right[i + 1 :]]
+        if turned is None:
+            return
+        changed = [*right[:i], turned, *right[i + 1 :]]
+        if asked:
+            yield "matrix_rotation_transposed", changed
+        elif not reads_as_robot(context, [cells for cells in changed if cells is not None]):
+            yield "matrices_product_wrong", changed
 
 
 def _by_own_rows(context: Context, answer: Sequence[SymbolicMatrix | None], part: Part) -> PartReport:

@@ -42,7 +42,7 @@ from exercises.parts.report import Credit, PartReport, judged, told_from
 from exercises.parts.task import PartTask
 from exercises.reading import Reader
 from kinematics.equivalence import Tolerance
-from kinematics.errors import ParameterError
+from kinematics.errors import Fault, ParameterError
 from kinematics.forward import forward_kinematics
 from kinematics.se3 import inverse_transform
 from kinematics.table import JointType
@@ -117,6 +117,12 @@ class PosePartType(PartType[PosePart, CellMatrix, Matrices]):
     def start(self, robot: RobotFacts) -> Start:
         """Return joint values to begin with."""
         return {"joints": usual_joints(robot)}
+
+    def inconsistencies(self, part: PosePart, exercise: Exercise) -> Iterator[Fault]:
+        """Yield a fault where nothing says whose pose it is."""
+        asked = exercise.part(TABLE) is not None or exercise.part("transform") is not None
+        if not asked and not policy_fixes_pose(exercise.policy):
+            yield Fault.at("pose_without_table", "kind")
 
     def draw(self, part: PosePart, exercise: Exercise, picker: Picker) -> tuple[Fraction, ...]:
         """Return the student's joint values [the exercise's units]."""

@@ -29,8 +29,8 @@ from exercises.parts.cells.comparison import (
 from exercises.parts.cells.matrix_cells import CellMatrix, read_known_matrix, write_matrix
 from exercises.parts.cells.symbolic_matrix import SymbolicMatrix
 from exercises.parts.context import Context
-from exercises.parts.forward.value import is_robot
-from exercises.parts.protocol import PartType, Reading
+from exercises.parts.forward.value import is_robot, reads_as_robot
+from exercises.parts.protocol import TABLE, PartType, Reading
 from exercises.parts.report import Credit, PartReport, judged, told_from
 from exercises.parts.task import PartTask
 from kinematics.se3 import inverse_transform
@@ -130,10 +130,12 @@ class TransformPart(PartType[Part, CellMatrix, SymbolicMatrix]):
         return write_matrix(form.transform, context.own.table.n_joints, tuple(context.own.parameters))
 
     def wrong(self, part: Part, context: Context, rng: Random) -> Iterator[tuple[str, CellMatrix]]:
-        """Yield the matrix with its rotation transposed."""
+        """Yield the matrix with its rotation transposed, unless that is right in other frames."""
         turned = transposed_cells(self.right(part, context))
-        if turned is not None:
-            yield "transform_rotation_transposed", turned
+        if turned is None or reads_as_robot(context, (turned,)):
+            return
+        asked = context.instance.exercise.part(TABLE) is not None
+        yield "transform_rotation_transposed" if asked else "transform_wrong", turned
 
 
 PART = TransformPart()

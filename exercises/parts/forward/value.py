@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from exercises.parts.cells.comparison import agreeing, is_doubled, is_rigid
 from exercises.parts.cells.exactness import EITHER_WAY
+from exercises.parts.cells.matrix_cells import CellMatrix, read_matrix
 from exercises.parts.cells.mixed_lengths import other_lengths
 from exercises.parts.cells.symbolic_matrix import SymbolicMatrix
 from exercises.parts.context import Context, twice_as_long
@@ -76,6 +77,17 @@ def is_robot(context: Context, matrices: Sequence[SymbolicMatrix]) -> bool:
             tolerance = replace(usual, length=min(usual.length, EITHER_WAY * typed))
             return _is_robot_at(context, partial(poses_at, other), key, tolerance)
     return True
+
+
+def reads_as_robot(context: Context, matrices: Sequence[CellMatrix]) -> bool:
+    """Return the same of matrices as they are typed.
+
+    Raises:
+        CellError: they cannot be read.
+    """
+    return is_robot(
+        context, [read_matrix(cells, context.joint_types, context.angle_unit, ()) for cells in matrices]
+    )
 
 
 def _key_at(context: Context, values: Mapping[str, float]) -> NumericTable | None:

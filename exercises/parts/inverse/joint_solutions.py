@@ -206,12 +206,15 @@ class InverseKinematicsType(PartType[InverseKinematicsPart, JointAnswerCells, Jo
         if not right.solutions:
             return
         first = right.solutions[0]
-        turning = [
-            i for i, kind in enumerate(context.reference.table.joint_types) if kind is JointType.REVOLUTE
-        ]
+        question = question_of(part, context.instance)
+        reaching = question.found.solutions[0].joints
         half = context.instance.exercise.angle_unit.from_radians(math.pi)
-        off = (*first[: turning[0]], float(first[turning[0]]) + half, *first[turning[0] + 1 :])
-        yield "joints_quadrant", replace(right, solutions=(off, *right.solutions[1:]))
+        for i, kind in enumerate(context.reference.table.joint_types):
+            over = [value + math.pi * (j == i) for j, value in enumerate(reaching)]
+            if kind is JointType.REVOLUTE and not question.reaches(over):
+                off = (*first[:i], float(first[i]) + half, *first[i + 1 :])
+                yield "joints_quadrant", replace(right, solutions=(off, *right.solutions[1:]))
+                break
         if part.every and len(right.solutions) > 1 and right.claim is JointClaim.FINITE:
             yield "joints_missing", replace(right, solutions=right.solutions[1:])
         yield "claim_wrong", JointAnswerCells(claim=JointClaim.OUT_OF_REACH)

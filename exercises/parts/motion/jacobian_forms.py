@@ -84,7 +84,7 @@ class JacobianFormType(JacobianType[JacobianFormPart, JacobianForm]):
 
     def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> JacobianFormPart:
         """Return the part with what is asked."""
-        asked = reader.choices("ask", JacobianAsk, (JacobianAsk.JACOBIAN.value,))
+        asked = tuple(dict.fromkeys(reader.choices("ask", JacobianAsk, (JacobianAsk.JACOBIAN.value,))))
         angles = read_angles(reader)
         wrench: list[Expression] = []
         load = reader.values.get("wrench") if reader.given("wrench") else None

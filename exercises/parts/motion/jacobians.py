@@ -7,7 +7,8 @@ exercise's unit, as the task says; those of an answer beside a table in another 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from fractions import Fraction
 
@@ -56,14 +57,18 @@ from kinematics.answers.jacobian_answers import (
     judge_jacobian,
 )
 from kinematics.answers.screw_answers import ScrewOrder
-from kinematics.cells import Cell
+from kinematics.cells import Cell, parameters_in_radians
 from kinematics.cells.meaning import Position
 from kinematics.chain import Chain, chain_of_table
+from kinematics.errors import Fault, JointValueError
 from kinematics.jacobian import JacobianFrame
 from kinematics.joint_values import wrong_length
 from kinematics.keys import ValueKind
 from kinematics.se3 import Floats
 from kinematics.table import bind
+
+CONFIGURATIONS = 4
+"""Configurations in which rates of the angles are looked for: not all of them are singular by chance."""
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)
@@ -99,7 +104,7 @@ class JacobianPartType(JacobianType[JacobianPart, JacobianNumbers]):
     def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> JacobianPart:
         """Return the part with its joint values and what is asked."""
         joints, draws = read_joints(reader, robot)
-        asked = reader.choices("ask", JacobianAsk, (JacobianAsk.JACOBIAN.value,))
+        asked = tuple(dict.fromkeys(reader.choices("ask", JacobianAsk, (JacobianAsk.JACOBIAN.value,))))
         wrench = reader.exacts("wrench", (0, 0, 0, 0, 0, 0))
         forces = JacobianAsk.FORCES in asked
         if len(wrench) != 6:
@@ -117,6 +122,20 @@ class JacobianPartType(JacobianType[JacobianPart, JacobianNumbers]):
             wrench=tuple(float(value) for value in wrench),
             tolerance=reader.number("tolerance", 0.005),
         )
+
+    def inconsistencies(self, part: JacobianPart, exercise: Exercise) -> Iterator[Fault]:
+        """Yield a fault where the angles have rates in no configuration."""
+        if part.angles is None:
+            return
+        key = exercise.reference
+        values = parameters_in_radians(exercise.usual_values, key.parameters, key.angle_unit)
+        chain = chain_of_table(bind(key.table, values))
+        for k in range(CONFIGURATIONS):
+            with suppress(JointValueError):
+                joints = [0.7 + 1.3 * k + 0.9 * i for i in range(len(chain.axes))]
+                jacobian_at(chain, joints, part.frame, part.angles)
+                return
+        yield Fault.at("angles_locked", "axes", axes=part.angles.axes)
 
     def keys(self, robot: RobotFacts) -> tuple[DefinitionKey, ...]:
         """Return the keys of the joint values beside those of what is asked."""

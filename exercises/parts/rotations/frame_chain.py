@@ -131,6 +131,10 @@ class FrameChainType(PartType[FrameChainPart, FrameChainCells, ByName[Matrices]]
             if not all(0 <= frame <= last for frame in pair):
                 yield Fault.at("unknown_frame", *where, last=last)
 
+    def shows_answer(self, part: FrameChainPart) -> bool:
+        """Return whether the asked pose is a known one."""
+        return part.asked in part.known
+
     def draw(self, part: FrameChainPart, exercise: Exercise, picker: Picker) -> tuple[Fraction, ...]:
         """Return the student's joint values [the exercise's units]."""
         return drawn_joints(part.joints, part.draws, picker, self.kind)

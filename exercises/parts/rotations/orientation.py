@@ -110,10 +110,16 @@ class OrientationPartType(PartType[OrientationPart, OrientationCells, Orientatio
             turns=read_draw(reader, "turns"),
             middle=read_draw(reader, "middle"),
             given=reader.choice("given", OrientationNotation, OrientationNotation.ANGLES),
-            ask=tuple(dict.fromkeys(asked)),
+            ask=_without_repetition(asked),
             asked_sequence=read_sequence(reader, "asked_axes", "asked_turning", sequence),
             tolerance=reader.number("tolerance", USUAL_TOLERANCE),
         )
+
+    def shows_answer(self, part: OrientationPart) -> bool:
+        """Return whether a notation is asked in which the orientation is shown."""
+        angles = part.given in (OrientationNotation.ANGLES, OrientationNotation.EVERY_TRIPLE)
+        shown = OrientationNotation.ANGLES if angles else part.given
+        return shown in part.ask and not (angles and part.asked_sequence != part.sequence)
 
     def keys(self, robot: RobotFacts) -> tuple[DefinitionKey, ...]:
         """Return the keys of the angles, and of what is given and asked."""
@@ -212,6 +218,12 @@ class OrientationPartType(PartType[OrientationPart, OrientationCells, Orientatio
         if right.angles is not None and part.ask == (OrientationNotation.ANGLES,):
             first, middle, last = right.angles[0]
             yield "orientation_wrong", replace(right, angles=((float(first) + 17, middle, last),))
+
+
+def _without_repetition(asked: Sequence[OrientationNotation]) -> tuple[OrientationNotation, ...]:
+    """Return each notation once; one triple is among all of them."""
+    both = OrientationNotation.EVERY_TRIPLE in asked
+    return tuple(dict.fromkeys(way for way in asked if not (both and way is OrientationNotation.ANGLES)))
 
 
 def _place(notation: OrientationNotation) -> str:

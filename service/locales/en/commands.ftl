@@ -26,5 +26,6 @@ check-unneeded = No right answer needs { $name }: a student may choose frames in
 check-alike = Some students may exchange { $name } and { $other } in numbers, and nobody notices: the two differ by no more than 1 %. Choose values, or ranges to draw from, that lie further apart.
 check-no_joints = The robot has no joint: there is nothing to describe. Give a row of the table a joint.
 check-nothing_earned = No wrong table earns anything: no fact of this robot that a table of zeros has wrong carries a weight. Set other weights, or fix more in the policy.
+check-asked_as_shown = The part { $kind } shows what it asks for. Ask for something else, or show it in another form.
 warm-counts = { $exercise }: { $values } sets of values tested and drawn, { $figures } figures, { $forms } closed forms, { $failed } failed, { $seconds } s
 error-nothing_to_warm = There is no exercise, and no course with links, called { $name }.

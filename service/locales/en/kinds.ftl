@@ -104,6 +104,7 @@ error-family_incomplete = A family of triples needs all three: the middle angle,
 error-orientation_empty = Write the orientation in one of the notations that are asked for.
 error-mistake_empty = Say where the mistake is, which it is, or how it is mended.
 error-frames_not_connected = The known poses do not lead from frame { $start } to frame { $end }.
+error-pose_without_table = A pose is that of a student’s own table or ⁰T: ask for one of them, too, or let the policy fix zero, direction, base frame and tool frame.
 
 error-one_notation = Give the orientation in one notation: { $known }.
 error-name_without_value = The name { $name } has no value here.{ $found ->

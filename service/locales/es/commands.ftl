@@ -26,5 +26,6 @@ check-unneeded = Ninguna respuesta correcta necesita { $name }: el estudiante pu
 check-alike = Algunos estudiantes pueden intercambiar { $name } y { $other } en números sin que se note: difieren en un 1 % como máximo. Elija valores o intervalos más separados.
 check-no_joints = El robot no tiene ninguna articulación: no hay nada que describir. Ponga una en alguna fila de la tabla.
 check-nothing_earned = Ninguna tabla incorrecta obtiene puntos: no tiene peso nada de lo que una tabla de ceros describe mal en este robot. Cambie los pesos o fije más reglas.
+check-asked_as_shown = La parte { $kind } muestra lo que pide. Pida otra cosa o muéstrelo en otra forma.
 warm-counts = { $exercise }: { $values } juegos de valores comprobados y dibujados, { $figures } figuras, { $forms } formas cerradas, { $failed } fallos, { $seconds } s
 error-nothing_to_warm = No hay ningún ejercicio, ni ningún curso con enlaces, llamado { $name }.

@@ -104,6 +104,7 @@ error-family_incomplete = Una familia de ternas necesita las tres cosas: el áng
 error-orientation_empty = Escriba la orientación en una de las notaciones que se piden.
 error-mistake_empty = Diga dónde está el error, cuál es o cómo se corrige.
 error-frames_not_connected = Las poses conocidas no llevan del sistema { $start } al sistema { $end }.
+error-pose_without_table = Una pose es la de la tabla del propio estudiante o la de ⁰T: pida también una de ellas, o deje que las reglas fijen el cero, el sentido, el sistema 0 y el último sistema.
 
 error-one_notation = Dé la orientación en una sola notación: { $known }.
 error-name_without_value = El nombre { $name } no tiene valor aquí.{ $found ->

@@ -26,5 +26,6 @@ check-unneeded = Aucune réponse juste n’a besoin de { $name } : on peut choi
 check-alike = Certains étudiants peuvent échanger { $name } et { $other } en chiffres sans que rien ne le montre : les deux diffèrent de 1 % au plus. Choisissez des valeurs, ou des plages de tirage, plus éloignées.
 check-no_joints = Le robot n’a aucune articulation : il n’y a rien à décrire. Mettez-en une dans une ligne du tableau.
 check-nothing_earned = Aucun tableau faux ne rapporte de points : rien de ce qu’un tableau de zéros décrit mal de ce robot n’a de poids. Changez les poids ou fixez davantage de règles.
+check-asked_as_shown = La partie { $kind } montre ce qu’elle demande. Demandez autre chose, ou montrez-le sous une autre forme.
 warm-counts = { $exercise } : { $values } jeux de valeurs vérifiés et dessinés, { $figures } figures, { $forms } formes littérales, { $failed } échecs, { $seconds } s
 error-nothing_to_warm = Il n’y a ni exercice ni cours avec des liens nommé { $name }.

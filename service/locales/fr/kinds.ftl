@@ -104,6 +104,7 @@ error-family_incomplete = Une famille de triplets demande les trois : l’angle
 error-orientation_empty = Écrivez l’orientation dans l’une des notations demandées.
 error-mistake_empty = Dites où est l’erreur, laquelle c’est ou comment la corriger.
 error-frames_not_connected = Les poses connues ne mènent pas du repère { $start } au repère { $end }.
+error-pose_without_table = Une pose est celle du tableau de l’étudiant ou de ⁰T : demandez aussi l’un d’eux, ou laissez les règles fixer le zéro, le sens, le repère 0 et le dernier repère.
 
 error-one_notation = Donnez l’orientation dans une seule notation : { $known }.
 error-name_without_value = Le nom { $name } n’a pas de valeur ici.{ $found ->

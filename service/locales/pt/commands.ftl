@@ -26,5 +26,6 @@ check-unneeded = Nenhuma resposta certa precisa de { $name }: o estudante pode e
 check-alike = Alguns estudantes podem trocar { $name } e { $other } em números sem que se note: diferem no máximo 1 %. Escolha valores ou intervalos mais afastados.
 check-no_joints = O robô não tem nenhuma junta: não há nada a descrever. Ponha uma numa linha da tabela.
 check-nothing_earned = Nenhuma tabela errada recebe pontos: nada do que uma tabela de zeros descreve mal neste robô tem peso. Mude os pesos ou fixe mais regras.
+check-asked_as_shown = A parte { $kind } mostra o que pede. Peça outra coisa ou mostre-a noutra forma.
 warm-counts = { $exercise }: { $values } conjuntos de valores verificados e desenhados, { $figures } figuras, { $forms } formas fechadas, { $failed } falhas, { $seconds } s
 error-nothing_to_warm = Não há exercício, nem curso com ligações, chamado { $name }.

@@ -104,6 +104,7 @@ error-family_incomplete = Uma família de ternos precisa das três coisas: o ân
 error-orientation_empty = Escreva a orientação numa das notações pedidas.
 error-mistake_empty = Diga onde está o erro, qual é ou como se corrige.
 error-frames_not_connected = As poses conhecidas não levam do referencial { $start } ao referencial { $end }.
+error-pose_without_table = Uma pose é a da tabela do próprio estudante ou de ⁰T: peça também uma delas, ou deixe que as regras fixem o zero, o sentido, o referencial 0 e o último referencial.
 
 error-one_notation = Dê a orientação numa só notação: { $known }.
 error-name_without_value = O nome { $name } não tem valor aqui.{ $found ->

@@ -28,5 +28,6 @@ check-unneeded = Niciun răspuns corect nu are nevoie de { $name }: studentul po
 check-alike = Unii studenți pot inversa { $name } și { $other } în numere fără să se observe: diferă cu cel mult 1 %. Alegeți valori sau intervale mai îndepărtate.
 check-no_joints = Robotul nu are nicio cuplă: nu este nimic de descris. Puneți una într-un rând al tabelului.
 check-nothing_earned = Niciun tabel greșit nu primește puncte: nimic din ce descrie greșit un tabel de zerouri la acest robot nu are pondere. Schimbați ponderile sau fixați mai multe reguli.
+check-asked_as_shown = Partea { $kind } arată chiar ceea ce cere. Cereți altceva sau arătați-l în altă formă.
 warm-counts = { $exercise }: seturi de valori verificate și desenate: { $values }, figuri: { $figures }, forme închise: { $forms }, eșecuri: { $failed }, { $seconds } s
 error-nothing_to_warm = Nu există niciun exercițiu și niciun curs cu legături numit { $name }.

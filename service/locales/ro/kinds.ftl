@@ -104,6 +104,7 @@ error-family_incomplete = O familie de triplete are nevoie de toate trei: unghiu
 error-orientation_empty = Scrieți orientarea într-una dintre notațiile cerute.
 error-mistake_empty = Spuneți unde este greșeala, care este ea sau cum se îndreaptă.
 error-frames_not_connected = Situările cunoscute nu duc de la sistemul { $start } la sistemul { $end }.
+error-pose_without_table = O situare este cea a tabelului studentului sau a lui ⁰T: cereți și unul dintre ele sau lăsați regulile să fixeze zeroul, sensul, sistemul 0 și ultimul sistem.
 
 error-one_notation = Dați orientarea într-o singură notație: { $known }.
 error-name_without_value = Numele { $name } nu are valoare aici.{ $found ->
