@@ -1,7 +1,7 @@
 """Where an arm loses rank twice at once, or nearly: the configuration that made the pose is in the answer."""
 
 import math
-from itertools import islice
+from itertools import islice, product
 
 import numpy as np
 import pytest
@@ -247,7 +247,7 @@ def test_a_walk_does_not_step_over_what_parts_two_solutions():
     assert not leads(follower, q[None], other[None], follower.lost)[0]
 
 
-@pytest.mark.parametrize("decimals", [9, 17])
+@pytest.mark.parametrize("decimals", [9, 17] if EXPLORE else [9])
 @pytest.mark.parametrize("side", [1, -1])
 @pytest.mark.parametrize("shoulder", [0.0, math.pi])
 def test_the_last_step_of_a_walk_does_not_lead_to_the_wrist_turned_over(shoulder, side, decimals):
@@ -335,7 +335,8 @@ FOLDED = np.array(
 
 
 @pytest.mark.parametrize(
-    ("off", "decimals"), [(3e-9, 17), (3e-9, 12), (1e-7, 17), (1e-7, 15), (1e-7, 12), (1e-6, 9)]
+    ("off", "decimals"),
+    [(3e-9, 12), (1e-7, 12), (1e-6, 9), *([(3e-9, 17), (1e-7, 17), (1e-7, 15)] if EXPLORE else [])],
 )
 def test_beside_a_folded_arm_with_its_wrist_in_line_families_are_told_and_not_samples(off, decimals):
     table = MODELS["catalogue puma600"]
@@ -348,8 +349,9 @@ def test_beside_a_folded_arm_with_its_wrist_in_line_families_are_told_and_not_sa
     assert has(solver, goal, q, answer)
 
 
-@pytest.mark.parametrize("off", [6e-9, 1e-8])
-@pytest.mark.parametrize("wrist", [0.334, 0.0])
+@pytest.mark.parametrize(
+    ("wrist", "off"), product([0.334, 0.0], [6e-9, 1e-8]) if EXPLORE else [(0.334, 6e-9), (0.0, 1e-8)]
+)
 def test_ways_through_gaps_are_asked_for_one_member_of_each_piece(wrist, off):
     table = MODELS["catalogue puma600"]
     q = np.array([-2.263, 0.17, -np.pi / 2 + off, -0.05, wrist + off, -2.474])

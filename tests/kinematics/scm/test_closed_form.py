@@ -71,12 +71,14 @@ def test_closed_forms_of_the_printed_robots(robot_id):
 def test_inspection_and_differentiation_give_the_same_functions(robot_id, frame):
     """Eq. 3.22 and 3.23 against eq. 3.24: not at sample points, but proved equal entry by entry.
 
-    With seven joints the angular rows take minutes to prove: there the linear ones are.
+    With seven joints the angular rows take minutes to prove: there the linear ones are, and of those in the
+    end's frame, a second or more each, the first.
     """
     chain = catalogue.robot(robot_id).chain.read.chain
     inspected = jacobian_closed_form_scm(chain, frame)
     differentiated = jacobian_by_differentiation(closed_form_scm(chain).transform, chain.n_joints, frame)
-    proved = slice(0, 3) if chain.n_joints > 6 else slice(0, 6)
+    linear = slice(0, 1 if frame is JacobianFrame.END and not EXPLORE else 3)
+    proved = linear if chain.n_joints > 6 else slice(0, 6)
     for row, other in zip(inspected[proved], differentiated[proved], strict=True):
         for entry, derived in zip(row, other, strict=True):
             assert same_function(entry, derived)
