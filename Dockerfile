@@ -6,9 +6,9 @@ ARG PYTHON_IMAGE=python:3.12-slim-bookworm
 FROM ${PYTHON_IMAGE} AS vendor
 WORKDIR /build
 COPY requirements-node.lock ./
-RUN python -m venv /opt/node \
-    && /opt/node/bin/pip install --no-cache-dir --disable-pip-version-check --require-hashes \
-       --only-binary :all: -r requirements-node.lock
+RUN python -m venv --without-pip /opt/node \
+    && python -m pip --python /opt/node/bin/python install --no-cache-dir --no-compile --disable-pip-version-check \
+       --require-hashes --only-binary :all: -r requirements-node.lock
 COPY package.json package-lock.json .npmrc ./
 COPY tools/vendor.py tools/vendor.py
 RUN /opt/node/bin/python tools/vendor.py --omit-dev
@@ -26,10 +26,9 @@ WORKDIR /build
 COPY requirements.lock requirements-telemetry.lock ./
 # With traces: docker build --build-arg LOCK=requirements-telemetry.lock .
 ARG LOCK
-RUN python -m venv /opt/framewise \
-    && /opt/framewise/bin/pip install --no-cache-dir --no-compile --disable-pip-version-check --require-hashes \
-       --only-binary :all: -r "${LOCK:-requirements.lock}" \
-    && /opt/framewise/bin/python -m pip uninstall --yes setuptools pip \
+RUN python -m venv --without-pip /opt/framewise \
+    && python -m pip --python /opt/framewise/bin/python install --no-cache-dir --no-compile --disable-pip-version-check \
+       --require-hashes --only-binary :all: -r "${LOCK:-requirements.lock}" \
     && find /opt/framewise -path '*/babel/locale-data/*.dat' ! -name root.dat ! -name en.dat ! -name es.dat \
        ! -name en_001.dat ! -name en_GB.dat ! -name fr.dat ! -name pt.dat ! -name pt_PT.dat ! -name ro.dat ! -name uk.dat -delete \
     && find /opt/framewise -path '*/pymupdf_fonts/*.py' ! -name __init__.py ! -name 'FiraGO_*' -delete \
