@@ -74,16 +74,22 @@ def inverse_form(
 
     Raises:
         TableError: code `inverse_form_unknown` of an arm that is not taken apart so, at ("rows",), or at the
-            cell that leaves axes neither parallel nor at right angles.
+            cell that leaves axes neither parallel nor at right angles; `inverse_form_idle_joint` of one that is,
+            but for a joint that cannot move what it would have to, because a length is 0.
     """
     if not table.n_joints:
         raise TableError(Fault.at("inverse_joint_count", "rows", count=0, limit=MAX_JOINTS))
     if table.n_joints <= MOST_JOINTS:
         arm = signed_arm_of(table, tip)
+        idle = 0
         for parts in partitions(arm):
-            form = _Writer(arm, parts, (*table_parameters(table), *taken)).form()
+            writer = _Writer(arm, parts, (*table_parameters(table), *taken))
+            form = writer.form()
             if form is not None:
                 return form
+            idle = idle or writer.write.idle
+        if idle:
+            raise TableError(Fault.at("inverse_form_idle_joint", "rows", joint=idle))
     raise TableError(Fault.at("inverse_form_unknown", "rows"))
 
 
@@ -200,6 +206,7 @@ class _Writer:
         F = minus(self.parts.point, joint.point)
         a, b = along(plane.h, F), along(cross(plane.h, e), F)
         if a == b == ZERO:
+            write.idles(joint)
             return None
         theta = circular_root(write, a, b, along(plane.h, minus(target, joint.point)), joint)
         F = turned(e, circular(Function.COS, theta), circular(Function.SIN, theta), F)

@@ -13,10 +13,18 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TypeAlias
 
-from kinematics.expressions import ONE, ZERO, Expression, Function, Sum, add, negate
+from kinematics.expressions import ONE, ZERO, Expression, Function, Sum, add, negate, parameters_in
 from kinematics.inverse_forms.formulas import atan2, halved, less_angle, over, root, square, times
 from kinematics.inverse_forms.signed_axes import Axis, SignedJoint, Vector, along, circular, signed
-from kinematics.inverse_forms.steps import InverseDerivation, InverseQuantity, determined, reachable
+from kinematics.inverse_forms.steps import (
+    InverseCondition,
+    InverseDerivation,
+    InverseQuantity,
+    SingularCase,
+    determined,
+    fulfilled,
+    reachable,
+)
 from kinematics.se3 import cross, dot
 
 Point: TypeAlias = tuple[Expression, Expression]
@@ -84,14 +92,14 @@ def place_point(
 
     Returns:
         Whether there is a form for these joints: there is none where the second cannot move the point, two
-        joints turn about one axis, or slide the same way.
+        joints turn about one axis, or slide the same way. The second is then noted as idle.
     """
     first, second = joints
     if second.turns and _from(plane.point(start), plane.point(second.point)) == (ZERO, ZERO):
-        return False
+        return write.idles(second)
     if first.turns and second.turns:
         if plane.point(first.point) == plane.point(second.point):
-            return False
+            return write.idles(second)
         _two_turns(write, plane, first, second, plane.point(start), target, varying=varying)
     elif first.turns:
         _turn_and_slide(write, plane, first, second, plane.point(start), target, varying=varying)
@@ -102,7 +110,7 @@ def place_point(
         for joint in joints:
             write.joint(joint, _component(plane.way(joint), off))
     else:
-        return False
+        return write.idles(second)
     return True
 
 
@@ -159,7 +167,21 @@ def _two_turns(
         B = add((times(ly, fx), negate(times(lx, fy))))
         coefficients = _named(write, "A", "B", (A, B), InverseQuantity.COEFFICIENT)
         equation = *coefficients, half
-    phi = circular_root(write, *equation, second, plane.sense(second), varying=varying)
+    # Where the two axes coincide, as lengths that are names may have it, one of the joints is enough.
+    one_axis = SingularCase(
+        free=(second.number, first.number),
+        conditions=tuple(fulfilled(value) for value in (lx, ly, half) if value != ZERO),
+    )
+    between = [value for value in L if value != ZERO]
+    phi = circular_root(
+        write,
+        *equation,
+        second,
+        plane.sense(second),
+        varying=varying,
+        conditions=() if _never_zero(between) else (determined(*between),),
+        cases=() if _never_zero(between) else (one_axis,),
+    )
     c, s = circular(Function.COS, phi), circular(Function.SIN, phi)
     x, y = _turned(c, s, F)
     W = _named(write, "k_x", "k_y", (add((lx, x)), add((ly, y))), InverseQuantity.ARM_POINT)
@@ -250,6 +272,8 @@ def circular_root(
     sense: int = 1,
     *,
     varying: bool = False,
+    conditions: Sequence[InverseCondition] = (),
+    cases: Sequence[SingularCase] = (),
 ) -> Expression:
     """Write down φ with a cos φ + b sin φ = d; returned is φ in terms of the joint's variable.
 
@@ -260,7 +284,9 @@ def circular_root(
         d: what the sum is to be.
         joint: turns by φ or -φ.
         sense: 1 or -1.
-        varying: whether a and b may both be 0 on some targets.
+        varying: whether a and b may both be 0 on some targets; lengths that are names may always be.
+        conditions: what else the angle needs.
+        cases: in which these do not hold.
     """
     coefficients = [value for value in (a, b) if value != ZERO]
     singular = (*coefficients, d)
@@ -280,11 +306,19 @@ def circular_root(
         d = write.let("K", d, InverseQuantity.CIRCULAR, meaning=meaning)
         radicand = add((square(a), square(b), negate(square(d))))
         angle = add((atan2(b, a), atan2(times(sign, root(radicand)), d)))
-    conditions = [reachable(radicand), *([determined(*coefficients)] if varying else [])]
-    theta = write.joint(joint, angle, *conditions, branch=sign, sense=sense)
-    if varying:
-        write.free(joint, *singular)
+    needed = [reachable(radicand), *conditions]
+    told = [*cases]
+    if varying or not _never_zero(coefficients):
+        needed.append(determined(*coefficients))
+        told.append(SingularCase(free=(joint.number,), conditions=tuple(map(fulfilled, singular))))
+    theta = write.joint(joint, angle, *needed, branch=sign, sense=sense)
+    write.singular(*told)
     return theta if sense > 0 else negate(theta)
+
+
+def _never_zero(values: Sequence[Expression]) -> bool:
+    """Whether values that are not 0 cannot all be 0, whatever the lengths with names are."""
+    return any(not parameters_in(value) for value in values)
 
 
 def _named(write: InverseDerivation, x: str, y: str, point: Point, quantity: InverseQuantity) -> Point:

@@ -163,9 +163,11 @@ class InverseDerivation:
     Attributes:
         steps: what has been written.
         branches: the signs introduced.
+        idle: number of a joint that does nothing where it is needed, so that there is no form; 0 if none.
     """
 
     def __init__(self, taken: Iterable[str]) -> None:
+        self.idle = 0
         self.steps: list[InverseStep] = []
         self.branches: list[str] = []
         self._taken = set(taken)
@@ -228,6 +230,11 @@ class InverseDerivation:
             )
         )
         return joint.angle if joint.turns else JointVariable(joint.number)
+
+    def idles(self, joint: SignedJoint) -> bool:
+        """Note that a joint does nothing where it is needed; returned is that there is no form."""
+        self.idle = joint.number
+        return False
 
     def singular(self, *cases: SingularCase) -> None:
         """Add the cases in which the last equation does not determine its angle."""

@@ -52,7 +52,13 @@ ROBOTS = {  # what there is of a robot: its joints, rows, parameters, links, its
     *("scm_no_variable", "scm_too_many_joints", "scm_parameter_two_kinds", "pose_tolerance_out_of_range"),
     *("urdf_not_xml", "urdf_joint_names", "urdf_link_names"),
     *("robot_unknown", "not_plantable", "not_singular"),
-    *("inverse_form_unknown", "inverse_joint_count", "form_too_large", "archive_not_zip"),
+    *(
+        "inverse_form_unknown",
+        "inverse_form_idle_joint",
+        "inverse_joint_count",
+        "form_too_large",
+        "archive_not_zip",
+    ),
 }
 GEOMETRY = {  # four rows of four numbers are seldom a pose, zeros point nowhere, and angles lock
     *("pose_bottom_row", "pose_not_orthonormal", "pose_left_handed", "direction_zero", "axis_length"),

@@ -34,7 +34,7 @@ def test_scara_as_books_print_it(client: httpx.Client) -> None:
     assert branching["joint"] == 2
     assert branching["latex"].startswith(r"q_{2}=\operatorname{atan2}")
     assert branching["json"]["type"] == "call"
-    assert {condition["kind"] for condition in branching["conditions"]} == {"reachable"}
+    assert {condition["kind"] for condition in branching["conditions"]} == {"reachable", "determined"}
     assert answer["symbols"]["c2"] == "cos(q2)"
     assert "code" not in answer
 

@@ -342,7 +342,8 @@ def test_a_large_angle_is_not_taken_for_a_right_one(twist):
 def test_where_a_joint_does_nothing_there_is_no_form_and_no_division_by_zero(name):
     with pytest.raises(TableError) as refused:
         inverse_form(IDLE[name].table)
-    assert refused.value.faults[0].code == "inverse_form_unknown"
+    (fault,) = refused.value.faults
+    assert (fault.code, fault.params) == ("inverse_form_idle_joint", {"joint": 2})
 
 
 def test_two_links_are_the_law_of_cosines():

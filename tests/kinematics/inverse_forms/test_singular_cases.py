@@ -5,7 +5,9 @@ import math
 import numpy as np
 import pytest
 
+from kinematics.catalogue import robot
 from kinematics.cells import bind_parameters, parameter_values
+from kinematics.errors import TableError
 from kinematics.expressions import evaluate, parameters_in
 from kinematics.forward import end_pose
 from kinematics.inverse import ArmReach, solver_of
@@ -242,3 +244,39 @@ def test_a_sum_of_squares_is_no_radicand_to_be_asked_about():
         ("q2", "atan2(sigma2*rho, -sigma2*v)"),
     ]
     assert [len(step.conditions) for step in form.steps] == [1, 0, 0, 0, 1]
+
+
+@pytest.mark.parametrize(
+    ("robot_id", "zero"),
+    [("twolink", "L1"), ("twolink", "L2"), ("ur5", "a2"), ("ur5", "a3"), ("scara", "a2"), ("irb140", "a2")],
+)
+def test_where_a_length_is_0_that_is_divided_by_one_of_the_joints_may_be_chosen(robot_id, zero):
+    read = robot(robot_id).table
+    form = inverse_form(read.table)
+    values = dict(robot(robot_id).parameters) | {zero: 0.0}
+    table = bind_parameters(read, values)
+    without = [
+        case
+        for step in form.steps
+        for case in step.singular
+        for condition in step.conditions
+        if condition.kind is ConditionKind.DETERMINED
+        and parameters_in(condition.value) <= {zero}
+        and case.conditions[0].value == condition.value
+    ]
+    (case,) = without
+    q = np.random.default_rng(9).uniform(-2.0, 2.0, table.n_joints)
+    target = end_pose(table, q)
+    chosen = values | {"chosen": q[case.free[0] - 1]}
+    found = [joints for _, joints in joint_values(form_of_case(form, case, "chosen"), target, chosen)]
+    assert any(max(abs(turned(a - b)) for a, b in zip(joints, q, strict=True)) < 1e-7 for joints in found)
+
+
+@pytest.mark.parametrize(("zero", "joint"), [("L1", 2), ("L2", 2)])
+def test_an_arm_with_such_a_length_is_refused_for_the_joint_that_does_nothing(zero, joint):
+    lengths = {"L1": 0.5, "L2": 0.3} | {zero: 0.0}
+    table = table_of(STANDARD, (0, lengths["L1"], 0, "q1"), (0, lengths["L2"], 0, "q2")).table
+    with pytest.raises(TableError) as refused:
+        inverse_form(table)
+    (fault,) = refused.value.faults
+    assert (fault.code, fault.params) == ("inverse_form_idle_joint", {"joint": joint})
