@@ -14,6 +14,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from kinematics.caching import USUAL_ROWS, cached_by_size
+
 MOST_ALIGNMENTS = 1000
 """In how many ways joints are placed beside the key's at the most."""
 NOT_THERE = 1 << 20
@@ -30,11 +32,6 @@ class Alignments(NamedTuple):
 
     shifts: NDArray[np.intp]
     others: tuple[tuple[int, ...], ...]
-
-    def of_links(self, first: int, last: int) -> NDArray[np.intp]:
-        """(k,) the common shift of the links between two axes, or that they are not there side by side."""
-        some = self.shifts[:, first:last]
-        return np.where((some == some[:, :1]).all(axis=1), some[:, 0], NOT_THERE)
 
 
 @lru_cache(maxsize=256)
@@ -53,6 +50,25 @@ def alignments(ours: tuple[bool, ...], theirs: tuple[bool, ...]) -> Alignments:
             beside = {link: link - i for i, link in enumerate(kept)}
             shifts.append([beside.get(link, NOT_THERE) for link in range(more)])
     return Alignments(np.array(shifts, dtype=np.intp), tuple(_others(ours, theirs, one) for one in shifts))
+
+
+@cached_by_size(lambda ours, theirs, pairs: len(ours), longest=USUAL_ROWS, most=256, few=8)
+def shifts_between(
+    ours: tuple[bool, ...], theirs: tuple[bool, ...], pairs: tuple[tuple[int, int], ...]
+) -> NDArray[np.intp]:
+    """Return the common shift of the links between pairs of axes, or that they are not there side by side.
+
+    Args:
+        ours: as for `alignments`.
+        theirs: likewise.
+        pairs: the numbers of the first and the last axis.
+
+    Returns:
+        (pairs, k), for each of the ways in which the links are matched.
+    """
+    shifts = alignments(ours, theirs).shifts
+    between = [shifts[:, first:last] for first, last in pairs]
+    return np.array([np.where((some == some[:, :1]).all(axis=1), some[:, 0], NOT_THERE) for some in between])
 
 
 def _left_out(links: int, some: int) -> Iterator[tuple[int, ...]]:

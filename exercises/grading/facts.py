@@ -17,7 +17,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from exercises.grading.alignments import NOT_THERE, alignments
+from exercises.grading.alignments import NOT_THERE, alignments, shifts_between
 from kinematics.caching import USUAL_ROWS, cached_by_size
 from kinematics.chain import Axis
 from kinematics.equivalence import BaseRule, Policy, ToolRule
@@ -134,7 +134,8 @@ class Facts:
     def _compared(self, axes: Sequence[Axis], found: Floats | None) -> _Compared:
         """An answer compared with the key, its links beside the key's in k ways."""
         shift = len(self.axes) - len(axes)
-        ways = alignments(*(tuple(axis.prismatic for axis in some) for some in (self.axes, axes)))
+        ours, theirs = (tuple(axis.prismatic for axis in some) for some in (self.axes, axes))
+        ways = alignments(ours, theirs)
         if not shift:
             return self._compared_one_by_one(axes, found, ways.others[0])
         shifts = range(min(shift, 0), max(shift, 0) + 1)
@@ -147,14 +148,13 @@ class Facts:
         for q, k in np.argwhere(either).tolist():
             either[q, k] = self._means(self.invariants.shapes[q], besides[k])
         spans = zip(*(ends[:, 0].tolist() for ends in self.invariants.spans), strict=True)
-        there = np.array([ways.of_links(first, last) for first, last in spans])
-        column = np.clip(there - shifts[0], 0, len(shifts) - 1)
-        has = np.take_along_axis(either, column, axis=1)
+        there = shifts_between(ours, theirs, tuple(spans))
+        beside = np.arange(len(there))[:, None], np.minimum(there - shifts[0], len(shifts) - 1)
         others = np.array([len(joints) for joints in ways.others])
         return _Compared(
             np.asarray((1.0 - self.joint) ** abs(shift) * (1.0 - self.type) ** others, dtype=np.float64),
-            np.take_along_axis(fits, column[None].repeat(2, axis=0), axis=2),
-            has & (there != NOT_THERE),
+            fits[:, *beside],
+            either[beside] & (there != NOT_THERE),
         )
 
     def _compared_one_by_one(

@@ -14,6 +14,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from contextlib import nullcontext
 from dataclasses import replace
+from functools import lru_cache
 
 from kinematics.chain import Chain, chain_of_table
 from kinematics.equivalence.bounds import surely_apart
@@ -213,6 +214,7 @@ _RULES: tuple[tuple[Kind, str, BaseRule | ToolRule | ZeroRule | DirectionRule], 
 )
 
 
+@lru_cache(maxsize=256)
 def mechanism_only(policy: Policy) -> Policy:
     """Return the policy that asks for nothing but the same mechanism, at the same tolerance."""
     return Policy(tool=ToolRule.FREE, tolerance=policy.tolerance)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from enum import StrEnum
+from functools import cached_property
 
 
 class ConventionRule(StrEnum):
@@ -83,7 +84,7 @@ class Tolerance:
     angle: float = 5e-3
 
 
-@dataclass(frozen=True, kw_only=True, slots=True)
+@dataclass(frozen=True, kw_only=True)
 class Policy:
     """What the submission is held to, beyond being the same mechanism; the defaults are an exercise's."""
 
@@ -93,3 +94,12 @@ class Policy:
     zero: ZeroRule = ZeroRule.FREE
     direction: DirectionRule = DirectionRule.FREE
     tolerance: Tolerance = field(default_factory=Tolerance)
+
+    def __hash__(self) -> int:
+        return self._hash
+
+    @cached_property
+    def _hash(self) -> int:
+        """Computed once: most of what is known of a key is looked up by a policy as well."""
+        rules = (self.convention, self.base, self.tool, self.zero, self.direction)
+        return hash((rules, self.tolerance))

@@ -11,8 +11,8 @@ from __future__ import annotations
 import math
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
-from functools import cached_property, lru_cache
-from typing import NamedTuple
+from functools import lru_cache
+from typing import NamedTuple, TypeAlias
 
 from exercises.grading.edits.changes import Change
 from exercises.grading.edits.work import Work
@@ -26,8 +26,13 @@ from kinematics.table import Convention, JointType, NumericRow, NumericTable
 CLEARLY = 1.01
 
 
-class FactPlace(NamedTuple):
-    """Where a fact stands.
+Bounds: TypeAlias = Sequence[tuple[float, float]]
+"""Of every fact its size in the key, and how far it may be off."""
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class LegibleFact:
+    """A fact that stands in entries.
 
     Attributes:
         number: which of the facts.
@@ -43,32 +48,16 @@ class FactPlace(NamedTuple):
     links: tuple[int, ...]
     places: frozenset[Place]
 
-
-@dataclass(eq=False, slots=True)
-class LegibleFact:
-    """A fact that stands in entries; see `FactPlace`.
-
-    Attributes:
-        target: its size in the key.
-        slack: how far it may be off.
-    """
-
-    column: str
-    rows: tuple[int, ...]
-    links: tuple[int, ...]
-    places: frozenset[Place]
-    target: float
-    slack: float
-
-    def is_wrong(self, rows: Sequence[NumericRow], changed: Mapping[Place, float]) -> bool:
+    def is_wrong(self, bounds: Bounds, rows: Sequence[NumericRow], changed: Mapping[Place, float]) -> bool:
         """Return whether it is seen not to be the key's, in rows of which some cells are changed."""
         first, column = self.rows[0], self.column
+        target, slack = bounds[self.number]
         value: float = changed.get((first, column), getattr(rows[first], column))
         if column == "alpha":
             twist = abs(math.remainder(value, math.tau))
-            return abs(min(twist, math.pi - twist) - self.target) > self.slack
+            return abs(min(twist, math.pi - twist) - target) > slack
         if not self.links:
-            return abs(abs(value) - self.target) > self.slack
+            return abs(abs(value) - target) > slack
         twists = [changed.get((row, "alpha"), rows[row].alpha) for row in self.links]
         if any(abs(math.sin(twist)) > SAME for twist in twists):
             return False
@@ -76,31 +65,25 @@ class LegibleFact:
         for row, twist in zip(self.rows[1:], twists, strict=False):
             way = math.copysign(1.0, way * math.cos(twist))
             value += way * changed.get((row, column), getattr(rows[row], column))
-        return abs(abs(value) - self.target) > self.slack
+        return abs(abs(value) - target) > slack
 
 
-class LegibleFacts:
+class LegibleFacts(NamedTuple):
     """The facts that stand in the entries of tables with the same rows.
 
     Attributes:
         facts: all of them.
+        at: the facts by the cells on which they depend.
+        bounds: what they are held to.
     """
 
-    def __init__(self, facts: Sequence[LegibleFact]) -> None:
-        self.facts = facts
-
-    @cached_property
-    def _at(self) -> Mapping[Place, Sequence[LegibleFact]]:
-        """The facts by the cells on which they depend."""
-        found: dict[Place, list[LegibleFact]] = {}
-        for fact in self.facts:
-            for place in fact.places:
-                found.setdefault(place, []).append(fact)
-        return found
+    facts: Sequence[LegibleFact]
+    at: Mapping[Place, Sequence[LegibleFact]]
+    bounds: Bounds
 
     def wrong(self, rows: Sequence[NumericRow]) -> list[LegibleFact]:
         """Return the facts that are seen not to be the key's."""
-        return [fact for fact in self.facts if fact.is_wrong(rows, {})]
+        return [fact for fact in self.facts if fact.is_wrong(self.bounds, rows, {})]
 
     def are_wrong(self, change: Change, rows: Sequence[NumericRow], most: int) -> bool:
         """Return the same of any change; a fact is not wrong that depends on a cell yet to be solved for.
@@ -113,7 +96,7 @@ class LegibleFacts:
         changed = {(row, cell): value for row, cell, value in change.cells}
         free = {(change.row, cell) for cell in change.unsolved}
         for fact in self.facts:
-            if fact.is_wrong(rows, changed) and free.isdisjoint(fact.places):
+            if fact.is_wrong(self.bounds, rows, changed) and free.isdisjoint(fact.places):
                 most -= 1
                 if most < 0:
                     return True
@@ -136,14 +119,14 @@ class LegibleFacts:
                 most -= 1
                 if most < 0:
                     return True
-        at = self._at
+        at = self.at
         if len(changed) == 1:
             (place,) = changed
             touched: Collection[LegibleFact] = at.get(place, ())
         else:
             touched = {fact for place in changed for fact in at.get(place, ())}
         for fact in touched:
-            if fact.is_wrong(rows, changed):
+            if fact.is_wrong(self.bounds, rows, changed):
                 most -= 1
                 if most < 0:
                     return True
@@ -218,28 +201,20 @@ def legible_facts(
         convention: the table's.
         joints: the types of joints, row by row.
     """
-    targets, slacks = _bounds(invariants)
-    return LegibleFacts(
-        [
-            LegibleFact(column, rows, links, places, targets[number], slacks[number])
-            for number, column, rows, links, places in _places(
-                invariants.shapes[:n_facts], convention, joints
-            )
-        ]
-    )
+    return LegibleFacts(*_seen(invariants.shapes[:n_facts], convention, joints), _bounds(invariants))
 
 
 @lru_cache(maxsize=8)
-def _bounds(invariants: Invariants) -> tuple[list[float], list[float]]:
-    """The sizes of invariants in the key, and how far they may be off."""
-    return invariants.own_sizes[:, 0].tolist(), (CLEARLY * invariants.slacks)[:, 0].tolist()
+def _bounds(invariants: Invariants) -> Bounds:
+    sizes, slacks = invariants.own_sizes[:, 0].tolist(), (CLEARLY * invariants.slacks)[:, 0].tolist()
+    return list(zip(sizes, slacks, strict=True))
 
 
 @cached_by_size(lambda shapes, convention, joints: len(joints), longest=USUAL_ROWS, most=1024, few=32)
-def _places(
+def _seen(
     shapes: tuple[Shape, ...], convention: Convention, joints: tuple[JointType, ...]
-) -> list[FactPlace]:
-    """Where facts stand; the same for all students of an exercise, whatever their values."""
+) -> tuple[Sequence[LegibleFact], Mapping[Place, Sequence[LegibleFact]]]:
+    """The facts, and by cells; the same for all students of an exercise, whatever their values."""
     rows = [row for row, joint in enumerate(joints) if joint is not JointType.FIXED]
     standard = convention is Convention.STANDARD
 
@@ -249,11 +224,14 @@ def _places(
             return None
         return rows[i - 1] if standard else rows[j - 1]
 
-    found: list[FactPlace] = []
+    found: list[LegibleFact] = []
+    at: dict[Place, list[LegibleFact]] = {}
 
     def keep(number: int, column: str, rows: tuple[int, ...], links: tuple[int, ...] = ()) -> None:
         places = frozenset({(row, column) for row in rows} | {(row, "alpha") for row in links})
-        found.append(FactPlace(number, column, rows, links, places))
+        found.append(LegibleFact(number, column, rows, links, places))
+        for place in places:
+            at.setdefault(place, []).append(found[-1])
 
     for number, (measure, axes) in enumerate(shapes):
         if measure is Measure.OFFSET and len(axes) == PLAIN_OFFSET:
@@ -267,4 +245,4 @@ def _places(
                 keep(number, "alpha", (row,))
             elif len(axes) == 3 or set(axes[2:]) == set(axes[:2]):
                 keep(number, "a", (row,), (row,) if len(axes) == 3 else ())
-    return found
+    return found, at

@@ -188,6 +188,7 @@ def measured_as_typed(
     return _measured_as_typed(invariants.shapes, table, tuple(steps.items()), fixing_frames(policy))
 
 
+@lru_cache(maxsize=256)
 def fixing_frames(policy: Policy) -> Policy:
     """Return a policy that fixes what another one does of frames 0 and N: all that invariants depend on."""
     return Policy(

@@ -159,18 +159,18 @@ def _half_step(entry: Expression, cell: str, unit: AngleUnit) -> float | None:
     if entry == ZERO:
         return None
     if cell not in ANGLES:
-        return _of_decimal(entry.value) if isinstance(entry, Number) else 0.0
+        return _of_decimal(entry.value.denominator) if isinstance(entry, Number) else 0.0
     if unit is AngleUnit.RAD:
-        return _of_decimal(entry.value) if isinstance(entry, Number) else 0.0
+        return _of_decimal(entry.value.denominator) if isinstance(entry, Number) else 0.0
     turns = pi_fraction(entry)
     if turns is None or not (turns * 12) % 1:
         return 0.0
-    return math.radians(_of_decimal(turns * 180))
+    return math.radians(_of_decimal((turns * 180).denominator))
 
 
-def _of_decimal(value: Fraction) -> float:
-    """Half a unit of the last decimal; 0 if the number is no decimal."""
-    rest = value.denominator
+@lru_cache(maxsize=4096)
+def _of_decimal(rest: int) -> float:
+    """Half a unit of the last decimal of a number with such a denominator; 0 if it is no decimal."""
     twos = (rest & -rest).bit_length() - 1
     rest >>= twos
     fives = 0

@@ -180,7 +180,8 @@ def test_a_table_is_narrowed_to_the_row_and_the_column_that_are_wrong(
 def test_an_edit_may_leave_as_many_facts_wrong_as_is_said(wrong: int, most: int) -> None:
     """Whether it brings a table of its own or changes cells, and whether it touches what is wrong or not."""
     rows = tuple(turning(a=2.0 if i < wrong else 1.0) for i in range(3))
-    facts = LegibleFacts([LegibleFact("a", (i,), (), frozenset({(i, "a")}), 1.0, 0.1) for i in range(3)])
+    stand = [LegibleFact(i, "a", (i,), (), frozenset({(i, "a")})) for i in range(3)]
+    facts = LegibleFacts(stand, {(i, "a"): [fact] for i, fact in enumerate(stand)}, [(1.0, 0.1)] * 3)
     nothing, first = Change("", Extent.CELL), Change("a_value", Extent.CELL, 0, "a", ((0, "a", 1.0),))
     assert facts.are_wrong(nothing, rows, most) is (wrong > most)
     assert facts.leave_wrong(nothing, rows, facts.wrong(rows), most) is (wrong > most)
@@ -215,9 +216,9 @@ def test_offsets_along_parallel_axes_add_up(
 ) -> None:
     """Each as its axis points; nothing is said where one of the axes is not parallel."""
     places = frozenset({(0, "d"), (1, "d"), (2, "d"), (0, "alpha"), (1, "alpha")})
-    fact = LegibleFact("d", (0, 1, 2), (0, 1), places, 6.0, 0.1)
+    fact = LegibleFact(0, "d", (0, 1, 2), (0, 1), places)
     rows = [turning(alpha, 0.0, d) for alpha, d in zip((*alphas, 0.0), ds, strict=True)]
-    assert fact.is_wrong(rows, {}) is wrong
+    assert fact.is_wrong([(6.0, 0.1)], rows, {}) is wrong
 
 
 def test_where_the_facts_of_an_arm_stand() -> None:
@@ -228,8 +229,8 @@ def test_where_the_facts_of_an_arm_stand() -> None:
     work = work_on(comparisons(key, key, {})[0], (key, key), FREE)
     facts = legible_facts(
         work.invariants, work.n_facts, work.table.convention, tuple(row.joint for row in work.table.rows)
-    ).facts
-    places = {(fact.column, fact.rows, fact.links): fact.target for fact in facts}
+    )
+    places = {(fact.column, fact.rows, fact.links): facts.bounds[fact.number][0] for fact in facts.facts}
     assert {place: round(target, 9) for place, target in places.items() if place[0] == "d"} == {
         ("d", (1, 2), (1,)): 0.15,
         ("d", (3,), ()): 0.35,

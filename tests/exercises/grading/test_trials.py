@@ -47,7 +47,8 @@ def test_after_a_length_no_angle_is_solved_for() -> None:
     made = [(0, change) for change in CHANGES["row_missing"](short)]
     turned = [(0, change) for _, change in made if change.cells[0][2] == math.pi / 2]
     left = {
-        (change.cells[-1][1], change.unsolved) for _, change in _Batch([short], turned).solved(finishing=False)
+        (change.cells[-1][1], change.unsolved)
+        for _, change in _Batch([short], turned).solved(finishing=False)
     }
     assert left == {("alpha", ("a", "d")), ("a", ("d",))}
     # of twists nothing comes that is not among the rows put in already
