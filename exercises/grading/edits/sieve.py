@@ -9,7 +9,7 @@ fixed rows or prismatic joints stand between, or axes are parallel only nearly, 
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import NamedTuple, TypeAlias
@@ -115,17 +115,12 @@ class LegibleFacts(NamedTuple):
         """
         changed = {(row, cell): value for row, cell, value in change.cells}
         for fact in before:
-            if fact.places.isdisjoint(changed):
+            if fact.places.isdisjoint(changed) or fact.is_wrong(self.bounds, rows, changed):
                 most -= 1
                 if most < 0:
                     return True
-        at = self.at
-        if len(changed) == 1:
-            (place,) = changed
-            touched: Collection[LegibleFact] = at.get(place, ())
-        else:
-            touched = {fact for place in changed for fact in at.get(place, ())}
-        for fact in touched:
+        touched = {fact for place in changed for fact in self.at.get(place, ())}
+        for fact in touched.difference(before):
             if fact.is_wrong(self.bounds, rows, changed):
                 most -= 1
                 if most < 0:

@@ -115,12 +115,12 @@ class Work:
             to_the_letter: a line is off even where the typed digits would explain it, or where it is off only
                 because of the zeros that the policy fixes.
         """
-        asked = (
-            (Kind.BASE, self.policy.base is BaseRule.AXIS),
-            (Kind.TOOL, self.policy.tool is ToolRule.AXIS),
-        )
+        base, tool = self.policy.base is BaseRule.AXIS, self.policy.tool is ToolRule.AXIS
+        if not (base or tool) or self.lines or not self.has_the_joints():
+            return None
+        asked = ((Kind.BASE, base), (Kind.TOOL, tool))
         elsewhere = {kind for kind, is_asked in asked if is_asked and is_off_its_joint(self.reference, kind)}
-        if not elsewhere or self.lines or not self.has_the_joints():
+        if not elsewhere:
             return None
         steps = NOTHING_TYPED if to_the_letter else self._typed_in(self.table)
         missed = elsewhere.intersection(self._ends_off(self.reference, self.table, steps))

@@ -85,7 +85,7 @@ class Comparison:
         """The entries of the answer as it was meant with names in them: where, what, and which names."""
         return tuple(
             ((i, cell), entry, names)
-            for i, row in enumerate(self.meant_table.rows)
+            for i, row in enumerate(() if self.by_value else self.meant_table.rows)
             for cell in CELLS
             if (names := parameters_in(entry := getattr(row, cell)))
         )

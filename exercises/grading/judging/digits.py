@@ -94,6 +94,7 @@ def digits_and_angles(
     return float(SECOND_ORDER * (sum(typed) + angles))
 
 
+@lru_cache(maxsize=256)
 def floors(invariants: Invariants, reference: Reference) -> Floats:
     """Return what the arithmetic may do to invariants, (q,)."""
     return FLOOR * np.where(invariants.angular[:, 0], 1.0, reference.size)
