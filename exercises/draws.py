@@ -10,20 +10,21 @@ import hashlib
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import lru_cache
+from functools import cached_property
 from typing import TypeVar
 
 from exercises.reading import Reader
 
 ALIKE = Fraction(1, 100)
 """Sizes that differ by no more than this share pass for each other in an answer in numbers."""
+EQUAL = Fraction(0)
 MOST_VALUES = 10_000
 """Longest list of values that one draw chooses from: a finer step is a slip of the pen."""
 
 Value = TypeVar("Value")
 
 
-@dataclass(frozen=True, kw_only=True, slots=True)
+@dataclass(frozen=True, kw_only=True)
 class Draw:
     """Values from which a student's own one is drawn: start, start + step, …, not beyond stop.
 
@@ -39,17 +40,12 @@ class Draw:
     step: Fraction
     without: tuple[Fraction, ...] = ()
 
+    @cached_property
     def values(self) -> tuple[Fraction, ...]:
-        """Return the values, in ascending order."""
-        return _values(self)
-
-
-@lru_cache(maxsize=512)
-def _values(draw: Draw) -> tuple[Fraction, ...]:
-    """The values of a draw, which every student of an exercise chooses from."""
-    count = int((draw.stop - draw.start) / draw.step)
-    grid = (draw.start + k * draw.step for k in range(count + 1))
-    return tuple(value for value in grid if value not in draw.without)
+        """The values, in ascending order; every student of an exercise chooses from them."""
+        count = int((self.stop - self.start) / self.step)
+        grid = (self.start + k * self.step for k in range(count + 1))
+        return tuple(value for value in grid if value not in self.without)
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -77,11 +73,11 @@ class Picker:
         """
         if self.seed is None or draw is None:
             return usual
-        value = pick(draw.values(), self.exercise_id, self.seed, name)
-        for share in (ALIKE, Fraction(0)):
+        value = pick(draw.values, self.exercise_id, self.seed, name)
+        for share in (ALIKE, EQUAL) if without else ():
             if not is_alike(value, without, share):
                 return value
-            others = [other for other in draw.values() if not is_alike(other, without, share)]
+            others = [other for other in draw.values if not is_alike(other, without, share)]
             if others:
                 return pick(others, self.exercise_id, self.seed, name)
         return value
@@ -93,7 +89,7 @@ class Picker:
 
 def is_alike(value: Fraction, others: Collection[Fraction], share: Fraction = ALIKE) -> bool:
     """Return whether a value is as large as one of some sizes, to within a share."""
-    a, b = abs(value).as_integer_ratio()
+    a, b = abs(value.numerator), value.denominator
     p, q = share.as_integer_ratio()
     products = ((a * d, c * b) for c, d in (other.as_integer_ratio() for other in others))
     return any(q * abs(one - two) <= p * max(one, two) for one, two in products)
@@ -126,7 +122,7 @@ def read_draw(reader: Reader, key: str) -> Draw | None:
     if (draw.stop - draw.start) / draw.step > MOST_VALUES:
         inner.fault("draw_too_large", limit=MOST_VALUES)
         return None
-    if not draw.values():
+    if not draw.values:
         inner.fault("draw_empty")
         return None
     return draw

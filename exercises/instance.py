@@ -99,11 +99,11 @@ def _values_kept_apart(parameters: Sequence[DrawnParameter], picker: Picker) -> 
     Two lengths of about one size could be exchanged by mistake without a difference.
     """
     exact: dict[str, Fraction] = {}
-    taken = {abs(parameter.value) for parameter in parameters if parameter.draw is None}
+    taken = [abs(parameter.value) for parameter in parameters if parameter.draw is None]
     for parameter in parameters:
         value = picker.value(parameter.value, parameter.draw, parameter.name, without=taken)
         exact[parameter.name] = value
-        taken.add(abs(value))
+        taken.append(abs(value))
     return exact
 
 
@@ -118,7 +118,7 @@ def possible_instances(exercise: Exercise, fixed: Collection[str], most: int) ->
         most: nothing is returned where there are more sets of values.
     """
     choices = [
-        (parameter.value,) if parameter.draw is None or parameter.name in fixed else parameter.draw.values()
+        (parameter.value,) if parameter.draw is None or parameter.name in fixed else parameter.draw.values
         for parameter in exercise.parameters
     ]
     if prod(map(len, choices)) > most:

@@ -50,4 +50,4 @@ def _tried(draw: Draw, *, turns: bool) -> list[Fraction]:
     def off(value: Fraction) -> Fraction:
         return abs(value - RIGHT_ANGLE * round(value / RIGHT_ANGLE)) if turns else abs(value)
 
-    return sorted(draw.values(), key=off)[:MOST_VALUES]
+    return sorted(draw.values, key=off)[:MOST_VALUES]

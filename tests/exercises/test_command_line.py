@@ -85,7 +85,7 @@ def test_lengths_of_a_table_get_names_and_keep_their_values(tmp_path: Path) -> N
     found = load_exercise(new(tmp_path, "--table", source(tmp_path, TABLE)))
     assert {p.name: float(p.value) for p in found.parameters} == {"d1": 300, "L2": 450, "a3": 80}
     assert found.length_unit == "mm"
-    assert all(p.draw is not None and p.value in p.draw.values() for p in found.parameters)
+    assert all(p.draw is not None and p.value in p.draw.values for p in found.parameters)
 
 
 def test_axes_become_nice_angles(tmp_path: Path) -> None:
