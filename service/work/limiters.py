@@ -6,10 +6,9 @@ import asyncio
 import time
 from collections import OrderedDict
 from collections.abc import Callable, Hashable
+from concurrent.futures import ThreadPoolExecutor
 from enum import StrEnum
 from typing import TypeVar
-
-import anyio
 
 from service.settings import Settings
 from service.work.fair_queue import FairQueue, Slot
@@ -42,7 +41,7 @@ class Limiter:
     """Lets so many tasks run at a time, and so many wait."""
 
     def __init__(self, *, threads: int, capacity: int, timeout: float) -> None:
-        self._threads = anyio.CapacityLimiter(threads)
+        self._threads = ThreadPoolExecutor(threads, thread_name_prefix="limited")
         self._done: OrderedDict[Hashable, None] = OrderedDict()
         self._kinds: OrderedDict[Hashable, tuple[int, float]] = OrderedDict()
         self.queue = FairQueue(slots=threads, capacity=capacity, timeout=timeout)
@@ -115,14 +114,14 @@ def _timed(work: Callable[[], _Result]) -> tuple[_Result, float]:
 class ThreadSlot:
     """The right to have work done in a thread."""
 
-    def __init__(self, slot: Slot, queue: FairQueue, threads: anyio.CapacityLimiter) -> None:
+    def __init__(self, slot: Slot, queue: FairQueue, threads: ThreadPoolExecutor) -> None:
         self._slot = slot
         self._queue = queue
         self._threads = threads
 
     async def run(self, work: Callable[[], _Result]) -> _Result:
         """Do a part of the work in a thread."""
-        return await in_thread(work, limiter=self._threads)
+        return await in_thread(work, threads=self._threads)
 
     async def regain(self) -> None:
         """Wait for a slot again, if it was released.

@@ -2,39 +2,46 @@
 
 from __future__ import annotations
 
+import asyncio
 import threading
 import time
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
-from typing import TypeVar, TypeVarTuple, cast
-
-import anyio
-from anyio.to_thread import run_sync
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import suppress
+from contextvars import copy_context
+from typing import Any, TypeVar, TypeVarTuple, cast
 
 _Result = TypeVar("_Result")
 _Arguments = TypeVarTuple("_Arguments")
+_FEW = ThreadPoolExecutor(4, thread_name_prefix="few")
+"""For what has no threads of its own: more of them would only wait for each other."""
 
 
 async def in_thread(
     function: Callable[[*_Arguments], _Result],
     *arguments: *_Arguments,
-    limiter: anyio.CapacityLimiter | None = None,
+    threads: ThreadPoolExecutor = _FEW,
 ) -> _Result:
     """Return what a function gives in a thread, or raise what it raises.
 
-    An exception that a future raises refers through its traceback to the frame that awaits the future, and so
-    to itself: the cycle would keep a request and its body until the next garbage collection. Here it is
-    returned as a result.
+    An exception that a future raises refers through its traceback to the frames that know the future, and so
+    to itself: the cycle would keep a request and its body until the next garbage collection. Here it comes in
+    a list, which is emptied.
 
     Args:
         function: what is called.
         arguments: what it is called with.
-        limiter: bounds how many such calls run at a time; None: as anyio does for all.
+        threads: in which of some threads.
 
     Raises:
         Exception: whatever the function raises.
     """
-    result, error = await run_sync(_outcome, function, arguments, limiter=limiter)
+    done: asyncio.Future[None] = asyncio.get_running_loop().create_future()
+    found: list[tuple[Any, Exception | None]] = []
+    threads.submit(copy_context().run, _work, found, done, function, arguments)
+    await done
+    result, error = found.pop()
     if error is None:
         return cast(_Result, result)
     try:
@@ -43,13 +50,23 @@ async def in_thread(
         del error
 
 
-def _outcome(
-    function: Callable[[*_Arguments], _Result], arguments: tuple[*_Arguments]
-) -> tuple[_Result | None, Exception | None]:
+def _work(
+    found: list[tuple[Any, Exception | None]],
+    done: asyncio.Future[None],
+    function: Callable[[*_Arguments], Any],
+    arguments: tuple[*_Arguments],
+) -> None:
     try:
-        return function(*arguments), None
+        found.append((function(*arguments), None))
     except Exception as error:
-        return None, error
+        found.append((None, error))
+    with suppress(RuntimeError):  # the loop has been closed: nobody waits
+        done.get_loop().call_soon_threadsafe(_tell, done)
+
+
+def _tell(done: asyncio.Future[None]) -> None:
+    if not done.done():  # else whoever waited has gone
+        done.set_result(None)
 
 
 _LONGEST_END = 5.0
