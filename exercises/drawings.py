@@ -22,7 +22,7 @@ from exercises.instance import Instance
 from kinematics.expressions import Parameter
 from kinematics.frames.wrong_frames import DrawnFrame
 from kinematics.poses import transform_from_rpy
-from kinematics.se3 import Vector
+from kinematics.se3 import Vector, scale, z_axis
 from kinematics.table import JointType
 
 CACHED_SCENES = 2048
@@ -185,7 +185,7 @@ def key_pose(instance: Instance) -> KeyPose:
             for value, joint_type in zip(posture_in_figure(figure, table), table.joint_types, strict=True)
         ),
         directions=tuple(
-            scene_vector(frames[frame][:3, 2] * table.rows[row].sign)
+            scene_vector(scale(z_axis(frames[frame]), table.rows[row].sign))
             for frame, row in zip(table.axis_frames, table.joint_rows, strict=True)
         ),
     )

@@ -6,13 +6,10 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-import numpy as np
-
 from exercises.errors import DefinitionError
-from exercises.figures.camera import Array
 from exercises.figures.points import Points
 from exercises.figures.specification import DimensionMark, FigureGripper, FigureSpecification, JointMark
-from kinematics.se3 import Vector, cross
+from kinematics.se3 import Vector, cross, norm, position, rejection, scale, subtract, unit, z_axis
 from kinematics.table import JointType, SymbolicTable
 
 ON_AXIS = 1e-6
@@ -167,11 +164,10 @@ def scene_points(scene: Scene) -> Iterator[Vector]:
 
 def _axis(points: Points, joint: int, mark: JointMark, size: float, *, signed: bool) -> FigureJointAxis:
     pose = points.axis_pose(joint)
-    direction: Array = pose[:3, 2]
+    direction = z_axis(pose)
     point = points.point(mark.at, "joints", joint, "at")
     joint_type = points.reference.joint_types[joint - 1]
-    off = (point - pose[:3, 3]).tolist()
-    distance = math.hypot(*cross(off, direction.tolist()))
+    distance = norm(cross(subtract(point, position(pose)), direction))
     if joint_type is JointType.REVOLUTE and distance > ON_AXIS * size:
         points.fault("joint_off_axis", ("joints", joint, "at"), joint=joint, point=mark.at)
     sense = points.reference.rows[points.reference.joint_rows[joint - 1]].sign
@@ -179,7 +175,7 @@ def _axis(points: Points, joint: int, mark: JointMark, size: float, *, signed: b
         joint=joint,
         type=joint_type,
         point=scene_vector(point),
-        direction=scene_vector(direction * (sense if signed else shown_sense(direction.tolist()))),
+        direction=scene_vector(scale(direction, sense if signed else shown_sense(direction))),
         signed=signed,
         scale=mark.scale,
         reach=mark.reach,
@@ -191,7 +187,7 @@ def _dimension(points: Points, mark: DimensionMark, index: int, size: float) -> 
     start = points.point(mark.start, "dimensions", index, "from")
     end = points.point(mark.end, "dimensions", index, "to")
     value = abs(points.number(mark.value, "dimensions", index, "value"))
-    length = float(np.linalg.norm(end - start))
+    length = norm(subtract(end, start))
     least = ON_AXIS * size
     if abs(length - value) > least:
         points.fault("dimension_disagrees", ("dimensions", index), name=mark.name, length=length, value=value)
@@ -219,27 +215,26 @@ def _gripper(points: Points, gripper: FigureGripper) -> GripperPose | None:
     if close(at, origin):
         points.fault("gripper_without_direction", ("gripper",))
         return None
-    direction = (at - origin) / np.linalg.norm(at - origin)
+    direction = unit(subtract(at, origin))
     if gripper.jaws is None:
         return GripperPose(at=scene_vector(at), direction=scene_vector(direction), jaws=None)
-    jaws = np.asarray(gripper.jaws, dtype=np.float64)
-    across = jaws - direction * (jaws @ direction)
-    if np.linalg.norm(across) < ON_AXIS:
+    across = rejection(gripper.jaws, direction)
+    if norm(across) < ON_AXIS:
         points.fault("jaws_along_gripper", ("gripper", "jaws"))
         return None
     return GripperPose(at=scene_vector(at), direction=scene_vector(direction), jaws=_unit(across))
 
 
-def close(a: Array, b: Array) -> bool:
+def close(a: Vector, b: Vector) -> bool:
     """Return whether two points are one, but for rounding."""
-    return bool((np.abs(a - b) <= 1e-8 + 1e-5 * np.abs(b)).all())
+    return all(abs(one - two) <= 1e-8 + 1e-5 * abs(two) for one, two in zip(a, b, strict=True))
 
 
-def _diagonal(points: list[Array]) -> float:
+def _diagonal(points: list[Vector]) -> float:
     if not points:
         return 1.0
-    cloud = np.array(points)
-    return float(np.linalg.norm(cloud.max(axis=0) - cloud.min(axis=0))) or 1.0
+    x, y, z = (max(values) - min(values) for values in zip(*points, strict=True))
+    return norm((x, y, z)) or 1.0
 
 
 def shown_sense(direction: Sequence[float]) -> int:
@@ -247,14 +242,13 @@ def shown_sense(direction: Sequence[float]) -> int:
     return 1 if max((_rounded(value, 1e9) for value in direction), key=abs) > 0 else -1
 
 
-def _unit(vector: Array | Vector) -> Vector:
-    array = np.asarray(vector, dtype=np.float64)
-    return scene_vector(array / np.linalg.norm(array))
+def _unit(vector: Vector) -> Vector:
+    return scene_vector(unit(vector))
 
 
-def scene_vector(array: Array) -> Vector:
+def scene_vector(vector: Vector) -> Vector:
     """Return a point or a direction for a scene, without what arithmetic leaves in the last digits."""
-    x, y, z = array.tolist()
+    x, y, z = vector
     try:
         return round(x * 1e12) / 1e12 + 0.0, round(y * 1e12) / 1e12 + 0.0, round(z * 1e12) / 1e12 + 0.0
     except (OverflowError, ValueError):  # of what is not finite

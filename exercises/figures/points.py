@@ -3,10 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from functools import cached_property, lru_cache
 
-import numpy as np
-
-from exercises.figures.camera import Array
 from exercises.figures.skeleton import completed, says_all
 from exercises.figures.specification import (
     FigureSpecification,
@@ -21,7 +19,19 @@ from kinematics.chain import frames_at
 from kinematics.errors import Fault, ParameterError
 from kinematics.expressions import Expression, evaluate
 from kinematics.poses import transform_from_rpy
-from kinematics.se3 import Transform, to_matrix
+from kinematics.se3 import (
+    ORIGIN,
+    Motion,
+    Transform,
+    Vector,
+    along,
+    move,
+    plus,
+    position,
+    subtract,
+    to_matrix,
+    z_axis,
+)
 from kinematics.table import SymbolicTable, bind
 
 
@@ -31,7 +41,7 @@ class Points:
     Attributes:
         specification: completed from the table where it says nothing, or names a point that it does not say.
         reference: the table whose geometry is drawn.
-        frames: (4, 4) poses of frame 0 … N of the reference in the figure.
+        motions: poses of frame 0 … N of the reference in the figure.
         faults: what was found wrong, each with its place in the figure's specification.
     """
 
@@ -41,35 +51,40 @@ class Points:
         self.values = values
         self.faults: list[Fault] = []
         self.reference = reference
-        self.frames = frames_in_figure(specification, reference, values)
+        self.motions = frames_in_figure(specification, reference, values)
         self.specification = specification
         self._is_completed = False
         if not says_all(specification, reference):
             self._complete()
-        self._resolved: dict[str, Array] = {}
+        self._resolved: dict[str, Vector] = {}
 
-    def axis_pose(self, joint: int) -> Transform:
+    @cached_property
+    def frames(self) -> list[Transform]:
+        """The same poses as (4, 4) arrays."""
+        return [to_matrix(frame) for frame in self.motions]
+
+    def axis_pose(self, joint: int) -> Motion:
         """Return the frame whose z axis is the axis of a joint."""
-        return self.frames[self.reference.axis_frames[joint - 1]]
+        return self.motions[self.reference.axis_frames[joint - 1]]
 
-    def point(self, name: str, *where: str | int) -> Array:
-        """Return the point of that name, (3,); O0, O1, … are the origins of the reference's frames."""
+    def point(self, name: str, *where: str | int) -> Vector:
+        """Return the point of that name; O0, O1, … are the origins of the reference's frames."""
         if name in self._resolved:
             return self._resolved[name]
-        self._resolved[name] = np.zeros(3)  # a circle of names ends here
-        is_origin = name[:1] == "O" and name[1:].isdecimal() and int(name[1:]) < len(self.frames)
+        self._resolved[name] = ORIGIN  # a circle of names ends here
+        is_origin = name[:1] == "O" and name[1:].isdecimal() and int(name[1:]) < len(self.motions)
         if name not in self.specification.points and not is_origin and not self._is_completed:
             self._complete()
         point = self.specification.points.get(name)
         if point is not None:
             value = self._locate(point, "points", name)
         elif is_origin:
-            value = self.frames[int(name[1:])][:3, 3]
+            value = position(self.motions[int(name[1:])])
         else:
-            origins = (f"O{i}" for i in range(len(self.frames)))
+            origins = (f"O{i}" for i in range(len(self.motions)))
             known = ", ".join([*self.specification.points, *origins])
             self.fault("unknown_point", where, name=name, known=known)
-            value = np.zeros(3)
+            value = ORIGIN
         self._resolved[name] = value
         return value
 
@@ -90,43 +105,45 @@ class Points:
         self._is_completed = True
         self.specification = completed(self.specification, self.reference, self.values, self.frames)
 
-    def _locate(self, point: Point, *where: str | int) -> Array:
+    def _locate(self, point: Point, *where: str | int) -> Vector:
         match point:
             case PointInFrame(frame=frame, at=at):
                 return self._in_frame(frame, at, *where)
             case PointBetween(start=start, end=end, ratio=ratio):
                 a, b = self.point(start, *where, "between", 0), self.point(end, *where, "between", 1)
-                return a + ratio * (b - a)
+                return along(a, ratio, subtract(b, a))
             case PointBeside(origin=origin, by=by):
-                return self.point(origin, *where, "from") + self._triple(by, *where, "by")
+                return plus(self.point(origin, *where, "from"), self._triple(by, *where, "by"))
             case PointAlongAxis(origin=origin, joint=joint, distance=distance):
                 if not 1 <= joint <= self.reference.n_joints:
                     n = self.reference.n_joints
                     self.fault("unknown_joint", (*where, "joint"), joint=joint, last=n)
-                    return np.zeros(3)
+                    return ORIGIN
                 length = self.number(distance, *where, "distance")
-                direction: Array = self.axis_pose(joint)[:3, 2]
-                return self.point(origin, *where, "from") + direction * length
+                return along(self.point(origin, *where, "from"), length, z_axis(self.axis_pose(joint)))
 
-    def _in_frame(self, frame: int, at: Triple, *where: str | int) -> Array:
-        if not 0 <= frame < len(self.frames):
-            self.fault("unknown_frame", (*where, "frame"), last=len(self.frames) - 1)
-            return np.zeros(3)
-        pose = self.frames[frame]
-        located: Array = pose[:3, :3] @ self._triple(at, *where, "at") + pose[:3, 3]
-        return located
+    def _in_frame(self, frame: int, at: Triple, *where: str | int) -> Vector:
+        if not 0 <= frame < len(self.motions):
+            self.fault("unknown_frame", (*where, "frame"), last=len(self.motions) - 1)
+            return ORIGIN
+        return move(self.motions[frame], self._triple(at, *where, "at"))
 
-    def _triple(self, triple: Triple, *where: str | int) -> Array:
-        return np.array([self.number(entry, *where, i) for i, entry in enumerate(triple)])
+    def _triple(self, triple: Triple, *where: str | int) -> Vector:
+        x, y, z = (self.number(entry, *where, i) for i, entry in enumerate(triple))
+        return x, y, z
 
 
 def frames_in_figure(
     specification: FigureSpecification, reference: SymbolicTable, values: Mapping[str, float]
-) -> list[Transform]:
-    """Return (4, 4) poses of frame 0 … N of a reference in the figure, at the figure's posture."""
-    base = transform_from_rpy(specification.upright)
+) -> list[Motion]:
+    """Return the poses of frame 0 … N of a reference in the figure, at the figure's posture."""
     posture = posture_in_figure(specification, reference)
-    return [to_matrix(frame) for frame in frames_at(bind(reference, values), posture, base)]
+    return frames_at(bind(reference, values), posture, _upright(specification.upright))
+
+
+@lru_cache(maxsize=64)
+def _upright(turns: Vector) -> Transform:
+    return transform_from_rpy(turns)
 
 
 def posture_in_figure(specification: FigureSpecification, reference: SymbolicTable) -> tuple[float, ...]:

@@ -86,7 +86,7 @@ def ground_lines(scene: Scene, camera: Camera) -> list[tuple[Array, float]]:
 def trimmed(chain: Array, scene: Scene) -> Array:
     """Return the chain, ending at the palm where it would run on between the jaws of the gripper."""
     gripper = scene.gripper
-    if gripper is None or not close(chain[-1], np.array(gripper.at)):
+    if gripper is None or not close(chain[-1], gripper.at):
         return chain
     palm = np.array(gripper.at) - np.array(gripper.direction) * (FINGER + 0.01) * scene.size
     return np.concatenate([chain[:-1], palm[None]])
