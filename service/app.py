@@ -25,8 +25,8 @@ from service.http.link_guard import LinkGuard
 from service.http.metering import MeteringMiddleware, path_of
 from service.http.middleware import OuterMiddleware
 from service.http.negotiation import preferred_media_type
+from service.http.problem_answers import refusal
 from service.http.problems import BodyError, MethodError, NotFoundError, RequestPart, ServiceError
-from service.http.refusals import refusal
 from service.http.routing import DirectRoute
 from service.http.tracing import TracingMiddleware, exporting
 from service.http.validation import request_error

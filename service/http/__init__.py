@@ -16,7 +16,7 @@ Who calls:
   metering, cost_window  what callers may cost, and have
 Answering:
   problems, shortages  the one table of statuses, and what the machine lacks just now
-  refusals         the problem document
+  problem_documents, problem_answers  the problem document, and a refusal that is answered with it
   compression      large answers
   middleware       the outermost layer
   tracing          traces of requests

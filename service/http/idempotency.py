@@ -18,8 +18,8 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 from kinematics.errors import Fault
 from service.http.link_context import HEADER as LINK_HEADER
 from service.http.metering import path_of
+from service.http.problem_answers import refuse
 from service.http.problems import BodyError, ConflictError, RequestError, RequestPart, ServiceError
-from service.http.refusals import refuse
 
 REPLAYED = "Idempotency-Replayed"
 """Header of an answer that was given before."""

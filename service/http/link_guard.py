@@ -14,8 +14,8 @@ from exercises.access import Tool
 from exercises.library import Library
 from kinematics.errors import Fault
 from service.http.link_context import COOKIE, QUERY, LinkContext, token_of, verified
+from service.http.problem_answers import refuse
 from service.http.problems import ForbiddenError, RequestPart, ServiceError
-from service.http.refusals import refuse
 
 CONTEXT = "link_context"
 """Key of the context in a request's scope."""

@@ -14,8 +14,8 @@ from starlette.types import ASGIApp, Message, Receive, Scope, Send
 from kinematics.errors import Fault
 from service.http.api_keys import PREFIX, ApiKey, KeyFile, KeyScope
 from service.http.cost_window import CostWindow
+from service.http.problem_answers import refuse
 from service.http.problems import ForbiddenError, RateError, RequestPart, ServiceError, UnauthorizedError
-from service.http.refusals import refuse
 from service.settings import Settings
 from service.work.fair_queue import Name, Proven, current_client, proven
 

@@ -22,8 +22,8 @@ from uvicorn.middleware.proxy_headers import ProxyHeadersMiddleware
 from kinematics.errors import Fault
 from service.http.addresses import caller_at
 from service.http.compression import accepts_gzip, compressing
+from service.http.problem_answers import REQUEST_ID, refuse
 from service.http.problems import ServiceError, busy
-from service.http.refusals import REQUEST_ID, refuse
 from service.http.shortages import shortage
 from service.http.uploads import HELD, Upload, may_be_under_way
 from service.logs import log_access

@@ -12,7 +12,7 @@ from fastapi.openapi.utils import get_openapi
 from pydantic import BaseModel
 from pydantic.json_schema import models_json_schema
 
-from service.http.refusals import PROBLEM_JSON
+from service.http.problem_documents import PROBLEM_JSON
 from service.http.routing import API_PREFIX, JSON
 from service.schemas.base import ProblemDocument
 

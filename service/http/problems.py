@@ -1,4 +1,4 @@
-"""What goes wrong over HTTP, and the one table of statuses; how it is told: `service.http.refusals`.
+"""What goes wrong over HTTP, and the one table of statuses; how it is told: `service.http.problem_documents`.
 
     ServiceError
     ├── BodyError            the body is not what its media type says

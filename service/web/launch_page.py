@@ -11,8 +11,9 @@ from fastapi import Request, Response
 
 from courses.refusals import CourseError
 from kinematics.errors import KinematicsError
+from service.http.problem_answers import REQUEST_ID
+from service.http.problem_documents import problem_of
 from service.http.problems import ServiceError
-from service.http.refusals import REQUEST_ID, problem_of
 from service.messages import sentence
 from service.resources import resources_of
 from service.web.responses import page_language, page_response

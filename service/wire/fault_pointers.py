@@ -12,8 +12,8 @@ from dataclasses import replace
 from typing import Any
 
 from kinematics.errors import Fault, KinematicsError
+from service.http.problem_documents import Problem
 from service.http.problems import cause
-from service.http.refusals import Problem
 from service.schemas.base import FaultEntry
 
 _SOURCES: Mapping[str, tuple[str, ...]] = {

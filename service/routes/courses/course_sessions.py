@@ -25,6 +25,7 @@ from service.http.arrival_tickets import HEADER, arrival_ticket, told_arrival
 from service.http.idempotency import REPLAYED
 from service.http.languages import language_of
 from service.http.metering import EXCESS
+from service.http.problem_answers import REQUEST_ID
 from service.http.problems import (
     RETRY_SECONDS,
     BusyError,
@@ -35,7 +36,6 @@ from service.http.problems import (
     UnavailableError,
     cause,
 )
-from service.http.refusals import REQUEST_ID
 from service.http.routing import ApiRequest
 from service.http.shortages import shortage
 from service.http.validation import validated

@@ -14,8 +14,8 @@ from service import __version__
 from service.adapters import lambda_feedback, mued
 from service.adapters.judging import told_fault
 from service.http.languages import language_for
+from service.http.problem_answers import REQUEST_ID
 from service.http.problems import BodySizeError, busy
-from service.http.refusals import REQUEST_ID
 from service.http.routing import ApiRequest
 from service.http.validation import faults_of
 from service.messages import DEFAULT_LANGUAGE, languages, sentence

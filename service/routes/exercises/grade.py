@@ -17,8 +17,8 @@ from kinematics.errors import KinematicsError
 from service.http.decoding import JsonLimits
 from service.http.languages import language_of
 from service.http.openapi import problems, request_body
+from service.http.problem_documents import problem_of
 from service.http.problems import ServiceError, located
-from service.http.refusals import problem_of
 from service.http.routing import JSON, ApiRequest, BytesResponse, DirectRoute, api_router
 from service.http.validation import validated
 from service.schemas.base import ProblemDocument, Wire

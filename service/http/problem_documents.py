@@ -1,4 +1,4 @@
-"""A refusal as it is answered: the problem document (RFC 9457) in the caller's language."""
+"""The problem document (RFC 9457): a refusal, ready to be written in any language."""
 
 from __future__ import annotations
 
@@ -6,13 +6,9 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
 import orjson
-from starlette.requests import Request
-from starlette.responses import Response
-from starlette.types import Receive, Scope, Send
 
 from courses.refusals import StorageUnavailableError
 from kinematics.errors import Fault, KinematicsError
-from service.http.languages import language_for
 from service.http.problems import (
     RETRY_SECONDS,
     MessageId,
@@ -24,25 +20,6 @@ from service.http.problems import (
 from service.messages import sentence
 
 PROBLEM_JSON = "application/problem+json"
-REQUEST_ID = "request_id"
-"""Key of the request's id in its scope."""
-
-
-def refusal(request: Request, error: ServiceError | KinematicsError) -> Response:
-    """Return the problem document in the caller's language."""
-    problem = problem_of(error, request.scope.get(REQUEST_ID, ""))
-    language = language_for(request.headers.get("accept-language"))
-    resources = request.app.state.resources
-    resources.metrics.refused(problem.faults[0].code)
-    prefix = request.scope.get("root_path", "")
-    body = problem.encoded(language, prefix=prefix, fault_limit=resources.settings.fault_limit)
-    told = {"Content-Language": language, "Vary": "Accept-Language", "Cache-Control": "no-store"}
-    return Response(body, problem.status, {**problem.headers, **told}, PROBLEM_JSON)
-
-
-async def refuse(error: ServiceError, scope: Scope, receive: Receive, send: Send) -> None:
-    """Answer a request with a refusal."""
-    await refusal(Request(scope), error)(scope, receive, send)
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
