@@ -233,10 +233,7 @@ def _whole(
         yield JacobianMistake.ROWS_EXCHANGED, np.vstack([ours[3:], ours[:3]])
     yield JacobianMistake.SPATIAL, _spatial(chain, joints)
     for ours in meant:
-        yield (
-            JacobianMistake.PER_DEGREE,
-            ours * [1.0 if axis.prismatic else DEGREE for axis in chain.axes],
-        )
+        yield (JacobianMistake.PER_DEGREE, ours * [1.0 if axis.prismatic else DEGREE for axis in chain.axes])
 
 
 def _other_units(chain: Chain) -> Iterator[Floats]:

@@ -382,9 +382,6 @@ class Mathematica(Language, MCodePrinter):
 
 LANGUAGES: dict[str, type[Language]] = {
     language.__name__.lower(): language
-    for language in (
-        *(Python, Numpy, Sympy, C, Cpp, Matlab, Javascript, Julia, Rust, Fortran),
-        Mathematica,
-    )
+    for language in (*(Python, Numpy, Sympy, C, Cpp, Matlab, Javascript, Julia, Rust, Fortran), Mathematica)
 }
 """Languages by the names of their formats."""

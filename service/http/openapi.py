@@ -43,10 +43,7 @@ def request_body(
     """
     _DECLARED[model.__name__] = model
     content: dict[str, Any] = {
-        JSON: {
-            "schema": {"$ref": _REFERENCE.format(model=model.__name__)},
-            "examples": _named(examples),
-        }
+        JSON: {"schema": {"$ref": _REFERENCE.format(model=model.__name__)}, "examples": _named(examples)}
     }
     content |= {f"application/{name.replace('_', '-')}": dict(entry) for name, entry in other.items()}
     return {"requestBody": {"required": True, "content": content}}

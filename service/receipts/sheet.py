@@ -185,13 +185,7 @@ class _Flow:
 
 
 def _box(left: float, top: float, right: float, low: float) -> list[OutlineStep]:
-    return [
-        ("M", (left, top)),
-        ("L", (right, top)),
-        ("L", (right, low)),
-        ("L", (left, low)),
-        ("Z", ()),
-    ]
+    return [("M", (left, top)), ("L", (right, top)), ("L", (right, low)), ("L", (left, low)), ("Z", ())]
 
 
 def _dark(row: bytes | bytearray) -> Iterator[tuple[int, int]]:

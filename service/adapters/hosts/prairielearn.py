@@ -40,12 +40,7 @@ def results_of(judged: JudgedAnswer | NotGraded, assignment: Assignment) -> dict
         }
         for kind, part in judged.body["parts"].items()
     ]
-    return {
-        "gradable": True,
-        "score": judged.score,
-        "message": " ".join(judged.sentences()),
-        "tests": tests,
-    }
+    return {"gradable": True, "score": judged.score, "message": " ".join(judged.sentences()), "tests": tests}
 
 
 def _graded(assignment: Assignment, data: Mapping[str, Any], root: Path) -> JudgedAnswer | NotGraded:

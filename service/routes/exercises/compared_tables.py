@@ -72,10 +72,7 @@ class OtherTablesAnswer(Wire):
     )
 
 
-_REVERSED: dict[str, Any] = {
-    **ELBOW,
-    "rows": [{**ELBOW["rows"][0], "alpha": -90}, *ELBOW["rows"][1:]],
-}
+_REVERSED: dict[str, Any] = {**ELBOW, "rows": [{**ELBOW["rows"][0], "alpha": -90}, *ELBOW["rows"][1:]]}
 _OTHERS = {"an elbow arm, in its own convention": {"table": ELBOW, "policy": {"convention": "standard"}}}
 _COMPARE = {"the axes of joints 2 and 3 reversed": {"first": ELBOW, "second": _REVERSED}}
 

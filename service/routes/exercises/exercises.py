@@ -89,10 +89,7 @@ def _view(figures: SharedAnswers, instance: Instance, language: str, context: Li
 
 @router.get(
     "/exercises/{exercise_id}/figure.svg",
-    responses={
-        200: {"content": {SVG: {"schema": {"type": "string"}}}},
-        **problems(404, 503),
-    },
+    responses={200: {"content": {SVG: {"schema": {"type": "string"}}}}, **problems(404, 503)},
     response_class=Response,
     openapi_extra=_ONE_STUDENTS,
     summary="The figure of an exercise",

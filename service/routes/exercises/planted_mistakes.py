@@ -118,7 +118,7 @@ _IN_FRAMES: dict[str, Any] = {
         ],
         "convention": "standard",
         "seed": "ana",
-    },
+    }
 }
 
 

@@ -28,10 +28,7 @@ _SENTENCES = {"no_script": "scorm-no-script", "no_lms": "scorm-no-lms"}
 
 @router.get(
     "/exercises/{exercise_id}/scorm.zip",
-    responses={
-        200: {"content": {ZIP: {"schema": {"type": "string", "format": "binary"}}}},
-        **problems(404),
-    },
+    responses={200: {"content": {ZIP: {"schema": {"type": "string", "format": "binary"}}}}, **problems(404)},
     response_class=Response,
     summary="The exercise as a SCORM package",
 )

@@ -119,11 +119,7 @@ class ScmJacobianAnswer(Units):
 
 
 _FORWARD_KINEMATICS: dict[str, Any] = {
-    "Stanford arm in numbers": {
-        "chain": STANFORD,
-        "parameters": LENGTHS,
-        "joints": [30, 60, 0.5, 0, 45, 90],
-    },
+    "Stanford arm in numbers": {"chain": STANFORD, "parameters": LENGTHS, "joints": [30, 60, 0.5, 0, 45, 90]},
     "SCARA in closed form": {"chain": SCARA, "formats": ["text", "latex"]},
     "a robot of the catalogue": {"robot": "kr125", "joints": [0, -90, 90, 0, 45, 0]},
 }

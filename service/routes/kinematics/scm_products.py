@@ -143,11 +143,9 @@ class ScmProductsAnswer(Units):
 
 _PRODUCTS: dict[str, Any] = {
     "a shift along x and a turn about x commute": {
-        "products": [[{"x": "X"}, {"c": "C"}], [{"c": "C"}, {"x": "X"}]],
+        "products": [[{"x": "X"}, {"c": "C"}], [{"c": "C"}, {"x": "X"}]]
     },
-    "those along y and about x do not": {
-        "products": [[{"y": "Y"}, {"c": "C"}], [{"c": "C"}, {"y": "Y"}]],
-    },
+    "those along y and about x do not": {"products": [[{"y": "Y"}, {"c": "C"}], [{"c": "C"}, {"y": "Y"}]]},
     "a matrix of ones own its Jacobian and its values": {
         "products": [
             [

@@ -125,10 +125,7 @@ Joints: TypeAlias = Annotated[
     Discriminator(_shape_of),
     WithJsonSchema(
         {
-            "anyOf": [
-                _ONE,
-                {"type": "array", "minItems": 1, "items": _ONE},
-            ],
+            "anyOf": [_ONE, {"type": "array", "minItems": 1, "items": _ONE}],
             "description": "q_1 … q_n in joint order (fixed rows not counted), or a list of such lists",
         }
     ),

@@ -72,11 +72,7 @@ class ChainTask:
             wanted=wanted,
             formats=tuple(dict.fromkeys(formats or DEFAULT_FORMATS)),
             notation=notation,
-            head={
-                **units_of(read),
-                "variables": list(read.variables),
-                **_STATED.get(wanted, {}),
-            },
+            head={**units_of(read), "variables": list(read.variables), **_STATED.get(wanted, {})},
         )
 
 

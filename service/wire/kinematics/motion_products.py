@@ -108,7 +108,4 @@ def _numbers(matrix: Matrix, task: ProductsTask) -> dict[str, Any]:
     except PoseError:
         return {"numbers": values.tolist()}
     xyzabc, unit = pose_notations(values).xyzabc, task.read.angle_unit.radians
-    return {
-        "numbers": values.tolist(),
-        "xyzabc": [*xyzabc[:3], *(angle / unit for angle in xyzabc[3:])],
-    }
+    return {"numbers": values.tolist(), "xyzabc": [*xyzabc[:3], *(angle / unit for angle in xyzabc[3:])]}
