@@ -35,10 +35,10 @@ async def in_thread(
         threads: in which of some threads.
 
     Raises:
-        Exception: whatever the function raises.
+        BaseException: whatever the function raises.
     """
     done: asyncio.Future[None] = asyncio.get_running_loop().create_future()
-    found: list[tuple[Any, Exception | None]] = []
+    found: list[tuple[Any, BaseException | None]] = []
     threads.submit(copy_context().run, _work, found, done, function, arguments)
     await done
     result, error = found.pop()
@@ -51,14 +51,14 @@ async def in_thread(
 
 
 def _work(
-    found: list[tuple[Any, Exception | None]],
+    found: list[tuple[Any, BaseException | None]],
     done: asyncio.Future[None],
     function: Callable[[*_Arguments], Any],
     arguments: tuple[*_Arguments],
 ) -> None:
     try:
         found.append((function(*arguments), None))
-    except Exception as error:
+    except BaseException as error:  # whoever waits would wait for ever
         found.append((None, error))
     with suppress(RuntimeError):  # the loop has been closed: nobody waits
         done.get_loop().call_soon_threadsafe(_tell, done)

@@ -89,7 +89,7 @@ async def asked_within(
 def test_what_comes_within_a_pause_is_of_the_same_batch(pause: Pause) -> None:
     work = Work()
     work.go.set()
-    batcher = Batcher(work, batches=1, capacity=100, pause=lambda: 0.25)
+    batcher = Batcher(work, capacity=100, pause=lambda: 0.25)
     numbers = list(range(0, 40, 2))
     assert asyncio.run(asked_within(batcher, pause, numbers)) == [2 * number for number in numbers]
     batcher.close()
@@ -100,7 +100,7 @@ def test_what_comes_within_a_pause_is_of_the_same_batch(pause: Pause) -> None:
 def test_a_full_batch_is_not_kept_waiting_for_more(pause: Pause) -> None:
     work = Work()
     work.go.set()
-    batcher = Batcher(work, batches=1, capacity=3 * MOST, pause=lambda: 0.25)
+    batcher = Batcher(work, capacity=3 * MOST, pause=lambda: 0.25)
     numbers = list(range(0, 2 * 2 * MOST, 2))
     assert asyncio.run(asked_within(batcher, pause, numbers)) == [2 * number for number in numbers]
     batcher.close()
@@ -111,7 +111,7 @@ def test_a_full_batch_is_not_kept_waiting_for_more(pause: Pause) -> None:
 def test_whether_a_batch_may_grow_is_asked_before_each(pause: Pause) -> None:
     work = Work()
     seconds = iter((0.0, 0.25))
-    batcher = Batcher(work, batches=1, capacity=9, pause=lambda: next(seconds))
+    batcher = Batcher(work, capacity=9, pause=lambda: next(seconds))
     assert asyncio.run(asked(batcher, work, [2])) == [4]
     assert pause.seconds == []
     assert asyncio.run(asked_within(batcher, pause, [6, 8])) == [12, 16]

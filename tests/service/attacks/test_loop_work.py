@@ -69,6 +69,10 @@ def test_the_description_of_the_api(app: Any, path: str) -> None:
 
 
 def test_the_picture_of_a_receipt(app: Any) -> None:
-    calls_by_thread(app, "POST", "exercises/twolink/receipts", RECEIPT)
+    other = create_app(
+        Settings(storage="off")
+    )  # reads what all share; threads that run already cannot be seen
+    calls_by_thread(other, "POST", "exercises/twolink/receipts", RECEIPT)
+    other.state.resources.workers.close()
     here, elsewhere = calls_by_thread(app, "POST", "exercises/twolink/receipts", RECEIPT)
     assert here < CALLS / 10 < elsewhere
