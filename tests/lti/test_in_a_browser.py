@@ -124,6 +124,23 @@ def test_a_page_that_stays_open_says_when_attempts_open_and_close(
 
 
 @pytest.mark.parametrize("address", ["sqlite"], indirect=True)
+def test_the_time_zone_of_a_form_is_named_in_the_language_of_the_page(
+    chromium: Chromium, service: str, browser: Browser
+) -> None:
+    """It was Chromium's identifier, "Europe/Kiev", in every language."""
+    context = new_context(chromium, locale="uk", timezone_id="Europe/Kyiv")
+    context.set_default_timeout(PATIENCE)
+    page = context.new_page()
+    link = hint([TEACHER], resource="zone", context="zone")
+    launched = browser.post(browser.authorized(browser.login("tina", link)))
+    page.goto(urljoin(service, launched.headers["location"]))
+    closes = page.locator("label", has=page.locator("input[name=closes]"))
+    expect(closes).to_contain_text("східноєвропейським часом")
+    expect(closes).not_to_contain_text("/")
+    context.close()
+
+
+@pytest.mark.parametrize("address", ["sqlite"], indirect=True)
 def test_a_lost_answer_costs_no_second_attempt(
     chromium: Chromium, lms: Lms, service: str, browser: Browser
 ) -> None:

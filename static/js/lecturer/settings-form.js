@@ -1,7 +1,7 @@
 /** The form with which a teacher chooses the exercise of a link and its rules. */
 
 import { el } from "../dom.js";
-import { t } from "../i18n.js";
+import { dates, t } from "../i18n.js";
 
 /** @type {Record<string, string[]>} */
 const CHOICES = {
@@ -17,6 +17,12 @@ function local(text) {
   const time = new Date(text);
   const written = new Date(time.getTime() - time.getTimezoneOffset() * 60000).toISOString();
   return written.slice(0, time.getSeconds() ? 19 : 16);
+}
+
+/** The browser's time zone in the reader's language; its identifier is English, and may name a city as it was once spelled. */
+function timeZone() {
+  const parts = dates({ timeZoneName: "longGeneric" }).formatToParts();
+  return parts.find(({ type }) => type === "timeZoneName")?.value;
 }
 
 /**
@@ -52,8 +58,7 @@ export function settingsForm(exercises, settings, save, action) {
   const time = (name) => {
     const value = local(settings[name]);
     const step = value.length > 16 ? 1 : 60;
-    const { timeZone } = new Intl.DateTimeFormat().resolvedOptions();
-    return field(name, el("input", { type: "datetime-local", name, step, value }), ` (${timeZone})`);
+    return field(name, el("input", { type: "datetime-local", name, step, value }), ` (${timeZone()})`);
   };
   const parts = el("fieldset", { class: "wide" });
   const exercise = /** @type {HTMLSelectElement} */ (
