@@ -6,13 +6,17 @@ import argparse
 import gc
 import logging
 import os
+import pickle
 import shutil
 import signal
 import sys
+import time
 from typing import TYPE_CHECKING, Any
 
 import uvicorn
+from uvicorn.config import STARTUP_FAILURE
 from uvicorn.supervisors import Multiprocess
+from uvicorn.supervisors.multiprocess import Process
 
 from service.cli.commands import REFUSALS, UNUSABLE, tell
 from service.cli.environment import count, require_what_is_named, settings_of_environment
@@ -31,6 +35,11 @@ SILENT_SECONDS = 60
 """So long one of several processes may leave its supervisor without an answer before it is replaced. Loading
 takes a second of processor time, for which a sixteenth of a processor needs a quarter of a minute; what is
 replaced before it can answer would never serve."""
+
+
+_ENDING_SECONDS = 12
+"""So much longer than requests may take to finish may a process take to end: it gives up after ten."""
+_log = logging.getLogger("uvicorn.error")
 
 
 def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
@@ -61,7 +70,6 @@ def _serve(options: argparse.Namespace) -> int:
                 "service.cli.serve:one_of_several",
                 factory=True,
                 workers=workers,
-                timeout_worker_healthcheck=SILENT_SECONDS,
                 **chosen,
             )
             supervisor = _Supervisor(config, sockets=[config.bind_socket()])
@@ -88,32 +96,61 @@ class _Supervisor(Multiprocess):
 
     def init_processes(self) -> None:
         """Start the first processes."""
+        self._asked: dict[Process, float] = {}
         super().init_processes()
         self._first = tuple(self.processes)
-        self._hear_of_deaths()
 
     def keep_subprocess_alive(self) -> None:
-        """Replace a process that has died; end if a first one could not start, as none would.
+        """Replace a process that has died or says nothing; end if a first one could not start, as none would.
 
         What a later one lacks, such as a database that is away for a while, the others do without.
         """
-        if any(each.process.exitcode == UNUSABLE for each in self._first):
+        if any(each.process.exitcode in (UNUSABLE, STARTUP_FAILURE) for each in self._first):
             self.could_not_start = True
             self.should_exit.set()
             return
-        super().keep_subprocess_alive()
-        self._hear_of_deaths()
+        for place, each in enumerate(self.processes):
+            if each.process.is_alive() and self._answers(each):
+                continue
+            each.kill()
+            each.join()
+            _log.warning("Process %d has died or said nothing, and is replaced", each.pid)
+            self._asked.pop(each, None)
+            self.processes[place] = Process(self.config, self.sockets)
+            self.processes[place].start()
 
-    def _hear_of_deaths(self) -> None:
-        """Close the processes' ends of their pipes here: while one is open, a dead process is waited for."""
-        for each in self.processes:
-            each.child_conn.close()
+    def _answers(self, process: Process) -> bool:
+        """Return whether a process answers, or may still do so; ask it once it has.
+
+        Nothing is waited for here: meanwhile another one may die, or all be told to end.
+        """
+        asked = self._asked.get(process)
+        try:
+            if asked is not None and not process.parent_conn.poll():
+                return time.monotonic() - asked < SILENT_SECONDS
+            if asked is not None:
+                process.parent_conn.recv()
+            process.parent_conn.send(b"ping")
+        except (OSError, EOFError, pickle.UnpicklingError):
+            return False
+        self._asked[process] = time.monotonic()
+        return True
 
     def terminate_all(self) -> None:
         """Have them answer what is in progress; who comes now is refused, and does not wait for nothing."""
         for each in self.sockets:
             each.close()
         super().terminate_all()
+
+    def join_all(self) -> None:
+        """Wait for their ends; end those that take longer than they may."""
+        end = time.monotonic() + (self.config.timeout_graceful_shutdown or 0) + _ENDING_SECONDS
+        for each in self.processes:
+            each.process.join(max(0.0, end - time.monotonic()))
+            if each.process.is_alive():
+                _log.error("Process %d does not end, and is killed", each.pid)
+                each.process.kill()
+        super().join_all()
 
 
 def _end(*_: object) -> None:

@@ -146,6 +146,19 @@ def test_who_comes_after_the_signal_is_refused_also_by_several_processes() -> No
             time.sleep(0.05)
 
 
+def test_a_process_that_stands_still_does_not_keep_several_alive() -> None:
+    """The end was waited for without end, and the signal not heard for as long as a minute."""
+    with server(FRAMEWISE_SHUTDOWN_SECONDS="1", FRAMEWISE_WORKERS="2") as (process, _):
+        children = Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text().split()
+        serving = [
+            int(each) for each in children if b"spawn_main" in Path(f"/proc/{each}/cmdline").read_bytes()
+        ]
+        os.kill(serving[0], signal.SIGSTOP)
+        time.sleep(1.2)  # it is asked twice a second, and answers no more
+        process.send_signal(signal.SIGTERM)
+        assert process.wait(timeout=120) == 0
+
+
 def test_nothing_is_left_in_the_folder_for_temporary_files(tmp_path_factory: pytest.TempPathFactory) -> None:
     folder = tmp_path_factory.mktemp("temporary")
     with server(TMPDIR=str(folder)) as (process, address):

@@ -10,6 +10,7 @@ import shutil
 import subprocess
 import sys
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 from uvicorn.supervisors.multiprocess import Process
@@ -289,33 +290,60 @@ def test_a_reader_that_has_had_enough_is_no_error() -> None:
         assert listing.stderr.read() == b""
 
 
-def test_a_process_that_is_slow_to_start_is_not_replaced(monkeypatch: pytest.MonkeyPatch) -> None:
-    """With a sixteenth of a processor none of two ever came to serve: each was killed after five seconds."""
+def test_a_process_that_says_nothing_is_waited_for_and_keeps_nothing_else_waiting(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """With a sixteenth of a processor none of two ever came to serve: each was killed after five seconds.
+
+    While one was waited for, nobody replaced another that had died, and nobody heard the signal to end.
+    """
     from service.cli import serve
 
-    asked = []
-
-    class Patient(Process):
-        def is_alive(self, timeout: float = 0.0) -> bool:
-            asked.append(timeout)
-            return True
-
+    class Begun(Process):
         def start(self) -> None:
             """Nothing is started here."""
+            self.process = SimpleNamespace(pid=1, exitcode=None, is_alive=lambda: True)  # type: ignore[assignment]
 
-    def once(supervisor: serve._Supervisor) -> None:
+        def kill(self) -> None:
+            """There is nothing to be killed."""
+
+        def join(self) -> None:
+            """There is nothing to be waited for."""
+
+    clock = SimpleNamespace(now=0.0, monotonic=lambda: clock.now)
+
+    def watched(supervisor: serve._Supervisor) -> None:
         supervisor.init_processes()
-        supervisor.keep_subprocess_alive()
+        slow, other = supervisor.processes
+
+        def looked() -> list[Process]:
+            supervisor.keep_subprocess_alive()
+            return supervisor.processes
+
+        assert looked() == looked() == [slow, other]
+        other.process.is_alive = lambda: False  # type: ignore[method-assign]
+        first, second = looked()
+        assert (first is slow, second is other) == (True, False)
+        clock.now = serve.SILENT_SECONDS - 1.0
+        assert looked()[0] is slow
+        slow.child_conn.recv()
+        slow.child_conn.send(True)
+        assert looked()[0] is slow
+        clock.now += serve.SILENT_SECONDS - 1.0
+        assert looked()[0] is slow
+        clock.now += 2.0
+        assert looked()[0] is not slow
         for each in supervisor.sockets:
             each.close()
 
-    monkeypatch.setattr("uvicorn.supervisors.multiprocess.Process", Patient)
-    monkeypatch.setattr(serve._Supervisor, "run", once)
+    for place in ("uvicorn.supervisors.multiprocess.Process", "service.cli.serve.Process"):
+        monkeypatch.setattr(place, Begun)
+    monkeypatch.setattr(serve, "time", clock)
+    monkeypatch.setattr(serve._Supervisor, "run", watched)
     monkeypatch.setattr("signal.signal", lambda *_: None)
     for shared in ("share_secret", "share_metrics"):
         monkeypatch.setattr(serve, shared, lambda: "nothing is shared here")
     assert main(["serve", "--workers", "2", "--port", "0"]) == 0
-    assert asked == [serve.SILENT_SECONDS] * 2
     assert serve.SILENT_SECONDS >= 16 * 2
 
 
