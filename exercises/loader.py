@@ -27,6 +27,7 @@ from exercises.text_reading import checked_statements, read_remarks, read_titles
 from kinematics import catalogue
 from kinematics.cells import AngleUnit, ReadTable, read_table
 from kinematics.errors import Fault
+from kinematics.keys import is_number
 
 
 def load_exercise(folder: Traversable) -> Exercise:
@@ -194,7 +195,7 @@ def _parts(reader: Reader, robot: RobotFacts) -> tuple[Part, ...]:
     for entry in reader.entries("parts"):
         kind = entry.text("kind")
         points = entry.exact("points")
-        if points <= 0:
+        if points <= 0 and is_number(entry.values.get("points")):
             entry.fault("points_not_positive", "points")
         if any(part.kind == kind for part in parts):
             entry.fault("part_twice", "kind", kind=kind)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from fractions import Fraction
 from typing import ClassVar
 
 from kinematics.cells import AngleUnit, Cell, ParameterKind, canonical_name, read_cell
@@ -33,6 +34,14 @@ class Reader(KeyReader):
         else:
             return value or 1
         return 1
+
+    def per_joint(self, key: str, joints: int, usual: Sequence[int] | None = None) -> tuple[Fraction, ...]:
+        """Return a list with one number for each joint; zeros with a fault where it is something else."""
+        values = self.exacts(key) if usual is None else self.exacts(key, list(usual))
+        written = self.values.get(key)
+        if isinstance(written, list) and len(written) != joints:
+            self.fault("joints_wrong_length", key, expected=joints, given=len(written))
+        return values if len(values) == joints else (Fraction(0),) * joints
 
     def length(self, key: str, default: Cell | None = None) -> Expression:
         """Return a length: a number or an expression in the exercise's dimensions."""

@@ -64,11 +64,8 @@ def read_figure(reader: Reader, joint_types: Sequence[JointType], degrees: bool)
 
 
 def _posture(reader: Reader, joint_types: Sequence[JointType], degrees: bool) -> tuple[float, ...]:
-    values = reader.exacts("posture", [0] * len(joint_types))
-    if len(values) != len(joint_types):
-        n = len(joint_types)
-        reader.fault("joints_wrong_length", "posture", expected=n, given=len(values))
-        return (0.0,) * n
+    n = len(joint_types)
+    values = reader.per_joint("posture", n, [0] * n)
     return tuple(
         math.radians(value) if degrees and type_ is JointType.REVOLUTE else float(value)
         for value, type_ in zip(values, joint_types, strict=True)

@@ -63,10 +63,7 @@ def read_joints(
         usual_turns: from where angles are drawn if nothing is said.
     """
     n = len(robot.joint_types)
-    joints = reader.exacts("joints")
-    if len(joints) != n:
-        reader.fault("joints_wrong_length", "joints", expected=n, given=len(joints))
-        joints = (Fraction(0),) * n
+    joints = reader.per_joint("joints", n)
     turns, slides = read_draw(reader, "turns") or usual_turns, read_draw(reader, "slides")
     names = joint_names(n)
     own = {name: read_draw(reader, name) for name in names if single and reader.given(name)}

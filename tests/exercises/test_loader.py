@@ -136,6 +136,10 @@ def test_a_fault_names_its_key(tmp_path: Path, old: str, new: str, place: str, c
         ("[[parts]]", "[access]\nattempts = 1.5\n[[parts]]", "access.attempts"),
         ("[[parts]]", '[access]\nvariants = "x"\n[[parts]]', "access.variants"),
         ("version = 1", "version = 1.5", "version"),
+        ("points = 10", 'points = "x"', "parts.0.points"),
+        ("points = 10", "", "parts.0.points"),
+        ("[[parts]]", '[figure]\nposture = [0, "x"]\n[[parts]]', "figure.posture.1"),
+        ("[[parts]]", "[figure]\nposture = 3\n[[parts]]", "figure.posture"),
     ],
 )
 def test_what_cannot_be_read_is_told_once(tmp_path: Path, old: str, new: str, place: str) -> None:

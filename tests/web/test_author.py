@@ -176,7 +176,10 @@ def test_the_key_is_corrected_in_one_cell(open_page: OpenPage, watch: Watch) -> 
     ]
     put_table(page, {"convention": "standard", "length_unit": "mm", "rows": rows})
     page.get_by_role("button", name="Start with this robot").click()
-    value = {name: page.locator(f"[data-path='definition/parameters/{name}/value']") for name in ("L1", "L2", "beta")}
+    value = {
+        name: page.locator(f"[data-path='definition/parameters/{name}/value']")
+        for name in ("L1", "L2", "beta")
+    }
     expect(value["L1"]).to_have_value("300")  # millimetres
     expect(value["beta"]).to_have_value("30")  # degrees
     value["L1"].fill("450")
@@ -318,6 +321,24 @@ def test_a_fault_of_a_group_names_it_and_leads_to_it(open_page: OpenPage, watch:
     expect(begin).to_have_attribute("aria-invalid", "true")
     link.click()
     expect(begin).to_be_focused()
+
+
+def test_a_fault_of_a_list_or_of_a_length_leads_to_its_field(open_page: OpenPage, watch: Watch) -> None:
+    watch.allow("422")
+    page = open_page("/author", before=kept)
+    for path, text in {
+        "definition/parameters/L1/aliases": "0",
+        "definition/figure/marks": "nowhere",
+        "definition/parameters/L2/value": "0",
+    }.items():
+        field = page.locator(f"[data-path='{path}']")
+        before = field.input_value()
+        field.fill(text)
+        expect(field).to_have_attribute("aria-invalid", "true")
+        page.locator("#author-problem a").click()
+        expect(field).to_be_focused()
+        field.fill(before)
+        expect(field).not_to_have_attribute("aria-invalid", "true")
 
 
 def test_the_exercise_is_tried_as_a_student(open_page: OpenPage, watch: Watch) -> None:

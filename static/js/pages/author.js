@@ -133,14 +133,23 @@ class AuthorPage {
   }
 }
 
-/** The fields that a fault concerns: one, or those of a group. @param {import("../api.js").Fault} fault @returns {HTMLElement[]} */
-function fieldsOf({ pointer }) {
-  const path = (pointer ?? "").replace(/^\/draft\//, "");
-  const fields = /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll("[data-path]"));
-  const isGroup = path.split("/").length > 2; // what is said of a whole card concerns none of its fields
-  return [...fields].filter(
-    ({ dataset }) => dataset.path === path || (isGroup && dataset.path?.startsWith(`${path}/`)),
-  );
+/** The fields that a fault concerns: one, those of a group, that of the list it stands in, or of the dimension it names. @param {import("../api.js").Fault} fault @returns {HTMLElement[]} */
+function fieldsOf({ pointer, params }) {
+  const fields = /** @type {HTMLElement[]} */ ([...document.querySelectorAll("[data-path]")]);
+  const steps = (pointer ?? "").replace(/^\/draft\//, "").split("/");
+  const path = steps.join("/");
+  const at = (/** @type {string} */ place) => fields.filter(({ dataset }) => dataset.path === place);
+  const isGroup = steps.length > 2; // what is said of a whole card concerns none of its fields
+  const inside = isGroup ? fields.filter(({ dataset }) => dataset.path?.startsWith(`${path}/`)) : [];
+  const list = isGroup && /^\d+$/.test(steps.at(-1) ?? "") ? at(steps.slice(0, -1).join("/")) : [];
+  const named = [`definition/figure/lengths/${params?.name}`, `definition/parameters/${params?.name}/value`].map(at);
+  const places = [
+    at(path),
+    inside,
+    list,
+    ...named.map((all) => all.filter((field) => /** @type {any} */ (field).value)),
+  ];
+  return places.find((all) => all.length) ?? [];
 }
 
 /** Why there is no preview, each reason a link to its field. @param {import("../api.js").Fault[]} faults */
