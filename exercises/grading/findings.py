@@ -8,6 +8,7 @@ from exercises.grading.edits.accused import Accused
 from exercises.grading.edits.changes import Change, Extent
 from exercises.grading.edits.misconceptions import HINTS
 from exercises.grading.edits.repairs import Repaired
+from exercises.grading.judging.judgement import lacks_precision
 from exercises.grading.verdict import Edit, Feedback, Finding, HelpLevel, LinkFinding, ParamValue, Repair
 from kinematics.equivalence import Decision, Kind, Mismatch, Policy
 from kinematics.table import VARIABLE_CELLS, JointType, NumericTable
@@ -124,7 +125,7 @@ def feedback_of(
     else:
         found.append(Feedback(code="right_robot" if level.includes(HelpLevel.ROW) else "not_accepted"))
     found += _about_the_whole(decision, key, table, policy, level)
-    if not told.changes and level.includes(HelpLevel.ROW) and _lacks_precision(decision):
+    if not told.changes and level.includes(HelpLevel.ROW) and lacks_precision(decision):
         found.append(Feedback(code="entries_imprecise"))
     if level.includes(HelpLevel.ROW):
         found += _in_place(wrong, told, table, level)
@@ -212,11 +213,6 @@ def _about_the_whole(
             yield Feedback(code="mirrored")
         elif level.includes(HelpLevel.ROW) and (rule := _rule(mismatch, policy)):
             yield Feedback(code=rule)
-
-
-def _lacks_precision(decision: Decision) -> bool:
-    """Whether every fact is right by itself, and only their small errors together are too much."""
-    return [mismatch.kind for mismatch in decision.mismatches] == [Kind.PRECISION]
 
 
 def _rule(mismatch: Mismatch, policy: Policy) -> str | None:

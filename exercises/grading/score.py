@@ -14,6 +14,7 @@ from exercises.grading.edits.repairs import Repaired
 from exercises.grading.edits.table_edits import hides_an_entry
 from exercises.grading.edits.work import WORK_OF_ONE_EDIT, Work
 from exercises.grading.facts import Floats, Weights
+from exercises.grading.judging.judgement import lacks_precision
 from exercises.grading.judging.typed import NOTHING_TYPED, SAME
 from exercises.grading.standard import (
     CELL,
@@ -48,7 +49,8 @@ def score_of(decision: Decision, repairs: Sequence[Repaired], work: Work, weight
     The facts that the answer has wrong, over those that a table of zeros has wrong, taken from 1. Where one
     named slip explains everything, or one of a joint and another, the answer loses no more than they cost;
     nor where its robot is the key's but for one twist: among prismatic joints it takes lengths with it, and
-    one edit undoes it in some frames only.
+    one edit undoes it in some frames only. Where nothing is wrong but for too few digits, that costs what a
+    wrong sign does.
 
     Args:
         decision: what was decided.
@@ -60,6 +62,8 @@ def score_of(decision: Decision, repairs: Sequence[Repaired], work: Work, weight
     nothing = standard.nothing
     if not nothing or not standard.facts.axes:
         return 0.0
+    if lacks_precision(decision):
+        return _share_left(weights.sign, nothing)
     slip = repairs[0].changes[0] if repairs and len(repairs[0].changes) == 1 else None
     throughout = slip is not None and slip.row is None and not hides_an_entry(work, slip)
     singles = [repair.changes for repair in repairs if len(repair.changes) == 1]
@@ -81,6 +85,10 @@ def score_of(decision: Decision, repairs: Sequence[Repaired], work: Work, weight
             off = CELL
     if not decision.same_robot:
         off = _lost_beside_a_slip(work, weights, standard, off)
+    return _share_left(off, nothing)
+
+
+def _share_left(off: float, nothing: float) -> float:
     return round(min(max(1.0 - off / nothing, 0.0), HIGHEST_PARTIAL), DECIMALS)
 
 
@@ -251,6 +259,16 @@ def lost(decision: Decision, work: Work, weights: Weights) -> float:
         ends = bool(broken & {Kind.BASE, Kind.TOOL})
         return max(wrong, min(weights.rule, standard.nothing / 2.0) * (len(broken & RULES) + ends))
     return wrong + _lost_by_rules(work, weights)
+
+
+def _with_lines(off: float, work: Work, weights: Weights, nothing: float) -> float:
+    """What is lost if so much is, and of the rest what a rule costs if lines at the ends are wrong, too.
+
+    A table of zeros has them right, so like joints they can only be lost.
+    """
+    if off >= nothing or not work.ends_beside_joints():
+        return off
+    return off + (nothing - off) * min(weights.rule / nothing, 0.5)
 
 
 def _lost_by_rules(work: Work, weights: Weights) -> float:

@@ -28,10 +28,14 @@ from kinematics.equivalence.results import Certificate
 from kinematics.table import NumericTable
 
 IMPRECISE = Decision(certificate=None, mismatches=(Mismatch(kind=Kind.PRECISION),), same_robot=False)
-
 """Every fact is right by itself, and only their small errors together are too much."""
 REFUTED = Decision(certificate=None, mismatches=(), same_robot=False)
 """A length, an angle or a type is wrong, whatever frames were chosen; `diagnosed` finds what does not fit."""
+
+
+def lacks_precision(decision: Decision) -> bool:
+    """Return whether every fact is right by itself, and only their small errors together are too much."""
+    return [mismatch.kind for mismatch in decision.mismatches] == [Kind.PRECISION]
 
 
 def policy_of(comparison: Comparison, policy: Policy) -> Policy:

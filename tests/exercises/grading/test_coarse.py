@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import pytest
 
 from exercises.grading import BaseRule, DirectionRule, Policy, ToolRule, Verdict, ZeroRule, grade
@@ -62,6 +64,19 @@ def test_a_length_of_too_few_digits_is_said_to_be_that(lengths: Lengths, policy:
     assert not verdict.correct
     assert _codes(verdict) == ["not_equivalent", "entries_imprecise"]
     assert verdict.repairs == ()
+
+
+@pytest.mark.parametrize("make", [_puma, _craig])
+@pytest.mark.parametrize("policy", [FREE, STRICT])
+def test_too_few_digits_cost_less_than_a_wrong_length(make: Any, policy: Policy) -> None:
+    """Under strict rules 0.4 for 0.4318 had fewer marks than 0.3."""
+    key = make(NAMES)
+    wrong = grade(key, make((0.3, 0.0203, 0.15005, 0.4318)), policy, VALUES).score
+    scores = [
+        grade(key, make(lengths), policy, VALUES).score
+        for lengths in ((0.4, 0.0203, 0.15005, 0.4318), (0.4, 0.02, 0.2, 0.4))
+    ]
+    assert scores[0] == scores[1] > wrong
 
 
 def test_in_other_frames_too() -> None:
