@@ -176,12 +176,13 @@ def _strained(
     invariants: Invariants, facts: int, found: NDArray[np.float64]
 ) -> list[tuple[list[int], list[int]]]:
     """Of every table the invariants that fit least, the worst first: facts; and where joints are zero."""
-    strains = invariants.strains(found).T
-    worst = np.argsort(-strains[:, :facts], kind="stable")[:, :MOST_STRAINED]
-    others = facts + np.argsort(-strains[:, facts:], kind="stable")[:, :MOST_STRAINED]
+
+    def worst(own: Sequence[float], numbers: range) -> list[int]:
+        return sorted((k for k in numbers if own[k] > OFF), key=lambda k: -own[k])[:MOST_STRAINED]
+
+    every = range(len(invariants.shapes))
     return [
-        ([k for k in one if own[k] > OFF], [k for k in other if own[k] > OFF])
-        for own, one, other in zip(strains.tolist(), worst.tolist(), others.tolist(), strict=True)
+        (worst(own, every[:facts]), worst(own, every[facts:])) for own in invariants.strains(found).T.tolist()
     ]
 
 

@@ -88,19 +88,30 @@ class LegibleFacts(NamedTuple):
     def are_wrong(self, change: Change, rows: Sequence[NumericRow], most: int) -> bool:
         """Return the same of any change; a fact is not wrong that depends on a cell yet to be solved for.
 
+        But if none may be wrong, α has to be right where the key's is a right angle: each of these is tried.
+
         Args:
             change: the change.
             rows: the rows that it is made in, of which it is not known what is wrong in them.
             most: how many facts may be wrong.
         """
         changed = {(row, cell): value for row, cell, value in change.cells}
-        free = {(change.row, cell) for cell in change.unsolved}
+        free = {(change.row or 0, cell) for cell in change.unsolved}
+        if not most:
+            free = {place for place in free if place[1] != "alpha" or not self._is_right_angle(place)}
         for fact in self.facts:
             if fact.is_wrong(self.bounds, rows, changed) and free.isdisjoint(fact.places):
                 most -= 1
                 if most < 0:
                     return True
         return False
+
+    def _is_right_angle(self, place: Place) -> bool:
+        """Whether the key's angle, where it stands at such a place, is one."""
+        return any(
+            fact.column == "alpha" and abs(math.sin(2.0 * self.bounds[fact.number][0])) <= SAME
+            for fact in self.at.get(place, ())
+        )
 
     def leave_wrong(
         self, change: Change, rows: Sequence[NumericRow], before: Sequence[LegibleFact], most: int
