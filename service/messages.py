@@ -163,7 +163,7 @@ def in_sentence(params: Mapping[str, object], language: str) -> dict[str, object
 def _as_written(value: str | int, language: str) -> str | int:
     if isinstance(value, int):
         return value
-    text = _MINUS.sub("\u2212", value)
+    text = _MINUS.sub("\u2212", value) if "-" in value else value
     return text if language == DEFAULT_LANGUAGE else _DECIMAL_POINT.sub(",", text)
 
 
