@@ -1,13 +1,11 @@
 """`framewise keys`: keys for programs that call the API."""
 
-from __future__ import annotations
-
 import argparse
 import sys
 from datetime import UTC, datetime, timedelta
 
 from kinematics.errors import Fault
-from service.cli.environment import count, settings_of_environment
+from service.cli.environment import Subparsers, count, count_up_to, settings_of_environment
 from service.http.api_keys import KeyFile, KeyScope
 from service.http.problems import RequestError
 
@@ -15,7 +13,7 @@ MOST_DAYS = 36_500
 """A century; dates end after the year 9999."""
 
 
-def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+def add(subparsers: Subparsers) -> None:
     """Declare `keys` with what can be done with them."""
     parser = subparsers.add_parser("keys", help="keys for programs that call the API (FRAMEWISE_API_KEYS)")
     commands = parser.add_subparsers(required=True, metavar="what")
@@ -25,7 +23,9 @@ def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
         "--scope", nargs="+", choices=[scope.value for scope in KeyScope], default=list(KeyScope)
     )
     made.add_argument("--note", default="", help="whose it is")
-    made.add_argument("--days", type=_days, help="days after which it is refused")
+    made.add_argument(
+        "--days", type=count_up_to(MOST_DAYS, "days are possible"), help="days after which it is refused"
+    )
     made.add_argument("--cost-per-minute", type=count, help="its own limit")
     made.set_defaults(run=_add)
 
@@ -37,13 +37,6 @@ def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
     revoked.set_defaults(run=_revoke)
 
 
-def _days(text: str) -> int:
-    """Return for how many days a key is good."""
-    if (days := count(text)) > MOST_DAYS:
-        raise argparse.ArgumentTypeError(f"at most {MOST_DAYS} days are possible, not {text}")
-    return days
-
-
 def _file() -> KeyFile:
     path = settings_of_environment().api_keys
     if path is None:
@@ -51,7 +44,7 @@ def _file() -> KeyFile:
     return KeyFile(path)
 
 
-def _add(options: argparse.Namespace) -> int:
+def _add(options: argparse.Namespace) -> None:
     expires = None
     if options.days is not None:
         expires = (datetime.now(UTC) + timedelta(days=options.days)).isoformat(timespec="seconds")
@@ -62,10 +55,9 @@ def _add(options: argparse.Namespace) -> int:
         cost_per_minute=options.cost_per_minute,
     )
     sys.stdout.write(f"{text}\n")
-    return 0
 
 
-def _list(options: argparse.Namespace) -> int:
+def _list(options: argparse.Namespace) -> None:
     now = datetime.now(UTC)
     for key in _file().all():
         state = "valid" if key.is_valid(now) else "revoked" if key.revoked else "expired"
@@ -73,10 +65,8 @@ def _list(options: argparse.Namespace) -> int:
         sys.stdout.write(
             f"{key.id}  {state:8} {scopes:20} {key.created}  {key.expires or '-':25} {key.note}\n"
         )
-    return 0
 
 
-def _revoke(options: argparse.Namespace) -> int:
+def _revoke(options: argparse.Namespace) -> None:
     if not _file().revoke(options.id):
         raise RequestError(Fault.at("api_key_unknown", id=options.id))
-    return 0

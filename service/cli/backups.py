@@ -1,7 +1,5 @@
 """`framewise backup`, `restore`, `migrate`: the database in a file and back, and at the newest schema."""
 
-from __future__ import annotations
-
 import argparse
 import sys
 from collections.abc import Iterator
@@ -12,10 +10,10 @@ from courses.refusals import StorageError
 from courses.storage.backup import back_up, restore
 from courses.storage.database import Store, open_store, revision_of
 from kinematics.errors import Fault
-from service.cli.environment import settings_of_environment
+from service.cli.environment import Subparsers, settings_of_environment
 
 
-def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+def add(subparsers: Subparsers) -> None:
     """Declare `backup`, `restore` and `migrate`."""
     for name, text, run in (
         ("backup", "write courses and attempts to a file, while the service runs", _back_up),
@@ -48,22 +46,19 @@ def opened_store(*, only_if_there: bool = False) -> Iterator[Store]:
         store.close()
 
 
-def _back_up(options: argparse.Namespace) -> int:
+def _back_up(options: argparse.Namespace) -> None:
     with opened_store(only_if_there=True) as store:
         count = back_up(store, options.file)
         told = sys.stdout if options.file.is_file() else sys.stderr  # the backup itself may go to the output
         told.write(f"{options.file}: {count} rows from {store.location}\n")
-    return 0
 
 
-def _restore(options: argparse.Namespace) -> int:
+def _restore(options: argparse.Namespace) -> None:
     with opened_store() as store:
         count = restore(store, options.file)
         sys.stdout.write(f"{store.location}: {count} rows from {options.file}\n")
-    return 0
 
 
-def _migrate(_: argparse.Namespace) -> int:
+def _migrate(_: argparse.Namespace) -> None:
     with opened_store() as store:
         sys.stdout.write(f"{store.location}: {revision_of(store)}\n")
-    return 0

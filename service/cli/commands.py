@@ -1,27 +1,16 @@
 """The subcommands of `framewise`, and the one way in which their errors are told."""
 
-from __future__ import annotations
-
 import argparse
 import os
 import sys
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from importlib import import_module
-from typing import Protocol
 
 from exercises.errors import ExerciseError
 from kinematics.errors import Fault, KinematicsError
 from service import __version__
 from service.http.problems import ServiceError, fault_sentence
 from service.messages import DEFAULT_LANGUAGE, languages
-
-
-class Command(Protocol):
-    """A module that declares a subcommand."""
-
-    def add(self, subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
-        """Declare the subcommand, its options, and what runs it."""
-
 
 COMMANDS: Mapping[str, str] = {
     "serve": "serve",
@@ -57,15 +46,17 @@ def main(arguments: Sequence[str] | None = None) -> int:
     named = next((word for word in given if word in COMMANDS), None)
     modules = (COMMANDS[named],) if named else dict.fromkeys(COMMANDS.values())
     options = _parser(modules).parse_args(given)
-    run: Callable[[argparse.Namespace], int] = options.run
+    run: Callable[[argparse.Namespace], int | None] = options.run
     try:
-        return _flushed(run(options))
+        status = run(options) or 0
+        sys.stdout.flush()  # a reader that is gone is noticed here
     except BrokenPipeError:  # what reads us, such as head, has had enough
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return FAILED
     except REFUSALS as error:
         tell(error, options.lang)
         return UNUSABLE
+    return status
 
 
 def tell(refusal: ExerciseError | KinematicsError | ServiceError | OSError, language: str) -> None:
@@ -77,12 +68,6 @@ def tell(refusal: ExerciseError | KinematicsError | ServiceError | OSError, lang
         faults = refusal.faults
     for fault in faults:
         sys.stderr.write(f"framewise: {fault_line(fault, language)}\n")
-
-
-def _flushed(status: int) -> int:
-    """Return the status once everything is written, so that a reader that is gone is noticed here."""
-    sys.stdout.flush()
-    return status
 
 
 def fault_line(fault: Fault, language: str) -> str:
@@ -102,6 +87,5 @@ def _parser(modules: Iterable[str]) -> argparse.ArgumentParser:
     parser.add_argument("--version", action="version", version=f"%(prog)s {__version__}")
     subparsers = parser.add_subparsers(required=True, metavar="command")
     for name in modules:
-        command: Command = import_module(f"service.cli.{name}")
-        command.add(subparsers)
+        import_module(f"service.cli.{name}").add(subparsers)
     return parser

@@ -1,7 +1,5 @@
 """`framewise config`: the settings as the service would read them."""
 
-from __future__ import annotations
-
 import argparse
 import json
 import re
@@ -9,20 +7,20 @@ import sys
 
 from pydantic import SecretStr
 
-from service.cli.environment import require_what_is_named, settings_of_environment
+from service.cli.environment import Subparsers, require_what_is_named, settings_of_environment
 
 HIDDEN = "********"
 _SECRET = re.compile(r"([?&][^=&]*(?:password|token|secret|key)=)[^&]*", re.IGNORECASE)
 """Values of an address's query that are not shown: of a database, and of a collector."""
 
 
-def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+def add(subparsers: Subparsers) -> None:
     """Declare `config`."""
     parser = subparsers.add_parser("config", help="print the settings, or say which cannot be understood")
     parser.set_defaults(run=_print)
 
 
-def _print(_options: argparse.Namespace) -> int:
+def _print(_options: argparse.Namespace) -> None:
     settings = settings_of_environment()
     for name in type(settings).model_fields:
         value = getattr(settings, name)
@@ -30,7 +28,6 @@ def _print(_options: argparse.Namespace) -> int:
         unset = "# " if value is None else ""
         sys.stdout.write(f"{unset}FRAMEWISE_{name.upper()}={_written(shown)}\n")
     require_what_is_named(settings)
-    return 0
 
 
 def _written(value: object) -> str:

@@ -6,14 +6,18 @@ import argparse
 import difflib
 import os
 import sys
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from importlib.util import find_spec
+from typing import TypeAlias
 
 from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
 from service.http.api_keys import KeyFile
 from service.settings import Settings
+
+Subparsers: TypeAlias = "argparse._SubParsersAction[argparse.ArgumentParser]"
+"""Where a subcommand is declared."""
 
 _PREFIX = "FRAMEWISE_"
 _FAULTY = "These settings cannot be understood:"
@@ -106,3 +110,14 @@ def count(text: str) -> int:
     if not text.isdecimal() or int(text) < 1:
         raise argparse.ArgumentTypeError(f"a whole number from 1 on is needed, not {text}")
     return int(text)
+
+
+def count_up_to(most: int, what: str) -> Callable[[str], int]:
+    """Return what reads the number that an option counts with, at most so many."""
+
+    def read(text: str) -> int:
+        if (number := count(text)) > most:
+            raise argparse.ArgumentTypeError(f"at most {most} {what}, not {text}")
+        return number
+
+    return read

@@ -1,7 +1,5 @@
 """`framewise exercises`: list, start, draw and test exercises."""
 
-from __future__ import annotations
-
 import argparse
 import sys
 from pathlib import Path
@@ -18,7 +16,7 @@ from exercises.library import ROOT, Library
 from exercises.loader import load_exercise
 from exercises.selftest.checks import check
 from exercises.selftest.findings import Failure, Findings
-from service.cli.environment import count, settings_of_environment
+from service.cli.environment import Subparsers, count, settings_of_environment
 from service.messages import robot_name, sentence
 from service.wire.exercises.figure_files import figure_file
 
@@ -26,7 +24,7 @@ SEEDS = 10
 """What a lecturer waits for; `make check-exercises` tries more."""
 
 
-def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+def add(subparsers: Subparsers) -> None:
     """Declare `exercises` with what can be done with them."""
     parser = subparsers.add_parser("exercises", help="list, start, draw and test exercises")
     commands = parser.add_subparsers(required=True, metavar="what")
@@ -60,13 +58,12 @@ def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
     new.set_defaults(run=_new)
 
 
-def _list(options: argparse.Namespace) -> int:
+def _list(options: argparse.Namespace) -> None:
     library = _library()
     for exercise_id in library.ids:
         found = library.exercise(exercise_id)
         parts = ", ".join(part.kind for part in found.parts)
         sys.stdout.write(f"{exercise_id:12} {found.title(options.lang):32} {parts}\n")
-    return 0
 
 
 def _check(options: argparse.Namespace) -> int:
@@ -96,20 +93,18 @@ def _told(failure: Failure, language: str) -> str:
     return sentence(language, f"check-{failure.check}", failure.params) or failure.check
 
 
-def _figure(options: argparse.Namespace) -> int:
+def _figure(options: argparse.Namespace) -> None:
     svg = figure_file(generate(_found(options.exercise), options.seed), options.lang).decode()
     if options.output is None:
         sys.stdout.write(f"{svg}\n")
     else:
         options.output.write_text(f"{svg}\n", encoding="utf-8")
-    return 0
 
 
-def _new(options: argparse.Namespace) -> int:
+def _new(options: argparse.Namespace) -> None:
     folder = scaffold(options.id, _source(options), options.into, robot_name)
     load_exercise(folder)
     sys.stdout.write(f"{folder / FILE}\n")
-    return 0
 
 
 def _source(options: argparse.Namespace) -> ExerciseSource:

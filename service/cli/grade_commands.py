@@ -1,7 +1,5 @@
 """`framewise grade`: what students handed in, graded without a server; or one hand-in for an autograder."""
 
-from __future__ import annotations
-
 import argparse
 import json
 import sys
@@ -20,7 +18,7 @@ from service.adapters.hand_ins import count_files, hand_ins, left_out
 from service.adapters.hosts import HOSTS
 from service.adapters.hosts.assignment import Assignment
 from service.adapters.table_files import TableSettings
-from service.cli.environment import count, settings_of_environment
+from service.cli.environment import Subparsers, count, settings_of_environment
 from service.cli.whole_files import replacing
 from service.http.problems import RequestError
 from service.messages import sentence
@@ -31,7 +29,7 @@ _NAMED = 10
 """Files that are named as left out; the others are counted."""
 
 
-def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+def add(subparsers: Subparsers) -> None:
     """Declare `grade`."""
     parser = subparsers.add_parser("grade", help="grade files of students, without a server")
     parser.add_argument(

@@ -1,7 +1,5 @@
 """`framewise lti`: platforms, invitations to register, and keys."""
 
-from __future__ import annotations
-
 import argparse
 import json
 import sys
@@ -20,7 +18,7 @@ from courses.people.platforms import (
     set_status,
 )
 from service.cli.backups import opened_store
-from service.cli.environment import count, settings_of_environment
+from service.cli.environment import Subparsers, count, settings_of_environment
 from service.course_resources import CourseResources, now
 from service.lti.fetching import http_address, origin_of
 from service.lti.signing_keys import key_set
@@ -28,7 +26,7 @@ from service.lti.signing_keys import key_set
 _ADDRESSES = ("authorization_endpoint", "token_endpoint", "jwks_uri")
 
 
-def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+def add(subparsers: Subparsers) -> None:
     """Declare `lti` with what it does."""
     actions = subparsers.add_parser("lti", help="learning management systems and keys").add_subparsers(
         required=True, metavar="action"
@@ -119,7 +117,7 @@ def _identifier(text: str) -> str:
     return text.strip()
 
 
-def _add(options: argparse.Namespace) -> int:
+def _add(options: argparse.Namespace) -> None:
     asked = Platform(
         issuer=options.issuer,
         client_id=options.client_id,
@@ -135,51 +133,44 @@ def _add(options: argparse.Namespace) -> int:
     with opened_store() as store:
         stored = add_platform(store, asked, tuple(options.deployment), now())
     sys.stdout.write(f"{stored.id}\n")
-    return 0
 
 
-def _list(_: argparse.Namespace) -> int:
+def _list(_: argparse.Namespace) -> None:
     with opened_store(only_if_there=True) as store:
         for platform in platforms(store):
             deployments = ", ".join(deployments_of(store, platform.id))
             row = (str(platform.id), platform.status.value, platform.issuer, platform.client_id, deployments)
             sys.stdout.write("\t".join(row) + "\n")
-    return 0
 
 
-def _set_status(options: argparse.Namespace) -> int:
+def _set_status(options: argparse.Namespace) -> None:
     with opened_store(only_if_there=True) as store:
         set_status(store, options.platform, options.status)
-    return 0
 
 
-def _remove(options: argparse.Namespace) -> int:
+def _remove(options: argparse.Namespace) -> None:
     with opened_store(only_if_there=True) as store:
         remove_platform(store, options.platform)
-    return 0
 
 
-def _add_deployment(options: argparse.Namespace) -> int:
+def _add_deployment(options: argparse.Namespace) -> None:
     with opened_store(only_if_there=True) as store:
         add_deployment(store, options.platform, options.deployment)
-    return 0
 
 
-def _invite(options: argparse.Namespace) -> int:
+def _invite(options: argparse.Namespace) -> None:
     with opened_store() as store:
         secret = invite(store, options.note, now())
     sys.stdout.write(f"{options.root.rstrip('/')}/lti/register/{secret}\n")
-    return 0
 
 
-def _administer(options: argparse.Namespace) -> int:
+def _administer(options: argparse.Namespace) -> None:
     with opened_store() as store:
         code = invite_administrator(store, now())
     sys.stdout.write(f"{options.root.rstrip('/')}/platforms#code={code}\n")
-    return 0
 
 
-def _keys(options: argparse.Namespace) -> int:
+def _keys(options: argparse.Namespace) -> None:
     courses = CourseResources(settings_of_environment())
     try:
         if options.rotate:
@@ -187,4 +178,3 @@ def _keys(options: argparse.Namespace) -> int:
         sys.stdout.write(json.dumps(key_set(courses.keys()), indent=2) + "\n")
     finally:
         courses.close()
-    return 0

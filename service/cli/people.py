@@ -1,7 +1,5 @@
 """`framewise people`: what is stored about a person, its erasure, and the end of what is old."""
 
-from __future__ import annotations
-
 import argparse
 import json
 import sys
@@ -9,11 +7,11 @@ from datetime import timedelta
 
 from courses.people.privacy import erase_person, export_person, person_named, purge
 from service.cli.backups import opened_store
-from service.cli.environment import settings_of_environment
+from service.cli.environment import Subparsers, settings_of_environment
 from service.course_resources import now
 
 
-def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+def add(subparsers: Subparsers) -> None:
     """Declare `people` with what it does."""
     actions = subparsers.add_parser("people", help="privacy: export, erase, purge").add_subparsers(
         required=True, metavar="action"
@@ -30,24 +28,21 @@ def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None
     purging.set_defaults(run=_purge)
 
 
-def _export(options: argparse.Namespace) -> int:
+def _export(options: argparse.Namespace) -> None:
     with opened_store(only_if_there=True) as store:
         _print(export_person(store, person_named(store, options.key)))
-    return 0
 
 
-def _erase(options: argparse.Namespace) -> int:
+def _erase(options: argparse.Namespace) -> None:
     with opened_store(only_if_there=True) as store:
         _print(erase_person(store, person_named(store, options.key)))
-    return 0
 
 
-def _purge(_: argparse.Namespace) -> int:
+def _purge(_: argparse.Namespace) -> None:
     settings = settings_of_environment()
     people, log = timedelta(days=settings.people_days), timedelta(days=settings.access_days)
     with opened_store(only_if_there=True) as store:
         _print(purge(store, now(), people=people, log=log))
-    return 0
 
 
 def _print(found: object) -> None:

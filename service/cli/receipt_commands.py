@@ -1,7 +1,5 @@
 """`framewise receipts`: verify what students handed in, and renew the keys that sign."""
 
-from __future__ import annotations
-
 import argparse
 import sys
 from collections.abc import Iterator
@@ -9,7 +7,7 @@ from pathlib import Path
 
 from service.adapters.gradebook import GradebookFormat, write_marks
 from service.adapters.judging import told_fault
-from service.cli.environment import settings_of_environment
+from service.cli.environment import Subparsers, settings_of_environment
 from service.cli.whole_files import replacing
 from service.receipts.checking import check_receipts, marks_of, receipts_in
 from service.receipts.keys import receipt_keys, rotate
@@ -19,7 +17,7 @@ _LARGEST_FILE = 1024 * 1024
 """Bytes read of a file: the receipts of a thousand students."""
 
 
-def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+def add(subparsers: Subparsers) -> None:
     """Declare `receipts` with what can be done with them."""
     parser = subparsers.add_parser("receipts", help="verify receipts, and renew the keys that sign them")
     commands = parser.add_subparsers(required=True, metavar="what")
@@ -64,10 +62,9 @@ def _verify(options: argparse.Namespace) -> int:
     return _FORGED if any(entry.receipt is None for entry in checked) else 0
 
 
-def _rotate(options: argparse.Namespace) -> int:
+def _rotate(options: argparse.Namespace) -> None:
     keys = rotate(options.file, options.retire)
     sys.stdout.write(f"{keys.signing.kid}\n")
-    return 0
 
 
 def _receipts(path: Path) -> Iterator[str]:

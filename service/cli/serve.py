@@ -19,7 +19,12 @@ from uvicorn.supervisors import Multiprocess
 from uvicorn.supervisors.multiprocess import Process
 
 from service.cli.commands import REFUSALS, UNUSABLE, tell
-from service.cli.environment import count, require_what_is_named, settings_of_environment
+from service.cli.environment import (
+    Subparsers,
+    count_up_to,
+    require_what_is_named,
+    settings_of_environment,
+)
 from service.http.connections import server_options
 from service.logs import log_configuration
 from service.messages import DEFAULT_LANGUAGE
@@ -42,12 +47,14 @@ _ENDING_SECONDS = 12
 _log = logging.getLogger("uvicorn.error")
 
 
-def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+def add(subparsers: Subparsers) -> None:
     """Declare `serve`; its options go before the environment."""
     parser = subparsers.add_parser("serve", help="serve until interrupted")
     parser.add_argument("--host", help="address to listen on (FRAMEWISE_HOST)")
     parser.add_argument("--port", type=_port, help="port to listen on (FRAMEWISE_PORT)")
-    parser.add_argument("--workers", type=_workers, help="processes (FRAMEWISE_WORKERS)")
+    parser.add_argument(
+        "--workers", type=count_up_to(MOST_WORKERS, "processes"), help="processes (FRAMEWISE_WORKERS)"
+    )
     parser.set_defaults(run=_serve)
 
 
@@ -186,9 +193,3 @@ def _port(text: str) -> int:
     if not text.isdecimal() or int(text) > _LARGEST_PORT:
         raise argparse.ArgumentTypeError(f"a port is a number from 0 to {_LARGEST_PORT}, not {text}")
     return int(text)
-
-
-def _workers(text: str) -> int:
-    if (number := count(text)) > MOST_WORKERS:
-        raise argparse.ArgumentTypeError(f"at most {MOST_WORKERS} processes, not {text}")
-    return number

@@ -1,7 +1,5 @@
 """`framewise warm`: draw, test and write down beforehand what a course or an exercise will be asked for."""
 
-from __future__ import annotations
-
 import argparse
 import sys
 import time
@@ -18,7 +16,7 @@ from exercises.written_table import written_table
 from kinematics.errors import Fault, KinematicsError
 from kinematics.printing import SOURCES, Notation
 from service.cli.commands import FAILED
-from service.cli.environment import count, settings_of_environment
+from service.cli.environment import Subparsers, count_up_to, settings_of_environment
 from service.http.problems import NotFoundError
 from service.messages import languages, sentence
 from service.resources import Resources
@@ -42,24 +40,19 @@ class Prepared:
     languages: tuple[str, ...]
 
 
-def add(subparsers: argparse._SubParsersAction[argparse.ArgumentParser]) -> None:
+def add(subparsers: Subparsers) -> None:
     """Declare `warm`."""
     parser = subparsers.add_parser(
         "warm", help="prepare an exam: draw figures, test variants, write closed forms"
     )
     parser.add_argument("what", help="id of an exercise, or title or number of a course")
     parser.add_argument(
-        "--variants", type=_variants, help="variants of an exercise that names no number of them itself"
+        "--variants",
+        type=count_up_to(MOST_VARIANTS, "variants are shared out"),
+        help="variants of an exercise that names no number of them itself",
     )
     parser.add_argument("--untested", action="store_true", help="draw only: the variants were tested before")
     parser.set_defaults(run=_warm)
-
-
-def _variants(text: str) -> int:
-    number = count(text)
-    if number > MOST_VARIANTS:
-        raise argparse.ArgumentTypeError(f"at most {MOST_VARIANTS} variants are shared out, not {text}")
-    return number
 
 
 def _warm(options: argparse.Namespace) -> int:
