@@ -53,7 +53,7 @@ def add(subparsers: Subparsers) -> None:
     parser.set_defaults(run=_grade)
 
 
-def _grade(options: argparse.Namespace) -> int:
+def _grade(options: argparse.Namespace) -> None:
     tables = TableSettings(
         convention=options.convention, angle_unit=options.angle_unit, length_unit=options.length_unit
     )
@@ -66,7 +66,8 @@ def _grade(options: argparse.Namespace) -> int:
             points=options.points,
             tables=tables,
         )
-        return HOSTS[options.host](assignment, path)
+        HOSTS[options.host](assignment, path)
+        return
     if path is None:
         raise RequestError(Fault.at("grade_path_needed"))
     if not path.exists():
@@ -89,7 +90,6 @@ def _grade(options: argparse.Namespace) -> int:
         with replacing(options.output) as stream:
             _write(counted, stream, options.format)
     _summarise(counted, left_out(path), options.lang)
-    return 0
 
 
 class _Counted:

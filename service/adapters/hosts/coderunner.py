@@ -14,11 +14,10 @@ from service.adapters.table_files import read_tables
 from service.http.problems import RequestError
 
 
-def run(assignment: Assignment, source: Path | None = None) -> int:
+def run(assignment: Assignment, source: Path | None = None) -> None:
     """Grade what stands on standard input (JSON, or a table with a header row), and print the outcome."""
     text = sys.stdin.buffer.read() if source is None else source.read_bytes()
     sys.stdout.write(json.dumps(outcome_of(_graded(assignment, text), assignment), ensure_ascii=False) + "\n")
-    return 0
 
 
 def outcome_of(judged: JudgedAnswer | NotGraded, assignment: Assignment) -> dict[str, Any]:

@@ -12,14 +12,13 @@ from service.adapters.judging import JudgedAnswer, NotGraded
 ROOT = Path("/autograder")
 
 
-def run(assignment: Assignment, source: Path | None = None) -> int:
+def run(assignment: Assignment, source: Path | None = None) -> None:
     """Grade what a student uploaded, and write Gradescope's results file."""
     root = source or ROOT
     results = results_of(assignment.grade_path(root / "submission"), assignment)
     target = root / "results" / "results.json"
     target.parent.mkdir(parents=True, exist_ok=True)
     target.write_text(json.dumps(results, ensure_ascii=False, indent=1), encoding="utf-8")
-    return 0
 
 
 def results_of(judged: JudgedAnswer | NotGraded, assignment: Assignment) -> dict[str, Any]:

@@ -13,13 +13,12 @@ from service.adapters.hosts.assignment import Assignment
 from service.adapters.judging import NotGraded
 
 
-def run(assignment: Assignment, source: Path | None = None) -> int:
+def run(assignment: Assignment, source: Path | None = None) -> None:
     """Print the points that the table in a file earns, and on standard error why."""
     judged = assignment.grade_path(source or Path())
     if isinstance(judged, NotGraded):
         sys.stderr.write("\n".join(judged.sentences(assignment.language)) + "\n")
         sys.stdout.write("0\n")
-        return 0
+        return
     sys.stderr.write("\n".join(judged.sentences()) + "\n")
     sys.stdout.write(f"{assignment.worth(judged)[0]:.6g}\n")
-    return 0

@@ -12,10 +12,9 @@ from service.adapters.hosts.assignment import Assignment
 from service.adapters.hosts.gradescope import results_of
 
 
-def run(assignment: Assignment, source: Path | None = None) -> int:
+def run(assignment: Assignment, source: Path | None = None) -> None:
     """Grade the table in a file or folder, and write results.json beside it."""
     path = source or Path()
     results = results_of(assignment.grade_path(path), assignment)
     folder = path if path.is_dir() else path.parent
     (folder / "results.json").write_text(json.dumps(results, ensure_ascii=False), encoding="utf-8")
-    return 0

@@ -13,7 +13,7 @@ from service.adapters.judging import JudgedAnswer, NotGraded
 ROOT = Path("/grade")
 
 
-def run(assignment: Assignment, source: Path | None = None) -> int:
+def run(assignment: Assignment, source: Path | None = None) -> None:
     """Grade a submission, and write PrairieLearn's results file.
 
     The question's `params.framewise` may name exercise, seed and language; the table is the submitted answer
@@ -24,7 +24,6 @@ def run(assignment: Assignment, source: Path | None = None) -> int:
     target = root / "results" / "results.json"
     target.parent.mkdir(parents=True, exist_ok=True)
     target.write_text(json.dumps(results_of(_graded(assignment, data, root), assignment)), encoding="utf-8")
-    return 0
 
 
 def results_of(judged: JudgedAnswer | NotGraded, assignment: Assignment) -> dict[str, Any]:

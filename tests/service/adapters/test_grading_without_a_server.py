@@ -153,7 +153,7 @@ def test_gradescope(text: str, score: float | None, tmp_path: Path) -> None:
     (tmp_path / "submission").mkdir()
     (tmp_path / "submission" / "answer.csv").write_text(text)
     assignment = Assignment(exercise="twolink", points=10, tables=TableSettings(angle_unit="deg"))
-    assert HOSTS["gradescope"](assignment, tmp_path) == 0
+    HOSTS["gradescope"](assignment, tmp_path)
     results = json.loads((tmp_path / "results" / "results.json").read_text())
     assert results["output"]
     if score is None:
@@ -168,7 +168,7 @@ def test_prairielearn(submitted: Mapping[str, Any] | str, tmp_path: Path) -> Non
     (tmp_path / "data").mkdir()
     data = {"params": {"framewise": {"exercise": "twolink"}}, "submitted_answers": {"table": submitted}}
     (tmp_path / "data" / "data.json").write_text(json.dumps(data))
-    assert HOSTS["prairielearn"](Assignment(), tmp_path) == 0
+    HOSTS["prairielearn"](Assignment(), tmp_path)
     results = json.loads((tmp_path / "results" / "results.json").read_text())
     assert results["gradable"]
     assert results["score"] == 1.0
