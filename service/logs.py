@@ -24,7 +24,7 @@ _DETAIL = re.compile(
     re.DOTALL,
 )
 """What PostgreSQL says of the row that it refused, as far as another line of the error follows."""
-_QUERY = re.compile(r"(/[^\s?]*)\?[^\s)\"']+")
+_QUERY = re.compile(r"(?<=[/\w])\?[^\s)\"'=]+=[^\s)\"']*")
 _STANDARD = frozenset(vars(logging.makeLogRecord({}))) | {"message", "asctime", "color_message"}
 
 
@@ -54,7 +54,7 @@ class WithoutQueries(logging.Filter):
 
     def filter(self, record: logging.LogRecord) -> bool:
         """Change a record."""
-        record.msg, record.args = _QUERY.sub(r"\1", record.getMessage()), None
+        record.msg, record.args = _QUERY.sub("", record.getMessage()), None
         return True
 
 
