@@ -80,7 +80,7 @@ def test_habits_lead_nowhere(open_page: OpenPage, web: str) -> None:
 def test_a_broken_rule_is_named_at_the_end_of_the_step_and_not_before(open_page: OpenPage) -> None:
     page = open_page("/trainer/twolink")
     ready(page)
-    for frame, text in enumerate(("along x of the coordinates", "along axis 1", "along axis 2")):
+    for frame, text in enumerate(("along X of the figure’s coordinates", "along axis 1", "along axis 2")):
         go_to(page, frame)
         option(page, text)
         expect(frame_button(page, frame)).to_have_class(re.compile("step-whole"))
@@ -115,7 +115,7 @@ def test_options_are_not_numbered_and_have_another_order_for_each_frame(
         go_to(page, frame)
         texts = page.locator("label.choice").all_inner_texts()
         assert not any(re.match(r"\d", text) for text in texts)
-        orders.add(next(i for i, text in enumerate(texts) if "of the coordinates" in text))
+        orders.add(next(i for i, text in enumerate(texts) if "of the figure’s coordinates" in text))
     numbers = page.locator(".scene-label.tone-pick")
     expect(numbers.filter(has_text=re.compile(r"^\d+$"))).to_have_count(0)
     assert len(orders) > 1
@@ -195,7 +195,7 @@ def test_accessible_with_a_broken_rule(
     ready(page)
     for frame in range(3):
         go_to(page, frame)
-        option(page, "along x of the coordinates")
+        option(page, "along X of the figure’s coordinates")
     page.locator("#frame button.primary").click()
     expect(page.locator(".notice-problem").first).to_be_visible()
     assert_accessible_at_both_sizes(page)

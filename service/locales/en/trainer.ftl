@@ -32,10 +32,10 @@ trainer-candidate-base = as in the given base frame
 trainer-candidate-tool = as in the given tool frame
 trainer-candidate-coordinates =
     { $axis ->
-        [1] along x of the coordinates
-        [2] along y of the coordinates
-        [3] along z of the coordinates
-       *[other] the origin of the coordinates
+        [1] along X of the figure’s coordinates
+        [2] along Y of the figure’s coordinates
+        [3] along Z of the figure’s coordinates
+       *[other] the origin of the figure’s coordinates
     }
 trainer-candidate-axis = along axis { $axis }
 trainer-candidate-normal = along the normal of axes { $axis } and { $other }

@@ -32,10 +32,10 @@ trainer-candidate-base = como en el sistema de base dado
 trainer-candidate-tool = como en el sistema de herramienta dado
 trainer-candidate-coordinates =
     { $axis ->
-        [1] a lo largo de x de las coordenadas
-        [2] a lo largo de y de las coordenadas
-        [3] a lo largo de z de las coordenadas
-       *[other] el origen de las coordenadas
+        [1] a lo largo de X de las coordenadas de la figura
+        [2] a lo largo de Y de las coordenadas de la figura
+        [3] a lo largo de Z de las coordenadas de la figura
+       *[other] el origen de las coordenadas de la figura
     }
 trainer-candidate-axis = a lo largo del eje { $axis }
 trainer-candidate-normal = a lo largo de la normal de los ejes { $axis } y { $other }

@@ -32,10 +32,10 @@ trainer-candidate-base = comme dans le repère de base donné
 trainer-candidate-tool = comme dans le repère d’outil donné
 trainer-candidate-coordinates =
     { $axis ->
-        [1] le long de x des coordonnées
-        [2] le long de y des coordonnées
-        [3] le long de z des coordonnées
-       *[other] l’origine des coordonnées
+        [1] le long de X des coordonnées de la figure
+        [2] le long de Y des coordonnées de la figure
+        [3] le long de Z des coordonnées de la figure
+       *[other] l’origine des coordonnées de la figure
     }
 trainer-candidate-axis = le long de l’axe { $axis }
 trainer-candidate-normal = le long de la perpendiculaire aux axes { $axis } et { $other }

@@ -32,10 +32,10 @@ trainer-candidate-base = como no referencial de base dado
 trainer-candidate-tool = como no referencial de ferramenta dado
 trainer-candidate-coordinates =
     { $axis ->
-        [1] ao longo de x das coordenadas
-        [2] ao longo de y das coordenadas
-        [3] ao longo de z das coordenadas
-       *[other] a origem das coordenadas
+        [1] ao longo de X das coordenadas da figura
+        [2] ao longo de Y das coordenadas da figura
+        [3] ao longo de Z das coordenadas da figura
+       *[other] a origem das coordenadas da figura
     }
 trainer-candidate-axis = ao longo do eixo { $axis }
 trainer-candidate-normal = ao longo da normal dos eixos { $axis } e { $other }

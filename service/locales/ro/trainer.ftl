@@ -33,10 +33,10 @@ trainer-candidate-base = ca în sistemul de bază dat
 trainer-candidate-tool = ca în sistemul sculei dat
 trainer-candidate-coordinates =
     { $axis ->
-        [1] de-a lungul lui x al coordonatelor
-        [2] de-a lungul lui y al coordonatelor
-        [3] de-a lungul lui z al coordonatelor
-       *[other] originea coordonatelor
+        [1] de-a lungul lui X al coordonatelor figurii
+        [2] de-a lungul lui Y al coordonatelor figurii
+        [3] de-a lungul lui Z al coordonatelor figurii
+       *[other] originea coordonatelor figurii
     }
 trainer-candidate-axis = de-a lungul axei { $axis }
 trainer-candidate-normal = de-a lungul perpendicularei comune a axelor { $axis } și { $other }

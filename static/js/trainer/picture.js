@@ -29,13 +29,15 @@ export function picture(figure, state, candidates, part, normals) {
   ]);
 }
 
-/** Where the frames' coordinates are counted from. @param {Wire.Figure} figure @returns {Model} */
-function coordinates({ size, ground }) {
-  const items = triad(0, size * SIZE.coordinates, "").map((item) =>
-    item.kind === "arrow" ? { ...item, radius: item.radius * 0.6 } : item,
-  );
-  const at = ground?.at ?? [0, 0, 0];
-  return { nodes: [{ parent: -1, constant: poseAt(at, [1, 0, 0], [0, 1, 0], [0, 0, 1]) }], items, joints: 0 };
+/** From where the figure's coordinates count, which is not always where the robot is fixed. @param {Wire.Figure} figure @returns {Model} */
+export function coordinates({ size }) {
+  /** @param {Item} item @returns {Item} */
+  const drawn = (item) => {
+    if (item.kind === "arrow") return { ...item, radius: item.radius * 0.6 };
+    return item.kind === "label" ? { ...item, text: item.text.toUpperCase() } : item;
+  };
+  const items = triad(0, size * SIZE.coordinates, "").map(drawn);
+  return { nodes: [{ parent: -1, constant: identity() }], items, joints: 0 };
 }
 
 /** @param {number[]} o @param {number[]} x @param {number[]} y @param {number[]} z */

@@ -6,6 +6,7 @@ import { drawnPoints, placed, poses, position, scaled, together } from "../../..
 import { piecesOf } from "../../../static/js/scene/bodies.js";
 import { pickAt } from "../../../static/js/scene/picking.js";
 import { figureRobot, tableRobot } from "../../../static/js/scene/robots.js";
+import { coordinates } from "../../../static/js/trainer/picture.js";
 
 const near = (actual, expected, tolerance = 1e-9) =>
   actual.forEach((value, i) => assert.ok(Math.abs(value - expected[i]) < tolerance, `${actual} ≠ ${expected}`));
@@ -26,6 +27,12 @@ const origin = (pose) => matrix.column(pose, 3);
 test("a rigid motion and its inverse cancel", () => {
   const pose = matrix.multiply(lift(1, 2, 3), quarter);
   near(matrix.multiply(pose, matrix.inverse(pose)).flat(), matrix.identity().flat());
+});
+
+test("the figure's coordinates are drawn where they count from, wherever the robot is fixed", () => {
+  const drawn = coordinates({ size: 1, ground: { at: [0, 0, -0.34], normal: [0, 0, 1] } });
+  const arrow = drawn.items.find(({ kind }) => kind === "arrow");
+  near(position(poses(drawn, []), arrow.from), [0, 0, 0]);
 });
 
 test("a standard table's joint turns before its constant transform, a modified one's after", () => {
