@@ -7,20 +7,24 @@ import { named, t } from "./i18n.js";
 /** @type {Record<string, string>} */
 const GREEK = { alpha: "α", theta: "θ" };
 
-/** What to say of an error, with the row and the column that it concerns. @param {unknown} error @returns {string[]} */
-function sentencesOf(error) {
+/**
+ * What to say of an error, with the row and the column that it concerns, or the place that is named for it.
+ * @param {unknown} error @param {(pointer: string) => string} placeOf @returns {string[]}
+ */
+function sentencesOf(error, placeOf) {
   if (!(error instanceof Problem)) return [t("form-unreachable")];
   return error.faults.map(({ pointer, detail }) => {
     const [, grid, row, cell] = /\/(rows|joints)\/(\d+)\/(\w+)$/.exec(pointer ?? "") ?? [];
-    if (!cell) return detail;
+    const place = placeOf(pointer ?? "");
+    if (!cell) return place ? named(place, detail) : detail;
     const name = grid === "joints" ? cell.toUpperCase() : (GREEK[cell] ?? cell);
     return named(t("form-row-cell", { row: Number(row) + 1, name }), detail);
   });
 }
 
-/** @param {unknown} error @param {{retry?: () => void}} [options] */
-export function problemNotice(error, { retry } = {}) {
-  const sentences = sentencesOf(error);
+/** @param {unknown} error @param {{retry?: () => void, placeOf?: (pointer: string) => string}} [options] */
+export function problemNotice(error, { retry, placeOf = () => "" } = {}) {
+  const sentences = sentencesOf(error, placeOf);
   return el(
     "div",
     { class: "notice notice-problem", role: "alert" },

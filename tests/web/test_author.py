@@ -166,7 +166,7 @@ def test_a_scara_from_a_table(open_page: OpenPage, watch: Watch) -> None:
 
 
 def test_the_key_is_corrected_in_one_cell(open_page: OpenPage, watch: Watch) -> None:
-    """The table of the draft is there to go on with, and what stood in the draft stays: values, ranges, names."""
+    """The table of the draft is there to go on with, and what stood in the draft stays."""
     watch.allow("422")
     page = open_page("/author")
     start_with(page, "table")
@@ -368,18 +368,29 @@ def test_the_exercise_is_tried_as_a_student(open_page: OpenPage, watch: Watch) -
     assert code
 
 
-def test_an_imported_folder_opens(open_page: OpenPage) -> None:
-    page = open_page("/author", before=kept)
-    stream = io.BytesIO()
-    with zipfile.ZipFile(stream, "w") as archive:
-        for file in (Path(__file__).parents[2] / "exercises" / "definitions" / "scara").iterdir():
-            archive.writestr(f"scara/{file.name}", file.read_bytes())
-    chosen = {"name": "scara.zip", "mimeType": "application/zip", "buffer": stream.getvalue()}
-    page.locator("#author-take input[type=file]").set_input_files(chosen)  # type: ignore[arg-type]
+def test_an_imported_folder_opens(open_page: OpenPage, watch: Watch) -> None:
+    """Before there is a draft, too; what is wrong in a folder is told with its file and key."""
+    watch.allow("422")
+    page = open_page("/author")
+    scara = Path(__file__).parents[2] / "exercises" / "definitions" / "scara"
+    files = {file.name: file.read_bytes() for file in scara.iterdir()}
+
+    def choose(changed: dict[str, bytes]) -> None:
+        stream = io.BytesIO()
+        with zipfile.ZipFile(stream, "w") as archive:
+            for name, content in {**files, **changed}.items():
+                archive.writestr(f"scara/{name}", content)
+        chosen = {"name": "scara.zip", "mimeType": "application/zip", "buffer": stream.getvalue()}
+        page.get_by_label("Open a folder (zip)").set_input_files(chosen)  # type: ignore[arg-type]
+
+    choose({"exercise.toml": files["exercise.toml"].replace(b"[figure]", b"[figure]\nwidht = 480", 1)})
+    told = page.locator("#author-start .notice-problem")
+    expect(told).to_contain_text("exercise.toml, figure.widht: ", timeout=PATIENCE)
+    choose({})
     expect(page.locator("[data-path=id]")).to_have_value("scara", timeout=PATIENCE)
     with zipfile.ZipFile(io.BytesIO(downloaded(page))) as again:
-        for file in (Path(__file__).parents[2] / "exercises" / "definitions" / "scara").iterdir():
-            assert again.read(f"scara/{file.name}") == file.read_bytes()
+        for name, content in files.items():
+            assert again.read(f"scara/{name}") == content
 
 
 def test_a_draft_is_published_and_opens_as_an_exercise(open_page: OpenPage, stored: str) -> None:

@@ -49,21 +49,6 @@ export function takeAlong(api, store) {
     return el("p", { text });
   });
 
-  const file = el("input", {
-    type: "file",
-    accept: ".zip,application/zip",
-    onchange: async (event) => {
-      const [archive] = event.target.files;
-      if (!archive) return;
-      await attempt(async () => {
-        const answer = await sent(api, "author/import", archive, "application/zip");
-        store.load((await answer.json()).draft, null);
-        return el("p", { text: t("author-imported") });
-      })();
-      event.target.value = "";
-    },
-  });
-
   const button = (/** @type {string} */ id, /** @type {any} */ onclick, /** @type {string} */ kind = "") =>
     el("button", { type: "button", class: kind, onclick, text: t(id) });
   const actions = el(
@@ -80,13 +65,46 @@ export function takeAlong(api, store) {
     actions,
     publishes ? null : el("p", { class: "hint", text: t("author-publish-closed") }),
     told,
-    field(t("author-import"), file, t("author-import-hint")),
   );
   return {
     element,
     fill: () => fill(name, textField(store, t("author-id"), ["id"], { spellcheck: "false", maxlength: "48" })),
     show: () => undefined,
   };
+}
+
+/**
+ * A field that opens a folder as it was downloaded; it is there before there is a draft.
+ * @param {import("../api.js").Api} api @param {import("./draft-store.js").DraftStore} store @param {() => void} opened
+ */
+export function folderField(api, store, opened) {
+  const told = el("div", { role: "status" });
+  const file = el("input", {
+    type: "file",
+    accept: ".zip,application/zip",
+    onchange: async (event) => {
+      const [archive] = event.target.files;
+      if (!archive) return;
+      try {
+        const answer = await sent(api, "author/import", archive, "application/zip");
+        store.load((await answer.json()).draft, null);
+        opened();
+        fill(told, el("p", { text: t("author-imported") }));
+      } catch (error) {
+        fill(told, problemNotice(error, { placeOf: placeInFolder }));
+      }
+      event.target.value = "";
+    },
+  });
+  return el("div", { class: "stack" }, field(t("author-import"), file, t("author-import-hint")), told);
+}
+
+/** The file of a folder, and the key in it, that a fault of the draft concerns. @param {string} pointer */
+function placeInFolder(pointer) {
+  const [, draft, file, ...keys] = pointer.split("/");
+  if (draft !== "draft") return "";
+  if (file === "statements") return keys.length ? `statement.${keys[0]}.md` : "";
+  return file === "definition" ? ["exercise.toml", keys.join(".")].filter(Boolean).join(", ") : "";
 }
 
 /** @param {string} id @param {string | null} choice the code of a platform that asked for a link */

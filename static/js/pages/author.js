@@ -7,7 +7,7 @@ import { figureSection } from "../author/figure-form.js";
 import { samplesSection } from "../author/samples.js";
 import { helpSection, partsSection, policySection, valuesSection } from "../author/asked.js";
 import { Start } from "../author/start.js";
-import { takeAlong } from "../author/take-along.js";
+import { folderField, takeAlong } from "../author/take-along.js";
 import { textsSection } from "../author/texts.js";
 import { asStudent, rightAnswers, SelfTest, wrongAnswers } from "../author/trials.js";
 import { announce, debounced, el, fill, iconButton, variable } from "../dom.js";
@@ -50,7 +50,8 @@ class AuthorPage {
   }
 
   build() {
-    fill($("author-start"), this.start.element);
+    const folder = folderField(api, this.store, () => this.start.resume());
+    fill($("author-start"), this.start.element, folder);
     for (const [name, { element }] of Object.entries(this.sections))
       fill($(name === "figure" ? "author-figure-fields" : `author-${name}`), element);
     this.undo = iconButton("undo", t("form-undo"), () => this.store.undo());
