@@ -35,6 +35,25 @@ def first_example(_: None) -> None:
     """Have Hypothesis register its random numbers while the collector still sees who refers to them."""
 
 
+ENOUGH = 2 * 1024**3
+"""Bytes that are free in memory, of which the tests' folders take some tens of millions."""
+
+
+def folders_in_memory(folder: str = "/dev/shm") -> None:
+    """Have pytest make its folders in memory, where there is room and programs in them may be run.
+
+    SQLite waits for the disk at each commit, some milliseconds in which nothing is computed; no test asks for
+    what a power failure leaves.
+    """
+    if not os.access(folder, os.W_OK):
+        return
+    found = os.statvfs(folder)
+    if not found.f_flag & os.ST_NOEXEC and found.f_bavail * found.f_frsize >= ENOUGH:
+        os.environ.setdefault("PYTEST_DEBUG_TEMPROOT", folder)
+
+
+folders_in_memory()
+
 LONG = ("web", "lti", "service")
 """Folders that start first, so that no worker is left with a long file at the end."""
 

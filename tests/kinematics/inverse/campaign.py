@@ -189,13 +189,13 @@ def is_among(solver: Solver, goal: Goal, q: np.ndarray, known: np.ndarray) -> bo
             return True
         if np.abs(apart).max() <= 0.5 and follower.joined(x, x + apart):
             return True
+    own = components_of(arm, goal.pose, q[None], goal.tolerance)
+    if any(_holds(follower, goal, s, component) for s in known for component in own):
+        return True
     together = components_of(arm, goal.pose, known, goal.tolerance)
     nearest = known[np.argsort(np.abs(differences(known, q, arm)).max(axis=1), kind="stable")]
     each = (one for s in nearest for one in components_of(arm, goal.pose, s[None], goal.tolerance))
-    if any(_holds(follower, goal, q, component) for component in chain(together, each)):
-        return True
-    own = components_of(arm, goal.pose, q[None], goal.tolerance)
-    return any(_holds(follower, goal, s, component) for s in known for component in own)
+    return any(_holds(follower, goal, q, component) for component in chain(together, each))
 
 
 def _holds(follower: Follower, goal: Goal, q: np.ndarray, component: Component) -> bool:
