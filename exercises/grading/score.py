@@ -15,7 +15,7 @@ from exercises.grading.edits.table_edits import hides_an_entry
 from exercises.grading.edits.work import WORK_OF_ONE_EDIT, Work
 from exercises.grading.facts import Floats, Weights
 from exercises.grading.judging.judgement import lacks_precision
-from exercises.grading.judging.typed import NOTHING_TYPED, SAME
+from exercises.grading.judging.typed import SAME
 from exercises.grading.standard import (
     CELL,
     Standard,
@@ -223,7 +223,7 @@ def _is_something(work: Work, changes: Sequence[Change], standard: Standard) -> 
     Where another slip is throughout the table, that may be undone, too.
     """
     table = with_joints_mended(work.table, changes, work.reference.table.joint_types)
-    completed = replace(work, table=table, comparison=replace(work.comparison, steps=NOTHING_TYPED))
+    completed = replace(work, table=table)
     if not completed.has_the_joints():
         return False
     if not _has_no_more_than_zeros(completed, standard):

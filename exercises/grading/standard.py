@@ -13,6 +13,7 @@ from exercises.grading.across_prismatic import across_prismatic
 from exercises.grading.edits.work import Work
 from exercises.grading.facts import Facts, Weights, fixed_ends
 from exercises.grading.judging.digits import fixing_frames, measured_as_typed, tightened
+from exercises.grading.judging.typed import NOTHING_TYPED
 from kinematics.caching import USUAL_ROWS, cached_by_size
 from kinematics.chain import Axis, chain_of_table
 from kinematics.equivalence import DirectionRule, Policy, ZeroRule
@@ -85,7 +86,9 @@ def wrong_of(work: Work, standard: Standard) -> float:
         return standard.nothing
     found = None
     if len(axes) == len(facts.axes):
-        found = measured_as_typed(facts.invariants, work.table, work.comparison.steps, work.policy)[:, :1]
+        is_answer = work.table is work.comparison.meant[work.draw]  # of which it is known with each digit off
+        steps = work.comparison.steps if is_answer else NOTHING_TYPED
+        found = measured_as_typed(facts.invariants, work.table, steps, work.policy)[:, :1]
     return facts.wrong(axes, found)
 
 
