@@ -84,6 +84,8 @@ def score_of(decision: Decision, repairs: Sequence[Repaired], work: Work, weight
         if off > CELL and _has_one_other_twist(work):
             off = CELL
     if not decision.same_robot:
+        if slip is None:
+            off = _with_lines(off, work, weights, nothing)
         off = _lost_beside_a_slip(work, weights, standard, off)
     return _share_left(off, nothing)
 
@@ -135,7 +137,8 @@ def _lost_beside_a_slip(work: Work, weights: Weights, standard: Standard, most: 
     for (cost, rules, other), at_least in zip(undone, least, strict=True):
         if cost + rules + at_least < most and wrong_of(other, standard) < standard.of_zeros - SAME:
             beside = rules + wrong_of(other, standard) - shared_across_prismatic(other, standard)
-            found.append((cost + max(weights.sign, beside), cost + rules + CELL, other))
+            all_lost = _with_lines(cost + max(weights.sign, beside), other, weights, standard.nothing)
+            found.append((all_lost, cost + rules + CELL, other))
     if not found:
         return most
     off, with_a_cell, other = min(found, key=itemgetter(0))

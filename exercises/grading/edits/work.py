@@ -13,7 +13,12 @@ import numpy as np
 from exercises.grading.edits.changes import ROW_CELLS, Change, TableSlip
 from exercises.grading.facts import Facts, Floats, fixed_ends
 from exercises.grading.judging.comparison import Comparison
-from exercises.grading.judging.end_lines import ends_beyond_digits, is_off_its_joint, lines_at_ends
+from exercises.grading.judging.end_lines import (
+    ends_beside_joints,
+    ends_beyond_digits,
+    is_off_its_joint,
+    lines_at_ends,
+)
 from exercises.grading.judging.judgement import share_of
 from exercises.grading.judging.typed import ANGLES, NOTHING_TYPED, SAME, Place
 from kinematics.cells import ReadTable
@@ -305,6 +310,13 @@ class Work:
     def _typed_in(self, table: NumericTable) -> Mapping[Place, float]:
         typed_so = len(table.rows) == len(self.comparison.meant_table.rows)
         return self.comparison.steps if typed_so else NOTHING_TYPED
+
+    def ends_beside_joints(self) -> tuple[Kind, ...]:
+        """Return which rules `axis` the table does not keep, whatever else is wrong with its robot."""
+        if self.table.n_joints != self.reference.table.n_joints:
+            return ()
+        share = share_of(self.comparison)
+        return ends_beside_joints(self.reference, self.table, self._typed_in(self.table), self.policy, share)
 
     def _ends_off(
         self, reference: Reference, table: NumericTable, steps: Mapping[Place, float]

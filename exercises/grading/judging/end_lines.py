@@ -7,7 +7,7 @@ explained.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import replace
 
 import numpy as np
@@ -36,21 +36,58 @@ def ends_beyond_digits(
         policy: what the answer is held to.
         share: by which part of itself an angle or a length may be off.
     """
-    n = table.n_joints
+    return tuple(
+        kind
+        for kind, line, joint, end in _asked(policy, table.n_joints)
+        if _is_beyond(
+            (_on_the_joint(reference, joint, end), _on_the_line(reference, line, end)),
+            *(reference, table, steps, line, share),
+        )
+    )
+
+
+def ends_beside_joints(
+    reference: Reference, table: NumericTable, steps: Mapping[Place, float], policy: Policy, share: float
+) -> tuple[Kind, ...]:
+    """Return which rules `axis` an answer with another robot does not keep, whatever is wrong in it.
+
+    What is seen is at which angle and distance the line lies from its joint: no mistake among the other
+    joints changes that.
+
+    Args as in `ends_beyond_digits`.
+    """
     found = []
-    for kind, asked, line, joint, end in (
-        (Kind.BASE, policy.base is BaseRule.AXIS, _BASE_LINE, 1, 0),
-        (Kind.TOOL, policy.tool is ToolRule.AXIS, _TOOL_LINE, n, n + 1),
-    ):
-        if asked and n:
-            ways = (_on_the_joint(reference, joint, end), _on_the_line(reference, line, end))
-            # without steps first: most lines lie where they should, and this is what edits are asked
-            if all(
-                all(not_explained(way, reference, table, typed, line, share) for way in ways)
-                for typed in (NOTHING_TYPED, steps)
-            ):
-                found.append(kind)
+    for kind, line, joint, end in _asked(policy, table.n_joints):
+        known = _on_the_line(reference, line, end)
+        beside = known.some([i for i, shape in enumerate(known.shapes) if {*shape.axes} == {joint, end}])
+        ways = (_on_the_joint(reference, joint, end), beside)
+        if _is_beyond(ways, reference, table, steps, line, share):
+            found.append(kind)
     return tuple(found)
+
+
+def _asked(policy: Policy, n_joints: int) -> Iterator[tuple[Kind, Policy, int, int]]:
+    """Yield for each rule `axis` its kind, a policy that fixes the line, its joint and its end."""
+    if n_joints and policy.base is BaseRule.AXIS:
+        yield Kind.BASE, _BASE_LINE, 1, 0
+    if n_joints and policy.tool is ToolRule.AXIS:
+        yield Kind.TOOL, _TOOL_LINE, n_joints, n_joints + 1
+
+
+def _is_beyond(
+    ways: Collection[Invariants],
+    reference: Reference,
+    table: NumericTable,
+    steps: Mapping[Place, float],
+    line: Policy,
+    share: float,
+) -> bool:
+    """Whether an answer has a line in none of some ways, within its digits."""
+    # without steps first: most lines lie where they should, and this is what edits are asked
+    return all(
+        all(not_explained(way, reference, table, typed, line, share) for way in ways)
+        for typed in (NOTHING_TYPED, steps)
+    )
 
 
 def lines_at_ends(policy: Policy, missed: Collection[Kind]) -> Policy:

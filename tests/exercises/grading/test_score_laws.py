@@ -10,11 +10,11 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from exercises.grading import DirectionRule, Policy, ToolRule, ZeroRule, grade
+from exercises.grading import BaseRule, DirectionRule, Policy, ToolRule, ZeroRule, grade
 from exercises.grading.alignments import MOST_ALIGNMENTS, NOT_THERE, alignments
 from kinematics.table import NumericTable
 from tests.exercises.grading.campaign import redrawn, spoiled_tables
-from tests.exercises.grading.written import read, written
+from tests.exercises.grading.written import Cell, read, written
 from tests.kinematics.equivalence import tables
 from tests.kinematics.equivalence.campaign import references
 from tests.kinematics.equivalence.tables import HALF, P, R
@@ -119,3 +119,47 @@ def test_an_offset_that_another_type_hides_is_neither_right_nor_wrong() -> None:
     for offset in ("q2", "q2 + 0.7"):
         answer = read("standard", [("pi/2", 0, 0.4, "q1"), (0, 0.5, offset, 0), ("pi/2", 0.2, 0.1, "q3")])
         assert grade(slides, answer, FREE).score == 0.5
+
+
+ARM: list[tuple[Cell, Cell, Cell, Cell]] = [
+    (90, 0, 0.4, "q1"),
+    (0, 0.5, 0.12, "q2"),
+    (90, 0.3, -0.05, "q3"),
+]
+"""A shoulder, an upper arm and a forearm, each with an offset."""
+LINE = {(2, 0): 30}
+LENGTH, OFFSET, SIGN, TWIST = {(1, 1): 0.4}, {(1, 2): 0.2}, {(1, 1): -0.5}, {(0, 0): 60}
+
+
+def _marked(*mistakes: dict[tuple[int, int], Cell], policy: Policy, third: Cell = "q3") -> float:
+    rows = [list(row) for row in ARM]
+    for mistake in mistakes:
+        for (row, column), cell in mistake.items():
+            rows[row][column] = cell
+    rows[2][3] = third
+    answer = [(row[0], row[1], row[2], row[3]) for row in rows]
+    return grade(read("standard", ARM, "deg"), read("standard", answer, "deg"), policy).score
+
+
+@pytest.mark.parametrize("third", ["q3", "q3 + 180"])
+@pytest.mark.parametrize("base", [BaseRule.FREE, BaseRule.FRAME])
+@pytest.mark.parametrize("mistake", [LENGTH, TWIST])
+def test_a_line_at_an_end_costs_beside_another_mistake(
+    mistake: dict[tuple[int, int], Cell], base: BaseRule, third: Cell
+) -> None:
+    """It cost something in the right robot only, so that two mistakes were one."""
+    axis = Policy(base=base, tool=ToolRule.AXIS)
+    alone, line = (_marked(one, policy=axis, third=third) for one in (mistake, LINE))
+    both = _marked(mistake, LINE, policy=axis, third=third)
+    assert 0.0 < both < min(alone, line)
+    free = Policy(base=base, tool=ToolRule.FREE)
+    assert _marked(mistake, LINE, policy=free, third=third) == _marked(mistake, policy=free, third=third)
+
+
+@pytest.mark.parametrize("mistakes", [(OFFSET, LENGTH, TWIST), (TWIST, OFFSET), (SIGN, OFFSET)])
+def test_beside_a_wrong_line_no_mistake_raises_the_mark(
+    mistakes: tuple[dict[tuple[int, int], Cell], ...],
+) -> None:
+    axis = Policy(tool=ToolRule.AXIS)
+    marks = [_marked(LINE, *mistakes[:k], policy=axis) for k in range(len(mistakes) + 1)]
+    assert marks == sorted(marks, reverse=True)
