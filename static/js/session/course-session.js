@@ -18,6 +18,8 @@ const RENEWED_EVERY = 20 * 60 * 1000;
 const LONGEST_WAIT = 2 ** 31 - 1;
 /** How often an answer is sent again by itself where the service is busy. */
 const TRIES_AGAIN = 3;
+/** Status of a refusal because somebody has asked for too much in a minute. */
+const TOO_MANY = 429;
 
 /** @typedef {import("../attempts.js").AttemptStore} AttemptStore */
 /** @typedef {{request: string, key: string, arrival: string}} Sent a submission under way, its key and its ticket */
@@ -156,8 +158,9 @@ export class CourseSession {
       const body = { .../** @type {any} */ (request), form, ...(this.version ? { version: this.version } : {}) };
       graded = await this.#api.post("session/attempts", body, { ...sent, patience: TRIES_AGAIN });
     } catch (error) {
-      if (error instanceof Problem && error.status < 500) this.#forgetSent();
-      else if (error instanceof Problem) keep(this.#sent, { ...sent, arrival: error.arrival });
+      if (error instanceof Problem && (error.status >= 500 || error.status === TOO_MANY))
+        keep(this.#sent, { ...sent, arrival: error.arrival });
+      else if (error instanceof Problem) this.#forgetSent();
       throw error;
     }
     this.#forgetSent();
