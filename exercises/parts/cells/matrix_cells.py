@@ -13,7 +13,7 @@ from exercises.parts.cells.exactness import roundings
 from exercises.parts.cells.short_forms import MatrixEntry, cell_manner, read_entry
 from exercises.parts.cells.symbolic_matrix import SymbolicMatrix
 from exercises.parts.protocol import Reading
-from kinematics.cells import AngleUnit, Cell, Limits
+from kinematics.cells import AngleUnit, Cell
 from kinematics.cells.meaning import CellMeaning, Position
 from kinematics.errors import CellError, Fault
 from kinematics.expressions import Expression
@@ -23,9 +23,6 @@ from kinematics.table import JointType
 
 CellMatrix: TypeAlias = Sequence[Sequence[Cell]]
 Where: TypeAlias = tuple[str | int, ...]
-
-CELL_LIMITS = Limits(cell_characters=2000, cell_symbols=48)
-"""A cell of ⁰T_6, multiplied out, is longer than a cell of a table."""
 
 
 def read_matrix(
@@ -72,7 +69,7 @@ def _read_cells(
     cells: CellMatrix, joint_types: Sequence[JointType], angle_unit: AngleUnit, where: Where
 ) -> list[list[MatrixEntry | Fault]]:
     length, ratio = (
-        cell_manner(position, angle_unit, CELL_LIMITS, tuple(joint_types))
+        cell_manner(position, angle_unit, tuple(joint_types))
         for position in (Position.LENGTH, Position.RATIO)
     )
     return [
@@ -112,7 +109,7 @@ def read_functions(
 
     Args as in `read_matrix`.
     """
-    manner = cell_manner(position, angle_unit, CELL_LIMITS, tuple(joint_types))
+    manner = cell_manner(position, angle_unit, tuple(joint_types))
     found = (read_entry(cell, manner, *where, k) for k, cell in enumerate(cells))
     return [entry if isinstance(entry, Fault) else entry.meaning for entry in found]
 

@@ -30,6 +30,8 @@ _BEFORE_BRACKET = re.compile(
 )
 """A short form before a bracket: of a function with its argument, or a factor."""
 _FUNCTIONS = {"c": Function.COS, "s": Function.SIN}
+CELL_LIMITS = Limits(cell_characters=2000, cell_symbols=48)
+"""A cell of ⁰T_6, multiplied out, is longer than a cell of a table."""
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -39,22 +41,16 @@ class CellManner:
     Attributes:
         position: what stands in the cell.
         unit: of plain numbers where an angle stands.
-        limits: how large it may be.
         joint_types: of joint 1 … n, whose variables may stand in it.
     """
 
     position: Position
     unit: AngleUnit
-    limits: Limits
     joint_types: tuple[JointType, ...]
 
 
-@lru_cache(maxsize=512)
-def cell_manner(
-    position: Position, unit: AngleUnit, limits: Limits, joint_types: tuple[JointType, ...]
-) -> CellManner:
-    """Return the one object for a manner."""
-    return CellManner(position, unit, limits, joint_types)
+cell_manner = lru_cache(maxsize=512)(CellManner)
+"""Return the one object for a manner."""
 
 
 class MatrixEntry(NamedTuple):
@@ -81,10 +77,10 @@ def _read(cell: Cell | NoCell, manner: CellManner) -> MatrixEntry:
 
 def _meaning(cell: Cell | NoCell, manner: CellManner) -> CellMeaning:
     """The meaning of one cell; the columns of a refusal are those of the cell as typed."""
-    position, unit, limits = manner.position, manner.unit, manner.limits
+    position, unit = manner.position, manner.unit
     variable = _variables(manner.joint_types)
     if not isinstance(cell, str):
-        return cell_meaning(cell, position, unit, limits, variable)
+        return cell_meaning(cell, position, unit, CELL_LIMITS, variable)
     text = _GREEK.sub(lambda m: f"{m[1]}{m[2]}".rjust(len(m[0])), cell)
     inserted: list[tuple[int, int]] = []
 
@@ -97,7 +93,7 @@ def _meaning(cell: Cell | NoCell, manner: CellManner) -> CellMeaning:
 
     text = _BEFORE_BRACKET.sub(written_out, text)
     try:
-        return cell_meaning(text, position, unit, limits, variable)
+        return cell_meaning(text, position, unit, CELL_LIMITS, variable)
     except CellRefusal as refusal:
         column = refusal.params.get("column")
         if isinstance(column, int):

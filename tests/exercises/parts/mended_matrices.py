@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 from exercises.instance import Instance, generate
-from exercises.parts.cells.matrix_cells import CELL_LIMITS
+from exercises.parts.cells.short_forms import CELL_LIMITS
 from exercises.parts.context import Context
 from exercises.parts.mistakes.matrix_mistake import PART, FoundMatrixMistakeCells, MatrixMistakePart
 from exercises.parts.mistakes.planted_matrices import PlantedMatrix

@@ -16,7 +16,7 @@ from exercises.instance import generate
 from exercises.loader import load_exercise
 from exercises.parts.cells.by_name import read_by_name
 from exercises.parts.cells.exactness import exactness
-from exercises.parts.cells.matrix_cells import CELL_LIMITS
+from exercises.parts.cells.short_forms import CELL_LIMITS
 from exercises.parts.context import Context
 from exercises.parts.forward.frames import FrameCells, FramesCells
 from exercises.parts.forward.workspace import RadiiCells

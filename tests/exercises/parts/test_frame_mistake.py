@@ -12,7 +12,7 @@ from exercises.drawings import figure_drawing, figure_geometry
 from exercises.figures.svg import document
 from exercises.grading import Finding
 from exercises.instance import Instance, generate
-from exercises.parts.cells.matrix_cells import CELL_LIMITS
+from exercises.parts.cells.short_forms import CELL_LIMITS
 from exercises.parts.context import Context
 from exercises.parts.mistakes.found_mistakes import MistakePart
 from exercises.parts.mistakes.frame_mistake import (

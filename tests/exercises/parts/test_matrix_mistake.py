@@ -7,7 +7,7 @@ from dataclasses import replace
 import pytest
 
 from exercises.grading import Finding
-from exercises.parts.cells.matrix_cells import CELL_LIMITS
+from exercises.parts.cells.short_forms import CELL_LIMITS
 from exercises.parts.mistakes.matrix_mistake import PART, FoundMatrixMistakeCells
 from exercises.parts.mistakes.planted_matrices import MATRIX_MISTAKES, MatrixKind, PlantedMatrix, plantable_in
 from exercises.parts.protocol import RawAnswer, Reading
