@@ -13,7 +13,7 @@ from pathlib import Path
 
 import httpx
 import pytest
-from hypothesis import HealthCheck, given, settings, strategies
+from hypothesis import HealthCheck, settings
 from hypothesis.internal.conjecture import providers
 
 from tests.databases import postgresql_server, without_waiting_for_the_disk
@@ -28,11 +28,6 @@ if not EXPLORE:
     # Hypothesis also draws numbers that stand in the modules loaded so far: which are loaded depends on the
     # tests that ran before, and with them what is drawn. Without these a test draws the same in any order.
     providers._get_local_constants = lambda: providers._local_constants
-
-
-@given(strategies.none())
-def first_example(_: None) -> None:
-    """Have Hypothesis register its random numbers while the collector still sees who refers to them."""
 
 
 ENOUGH = 2 * 1024**3
@@ -75,7 +70,6 @@ def pytest_collection() -> Generator[None, object, object]:
     try:
         return (yield)
     finally:
-        first_example()
         gc.collect()
         gc.freeze()
         gc.enable()

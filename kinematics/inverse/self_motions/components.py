@@ -193,7 +193,7 @@ class _Sorter:
         return self._with_paths(x, moving, tuple(paths))
 
     def _on_a_surface(self, x: Array, fewer: int) -> list[Array]:
-        """Directions of the surface that a solution is on, of fewer than so many dimensions; none if on none."""
+        """Directions of the surface that a solution is on; none if it has `fewer` dimensions or more."""
         null = null_space(self.follower.jacobian(x), self.lost)
         if not 1 < len(null) < fewer:
             return []

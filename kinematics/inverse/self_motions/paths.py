@@ -130,7 +130,7 @@ class _OneWay:
         count = 1
         if self._halved or self._narrow:
             count = SOME_HALVES if self._halved <= 1 else MOST_STEPS
-        halves = self._step * 0.5 ** np.arange(min(count, MOST_STEPS - self._steps))
+        halves: Array = self._step * np.exp2(-np.arange(min(count, MOST_STEPS - self._steps), dtype=float))
         return halves[: max(int((halves >= SHORTEST_STEP).sum()), 1)]
 
     def across(self) -> Array:
@@ -168,9 +168,7 @@ class _OneWay:
         bend = float(np.arccos(np.clip(turned @ self.direction, -1.0, 1.0)))
         if bend > 3.0 * STRAIGHT and h > FIRST_STEP:
             return False
-        if self._passes_a_crossing(new, second) and (
-            bend > 3.0 * STRAIGHT or not self._crosses_between(new)
-        ):
+        if self._passes_a_crossing(new, second) and (bend > 3.0 * STRAIGHT or not self._crosses_between(new)):
             return False
         self._gone += h
         back = self._follower.back_to(self._start, new)
@@ -195,7 +193,7 @@ class _OneWay:
         return True
 
     def meets(self, other: _OneWay) -> bool:
-        """Whether this way and another from the same start meet; what the other has come beyond is dropped."""
+        """Whether this way and another from one start meet; what the other has come beyond is dropped."""
         for back in (1, 2):
             if len(other.points) < back:
                 return False
@@ -224,7 +222,7 @@ class _OneWay:
         return max(BACK * step, CLEARANCE * self._follower.lost)
 
     def _seen(self, J: Array, before: Array) -> tuple[float, Array]:
-        """The second least singular value, and what of a direction the Jacobian does not see, nor what is held.
+        """The second least singular value, and what is neither seen by the Jacobian nor held of a direction.
 
         The value is infinite where a direction is held or two are spare.
         """
