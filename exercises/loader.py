@@ -242,11 +242,8 @@ def read_policy(reader: Reader) -> Policy:
     inner = reader.table("tolerance")
     usual = Tolerance()
     tolerance = Tolerance(
-        length=inner.number("length", usual.length), angle=inner.number("angle", usual.angle)
+        length=inner.tolerance("length", usual.length), angle=inner.tolerance("angle", usual.angle)
     )
-    for name in ("length", "angle"):
-        if not 0 < getattr(tolerance, name) <= 0.1:
-            inner.fault("tolerance_out_of_range", name, name=name)
     inner.finish()
     policy = Policy(
         convention=reader.choice("convention", ConventionRule, ConventionRule.ANY),

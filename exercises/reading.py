@@ -8,10 +8,12 @@ from typing import ClassVar
 
 from kinematics.cells import AngleUnit, Cell, ParameterKind, canonical_name, read_cell
 from kinematics.expressions import ZERO, Expression, joint_variables_in
-from kinematics.keys import LARGEST, KeyFaults, KeyReader, ValueKind
+from kinematics.keys import LARGEST, KeyFaults, KeyReader, ValueKind, is_number
 
 LONGEST_ECHO = 80
 """Characters of a text that its fault repeats."""
+LARGEST_TOLERANCE = 0.1
+"""With more, a tenth of a robot's size or 6° off, an answer would pass that nobody calls right."""
 
 
 class Reader(KeyReader):
@@ -34,6 +36,15 @@ class Reader(KeyReader):
         else:
             return value or 1
         return 1
+
+    def tolerance(self, key: str, usual: float) -> float:
+        """Return a tolerance, above 0 and at most 0.1; the usual one where it is missing or none."""
+        value = self.number(key, usual)
+        if 0.0 < value <= LARGEST_TOLERANCE:
+            return value
+        if is_number(self.values.get(key)):  # else that is told
+            self.fault("tolerance_out_of_range", key, name=key)
+        return usual
 
     def per_joint(self, key: str, joints: int, usual: Sequence[int] | None = None) -> tuple[Fraction, ...]:
         """Return a list with one number for each joint; zeros with a fault where it is something else."""

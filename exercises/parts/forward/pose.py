@@ -107,7 +107,7 @@ class PosePartType(PartType[PosePart, CellMatrix, Matrices]):
         """Return the part with its joint values and from where students' own are drawn."""
         usual = USUAL_TURNS if robot.degrees else None
         joints, draws = read_joints(reader, robot, single=False, usual_turns=usual)
-        tolerance = reader.number("tolerance", 0.005)
+        tolerance = reader.tolerance("tolerance", 0.005)
         return PosePart(kind=self.kind, points=points, joints=joints, draws=draws, tolerance=tolerance)
 
     def keys(self, robot: RobotFacts) -> tuple[DefinitionKey, ...]:

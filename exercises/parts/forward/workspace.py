@@ -132,7 +132,7 @@ class WorkspacePartType(PartType[WorkspacePart, RadiiCells, ByName[Reach]]):
             point=reader.text("point"),
             origin=None if origin == AXIS else origin,
             limits=_limits(reader, len(robot.joint_types), robot.limits),
-            tolerance=reader.number("tolerance", 0.01),
+            tolerance=reader.tolerance("tolerance", 0.01),
         )
 
     def keys(self, robot: RobotFacts) -> tuple[DefinitionKey, ...]:

@@ -72,7 +72,7 @@ class InverseKinematicsType(PartType[InverseKinematicsPart, JointAnswerCells, Jo
             cases=reader.choices("cases", PoseCase, ()) or (PoseCase.REACHED,),
             every=reader.choice("solutions", SolutionsAsked, SolutionsAsked.ALL) is SolutionsAsked.ALL,
             reach=reader.choice("reach", ArmReach, ArmReach.POSE),
-            tolerance=reader.number("tolerance", USUAL_TOLERANCE),
+            tolerance=reader.tolerance("tolerance", USUAL_TOLERANCE),
         )
 
     def keys(self, robot: RobotFacts) -> tuple[defined.DefinitionKey, ...]:

@@ -98,7 +98,7 @@ class MotionType(PartType[MotionPart, MotionCells, EquationsAnswer]):
             weights=read_weights(reader),
             ask=reader.choices("ask", MotionAsk, ("mass", "coriolis", "gravity")),
             gravity=read_three(reader, "gravity"),
-            tolerance=reader.number("tolerance", 0.005),
+            tolerance=reader.tolerance("tolerance", 0.005),
         )
 
     def keys(self, robot: RobotFacts) -> tuple[DefinitionKey, ...]:

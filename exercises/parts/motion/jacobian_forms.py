@@ -106,7 +106,7 @@ class JacobianFormType(JacobianType[JacobianFormPart, JacobianForm]):
             angles=angles,
             ask=asked,
             wrench=tuple(wrench),
-            tolerance=reader.number("tolerance", 0.005),
+            tolerance=reader.tolerance("tolerance", 0.005),
         )
 
     def inconsistencies(self, part: JacobianFormPart, exercise: Exercise) -> Iterator[Fault]:

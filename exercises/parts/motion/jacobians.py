@@ -120,7 +120,7 @@ class JacobianPartType(JacobianType[JacobianPart, JacobianNumbers]):
             angles=read_angles(reader),
             ask=asked,
             wrench=tuple(float(value) for value in wrench),
-            tolerance=reader.number("tolerance", 0.005),
+            tolerance=reader.tolerance("tolerance", 0.005),
         )
 
     def inconsistencies(self, part: JacobianPart, exercise: Exercise) -> Iterator[Fault]:

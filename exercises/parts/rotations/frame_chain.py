@@ -102,7 +102,7 @@ class FrameChainType(PartType[FrameChainPart, FrameChainCells, ByName[Matrices]]
             known=known,
             asked=asked,
             path=path or (),
-            tolerance=reader.number("tolerance", 0.005),
+            tolerance=reader.tolerance("tolerance", 0.005),
         )
 
     def keys(self, robot: RobotFacts) -> tuple[DefinitionKey, ...]:

@@ -112,7 +112,7 @@ class OrientationPartType(PartType[OrientationPart, OrientationCells, Orientatio
             given=reader.choice("given", OrientationNotation, OrientationNotation.ANGLES),
             ask=_without_repetition(asked),
             asked_sequence=read_sequence(reader, "asked_axes", "asked_turning", sequence),
-            tolerance=reader.number("tolerance", USUAL_TOLERANCE),
+            tolerance=reader.tolerance("tolerance", USUAL_TOLERANCE),
         )
 
     def shows_answer(self, part: OrientationPart) -> bool:

@@ -45,3 +45,18 @@ def test_what_a_part_starts_with_is_a_definition(kind: str, robot: RobotFacts) -
     reader.finish()
     assert faults == []
     assert part_type(kind).start(robot).keys() <= {key.name for key in part_type(kind).keys(robot)}
+
+
+@pytest.mark.parametrize(
+    ("written", "code"),
+    [(0, "tolerance_out_of_range"), (-0.005, "tolerance_out_of_range"), ("x", "exercise_value_type")],
+)
+@pytest.mark.parametrize("kind", part_types())
+def test_a_tolerance_is_above_zero(kind: str, written: object, code: str) -> None:
+    """With 0, the right answer was told to be refused."""
+    robot = ROBOTS["an elbow arm"]
+    if "tolerance" not in {key.name for key in part_type(kind).keys(robot)}:
+        return
+    faults: list[Fault] = []
+    part_type(kind).define(Reader({"tolerance": written}, ("parts", 0), faults), Fraction(1), robot)
+    assert [fault.code for fault in faults if "tolerance" in fault.where] == [code]
