@@ -150,7 +150,7 @@ def test_a_lost_answer_costs_no_second_attempt(
     page = context.new_page()
     keys: list[str | None] = []
     tickets: list[str | None] = []
-    lost, busy = 2, 4
+    lost, busy, dear = 2, 4, 6
 
     def drop(route: Route) -> None:
         keys.append(route.request.headers.get("idempotency-key"))
@@ -161,6 +161,8 @@ def test_a_lost_answer_costs_no_second_attempt(
         elif len(keys) == busy:
             fields = {"Retry-After": "1", "Framewise-Arrival": "a ticket"}
             route.fulfill(status=503, headers=fields, body="{}")
+        elif len(keys) == dear:
+            route.fulfill(status=429, headers={"Framewise-Arrival": "another ticket"}, body="{}")
         else:
             route.continue_()
 
@@ -186,7 +188,13 @@ def test_a_lost_answer_costs_no_second_attempt(
     expect(page.locator("#history li")).to_have_count(2)
     assert keys[3] not in (None, keys[0])
     assert keys[4:] == [keys[3]]  # by itself, and with the ticket of the refusal
-    assert tickets == [None] * 4 + ["a ticket"]
+    with page.expect_response(lambda response: response.status == 429):
+        button.click()
+    expect(button).to_be_enabled()
+    button.click()
+    expect(page.locator("#history li")).to_have_count(3)
+    assert keys[6] == keys[5] not in keys[:5]
+    assert tickets == [None] * 4 + ["a ticket", None, "another ticket"]
     context.close()
 
 
