@@ -160,7 +160,10 @@ def test_a_dimension_is_dragged_by_mouse_by_touch_and_by_keys(open_page: OpenPag
 
 
 def test_every_kind_of_part_is_made_in_the_page(open_page: OpenPage) -> None:
-    page = opened(open_page, started())
+    draft = started()
+    fixed = {"base": "frame", "tool": "frame", "zero": "figure", "direction": "figure"}
+    draft["definition"]["policy"] = fixed  # else a pose needs a table whose it is
+    page = opened(open_page, draft)
     ticks = page.locator("#author-parts [data-part]")
     expect(ticks).to_have_count(len(part_types()), timeout=PATIENCE)
     last = "table"
