@@ -35,7 +35,9 @@ def answer(page: Page, origin: str) -> None:
     for i, value in enumerate(JOINTS, 1):
         page.get_by_label(f"q{i} in °").fill(value)
     page.wait_for_timeout(500)
-    page.evaluate("document.activeElement.blur(); scrollTo(0, 0)")
+    page.evaluate(
+        "document.activeElement.blur(); document.querySelectorAll('*').forEach(e => e.scrollTo(0, 0))"
+    )
 
 
 def picture(browser: Browser, origin: str, name: str, scheme: str) -> None:
