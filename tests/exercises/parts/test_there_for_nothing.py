@@ -13,19 +13,9 @@ from exercises.instance import generate
 from exercises.loader import load_exercise
 from kinematics.cells import RawTable
 from tests.exercises.answering import part, table
-from tests.exercises.folders import changed, folder
+from tests.exercises.folders import TWO_LINKS, changed, folder
 
-LINKS = """
-rows = [
-  { joint = "revolute", theta = "q1", d = 0, a = "L1", alpha = 0 },
-  { joint = "revolute", theta = "q2", d = 0, a = "L2", alpha = 0 },
-]
-
-[parameters]
-L1.value = 0.5
-L1.draw = { from = 0.4, to = 0.6, step = 0.1 }
-L2.value = 0.3
-"""
+LINKS = TWO_LINKS[TWO_LINKS.index("\nrows") : TWO_LINKS.index("\n[[parts]]")]
 ASKED = """
 [[parts]]
 kind = "table"
