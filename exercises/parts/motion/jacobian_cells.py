@@ -11,10 +11,18 @@ from typing import Annotated, Any, ClassVar, TypeVar
 
 import numpy as np
 
-from exercises.definition import Part
+from exercises.definition import Exercise, Part
 from exercises.grading import Feedback, Finding, HelpLevel
 from exercises.parts.context import Context
-from exercises.parts.definition_keys import TOLERANCE, DefinitionKey, KeyShape, choice, choices, sequence_keys
+from exercises.parts.definition_keys import (
+    TOLERANCE,
+    DefinitionKey,
+    KeyShape,
+    choice,
+    choices,
+    joint_names,
+    sequence_keys,
+)
 from exercises.parts.protocol import TABLE, Length, PartType, Reading, RobotFacts
 from exercises.parts.report import Credit, Disclosure, Fact, PartReport, fact, judged, share_earned, told_from
 from exercises.parts.rotations.drawn_orientations import read_sequence
@@ -27,6 +35,7 @@ from kinematics.cells import Cell
 from kinematics.errors import JointValueError
 from kinematics.jacobian import JacobianFrame
 from kinematics.rotations.sequences import EulerSequence
+from kinematics.table import JointType
 
 JointRow = Annotated[tuple[Cell, ...], Length(least=1, most=64)]
 SixRows = Annotated[tuple[JointRow, ...], Length(least=6, most=6)]
@@ -118,14 +127,24 @@ def told_question(part: JacobianTerms, *, own: bool) -> dict[str, str]:
     }
 
 
-def answer_fields(ask: tuple[JacobianAsk, ...], names: tuple[str, ...]) -> tuple[FormField, ...]:
-    """Return the fields of an answer, a column for each of these joint variables."""
+def load_labels(exercise: Exercise) -> tuple[str, ...]:
+    """Return what columns of force and moment are called: names and units, lengths as in the exercise."""
+    arm = exercise.length_unit.value
+    return tuple(f"{name} [{'N' if name.startswith('f') else f'N {arm}'}]" for name in COMPONENTS)
+
+
+def answer_fields(ask: tuple[JacobianAsk, ...], exercise: Exercise) -> tuple[FormField, ...]:
+    """Return the fields of an answer, a column for each joint variable; what holds a joint has a unit."""
+    types = exercise.reference.table.joint_types
+    names = joint_names(len(types))
     fields: list[FormField] = []
     if JacobianAsk.JACOBIAN in ask:
         fields.append(choice_field("order", ScrewOrder))
         fields.append(FormField(name="jacobian", shape=FieldShape.MATRIX, labels=names, rows=6))
     if JacobianAsk.FORCES in ask:
-        fields.append(FormField(name="forces", shape=FieldShape.VECTOR, labels=names))
+        units = {JointType.PRISMATIC: "N", JointType.REVOLUTE: f"N {exercise.length_unit.value}"}
+        held = tuple(f"{name} [{units[kind]}]" for name, kind in zip(names, types, strict=True))
+        fields.append(FormField(name="forces", shape=FieldShape.VECTOR, labels=held))
     return tuple(fields)
 
 

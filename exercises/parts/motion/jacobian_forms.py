@@ -17,7 +17,7 @@ from exercises.instance import Instance
 from exercises.parts.cells.exactness import roundings
 from exercises.parts.cells.matrix_cells import read_row, write_matrix
 from exercises.parts.context import Context
-from exercises.parts.definition_keys import KeyShape, joint_names
+from exercises.parts.definition_keys import KeyShape
 from exercises.parts.given_table import given_table
 from exercises.parts.motion.jacobian_cells import (
     JacobianAsk,
@@ -29,6 +29,7 @@ from exercises.parts.motion.jacobian_cells import (
     answer_fields,
     forces_mark,
     is_well_shaped,
+    load_labels,
     matrix_mark,
     read_angles,
     told_question,
@@ -120,7 +121,6 @@ class JacobianFormType(JacobianType[JacobianFormPart, JacobianForm]):
         """Show the wrench, and the key if no table is asked."""
         exercise = instance.exercise
         own = exercise.part(TABLE) is not None
-        names = joint_names(exercise.reference.table.n_joints)
         numbers = [] if own else [given_table(instance)]
         if JacobianAsk.FORCES in part.ask:
             load = tuple(
@@ -128,11 +128,11 @@ class JacobianFormType(JacobianType[JacobianFormPart, JacobianForm]):
                 for entry in part.wrench
                 if isinstance(entry, Number | Parameter)
             )
-            numbers.append(GivenNumbers(name="wrench", labels=COMPONENTS, rows=(load,)))
+            numbers.append(GivenNumbers(name="wrench", labels=load_labels(exercise), rows=(load,)))
         return PartTask(
             message="task-jacobian-form" if part.angles is None else "task-jacobian-form-analytic",
             values=told_question(part, own=own),
-            form=answer_fields(part.ask, names),
+            form=answer_fields(part.ask, exercise),
             numbers=tuple(numbers),
         )
 

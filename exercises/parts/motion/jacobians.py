@@ -24,7 +24,6 @@ from exercises.parts.definition_keys import (
     KeyShape,
     Start,
     joint_keys,
-    joint_names,
     usual_joints,
 )
 from exercises.parts.forward.value import scaled_chain
@@ -40,6 +39,7 @@ from exercises.parts.motion.jacobian_cells import (
     answer_fields,
     forces_mark,
     is_well_shaped,
+    load_labels,
     matrix_mark,
     read_angles,
     told_question,
@@ -47,7 +47,6 @@ from exercises.parts.motion.jacobian_cells import (
 from exercises.parts.protocol import TABLE, Reading, RobotFacts
 from exercises.parts.task import GivenNumbers, PartTask
 from exercises.reading import Reader
-from kinematics.answers.form_samples import COMPONENTS
 from kinematics.answers.jacobian_answers import (
     JacobianMistake,
     JacobianVerdict,
@@ -152,7 +151,6 @@ class JacobianPartType(JacobianType[JacobianPart, JacobianNumbers]):
     def task(self, part: JacobianPart, instance: Instance) -> PartTask:
         """Show the configuration, the wrench, and the key if no table is asked."""
         exercise = instance.exercise
-        names = joint_names(exercise.reference.table.n_joints)
         labels = joint_labels(exercise)
         drawn: tuple[Fraction, ...] = instance.drawn[self.kind]
         values = tuple(float(value) for value in drawn)
@@ -160,14 +158,14 @@ class JacobianPartType(JacobianType[JacobianPart, JacobianNumbers]):
         if exercise.part(TABLE) is None:
             numbers.insert(0, given_table(instance))
         if JacobianAsk.FORCES in part.ask:
-            numbers.append(GivenNumbers(name="wrench", labels=COMPONENTS, rows=(part.wrench,)))
+            numbers.append(GivenNumbers(name="wrench", labels=load_labels(exercise), rows=(part.wrench,)))
         return PartTask(
             message="task-jacobian" if part.angles is None else "task-jacobian-analytic",
             values={
                 **told_question(part, own=exercise.part(TABLE) is not None),
                 "unit": exercise.length_unit.value,
             },
-            form=answer_fields(part.ask, names),
+            form=answer_fields(part.ask, exercise),
             numbers=tuple(numbers),
         )
 

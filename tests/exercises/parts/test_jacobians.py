@@ -12,7 +12,9 @@ from exercises.answers import RawAnswer, parse
 from exercises.grader import grade
 from exercises.instance import generate
 from exercises.parts.joint_draws import key_numbers
+from exercises.parts.motion.jacobian_cells import JacobianTerms
 from exercises.parts.motion.jacobians import PART
+from exercises.parts.registry import part_type
 from exercises.selftest.answers import context_of
 from kinematics.cells import AngleUnit, LengthUnit, RawRow, RawTable
 from service.messages import languages, sentence
@@ -86,3 +88,17 @@ def test_lengths_are_those_of_the_task_or_of_the_table(per_table: bool) -> None:
     answer = replace(right, jacobian=tuple(map(tuple, columns.tolist())), forces=forces)
     report = grade(instance, parse(instance, RawAnswer(table=in_mm, jacobian=answer)))
     assert all(found.correct for found in report.parts if found.kind in ("table", kind))
+
+
+@pytest.mark.parametrize("name", ["stanford-jacobian", "twolink-jacobian-form"])
+@pytest.mark.parametrize("unit", LengthUnit)
+def test_forces_and_moments_have_units(name: str, unit: LengthUnit) -> None:
+    """A force of 10 was given without a unit, and joint torques and forces were asked for without one."""
+    asked = exercise(name)
+    (part,) = (part for part in asked.parts if isinstance(part, JacobianTerms))
+    told = part_type(part.kind).task(part, generate(replace(asked, length_unit=unit)))
+    moment = f"[N {unit.value}]"
+    (load,) = (numbers.labels for numbers in told.numbers if numbers.name == "wrench")
+    assert load == ("fx [N]", "fy [N]", "fz [N]", f"mx {moment}", f"my {moment}", f"mz {moment}")
+    (held,) = (field.labels for field in told.form if field.name == "forces")
+    assert held[:3] == (f"q1 {moment}", f"q2 {moment}", "q3 [N]")[: len(held)]
