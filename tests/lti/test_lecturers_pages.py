@@ -75,6 +75,10 @@ def test_the_class_its_numbers_and_an_attempt(
     shown = page.locator("#link").inner_text()
     assert not re.search(r"[a-z]_[a-z]|\d{4}-\d\d-\d\d", shown), "codes and machine's dates"
     assert_fits(page)
+    page.emulate_media(media="print")
+    expect(page.get_by_role("button", name="Preview as a student")).to_be_hidden()
+    expect(page.locator("#link table").first).to_be_visible()
+    page.emulate_media(media="screen")
     page.locator("#class").get_by_role("button", name="solved: 1").click()
     expect(page.locator("#link").get_by_role("button", name="Open", exact=True)).to_have_count(1)
     page.locator("#link dl button").first.click()

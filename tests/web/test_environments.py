@@ -371,6 +371,21 @@ def test_robots_are_on_paper_what_they_are_on_the_screen(open_page: OpenPage) ->
     expect(scene.locator("canvas")).to_be_visible()
 
 
+def test_a_sheet_says_everything_that_is_asked_in_black(open_page: OpenPage) -> None:
+    """Folded parts and rules were left out, wide matrices cut, and a dark page was printed in light grey."""
+    page = open_page("/exercises/puma560")
+    page.emulate_media(media="print", color_scheme="light")
+    ink = "getComputedStyle(document.querySelector('#statement')).color"
+    black = page.evaluate(ink)
+    page.emulate_media(media="print", color_scheme="dark")
+    assert page.evaluate(ink) == black
+    for folded in ("#givens details li", "#part-link_matrices .hint", "#part-pose .matrix-cells"):
+        expect(page.locator(folded).first).to_be_visible()
+    expect(page.locator("#sharing")).to_be_hidden()
+    assert page.locator(".scroller").first.evaluate("at => getComputedStyle(at).overflowX") == "visible"
+    assert page.locator("#figure-drawing").evaluate("({ height }) => height") < 400
+
+
 def test_a_lost_context_falls_back_to_svg(open_page: OpenPage) -> None:
     page = open_page("/exercises/scara", webgl=True)
     put_table(page, SCARA)

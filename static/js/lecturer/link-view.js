@@ -344,7 +344,7 @@ export class LinkView {
       link.released ? el("p", { class: "hint", text: t("lecturer-released") }) : null,
       el(
         "p",
-        { class: "row" },
+        { class: "row no-print" },
         button(t("lecturer-preview"), preview),
         isWithheld ? releasing : null,
         button(t("lecturer-regrade-counted"), () => regrade("counted")),
