@@ -9,18 +9,15 @@ import numpy as np
 
 from exercises.grading.edits.work import WORK_OF_ONE_EDIT, Work
 from exercises.grading.facts import Facts, fixed_ends
-from exercises.grading.judging.digits import SECOND_ORDER, explained_by_digits
+from exercises.grading.judging.digits import SECOND_ORDER, explained_by_digits, says_enough
 from exercises.grading.judging.judgement import share_of
-from exercises.grading.judging.typed import ANGLES, SAME, Place
+from exercises.grading.judging.typed import ANGLES, Place
 from kinematics.chain import chain_of_table
 from kinematics.equivalence import Tolerance
 from kinematics.equivalence.decision import is_certified
 from kinematics.equivalence.invariants import axes_of
 from kinematics.equivalence.meter import Meter
 from kinematics.equivalence.search import Effort
-
-COARSEST = 0.25
-"""Half a unit of the last place beside the number itself: 0.2 may be 0.15, 0.1 is not 0.15 rounded."""
 
 
 def is_rounded_too_much(work: Work) -> bool:
@@ -36,7 +33,7 @@ def is_rounded_too_much(work: Work) -> bool:
     steps = {
         (i, cell): step
         for (i, cell), step in work.comparison.steps.items()
-        if step <= COARSEST * abs(getattr(rows[i], cell)) * (1.0 + SAME)
+        if says_enough(step, getattr(rows[i], cell))
     }
     if not steps or not work.has_the_joints():
         return False

@@ -6,10 +6,9 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from exercises.grading.edits.changes import Change
-from exercises.grading.edits.own_table import is_own_table
+from exercises.grading.edits.own_table import is_length_of, is_own_table
 from exercises.grading.edits.repairs import Repaired
 from exercises.grading.edits.work import LENGTHS
-from exercises.grading.judging.digits import PER_CENT
 from kinematics.table import NumericTable
 
 
@@ -125,9 +124,4 @@ def _equally_good(singles: Sequence[Change], table: NumericTable, key: NumericTa
 
 def _is_of_the_key(change: Change, key: NumericTable) -> bool:
     """Whether an edit of a cell puts a length there that stands in the key, whatever the frames."""
-    lengths = [abs(length) for row in key.rows for length in (row.a, row.d) if length]
-    return any(
-        cell in LENGTHS and abs(abs(value) - length) <= PER_CENT * length
-        for _, cell, value in change.cells
-        for length in lengths
-    )
+    return any(cell in LENGTHS and is_length_of(key, value) for _, cell, value in change.cells)

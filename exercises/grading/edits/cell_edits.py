@@ -8,6 +8,7 @@ from dataclasses import replace
 
 from exercises.grading.edits.changes import Change, Extent, with_row
 from exercises.grading.edits.fitting import fitted_table
+from exercises.grading.edits.own_table import is_length_of
 from exercises.grading.edits.work import Work
 from exercises.grading.judging.judgement import share_of
 from exercises.grading.judging.typed import SAME, meant_in_radians
@@ -140,11 +141,13 @@ def offset_value(work: Work) -> Iterator[Change]:
 
 
 def _fitted_lengths(work: Work, cell: str) -> Iterator[Change]:
-    """Lengths that fit; where no fact shows one, as in front of the first axis and behind the last, zero."""
+    """Lengths that fit, the key's first; where no fact shows one, at either end, zero."""
+    key = work.reference.table
     for i, row in work.rows_of_lengths:
         of_prismatic = cell == "d" and row.joint is JointType.PRISMATIC
         nothing = () if of_prismatic or not getattr(row, cell) else (0.0,)
-        for value in work.fits.get((i, cell), nothing):
+        values = sorted(work.fits.get((i, cell), nothing), key=lambda value: not is_length_of(key, value))
+        for value in values:
             yield _set("d_offset" if of_prismatic else _story(work, i, cell, value), i, cell, value)
 
 

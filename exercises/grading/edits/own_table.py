@@ -1,4 +1,4 @@
-"""Whether an answer is the key's own table, in whichever convention."""
+"""Whether an answer is the key's own table, in whichever convention, or a length is one of its."""
 
 from __future__ import annotations
 
@@ -49,6 +49,16 @@ def _links(table: NumericTable) -> list[_Link]:
         if behind:
             alpha, a = alpha + row.alpha, a + row.a
     return [*links, _Link(JointType.FIXED, alpha, a, 0.0)]
+
+
+def is_length_of(key: NumericTable, value: float) -> bool:
+    """Return whether a length, with either sign, stands in the key, to within a per cent."""
+    return any(
+        abs(abs(value) - abs(length)) <= PER_CENT * abs(length)
+        for row in key.rows
+        for length in (row.a, row.d)
+        if length
+    )
 
 
 def is_own_table(table: NumericTable, key: NumericTable, *, either_way: bool = False) -> bool:

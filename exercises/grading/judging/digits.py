@@ -14,7 +14,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from exercises.grading.judging.typed import ANGLES, Place
+from exercises.grading.judging.typed import ANGLES, SAME, Place
 from kinematics.equivalence import BaseRule, Policy, Tolerance, ToolRule
 from kinematics.equivalence.batches import Variation
 from kinematics.equivalence.invariants import FLOOR, Invariants, invariants_of
@@ -27,6 +27,8 @@ Floats = NDArray[np.float64]
 
 PER_CENT = 0.01
 """The share of itself by which a length or an angle may be off, whatever its digits."""
+COARSEST = 0.25
+"""Half a unit of the last place beside the number itself: 0.2 may be 0.15, 0.1 is not 0.15 rounded."""
 CACHED_TABLES = 64
 """Tables at hand: each is asked for when it is judged, when edits are tried on it and when it is scored."""
 SECOND_ORDER = 1.25
@@ -130,12 +132,17 @@ def tightened(
     return invariants.held_to(slacks[:, None])
 
 
+def says_enough(step: float, entry: float) -> bool:
+    """Return whether half a unit of the last place is small beside a number; beside a zero it is not."""
+    return step <= COARSEST * abs(entry) * (1.0 + SAME)
+
+
 def steps_of_wrong(
     steps: Mapping[Place, float], table: NumericTable, reference: Reference, tolerance: Tolerance
 ) -> dict[Place, float]:
-    """Return how exactly a wrong answer was typed: its zeros at least to within the tolerance.
+    """Return how exactly a wrong answer was typed: what says too little, at least to within the tolerance.
 
-    Beside lengths typed to the metre, what was left out would else count as right.
+    Beside lengths typed to the metre, what was left out would else count as right, and 0.1 for 0.05 anywhere.
 
     Args:
         steps: half a unit of the last place of its decimals.
@@ -145,7 +152,9 @@ def steps_of_wrong(
     """
     lengths, angles = tolerance.length * reference.size, tolerance.angle
     return {
-        (i, cell): step if getattr(table.rows[i], cell) else min(step, angles if cell in ANGLES else lengths)
+        (i, cell): step
+        if says_enough(step, getattr(table.rows[i], cell))
+        else min(step, angles if cell in ANGLES else lengths)
         for (i, cell), step in steps.items()
     }
 

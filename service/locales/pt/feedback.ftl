@@ -35,7 +35,7 @@ feedback-joint_count_wrong = { $given ->
    *[other] A sua tabela tem { $given } juntas
 }; o robô tem { $asked }.
 feedback-mirrored = A sua tabela descreve a imagem do robô num espelho: todos os comprimentos e ângulos conferem, mas um deles é contado ao contrário. Confira os sinais com a regra da mão direita.
-feedback-entries_imprecise = Cada comprimento e cada ângulo da sua tabela está quase certo, mas os pequenos erros somados ultrapassam o que o exercício permite. Escreva os ângulos retos como pi/2 ou 90° e os comprimentos com mais algarismos.
+feedback-entries_imprecise = Nenhum comprimento nem ângulo da sua tabela difere mais do que o arredondamento explica, mas todos os arredondamentos juntos ultrapassam o que o exercício permite. Escreva os ângulos retos como pi/2 ou 90° e os comprimentos com mais algarismos.
 feedback-base_axis_missed = O seu z0 não está sobre o eixo da junta 1.
 feedback-base_origin_missed = A origem do seu referencial 0 não está onde o exercício a quer.
 feedback-base_frame_missed = O seu referencial 0 não é o que o exercício prescreve.

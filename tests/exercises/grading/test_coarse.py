@@ -109,3 +109,14 @@ def test_a_lone_one_is_no_rounded_length(typed: Cell, length: Cell) -> None:
     verdict = grade(key, answer, FREE)
     assert [(edit.code, edit.row) for edit in verdict.repairs[0].edits] == [("a_value", 1)]
     assert "entries_imprecise" not in _codes(verdict)
+
+
+@pytest.mark.parametrize("also_wrong", [0.15005, 0.4])
+def test_half_a_unit_that_is_half_the_number_excuses_nothing(also_wrong: float) -> None:
+    """0.1 for 0.07 cost less than 0.11, and less beside another wrong length than that alone."""
+    key, values = _puma(NAMES), {**VALUES, "a3": 0.07}
+
+    def score(a3: float, d3: float) -> float:
+        return grade(key, _puma((0.4318, a3, d3, 0.4318)), FREE, values).score
+
+    assert score(0.1, also_wrong) == score(0.11, also_wrong) < score(0.07, also_wrong)

@@ -270,13 +270,18 @@ def test_what_digits_explain_does_not_depend_on_the_unit_of_length(unit: float, 
 
 
 def test_zeros_of_a_wrong_answer_are_known_to_within_the_tolerance() -> None:
-    """[rad] of angles, and of lengths a share of the robot's 3 m; what is no zero is as exact as typed."""
+    """[rad] of angles, and of lengths a share of the robot's 3 m; so are a lone 1, or 0.5, that may be half.
+
+    Other entries are as exact as typed.
+    """
     key = read("standard", [(0, 1, 0, "q1"), (0.5, 2, 0, "q2")]).table
     reference = prepared(bind(key, {}))
     assert reference.size == 3.0
-    typed = dict.fromkeys(((0, "alpha"), (0, "a"), (0, "d"), (1, "alpha")), 0.5)
+    typed = dict.fromkeys(((0, "alpha"), (0, "a"), (0, "d"), (1, "a"), (1, "alpha")), 0.5)
     found = steps_of_wrong(typed, reference.table, reference, Tolerance(length=0.01, angle=0.005))
-    assert found == pytest.approx({(0, "alpha"): 0.005, (0, "a"): 0.5, (0, "d"): 0.03, (1, "alpha"): 0.5})
+    assert found == pytest.approx(
+        {(0, "alpha"): 0.005, (0, "a"): 0.03, (0, "d"): 0.03, (1, "a"): 0.5, (1, "alpha"): 0.005}
+    )
 
 
 def test_a_draw_is_moved_to_the_front_and_none_is_lost() -> None:

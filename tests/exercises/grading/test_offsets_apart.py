@@ -9,7 +9,7 @@ import pytest
 from exercises.grading import Policy, ToolRule, grade
 from kinematics.equivalence.reference import prepared
 from kinematics.table import NumericTable
-from tests.exercises.grading.written import written
+from tests.exercises.grading.written import Cell, read, written
 from tests.kinematics.equivalence.generators import random_valid_table
 from tests.kinematics.equivalence.tables import P, R, changed, standard
 
@@ -45,3 +45,21 @@ def test_offsets_along_axes_that_are_all_but_parallel_are_two(sine: float) -> No
 
 def drawn(table: NumericTable, seed: int) -> NumericTable:
     return random_valid_table(table, Random(seed))
+
+
+def test_a_length_left_out_is_told_before_sums_that_no_key_has() -> None:
+    """Along parallel axes several edits would do, with either sign: the key's own length comes first."""
+    values = {"d1": 0.5, "d2": 0.8, "d3": 0.3, "a3": 0.6, "a4": 0.7}
+    rows: list[tuple[Cell, Cell, Cell, Cell]] = [
+        (-90, 0, "d1", "q1"),
+        (90, 0, "d2", "q2"),
+        (0, "-a3", "-d3", "q3"),
+        (0, "-a4", "-d2", "q4"),
+        (-90, 0, "-d3", "q5"),
+        (90, 0, "-d2", "q6"),
+    ]
+    for row in (3, 4, 5):
+        alpha, a, _, theta = rows[row - 1]
+        answer = [*rows[: row - 1], (alpha, a, 0, theta), *rows[row:]]
+        verdict = grade(read("standard", rows, "deg"), read("standard", answer, "deg"), FREE, values)
+        assert [(edit.code, edit.row) for edit in verdict.repairs[0].edits] == [("d_missing", row)]
