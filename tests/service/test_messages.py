@@ -170,3 +170,11 @@ def test_a_plain_sentence_needs_nothing_that_is_known_of_the_language(
     monkeypatch.setattr(messages, "_bundle", refuse)
     messages._formatted.cache_clear()
     assert sentence(language, "language-name")
+
+
+@pytest.mark.parametrize("language", languages())
+def test_a_dimension_too_short_is_told_without_a_number_that_nobody_chose(language: str) -> None:
+    values = {"name": "L1", "length": 1e-07, "least": 3.395305583e-07}
+    said = sentence(language, "error-dimension_too_short", values) or ""
+    assert "L1" in said
+    assert not re.search("3[.,]39", said)

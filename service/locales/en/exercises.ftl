@@ -214,7 +214,7 @@ error-unknown_joint = There is no joint { $joint }: joints are numbered from 1 t
 error-point_without_form = A point is given by frame and at; by between and ratio; by from and by; or by from, joint and distance.
 error-joint_off_axis = The point { $point } does not lie on the axis of joint { $joint }.
 error-dimension_disagrees = The points of { $name } lie { $length } apart, but { $name } is { $value }.
-error-dimension_too_short = { $name } is { $length }, too short to be shown in the figure: in a robot of this size a dimension is at least { $least }. Give it another value, or write 0 in its place.
+error-dimension_too_short = { $name } is { $length }, too short to be shown in the figure: it is less than a millionth of the robot’s size. Give it another value, or write 0 in its place.
 error-gripper_without_direction = The gripper and the point that it points away from are the same.
 error-jaws_along_gripper = The jaws lie side by side, perpendicular to the gripper.
 

@@ -214,7 +214,7 @@ error-unknown_joint = No existe la articulación { $joint }: van de la 1 a la { 
 error-point_without_form = Un punto se da con frame y at; con between y ratio; con from y by; o con from, joint y distance.
 error-joint_off_axis = El punto { $point } no está sobre el eje de la articulación { $joint }.
 error-dimension_disagrees = Los puntos de { $name } distan { $length }, pero { $name } es { $value }.
-error-dimension_too_short = { $name } es { $length }, demasiado corta para mostrarla en la figura: en un robot de este tamaño, una cota mide al menos { $least }. Dele otro valor o escriba 0 en su lugar.
+error-dimension_too_short = { $name } es { $length }, demasiado corta para mostrarla en la figura: es menos de una millonésima del tamaño del robot. Dele otro valor o escriba 0 en su lugar.
 error-gripper_without_direction = La pinza y el punto del que se aleja son el mismo.
 error-jaws_along_gripper = Los dedos están uno al lado del otro, perpendiculares a la pinza.
 

@@ -214,7 +214,7 @@ error-unknown_joint = L’articulation { $joint } n’existe pas : elles sont n
 error-point_without_form = Un point se donne par frame et at ; par between et ratio ; par from et by ; ou par from, joint et distance.
 error-joint_off_axis = Le point { $point } n’est pas sur l’axe de l’articulation { $joint }.
 error-dimension_disagrees = Les points de { $name } sont distants de { $length }, mais { $name } vaut { $value }.
-error-dimension_too_short = { $name } vaut { $length }, trop peu pour être montrée dans la figure : pour un robot de cette taille, une cote est d’au moins { $least }. Donnez-lui une autre valeur, ou écrivez 0 à sa place.
+error-dimension_too_short = { $name } vaut { $length }, trop peu pour être montrée dans la figure : c’est moins d’un millionième de la taille du robot. Donnez-lui une autre valeur, ou écrivez 0 à sa place.
 error-gripper_without_direction = La pince et le point dont elle s’éloigne sont confondus.
 error-jaws_along_gripper = Les mors sont placés côte à côte, perpendiculairement à la pince.
 

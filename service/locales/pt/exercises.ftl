@@ -214,7 +214,7 @@ error-unknown_joint = A junta { $joint } não existe: são numeradas de 1 a { $l
 error-point_without_form = Um ponto é dado por frame e at; por between e ratio; por from e by; ou por from, joint e distance.
 error-joint_off_axis = O ponto { $point } não está sobre o eixo da junta { $joint }.
 error-dimension_disagrees = Os pontos de { $name } distam { $length }, mas { $name } é { $value }.
-error-dimension_too_short = { $name } é { $length }, demasiado curta para ser mostrada na figura: num robô deste tamanho, uma cota tem pelo menos { $least }. Dê-lhe outro valor ou escreva 0 no seu lugar.
+error-dimension_too_short = { $name } é { $length }, demasiado curta para ser mostrada na figura: é menos de um milionésimo do tamanho do robô. Dê-lhe outro valor ou escreva 0 no seu lugar.
 error-gripper_without_direction = A garra e o ponto do qual ela se afasta são o mesmo.
 error-jaws_along_gripper = Os dedos ficam um ao lado do outro, perpendiculares à garra.
 

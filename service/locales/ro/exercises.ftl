@@ -237,7 +237,7 @@ error-unknown_joint = Nu există cupla { $joint }: sunt numerotate de la 1 la { 
 error-point_without_form = Un punct se dă prin frame și at; prin between și ratio; prin from și by; sau prin from, joint și distance.
 error-joint_off_axis = Punctul { $point } nu se află pe axa cuplei { $joint }.
 error-dimension_disagrees = Punctele cotei { $name } se află la { $length } unul de altul, dar { $name } este { $value }.
-error-dimension_too_short = { $name } este { $length }, prea puțin pentru a fi arătată în figură: la un robot de această mărime, o cotă este de cel puțin { $least }. Dați-i altă valoare sau scrieți 0 în locul ei.
+error-dimension_too_short = { $name } este { $length }, prea puțin pentru a fi arătată în figură: este sub o milionime din mărimea robotului. Dați-i altă valoare sau scrieți 0 în locul ei.
 error-gripper_without_direction = Prehensorul și punctul de la care pornește direcția lui coincid.
 error-jaws_along_gripper = Fălcile stau una lângă alta, perpendicular pe prehensor.
 

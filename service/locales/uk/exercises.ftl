@@ -231,7 +231,7 @@ error-unknown_joint = Зчленування { $joint } немає: їх про�
 error-point_without_form = Точка задається через frame і at; через between і ratio; через from і by; або через from, joint і distance.
 error-joint_off_axis = Точка { $point } не лежить на осі зчленування { $joint }.
 error-dimension_disagrees = Відстань між точками { $name } дорівнює { $length }, але { $name } — це { $value }.
-error-dimension_too_short = { $name } дорівнює { $length } — це замало, щоб показати на рисунку: у робота такої величини розмір становить щонайменше { $least }. Задайте інше значення або напишіть замість нього 0.
+error-dimension_too_short = { $name } дорівнює { $length } — це замало, щоб показати на рисунку: це менше від мільйонної частки розміру робота. Задайте інше значення або напишіть замість нього 0.
 error-gripper_without_direction = Захват і точка, від якої він спрямований, збігаються.
 error-jaws_along_gripper = Губки стоять поруч, перпендикулярно до захвата.
 
