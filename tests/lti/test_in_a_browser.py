@@ -5,20 +5,20 @@ from __future__ import annotations
 import json
 import os
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from urllib.parse import urlencode, urljoin, urlsplit
 
 import pytest
 from playwright.sync_api import Browser as Chromium
-from playwright.sync_api import Frame, Page, Route, expect, sync_playwright
+from playwright.sync_api import Frame, Locator, Page, Route, expect, sync_playwright
 
 from courses.people.platforms import invite
 from courses.storage.database import Store
 from service.course_resources import now
 from tests.lti.classes import TEACHER, Browser, Lms, eventually, hint
 from tests.lti.test_launches import CUSTOM, RIGHT
-from tests.web.conftest import ARGUMENTS, CHROMIUM, new_context
-from tests.web.driving import PUMA
+from tests.web.conftest import ARGUMENTS, CHROMIUM, new_context, wait_ready
+from tests.web.driving import PUMA, cell
 
 BLOCKED = "--test-third-party-cookie-phaseout"
 PATIENCE = 120_000
@@ -101,6 +101,36 @@ def test_a_withheld_score_is_not_shown_as_none(page: Page, service: str, browser
     expect(banner).to_contain_text("Signed in as")
     expect(banner).to_contain_text(re.compile(r"Closes: [12] Jan 2099, .*(UTC|GMT|[A-Z]{3,4})"))
     expect(banner).not_to_contain_text("points")
+
+
+@pytest.mark.parametrize("address", ["sqlite"], indirect=True)
+def test_what_was_typed_last_is_there_whatever_the_browser(
+    page: Page, lms: Lms, service: str, another_browser: Callable[[], Browser]
+) -> None:
+    """At home stood what had been typed there before what was typed elsewhere; practice stood in an exam."""
+    link = {"context": "drafts", "custom": CUSTOM}
+
+    def first_cell(resource: str) -> Locator:
+        page.goto(f"{lms.root}/start?user=dan&hint={hint(resource=resource, **link)}")
+        page.wait_for_url("**/exercises/**")
+        wait_ready(page)
+        return cell(page, 0, "alpha")
+
+    with page.expect_response("**/session/draft"):
+        first_cell("practice").fill("17")
+    elsewhere = another_browser()
+    elsewhere.launch("dan", hint(resource="practice", **link))
+    typed = elsewhere.api("GET", "session").json()["draft"]["state"]
+    assert typed["table"]["rows"][0]["alpha"] == "17"
+    typed["table"]["rows"][0]["alpha"] = "90"
+    assert elsewhere.api("PUT", "session/draft", typed).status_code == 204
+    expect(first_cell("practice")).to_have_value("90")
+    expect(first_cell("exam")).to_have_value("")
+
+    page.route("**/session/draft", lambda _: None)  # it does not arrive
+    with page.expect_request("**/session/draft"):
+        first_cell("practice").fill("45")
+    expect(first_cell("practice")).to_have_value("45")
 
 
 @pytest.mark.parametrize("address", ["sqlite"], indirect=True)

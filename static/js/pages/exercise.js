@@ -76,9 +76,8 @@ async function run() {
   const verdict = new VerdictCard($("verdict-card"), $("verdict"));
   const answer = new AnswerCard($("answer"), exercise, {
     changed: (what) => {
-      keep(draftKey, answer.state);
+      keepDraft();
       frame?.draft(answer.state);
-      course?.draft(answer.state);
       verdict.outdated();
       if (what === "table") follow();
     },
@@ -90,11 +89,11 @@ async function run() {
   access.apply(own);
   robot.addEventListener("reading", (event) => answer.showReading(/** @type {CustomEvent} */ (event).detail));
 
-  restore(recall(draftKey, null) ?? course?.told.draft?.state);
+  const here = recall(draftKey, null);
+  restore(course ? course.latest(here) : here);
   const readOff = recall(`read-off:${id}`, null);
   if (readOff) {
     resume({ ...answer.state, table: readOff });
-    course?.draft(answer.state);
     keep(`read-off:${id}`, null);
   }
   const frame = isPackaged() ? new PackageFrame(resume) : null;
@@ -113,10 +112,16 @@ async function run() {
     }
   }
 
+  function keepDraft() {
+    const { state } = answer;
+    keep(draftKey, state);
+    course?.draft(state);
+  }
+
   /** @param {any} state of an earlier visit, from wherever it was stored */
   function resume(state) {
     restore(state);
-    keep(draftKey, answer.state);
+    keepDraft();
     follow({ now: true });
   }
 
@@ -220,7 +225,7 @@ async function run() {
   /** @param {any} state what was handed in */
   function takeBack(state) {
     restore(state);
-    keep(draftKey, answer.state);
+    keepDraft();
     follow({ now: true });
     answer.focus();
     announce(t("form-history-restored"));

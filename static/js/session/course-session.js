@@ -100,6 +100,7 @@ export function notOpened(error) {
 /** A student's exercise in a course: attempts and draft are kept at the service. */
 export class CourseSession {
   #api;
+  #store;
   /** @param {import("../api.js").Api} api @param {any} told what the service says of the session */
   constructor(api, told) {
     this.#api = api;
@@ -108,16 +109,36 @@ export class CourseSession {
     this.version = told.version;
     this.total = 0;
     this.banner = el("section", { class: "card session-banner", "aria-label": t("session-heading") });
-    let isTold = false;
-    this.draft = debounced((/** @type {unknown} */ state) => {
-      this.#api.put("session/draft", state).catch((error) => {
-        if (isTold || !isRefused(error)) return;
-        isTold = true;
-        warnAbove(error.message);
-      });
-    }, PAUSE);
+    this.isTold = false;
+    /** @type {unknown} */
+    this.typed = null;
+    this.#store = debounced((/** @type {unknown} */ state) => this.#put(state), PAUSE);
     this.#show();
     this.#awaitChange();
+  }
+
+  /** Has the service keep what is typed, soon; until it has, this browser knows of it. @param {unknown} state */
+  draft(state) {
+    this.typed = state;
+    keep(this.#unsent, true);
+    this.#store(state);
+  }
+
+  /** @param {unknown} state */
+  async #put(state) {
+    try {
+      await this.#api.put("session/draft", state);
+      if (this.typed === state) keep(this.#unsent, null);
+    } catch (error) {
+      if (this.isTold || !isRefused(error)) return;
+      this.isTold = true;
+      warnAbove(/** @type {Error} */ (error).message);
+    }
+  }
+
+  /** What was typed last: the service knows, in whatever browser it was, unless this one's has not reached it. @param {any} here */
+  latest(here) {
+    return recall(this.#unsent, false) ? here : (this.told.draft?.state ?? here);
   }
 
   /** When attempts open or close while the page is open, the banner says so. */
@@ -141,9 +162,9 @@ export class CourseSession {
     this.#show();
   }
 
-  /** Names what this browser keeps for this person and no other. */
+  /** Names what this browser keeps for this person at this link and for no other. */
   get key() {
-    return this.told.person.key;
+    return `${this.told.link.id}:${this.told.person.key}`;
   }
 
   /**
@@ -194,7 +215,12 @@ export class CourseSession {
 
   /** Where the browser keeps what was sent and has had no answer. */
   get #sent() {
-    return `sent:${this.told.link.id}:${this.key}`;
+    return `sent:${this.key}`;
+  }
+
+  /** Where the browser keeps that the service has not stored what was typed. */
+  get #unsent() {
+    return `unsent:${this.key}`;
   }
 
   /** @type {AttemptStore} */
