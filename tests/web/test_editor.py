@@ -142,6 +142,10 @@ def test_a_spreadsheet_is_pasted_into_the_table(open_page: OpenPage) -> None:
     expect(editor(page).locator("tbody tr")).to_have_count(6)
     expect(editor(page).locator(".editor-notice")).to_contain_text("6 rows pasted.")
     expect(page.locator("#own robot-scene")).not_to_have_class("stale")
+    links = "r = SerialLink([Revolute('d', 0.5, 'alpha', -pi/2), Revolute('a', 0.4, 'offset', pi)]);"
+    paste(page, 0, "alpha", links)  # one line, and no separator of cells
+    assert texts(page, 0) == ["θ1", "0.5", "0", "-pi/2"]
+    assert texts(page, 1) == ["θ2+pi", "0", "0.4", "0"]
 
 
 def test_a_latex_table_is_pasted_with_its_convention(open_page: OpenPage) -> None:

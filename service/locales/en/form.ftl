@@ -110,7 +110,7 @@ form-symbols = Symbols
 form-symbol-insert = Insert { $symbol }
 form-keys = Arrow up and down change rows · Alt with an arrow moves the row · Alt+Enter adds one · Alt+Delete removes it · Ctrl+Z undoes.
 form-paste-title = Paste a table
-form-paste-label = A table from a spreadsheet, LaTeX, Markdown or a PDF
+form-paste-label = A table from a spreadsheet, LaTeX, Markdown, a PDF, MATLAB or Python
 form-paste-order = Columns without headings are read as: { $order }
 form-paste-found =
     { $rows ->

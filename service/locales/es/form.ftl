@@ -110,7 +110,7 @@ form-symbols = Símbolos
 form-symbol-insert = Insertar { $symbol }
 form-keys = Flechas arriba y abajo cambian de fila · Alt con flecha mueve la fila · Alt+Intro añade una · Alt+Supr la quita · Ctrl+Z deshace.
 form-paste-title = Pegar una tabla
-form-paste-label = Una tabla de una hoja de cálculo, LaTeX, Markdown o PDF
+form-paste-label = Una tabla de una hoja de cálculo, LaTeX, Markdown, PDF, MATLAB o Python
 form-paste-order = Las columnas sin encabezado se leen en este orden: { $order }
 form-paste-found =
     { $rows ->

@@ -110,7 +110,7 @@ form-symbols = Symboles
 form-symbol-insert = Insérer { $symbol }
 form-keys = Flèches haut et bas : changer de ligne · Alt et flèche : déplacer la ligne · Alt+Entrée : en ajouter une · Alt+Suppr : la supprimer · Ctrl+Z : annuler.
 form-paste-title = Coller un tableau
-form-paste-label = Un tableau issu d’un tableur, de LaTeX, de Markdown ou d’un PDF
+form-paste-label = Un tableau issu d’un tableur, de LaTeX, de Markdown, d’un PDF, de MATLAB ou de Python
 form-paste-order = Sans en-têtes, les colonnes se lisent dans l’ordre : { $order }
 form-paste-found =
     { $rows ->

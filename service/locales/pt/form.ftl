@@ -110,7 +110,7 @@ form-symbols = Símbolos
 form-symbol-insert = Inserir { $symbol }
 form-keys = Setas para cima e para baixo mudam de linha · Alt com seta move a linha · Alt+Enter acrescenta uma · Alt+Delete remove-a · Ctrl+Z desfaz.
 form-paste-title = Colar uma tabela
-form-paste-label = Uma tabela de uma folha de cálculo, LaTeX, Markdown ou PDF
+form-paste-label = Uma tabela de uma folha de cálculo, LaTeX, Markdown, PDF, MATLAB ou Python
 form-paste-order = Colunas sem cabeçalho leem-se por esta ordem: { $order }
 form-paste-found =
     { $rows ->

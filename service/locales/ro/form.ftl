@@ -114,7 +114,7 @@ form-symbols = Simboluri
 form-symbol-insert = Inserează { $symbol }
 form-keys = Săgețile sus și jos schimbă rândul · Alt și săgeată mută rândul · Alt+Enter adaugă unul · Alt+Delete îl șterge · Ctrl+Z anulează.
 form-paste-title = Lipește un tabel
-form-paste-label = Un tabel din foaie de calcul, LaTeX, Markdown sau PDF
+form-paste-label = Un tabel din foaie de calcul, LaTeX, Markdown, PDF, MATLAB sau Python
 form-paste-order = Coloanele fără antet se citesc în ordinea: { $order }
 form-paste-found =
     { $rows ->

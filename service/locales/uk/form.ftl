@@ -116,7 +116,7 @@ form-symbols = Символи
 form-symbol-insert = Вставити { $symbol }
 form-keys = Стрілки вгору та вниз змінюють рядок · Alt зі стрілкою пересуває рядок · Alt+Enter додає рядок · Alt+Delete вилучає · Ctrl+Z скасовує.
 form-paste-title = Вставити таблицю
-form-paste-label = Таблиця з електронної таблиці, LaTeX, Markdown або PDF
+form-paste-label = Таблиця з електронної таблиці, LaTeX, Markdown, PDF, MATLAB або Python
 form-paste-order = Стовпці без заголовків читаються в такому порядку: { $order }
 form-paste-found =
     { $rows ->

@@ -31,6 +31,7 @@ import {
   toWire,
 } from "./model.js";
 import { readPasted, withBlock, withPasted } from "./paste.js";
+import { isCode } from "./toolbox-code.js";
 
 /** @typedef {import("./model.js").CellName} CellName */
 /** @typedef {import("./model.js").Table} Table */
@@ -436,7 +437,7 @@ export class DhTableEditor extends HTMLElement {
   /** @param {any} event @param {number} row @param {CellName} cell */
   #paste(event, row, cell) {
     const text = event.clipboardData?.getData("text/plain") ?? "";
-    if (!isTable(text)) return;
+    if (!isTable(text) && !isCode(text)) return;
     const pasted = readPasted(text, COLUMNS[this.#table.convention]);
     const table = pasted ? null : withBlock(this.#table, text, row, cell);
     if (!pasted && !table) return;

@@ -11,6 +11,7 @@
 import { holdsNumbers } from "./convert.js";
 import { cleaned, gridOf } from "./cut.js";
 import { CELLS, COLUMNS, inferredJoint, insertRow, MOST_ROWS, newRow, setCell } from "./model.js";
+import { readCode } from "./toolbox-code.js";
 
 const HEADINGS = /** @type {[CellName | "joint" | "index", RegExp][]} */ ([
   ["alpha", /^(α|alpha|alfa|альфа|twist|al)[ijkn]?(?![a-zа-я])/i],
@@ -51,8 +52,10 @@ function jointOf(text) {
  * @returns {Pasted | null} null if there is no table in it
  */
 export function readPasted(text, order) {
+  const code = readCode(text);
+  if (code) return code;
   const { format, grid } = gridOf(text);
-  const rows = filledColumns(grid.filter((row) => row.some((cell) => cell !== "")));
+  const rows = filledColumns(regrouped(grid.filter((row) => row.some((cell) => cell !== ""))));
   if (rows.length === 0) return null;
   const heading = headingOf(rows[0]);
   const body = heading ? rows.slice(1) : rows;
@@ -61,6 +64,23 @@ export function readPasted(text, order) {
   if (!columns) return null;
   const read = body.map((row) => readRow(row, columns));
   return { format, convention: heading?.convention ?? null, units: heading?.units ?? {}, rows: read };
+}
+
+/**
+ * The rows of a table of which every cell came on a line of its own, as from many PDF files: its headings, or the numbers
+ * of its rows, say how wide it is.
+ * @param {string[][]} rows
+ */
+function regrouped(rows) {
+  const cells = rows.flat();
+  if (cells.length > rows.length) return rows;
+  const meanings = cells.map(meaningOf);
+  const headings = meanings.findIndex((meaning, i) => meaning === null || meanings.indexOf(meaning) < i);
+  const width = headingOf(cells.slice(0, headings)) ? headings : 5;
+  const every = (/** @type {number} */ k) => cells.slice(k * width, (k + 1) * width);
+  const cut = Array.from({ length: cells.length / width }, (_, k) => every(k));
+  const isTable = width === headings || cut.every(([first], k) => first === String(k + 1));
+  return isTable && cut.length > 1 && cells.length % width === 0 ? cut : rows;
 }
 
 /** Without columns before and after the four in which nothing stands; beside numbered rows one of the four may be empty. @param {string[][]} rows */

@@ -4,6 +4,7 @@ import { COLUMNS, newTable } from "../../../static/js/editor/model.js";
 import { gridOf, isTable } from "../../../static/js/editor/cut.js";
 import { fromLatex } from "../../../static/js/editor/latex.js";
 import { readPasted, withBlock, withPasted } from "../../../static/js/editor/paste.js";
+import { isCode } from "../../../static/js/editor/toolbox-code.js";
 
 const rowsOf = (pasted) => pasted.rows.map(({ cells }) => [cells.alpha, cells.a, cells.d, cells.theta]);
 
@@ -282,4 +283,53 @@ test("tables drawn with lines, lists of programs, letters of formulas, empty col
   assert.deepEqual(cellsOf(signs)[0], ["q1", "0", "0", "-90°"]);
   const numbered = readPasted("1\tq1\t0\t0\t\n2\tq2\t0\ta2\t", COLUMNS.standard);
   assert.deepEqual(cellsOf(numbered)[1], ["q2", "0", "a2", ""]);
+});
+
+test("a table whose cells came on lines of their own, as PDF viewers copy it", () => {
+  const craig = "i\nαi−1\nai−1\ndi\nθi\n1\n0\n0\n0\nθ1\n2\n−90°\n0\nd2\nθ2\n";
+  const pasted = readPasted(craig, COLUMNS.standard);
+  assert.equal(pasted.convention, "modified");
+  const rows = [
+    ["0", "0", "0", "θ1"],
+    ["−90°", "0", "d2", "θ2"],
+  ];
+  assert.deepEqual(rowsOf(pasted), rows);
+  const standard = readPasted("θi\ndi\nai\nαi\nθ1\n0\n0\n90\nθ2\n0\na2\n0\n", COLUMNS.modified);
+  assert.deepEqual(rowsOf(standard), [
+    ["90", "0", "0", "θ1"],
+    ["0", "a2", "0", "θ2"],
+  ]);
+  const numbered = readPasted(craig.slice(craig.indexOf("\n1\n") + 1), COLUMNS.modified);
+  assert.deepEqual(rowsOf(numbered), rows);
+  assert.equal(readPasted("0\n90\n0\n-90\n90\n0\n1\n2\n3\n4\n", COLUMNS.modified), null);
+});
+
+test("links as the Robotics Toolbox writes them, in MATLAB and in Python", () => {
+  const types = (pasted) => pasted.rows.map(({ joint }) => joint);
+  const vectors = "L(1) = Link([0 0 0 0], 'modified');\nL(2) = Link([0, d3, a2, -pi/2, 0, pi/2], 'modified');\n";
+  const modified = readPasted(`${vectors}L(3) = Link([0 0 0 0 1], 'modified');`, COLUMNS.standard);
+  assert.equal(modified.convention, "modified");
+  assert.equal(modified.units.angleUnit, "rad");
+  assert.deepEqual(rowsOf(modified), [
+    ["0", "0", "0", "θ1"],
+    ["-pi/2", "a2", "d3", "θ2+pi/2"],
+    ["0", "0", "d3", "0"],
+  ]);
+  assert.deepEqual(types(modified), ["revolute", "revolute", "prismatic"]);
+  const matlab =
+    "R = SerialLink([Revolute('d', 0.5, 'alpha', -pi/2), Link('d', 0, 'a', 0.4), Prismatic('theta', pi/2)]);";
+  const python =
+    "DHRobot([RevoluteDH(d=0.5, alpha=-np.pi/2), RevoluteDH(a=0.4), PrismaticDH(theta=np.pi/2)], name='R')";
+  for (const text of [matlab, python]) {
+    assert.ok(isCode(text));
+    const pasted = readPasted(text, COLUMNS.modified);
+    assert.equal(pasted.convention, "standard");
+    assert.deepEqual(rowsOf(pasted), [
+      ["-pi/2", "0", "0.5", "θ1"],
+      ["0", "0.4", "0", "θ2"],
+      ["0", "0", "d3", "pi/2"],
+    ]);
+    assert.deepEqual(types(pasted), ["revolute", "revolute", "prismatic"]);
+  }
+  assert.ok(!isCode("0\t0\t0\tθ1\nLink 2"));
 });
