@@ -68,7 +68,8 @@ def shifts_between(
     """
     shifts = alignments(ours, theirs).shifts
     between = [shifts[:, first:last] for first, last in pairs]
-    return np.array([np.where((some == some[:, :1]).all(axis=1), some[:, 0], NOT_THERE) for some in between])
+    common = [np.where((some == some[:, :1]).all(axis=1), some[:, 0], NOT_THERE) for some in between]
+    return np.array(common, dtype=np.intp).reshape(len(pairs), len(shifts))
 
 
 def _left_out(links: int, some: int) -> Iterator[tuple[int, ...]]:

@@ -89,6 +89,15 @@ def test_the_zero_of_a_variable_in_a_missing_row() -> None:
     assert all(entry.row in (None, 1, 2) for entry in verdict.feedback)
 
 
+@pytest.mark.parametrize("convention", ["standard", "modified"])
+def test_two_joints_too_many_where_the_key_has_one(convention: str) -> None:
+    """One axis leaves nothing to compare, whichever convention the answer is read in."""
+    key = read(convention, [("pi/2", 0.3, 0.1, "q1")])
+    answer = read("standard", [("pi/2", 0.3, 0.1, "q1"), (0, 0.2, 0, "q2"), (0, 0.2, 0.1, "q3")])
+    verdict = grade(key, answer, Policy(tool=ToolRule.FREE))
+    assert (verdict.correct, verdict.score) == (False, 0.0)
+
+
 def test_the_work_of_a_search_is_bounded() -> None:
     """Sixty-four rows and a mistake: the meter, and no clock, ends the search."""
     junk: Rows = [(0, 0.01 * k, 0.02, 0.3) for k in range(58)]
