@@ -38,8 +38,12 @@ _ANSWER_LIVES = 2.0
 """Seconds for which what the database answered on its own health is believed."""
 CACHED_EXERCISES = 512
 """Published exercises in the cache, as read: some tens of megabytes."""
-_CROWDED_PAUSE = 0.05
-"""Seconds in which judged answers are gathered for one transaction while many others wait to be judged."""
+_PAUSE_FOR_EACH, _LONGEST_PAUSE = 0.005, 0.25
+"""Seconds in which judged answers are gathered for one transaction: for each answer that waits to be judged,
+which takes about as long, and at the most. One alone costs five times as much as one of some dozens."""
+_THRONGED_PAUSE = 0.02
+"""Seconds in which requests are gathered to ask once who is signed in, while many are under way: one alone
+costs four times as much as one of some dozens."""
 _DRAFTS_PAUSE = 0.1
 """Seconds in which drafts are gathered for one transaction: nobody waits for them, and each transaction keeps
 those waiting who hand in."""
@@ -64,12 +68,18 @@ class CourseResources:
         keep_draft: stores what somebody has typed.
     """
 
-    def __init__(self, settings: Settings, is_crowded: Callable[[], bool] = lambda: False) -> None:
+    def __init__(
+        self,
+        settings: Settings,
+        crowd: Callable[[], int] = lambda: 0,
+        is_thronged: Callable[[], bool] = lambda: False,
+    ) -> None:
         """Open the database.
 
         Args:
             settings: the operator's choices.
-            is_crowded: whether so many answers wait to be judged that a moment more is nothing.
+            crowd: how many answers wait to be judged.
+            is_thronged: whether so many requests are under way that a moment more is nothing.
         """
         self.store: Store = open_store(settings.database_url, settings.data_folder)
         self.store.bound_answers()
@@ -81,12 +91,13 @@ class CourseResources:
             lambda tokens: sessions_of(self.store, tokens, now()),
             capacity=capacity,
             gives_up=_database_is_gone,
+            pause=lambda: _THRONGED_PAUSE if is_thronged() else 0.0,
         )
         self.keep: Batcher[JudgedSubmission, Attempt] = Batcher(
             lambda submissions: store_submissions(self.store, submissions, now()),
             capacity=capacity,
             gives_up=_database_is_gone,
-            pause=lambda: _CROWDED_PAUSE if is_crowded() else 0.0,
+            pause=lambda: min(_PAUSE_FOR_EACH * crowd(), _LONGEST_PAUSE),
         )
         self.keep_draft: Batcher[Typed, None] = Batcher(
             lambda typed: keep_drafts(self.store, typed, now()),

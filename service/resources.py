@@ -35,6 +35,8 @@ TURNS = 4
 """Requests that go on between two looks of the event loop at its connections, if they are quick."""
 CROWD = 8
 """When more answers wait to be judged, those that were judged share their transactions."""
+THRONG = 64
+"""When more requests are under way, those who are signed in are looked up together."""
 
 
 class Resources:
@@ -56,14 +58,16 @@ class Resources:
         uploads: the bytes of large bodies that are being received.
         assets: the files that pages are made of.
         metrics: what the operator watches.
+        under_way: how many requests are being answered, or wait for it.
     """
 
     def __init__(self, settings: Settings) -> None:
         self.settings = settings
         self.limiters = limiters(settings)
         self.turns = FairQueue(slots=TURNS, capacity=settings.grading_queue, timeout=settings.queue_seconds)
+        self.under_way = 0
         self.courses = (
-            CourseResources(settings, lambda: self.grading.queue.waiting > CROWD)
+            CourseResources(settings, self._crowd, lambda: self.under_way > THRONG)
             if settings.storage == "on"
             else None
         )
@@ -91,6 +95,11 @@ class Resources:
         if self.courses is None:
             raise NotFoundError(Fault.at("storage_off"), part=RequestPart.PATH)
         return self.courses
+
+    def _crowd(self) -> int:
+        """How many answers wait to be judged, where that are so many that a moment more is nothing."""
+        waiting = self.grading.queue.waiting
+        return waiting if waiting > CROWD else 0
 
     def _occupancy(self) -> Occupancy:
         """What runs and waits: in threads by the kind of work, in processes by their lane."""

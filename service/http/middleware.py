@@ -76,6 +76,7 @@ class OuterMiddleware:
             scope = {**scope, "method": "GET"}
         elif accepts_gzip(fields.get(b"accept-encoding", b"")):
             send = compressing(send)
+        resources = scope["app"].state.resources
         upload = Upload(receive, 2 * self._settings.batch_body_limit) if may_be_under_way(fields) else None
         status = 0
 
@@ -96,6 +97,7 @@ class OuterMiddleware:
                 message = {**message, "body": b""}
             await send(message)
 
+        resources.under_way += 1
         try:
             await self._app(scope, upload or receive, send_with_headers)
         except ClientDisconnect:
@@ -110,11 +112,12 @@ class OuterMiddleware:
                 raise
             await refuse(refusal, scope, receive, send_with_headers)
         finally:
+            resources.under_way -= 1
             if HELD in scope:
-                scope["app"].state.resources.uploads.release(scope)
+                resources.uploads.release(scope)
             route = original[ROUTE] = _template(scope)
             seconds = time.perf_counter() - begun
-            scope["app"].state.resources.metrics.requested(original["method"], route, status, seconds)
+            resources.metrics.requested(original["method"], route, status, seconds)
             if self._settings.access_log:
                 log_access(original["method"], route, status, seconds, request_id.decode())
 

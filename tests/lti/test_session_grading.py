@@ -15,10 +15,11 @@ import sqlalchemy as sa
 
 from courses.attempts.report_codes import path_of_codes
 from courses.attempts.stored_attempts import Typed, keep_drafts, standing_of
+from courses.attempts.submissions import JudgedSubmission
 from courses.links.publications import MOST, publish
 from courses.model import Attempt, CourseSession, LinkSettings
 from courses.policies import AttemptPolicy
-from courses.refusals import AttemptError, PublicationError
+from courses.refusals import AttemptError, PublicationError, SessionError
 from courses.storage import records
 from courses.storage.database import Store, open_store
 from courses.teaching.link_changes import change_settings
@@ -26,7 +27,7 @@ from exercises.grading import HelpLevel
 from exercises.instance import cached_instance, generate
 from exercises.library import Library
 from kinematics.cells import DEFAULT
-from service.course_resources import _DRAFTS_PAUSE, CourseResources, now
+from service.course_resources import _DRAFTS_PAUSE, _LONGEST_PAUSE, _THRONGED_PAUSE, CourseResources, now
 from service.schemas.exercises.exercises import ExerciseAnswer
 from service.settings import Settings
 from service.work.session_grading import Grader, judged_submission, with_exercise_rules
@@ -235,4 +236,39 @@ def test_drafts_that_come_close_together_share_a_transaction(
     again = [joined(courses.store, f"student-{n}", at=now()) for n in range(5)]
     drafts = [standing_of(courses.store, each).draft for each in again]
     assert [draft and draft.state for draft in drafts] == [{"n": each.person.id} for each in sessions]
+    courses.close()
+
+
+@pytest.mark.parametrize(("waiting", "pause"), [(0, []), (10, [0.05]), (1000, [_LONGEST_PAUSE])])
+def test_the_more_wait_to_be_judged_the_longer_judged_answers_are_gathered(
+    tmp_path: Path, grader: Grader, monkeypatch: pytest.MonkeyPatch, waiting: int, pause: list[float]
+) -> None:
+    """Whoever waits behind many loses nothing by it, and a transaction costs as much as some judgements."""
+    settings = Settings(storage="on", data_folder=tmp_path / "data")
+    courses = CourseResources(settings, crowd=lambda: waiting)
+    session = joined(courses.store, at=now(), exercise_id="two")
+    pauses: list[float] = []
+    monkeypatch.setattr("service.work.batcher.time", SimpleNamespace(sleep=pauses.append))
+    wire = ExerciseAnswer.model_validate(WRONG)
+    judged, _ = judged_submission(grader, session, wire, WRONG, None, "en", now())
+    assert asyncio.run(keep(courses, judged)).number == 1
+    assert pauses == pytest.approx(pause)
+    courses.close()
+
+
+async def keep(courses: CourseResources, judged: JudgedSubmission) -> Attempt:
+    return await courses.keep(judged)
+
+
+@pytest.mark.parametrize(("is_thronged", "pause"), [(False, []), (True, [_THRONGED_PAUSE])])
+def test_people_are_looked_up_together_only_while_many_ask(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, is_thronged: bool, pause: list[float]
+) -> None:
+    settings = Settings(storage="on", data_folder=tmp_path / "data")
+    courses = CourseResources(settings, is_thronged=lambda: is_thronged)
+    pauses: list[float] = []
+    monkeypatch.setattr("service.work.batcher.time", SimpleNamespace(sleep=pauses.append))
+    with pytest.raises(SessionError):
+        asyncio.run(courses.signed_in("nobody's"))
+    assert pauses == pause
     courses.close()

@@ -2,17 +2,21 @@
 
 from __future__ import annotations
 
+import asyncio
 import errno
 import http.client
 import json
 import logging
 import socket
+from contextlib import suppress
 
 import httpx
 import pytest
-from fastapi import APIRouter
+from fastapi import APIRouter, Request
+from starlette.requests import ClientDisconnect
 
 import service.routes
+from service.app import create_app
 from service.settings import Settings
 from tests.live_service import running
 from tests.service.test_bad_input import check_problem
@@ -253,3 +257,26 @@ def test_a_caller_that_stops_sending_is_answered_all_the_same(
     with socket.create_connection((host, int(port)), timeout=60) as connection:
         connection.sendall(b"POST /api/v1/nothing HTTP/1.1\r\nHost: here\r\nContent-Length: 9000000\r\n\r\n{")
         assert connection.recv(64).startswith(b"HTTP/1.1 404 ")
+
+
+def test_requests_are_counted_while_they_are_under_way() -> None:
+    """Also those that fail or whose callers go away: a count that only grows would slow all others."""
+    app = create_app(Settings())
+    resources, seen = app.state.resources, []
+
+    @app.get("/counted")
+    async def counted(request: Request) -> dict[str, bool]:
+        seen.append(resources.under_way)
+        raise {"fails": KeyError("x"), "leaves": ClientDisconnect()}[request.query_params["how"]]
+
+    async def ask() -> None:
+        transport = httpx.ASGITransport(app, raise_app_exceptions=False)
+        async with httpx.AsyncClient(transport=transport, base_url="http://test") as asking:
+            for path in ("/counted?how=fails", "/counted?how=leaves", "/healthz", "/nothing"):
+                with suppress(AssertionError):  # nothing has been answered to whoever went away
+                    await asking.get(path)
+
+    asyncio.run(ask())
+    assert seen == [1, 1]
+    assert resources.under_way == 0
+    resources.close()
