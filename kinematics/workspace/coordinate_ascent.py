@@ -69,22 +69,24 @@ def maxima(
         spans: (n, 2) ranges of the joints.
         tool: (4, 4) pose of the tool in frame N.
     """
-    ascents = stacked(objectives, STARTS)
-    joints = _starts(table, objectives, spans, tool)
-    before = np.full(len(objectives), -np.inf)
+    joints = _starts(table, objectives, spans, tool).reshape(len(objectives), STARTS, -1)
+    values = np.full((len(objectives), STARTS), -np.inf)
+    rising = np.arange(len(objectives))
     for sweep in range(MOST_SWEEPS):
-        joints = _swept(table, ascents, joints, spans, tool)
-        values = ascents.values(_places(table, joints, tool)).reshape(len(objectives), STARTS)
-        best = values.max(axis=1)
-        small = best - before <= _SMALL_GAIN * (1.0 + np.abs(values).max())
-        if sweep >= FEWEST_SWEEPS and bool(np.all(small)):
+        ascents = stacked([objectives[k] for k in rising], STARTS)
+        swept = _swept(table, ascents, np.concatenate(joints[rising]), spans, tool)
+        before = values[rising].max(axis=1)
+        joints[rising] = swept.reshape(len(rising), STARTS, -1)
+        values[rising] = ascents.values(_places(table, swept, tool)).reshape(len(rising), STARTS)
+        if sweep >= FEWEST_SWEEPS:
+            gain = values[rising].max(axis=1) - before
+            rising = rising[gain > _SMALL_GAIN * (1.0 + np.abs(values).max())]
+        if not len(rising):
             break
-        before = best
-    found = []
-    for k, objective in enumerate(objectives):
-        start = joints[k * STARTS + int(values[k].argmax())]
-        found.append(_polished(table, objective, start, spans, tool))
-    return found
+    return [
+        _polished(table, objective, q[int(value.argmax())], spans, tool)
+        for objective, q, value in zip(objectives, joints, values, strict=True)
+    ]
 
 
 def _starts(

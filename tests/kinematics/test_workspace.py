@@ -10,7 +10,7 @@ from kinematics.cells import bind_parameters
 from kinematics.errors import JointValueError, PoseError, TableError
 from kinematics.inverse import ArmReach
 from kinematics.table import Convention, DHTable, JointType
-from kinematics.workspace import workspace
+from kinematics.workspace import coordinate_ascent, workspace
 from kinematics.workspace.spans import joint_spans, spread
 from tests.kinematics.robots import PRISMATIC_ENDS, PUMA560, SCARA_RRPR, numeric
 
@@ -275,3 +275,26 @@ def test_of_two_nearly_equal_tops_of_one_joint_the_greater_is_taken():
     q = np.column_stack((np.zeros_like(turns), turns, np.full_like(turns, 0.4746944805)))
     places = end_poses(table, q)[:, :3, 3]
     assert workspace(table, limits).outer.axis.value >= np.hypot(places[:, 0], places[:, 1]).max() - 1e-12
+
+
+def test_what_gains_nothing_more_is_not_swept_further(monkeypatch):
+    """Of this arm one of ten numbers rises slowly: the others, whose starts are most of the work, rest."""
+    table = numeric(
+        Convention.MODIFIED,
+        ("revolute", RIGHT / 2, 0.5, 0.0, 0.0),
+        ("revolute", 0.3, 0.0, 0.0, 0.0),
+        ("revolute", RIGHT, 0.3, 0.0, 0.0),
+        ("revolute", RIGHT, 0.5, 0.0, 0.0),
+        ("revolute", -RIGHT, 0.0, 0.2, 0.0),
+    )
+    rows = []
+    swept = coordinate_ascent._swept
+
+    def counted(table, ascents, joints, spans, tool):
+        rows.append(len(joints))
+        return swept(table, ascents, joints, spans, tool)
+
+    monkeypatch.setattr(coordinate_ascent, "_swept", counted)
+    workspace(table, [(-1.3834, 0.6829), None, None, None, None])
+    assert rows[0] == 10 * coordinate_ascent.STARTS
+    assert sum(rows) < 0.5 * len(rows) * rows[0]
