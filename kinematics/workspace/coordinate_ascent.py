@@ -73,7 +73,7 @@ def maxima(
     values = np.full((len(objectives), STARTS), -np.inf)
     rising = np.arange(len(objectives))
     for sweep in range(MOST_SWEEPS):
-        ascents = stacked([objectives[k] for k in rising], STARTS)
+        ascents = stacked([objectives[k] for k in rising.tolist()], STARTS)
         swept = _swept(table, ascents, np.concatenate(joints[rising]), spans, tool)
         before = values[rising].max(axis=1)
         joints[rising] = swept.reshape(len(rising), STARTS, -1)
