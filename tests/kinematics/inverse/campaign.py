@@ -9,7 +9,7 @@ another.
 from __future__ import annotations
 
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import chain, islice
 
@@ -31,6 +31,7 @@ from kinematics.inverse.solve import solver_of
 from kinematics.inverse.solver import Solver
 from kinematics.table import DHTable
 from tests.kinematics.inverse.arms import random_joints, random_table
+from tests.kinematics.inverse.models import MODELS
 
 DISTANCES = (0.0, *(10.0**-k for k in range(12, 1, -1)))
 DECIMALS = range(4, 18)
@@ -105,6 +106,13 @@ def questions(
             pose if decimals == 17 else np.round(pose, decimals),
             10.0**-decimals if decimals <= ROUGH else None,
         )
+
+
+def posed(name: str, q: Sequence[float], decimals: int) -> tuple[Solver, np.ndarray, float | None]:
+    """An arm's solver, the pose of a configuration as it is written, and the tolerance asked for."""
+    pose = end_pose(MODELS[name], q)
+    tolerance = 10.0**-decimals if decimals <= ROUGH else None
+    return solver_of(MODELS[name]), pose if decimals == 17 else np.round(pose, decimals), tolerance
 
 
 def most_isolated(solver: Solver) -> int:
