@@ -30,13 +30,7 @@ def shorter_way(way: Array, revolute: NDArray[np.bool_]) -> Array:
 
 
 def distinct(arm: Arm, target: Array, joints: Array) -> Array:
-    """Return the distinct configurations, each at its first occurrence.
-
-    Args:
-        arm: the arm.
-        target: (4, 4).
-        joints: (m, n) solutions.
-    """
+    """Return the distinct configurations, each at its first occurrence."""
     if len(joints) < 2:
         return joints
     apart = differences(joints[:, None], joints[None], arm)

@@ -47,11 +47,6 @@ def polish(arm: Arm, targets: Array, joints: Array) -> Array:
     and quadratically convergent to them as well (N. Yamashita, M. Fukushima, 2001). Beside a singularity
     the way to the solution is long and bent: the first step along it loses what the next one brings back.
     So a step is not refused for being worse.
-
-    Args:
-        arm: the arm.
-        targets: (4, 4), or (m, 4, 4) one each.
-        joints: (m, n).
     """
     x = joints / arm.units
     best, least = x, np.full(len(x), np.inf)
@@ -87,11 +82,7 @@ def evened(arm: Arm, target: Array, joints: Array, tolerance: float) -> Array:
     configurations only the first is moved. The sum of squares may be least where the one is within its
     tolerance and the other is not; what lies between is found by weighing them otherwise.
 
-    Args:
-        arm: the arm.
-        target: (4, 4).
-        joints: (m, n), where the sum of squares is least, weighed by the arm's size or both alike.
-        tolerance: distance [m] and angle [rad] within which the target is reached.
+    The sum of squares is least at `joints`, weighed by the arm's size or both alike.
     """
     vectors = errors_at(arm, joints, target)
     reached = are_solutions(vectors, arm, tolerance)

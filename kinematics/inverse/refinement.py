@@ -32,14 +32,7 @@ across the null space of the Jacobian."""
 
 
 def solutions_of(arm: Arm, candidates: Array, target: Transform, tolerance: float) -> Array:
-    """Return the candidates that are solutions, refined; the same solution may be there more than once.
-
-    Args:
-        arm: the arm.
-        candidates: (m, n) configurations near the solutions.
-        target: (4, 4).
-        tolerance: distance [m] and angle [rad] within which the target is reached.
-    """
+    """Return the candidates that are solutions, refined; the same solution may be there more than once."""
     return refined(arm, candidates, target, tolerance)[0]
 
 
@@ -81,11 +74,6 @@ def settled_on_folds(arm: Arm, target: Transform, solutions: Array) -> Array:
 
     At a fold the least singular value of the Jacobian vanishes, and two solutions are one. Along the way v
     that the Jacobian does not see, u·J v is all but linear, and the error grows with the square.
-
-    Args:
-        arm: the arm.
-        target: (4, 4).
-        solutions: (m, n).
     """
     if arm.redundancy:
         return solutions

@@ -57,11 +57,6 @@ def errors_of(arm: Arm, poses: Array, target: Array) -> Array:
 
     Of an axis the rotation vector is the shortest one that turns the tool's z axis to the target's.
 
-    Args:
-        arm: the arm.
-        poses: (m, 4, 4).
-        target: (4, 4), or (m, 4, 4) one each.
-
     Returns:
         (m, 6).
     """
@@ -83,24 +78,12 @@ def errors_of(arm: Arm, poses: Array, target: Array) -> Array:
 
 
 def errors_at(arm: Arm, joints: Array, target: Array) -> Array:
-    """Return the error vectors of configurations, (m, 6), as `errors_of` has them of their poses.
-
-    Args:
-        arm: the arm.
-        joints: (m, n).
-        target: (4, 4), or (m, 4, 4) one each.
-    """
+    """Return the error vectors of configurations, (m, 6), as `errors_of` has them of their poses."""
     return errors_of(arm, arm.frames(joints)[-1], target)
 
 
 def errors_and_jacobians(arm: Arm, x: Array, target: Array) -> tuple[Array, Array]:
-    """Return the error vectors and Jacobians at configurations.
-
-    Args:
-        arm: the arm.
-        x: (m, n) joint values in the arm's units.
-        target: (4, 4), or (m, 4, 4) one each.
-    """
+    """Return the error vectors, (m, 6), and Jacobians, (m, 6, n), at configurations."""
     frames = arm.frames(x * arm.units)
     return errors_of(arm, frames[-1], target), arm.jacobians(frames) * arm.units
 
@@ -138,12 +121,7 @@ def error_vectors(poses: Array, target: Array, size: float) -> Array:
 
 
 def _axes_of_half_turns(Q: Array, w: Array) -> Array:
-    """Unit axes of all but half turns, from Q + I ≈ 2 u uᵀ; w = 2 sin(angle) u says which way they point.
-
-    Args:
-        Q: (m, 3, 3).
-        w: (m, 3), may be zero.
-    """
+    """Unit axes of all but half turns, from Q + I ≈ 2 u uᵀ; w = 2 sin(angle) u says which way they point."""
     S = 0.5 * (Q + Q.transpose(0, 2, 1)) + np.eye(3)
     u = np.take_along_axis(S, np.einsum("mii->mi", S).argmax(axis=1)[:, None, None], axis=2)[:, :, 0]
     u /= np.linalg.norm(u, axis=1)[:, None]

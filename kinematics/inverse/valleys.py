@@ -51,11 +51,6 @@ def along_valleys(arm: Arm, target: Array, joints: Array) -> Array:
 
     Where a fold is a single point that its target only just reaches, the error grows with the square of the
     way in two directions, in one of them thousands of times less: steps by the Jacobian alone go to and fro.
-
-    Args:
-        arm: the arm.
-        target: (4, 4).
-        joints: (m, n) whose errors are small.
     """
     x = across_folds(arm, target, joints, STEEP) / arm.units
     e, J = errors_and_jacobians(arm, x, target)
@@ -90,11 +85,7 @@ def across_folds(arm: Arm, target: Array, q: Array, least: float) -> Array:
     What is out of reach there is so for every configuration near; a step that is to make up for it, as
     `polish` takes one, leads away along the fold.
 
-    Args:
-        arm: the arm.
-        target: (4, 4).
-        q: (m, n).
-        least: singular value of the Jacobian up to which a direction does not count.
+    Singular values up to `least` do not count.
     """
     x = q / arm.units
     for _ in range(ACROSS):
@@ -165,11 +156,7 @@ def low_points(arm: Arm, target: Array, joints: Array, tolerance: float) -> Arra
     equations that solve the arm, of which rounding may leave only one; or none, but configurations on the
     way between, where no small step comes nearer to the target.
 
-    Args:
-        arm: the arm.
-        target: (4, 4).
-        joints: (m, n) solutions, and others with small errors.
-        tolerance: distance [m] and angle [rad] of solutions; where no more separates them they are joined.
+    Those that are not parted by more than the tolerance are joined.
     """
     x = joints / arm.units
     e, J = errors_and_jacobians(arm, x, target)

@@ -43,9 +43,6 @@ class InverseClosedForm(Protocol):
     def candidates(self, target: Array) -> Array | None:
         """Return the configurations among which all solutions are.
 
-        Args:
-            target: (4, 4).
-
         Returns:
             (m, n); every isolated solution is near one of them. None where the method has no answer for this
             target.

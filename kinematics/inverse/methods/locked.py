@@ -49,11 +49,7 @@ class LockedArms:
     arm: Arm
 
     def starts(self, target: Array) -> Array:
-        """(m, n) configurations at or near solutions.
-
-        Args:
-            target: (4, 4).
-        """
+        """(m, n) configurations at or near solutions."""
         n = self.arm.n_joints
         exact, near = [np.empty((0, n))], [np.empty((0, n))]
         for k, joint, value, closed in self._closed_forms:

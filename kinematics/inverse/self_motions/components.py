@@ -41,14 +41,7 @@ left over is returned as members of continua."""
 
 
 def components_of(arm: Arm, target: Array, joints: Array, tolerance: float) -> list[Component]:
-    """Return the components that solutions belong to, each once.
-
-    Args:
-        arm: the arm.
-        target: (4, 4).
-        joints: (m, n) solutions, as exact as they can be had.
-        tolerance: distance [m] and angle [rad] within which the target is reached.
-    """
+    """Return the components that solutions belong to, each once."""
     alone, delicate = told_apart(arm, target, joints, tolerance)
     found = [Component(joints[i]) for i in alone]
     if delicate:
@@ -58,15 +51,7 @@ def components_of(arm: Arm, target: Array, joints: Array, tolerance: float) -> l
 
 
 def belongs(arm: Arm, target: Array, component: Component, q: Array, tolerance: float) -> bool:
-    """Return whether a solution belongs to a component.
-
-    Args:
-        arm: the arm.
-        target: (4, 4).
-        component: of the target's solutions.
-        q: (n,) a solution.
-        tolerance: distance [m] and angle [rad] within which the target is reached.
-    """
+    """Return whether a solution belongs to a component."""
     return Membership(arm, Follower(arm, target, tolerance), tolerance).within(component, q)
 
 

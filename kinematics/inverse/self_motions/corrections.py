@@ -21,14 +21,7 @@ LEVEL = 1e-9
 
 
 def corrected(arm: Arm, target: Array, x: Array, held: Array) -> tuple[Array, Array, Array]:
-    """The nearest poses with held·x unchanged: x, (m, n), error vectors, (m, 6), and Jacobians, (m, 6, n).
-
-    Args:
-        arm: measured as a `Follower` does.
-        target: (4, 4).
-        x: (m, n) in units.
-        held: (m, k, n) rows.
-    """
+    """The nearest poses with held·x unchanged: x, (m, n), error vectors, (m, 6), and Jacobians, (m, 6, n)."""
     free = np.linalg.svd(held)[2][:, held.shape[1] :]
     return corrected_across(arm, target, x, free.transpose(0, 2, 1))
 

@@ -47,14 +47,7 @@ def merging_value(tolerance: float) -> float:
 
 
 def told_apart(arm: Arm, target: Array, joints: Array, tolerance: float) -> tuple[list[int], list[int]]:
-    """Return which solutions stand alone, each once; and which may be of families, the most exact first.
-
-    Args:
-        arm: the arm.
-        target: (4, 4).
-        joints: (m, n) solutions, as exact as they can be had.
-        tolerance: distance [m] and angle [rad] within which the target is reached.
-    """
+    """Return which solutions stand alone, each once; and which may be of families, the most exact first."""
     if not len(joints):
         return [], []
     frames = arm.frames(joints)
@@ -83,11 +76,7 @@ def told_apart(arm: Arm, target: Array, joints: Array, tolerance: float) -> tupl
 def can_move(arm: Arm, target: Array, joints: Array, tolerance: float) -> NDArray[np.bool_]:
     """Return whether solutions can be moved as far as those of families, or in more than one direction.
 
-    Args:
-        arm: without redundant joints.
-        target: (4, 4).
-        joints: (k, n).
-        tolerance: distance [m] and angle [rad] within which the target is reached.
+    The arm has no redundant joints.
     """
     alike = weighing_alike(arm)
     x = joints / alike.units
@@ -103,14 +92,7 @@ def can_move(arm: Arm, target: Array, joints: Array, tolerance: float) -> NDArra
 
 
 def joined_before(follower: Follower, joints: Array, some: list[int], tolerance: float) -> set[int]:
-    """Return those of some solutions, none of which can be moved, that are joined to one before.
-
-    Args:
-        follower: of their target.
-        joints: (m, n) solutions.
-        some: which are looked at, the most exact first.
-        tolerance: distance [m] and angle [rad] within which the target is reached.
-    """
+    """Return those of `some` solutions, none of which can be moved, that are joined to one before."""
     units = follower.arm.units
     pairs = np.array([*combinations(some, 2)], dtype=np.intp).reshape(-1, 2)
     ways = differences(joints[pairs[:, 1]], joints[pairs[:, 0]], follower.arm)

@@ -50,13 +50,6 @@ class Membership:
     """Tells of the solutions for one target whether they belong to components."""
 
     def __init__(self, arm: Arm, follower: Follower, tolerance: float) -> None:
-        """Prepare it.
-
-        Args:
-            arm: the arm.
-            follower: of families for the target.
-            tolerance: distance [m] and angle [rad] within which the target is reached.
-        """
         self._arm, self._follower = arm, follower
         self._long = fold_length(tolerance)
         self._tolerance = tolerance
@@ -124,10 +117,6 @@ class Membership:
         """Which solutions are on a surface of which every path is a straight line that closes.
 
         So it is where an arm is stretched, and joints turn against each other.
-
-        Args:
-            component: a surface, or none.
-            apart: (m, n) the ways from its member to solutions, in units, turns on the circle.
         """
         if not component.pivots or not all(path.closed for path in component.paths):
             return np.zeros(len(apart), dtype=bool)

@@ -22,12 +22,6 @@ def follower_at(arm: Arm, target: Array, tolerance: float, q: Array) -> Follower
 
     With two or more redundant joints every step over a surface has to keep the target: where the arm's own
     weight loses it, the one is taken with which the error is least at a solution.
-
-    Args:
-        arm: the arm.
-        target: (4, 4).
-        tolerance: distance [m] and angle [rad] within which the target is reached.
-        q: (n,) a solution.
     """
     follower = Follower(arm, target, tolerance)
     if arm.redundancy < 2:
