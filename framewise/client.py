@@ -2,22 +2,15 @@
 
 from __future__ import annotations
 
-import functools
 import json
-from abc import ABC, abstractmethod
-from collections.abc import AsyncIterator, Callable, Coroutine, Iterator, Mapping
+from collections.abc import AsyncIterator, Coroutine, Iterator, Mapping
 from types import TracebackType
-from typing import Any, Concatenate, Generic, ParamSpec, TypeVar
+from typing import Any
 
 import httpx
 
-from framewise import calls, exercise_calls
 from framewise.calls import ApiCall, Json
-
-_Arguments = ParamSpec("_Arguments")
-_Json = TypeVar("_Json", covariant=True)
-_Bytes = TypeVar("_Bytes", covariant=True)
-_Lines = TypeVar("_Lines", covariant=True)
+from framewise.exercise_calls import ExerciseCalls
 
 API = "/api/v1/"
 _TIMEOUT_SECONDS = 60.0
@@ -43,121 +36,7 @@ class ProblemError(Exception):
         super().__init__(f"{status} {self.code}: {document.get('detail', '')}")
 
 
-def _json(
-    describe: Callable[_Arguments, ApiCall],
-) -> Callable[Concatenate[Calls[_Json, Any, Any], _Arguments], _Json]:
-    @functools.wraps(describe)
-    def method(self: Calls[_Json, Any, Any], /, *args: _Arguments.args, **kwargs: _Arguments.kwargs) -> _Json:
-        return self.send(describe(*args, **kwargs))
-
-    return method
-
-
-def _bytes(
-    describe: Callable[_Arguments, ApiCall],
-) -> Callable[Concatenate[Calls[Any, _Bytes, Any], _Arguments], _Bytes]:
-    @functools.wraps(describe)
-    def method(
-        self: Calls[Any, _Bytes, Any], /, *args: _Arguments.args, **kwargs: _Arguments.kwargs
-    ) -> _Bytes:
-        return self.fetch(describe(*args, **kwargs))
-
-    return method
-
-
-def _lines(
-    describe: Callable[_Arguments, ApiCall],
-) -> Callable[Concatenate[Calls[Any, Any, _Lines], _Arguments], _Lines]:
-    @functools.wraps(describe)
-    def method(
-        self: Calls[Any, Any, _Lines], /, *args: _Arguments.args, **kwargs: _Arguments.kwargs
-    ) -> _Lines:
-        return self.stream(describe(*args, **kwargs))
-
-    return method
-
-
-class Calls(ABC, Generic[_Json, _Bytes, _Lines]):
-    """The calls of `calls` and `exercise_calls`, for a client that sends them now or later."""
-
-    @abstractmethod
-    def send(self, call: ApiCall, /) -> _Json:
-        """Send a call and return its JSON.
-
-        Raises:
-            ProblemError: the service refuses.
-            httpx.HTTPError: the service cannot be reached.
-        """
-
-    @abstractmethod
-    def fetch(self, call: ApiCall, /) -> _Bytes:
-        """Send a call and return what comes, such as a picture or a package; raises as `send` does."""
-
-    @abstractmethod
-    def stream(self, call: ApiCall, /) -> _Lines:
-        """Send a call and yield its answers as they come, line by line; raises as `send` does."""
-
-    forward_kinematics = _json(calls.forward_kinematics)
-    jacobian = _json(calls.jacobian)
-    inverse_kinematics = _json(calls.inverse_kinematics)
-    check_inverse_kinematics = _json(calls.check_inverse_kinematics)
-    symbolic = _json(calls.symbolic)
-    dynamics = _json(calls.dynamics)
-    rates = _json(calls.rates)
-    trajectory = _json(calls.trajectory)
-    workspace = _json(calls.workspace)
-    understand = _json(calls.understand)
-    convert = _json(calls.convert)
-    assign_frames = _json(calls.assign_frames)
-    check_frames = _json(calls.check_frames)
-    rotations = _json(calls.rotations)
-    check_jacobian = _json(calls.check_jacobian)
-    check_jacobian_form = _json(calls.check_jacobian_form)
-    check_singularities = _json(calls.check_singularities)
-    check_dynamics = _json(calls.check_dynamics)
-    check_screws = _json(calls.check_screws)
-    trees = _json(calls.trees)
-    check_rotation = _json(calls.check_rotation)
-    scm_forward_kinematics = _json(calls.scm_forward_kinematics)
-    scm_inverse_transform = _json(calls.scm_inverse_transform)
-    scm_jacobian = _json(calls.scm_jacobian)
-    scm_inverse_kinematics = _json(calls.scm_inverse_kinematics)
-    scm_random_configuration = _json(calls.scm_random_configuration)
-    scm_products = _json(calls.scm_products)
-    robots = _json(calls.robots)
-    robot = _json(calls.robot)
-    exercises = _json(calls.exercises)
-    exercise = _json(calls.exercise)
-    grade = _json(calls.grade)
-    grade_all = _json(calls.grade_all)
-    grade_exercise = _json(calls.grade_exercise)
-    receipt = _json(calls.receipt)
-    verify_receipts = _json(calls.verify_receipts)
-    receipt_keys = _json(calls.receipt_keys)
-    problem = _json(calls.problem)
-    compare_tables = _json(exercise_calls.compare_tables)
-    other_tables = _json(exercise_calls.other_tables)
-    plant_mistake = _json(exercise_calls.plant_mistake)
-    plant_matrix_mistake = _json(exercise_calls.plant_matrix_mistake)
-    plant_frame_mistake = _json(exercise_calls.plant_frame_mistake)
-    signed_link = _json(exercise_calls.signed_link)
-    author_start = _json(exercise_calls.author_start)
-    author_import = _json(exercise_calls.author_import)
-    author_preview = _json(exercise_calls.author_preview)
-    author_check = _json(exercise_calls.author_check)
-    author_right_answers = _json(exercise_calls.author_right_answers)
-    author_mistakes = _json(exercise_calls.author_mistakes)
-    author_grade = _json(exercise_calls.author_grade)
-    receipt_page = _bytes(exercise_calls.receipt_page)
-    author_folder = _bytes(exercise_calls.author_folder)
-    post = _json(calls.post)
-    get = _json(calls.get)
-    figure = _bytes(calls.figure)
-    scorm_package = _bytes(calls.scorm_package)
-    grade_each = _lines(calls.grade_all)
-
-
-class Client(Calls[Json, bytes, Iterator[Json]]):
+class Client(ExerciseCalls[Json, bytes, Iterator[Json]]):
     """Call the service and wait for its answers.
 
     Args:
@@ -208,7 +87,7 @@ class Client(Calls[Json, bytes, Iterator[Json]]):
             yield from map(json.loads, _accepted(response).iter_lines())
 
 
-class AsyncClient(Calls[Coroutine[Any, Any, Json], Coroutine[Any, Any, bytes], AsyncIterator[Json]]):
+class AsyncClient(ExerciseCalls[Coroutine[Any, Any, Json], Coroutine[Any, Any, bytes], AsyncIterator[Json]]):
     """Call the service from a program that does other things meanwhile; the same calls as `Client`."""
 
     def __init__(
