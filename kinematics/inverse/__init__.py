@@ -19,9 +19,9 @@ solve          an arm made ready
 batch          many targets
 
 Where an argument is not described it is this: `target` the (4, 4) pose that is wanted, or one for each
-configuration, (m, 4, 4); `joints`, `q` and `candidates` (m, n) configurations, `x` the same in the arm's units
-(radians, and parts of its size); `tolerance` the distance [m] and the angle [rad] within which a target is
-reached.
+configuration, (m, 4, 4); `joints`, `q` and `candidates` (m, n) configurations, `x` the same in the units of
+the arm (radians, and parts of its size); `tolerance` the distance [m] and the angle [rad] within which a
+target is reached.
 """
 
 from kinematics.inverse.arm import ArmReach
