@@ -7,10 +7,11 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from kinematics.cells.characters import GREEK
-from kinematics.expressions import Call, Function
+from kinematics.expressions import Function
 from kinematics.printing.ledger import Entered
+from kinematics.printing.notation import ShortName
 from kinematics.printing.symbols import split_name
-from kinematics.printing.writer import Binding, Typesetter, WrittenTerm
+from kinematics.printing.writer import Typesetter
 
 _FUNCTIONS = {
     Function.SIN: r"\sin",
@@ -31,48 +32,32 @@ _SPECIAL = re.compile(r"[^A-Za-z0-9]")
 class LatexWriter(Typesetter):
     """Writes expressions in LaTeX, without dollar signs."""
 
+    pi, comma, digits = r"\pi", ", ", "{}"
+    over, root, power = r"\frac{{{}}}{{{}}}", r"\sqrt{{{}}}", "{}^{{{}}}"
+    absolute = r"\left|{}\right|"
+    functions = _FUNCTIONS
+
     def table(self, matrix: Entered) -> str:
         """Return a matrix in square brackets."""
         rows = map(" & ".join, self.lines(matrix))
         return "\\begin{bmatrix}\n" + " \\\\\n".join(rows) + "\n\\end{bmatrix}"
 
-    def _call(self, node: Call, arguments: Sequence[WrittenTerm]) -> WrittenTerm:
-        short = self._names.short(node)
-        if short is not None:
-            return WrittenTerm(f"{short.letter}_{{{short.index.replace('−', '-')}}}", Binding.ATOM)
-        inner = ", ".join(map(self._signed, arguments))
-        if node.function is Function.SQRT:
-            return WrittenTerm(self._root(inner), Binding.ATOM)
-        if node.function is Function.ABS:
-            return WrittenTerm(rf"\left|{inner}\right|", Binding.ATOM)
+    def _short(self, short: ShortName) -> str:
+        return f"{short.letter}_{{{short.index.replace('−', '-')}}}"
+
+    def _applied(self, function: Function, inner: str) -> str:
         tall = r"\frac" in inner or r"\sqrt" in inner or r"\left" in inner
         opening, closing = (r"\left(", r"\right)") if tall else ("(", ")")
-        return WrittenTerm(f"{_FUNCTIONS[node.function]}{opening}{inner}{closing}", Binding.ATOM)
+        return f"{self.functions[function]}{opening}{inner}{closing}"
 
-    def _power(self, base: int, exponent: Fraction) -> WrittenTerm:
-        written, node = self._written[base], self.ledger.nodes[base]
-        if isinstance(node, Call) and node.function in _FUNCTIONS and self._names.short(node) is None:
-            name = _FUNCTIONS[node.function]
-            return WrittenTerm(f"{name}^{{{exponent}}}{written.body.removeprefix(name)}", Binding.POWER)
-        return WrittenTerm(f"{self._within(written, Binding.ATOM)}^{{{exponent}}}", Binding.POWER)
+    def _exponent(self, exponent: Fraction) -> str:
+        return str(exponent)
 
     def _bracketed(self, text: str) -> str:
         return rf"\left({text}\right)"
 
     def _parameter(self, name: str) -> str:
         return parameter(name)
-
-    def _pi(self) -> str:
-        return r"\pi"
-
-    def _digits(self, digits: str) -> str:
-        return digits
-
-    def _over(self, numerator: str, denominator: str) -> str:
-        return rf"\frac{{{numerator}}}{{{denominator}}}"
-
-    def _root(self, radicand: str) -> str:
-        return rf"\sqrt{{{radicand}}}"
 
     def _times(self, factors: Sequence[str]) -> str:
         text = factors[0]

@@ -12,12 +12,12 @@ from collections.abc import Sequence
 from fractions import Fraction
 from xml.sax.saxutils import escape
 
-from kinematics.expressions import Call, Function
+from kinematics.expressions import Function
 from kinematics.printing.content import ContentWriter
 from kinematics.printing.ledger import Entered, Ledger
-from kinematics.printing.notation import Names
+from kinematics.printing.notation import Names, ShortName
 from kinematics.printing.symbols import split_name
-from kinematics.printing.writer import Binding, Typesetter, WrittenTerm
+from kinematics.printing.writer import Typesetter, WrittenTerm
 
 _TIMES = "<mo>\u2062</mo>"
 _DOT = "<mo>⋅</mo>"
@@ -26,20 +26,24 @@ _APPLY = "<mo>\u2061</mo>"
 _MINUS = "<mo>−</mo>"
 _NAMESPACE = "http://www.w3.org/1998/Math/MathML"
 _FUNCTIONS = {
-    Function.SIN: "sin",
-    Function.COS: "cos",
-    Function.TAN: "tan",
-    Function.ASIN: "arcsin",
-    Function.ACOS: "arccos",
-    Function.ATAN: "arctan",
-    Function.ATAN2: "atan2",
+    Function.SIN: "<mi>sin</mi>",
+    Function.COS: "<mi>cos</mi>",
+    Function.TAN: "<mi>tan</mi>",
+    Function.ASIN: "<mi>arcsin</mi>",
+    Function.ACOS: "<mi>arccos</mi>",
+    Function.ATAN: "<mi>arctan</mi>",
+    Function.ATAN2: "<mi>atan2</mi>",
 }
 
 
 class MathmlWriter(Typesetter):
     """Writes expressions in MathML."""
 
-    plus, minus, sign = "<mo>+</mo>", _MINUS, _MINUS
+    plus, minus, sign, comma = "<mo>+</mo>", _MINUS, _MINUS, "<mo>,</mo>"
+    pi, digits = "<mi>π</mi>", "<mn>{}</mn>"
+    over, root, power = "<mfrac>{}{}</mfrac>", "<msqrt>{}</msqrt>", "<msup>{}{}</msup>"
+    absolute = "<mrow><mo>|</mo>{}<mo>|</mo></mrow>"
+    functions = _FUNCTIONS
 
     def __init__(self, names: Names, ledger: Ledger | None = None) -> None:
         super().__init__(names, ledger)
@@ -55,29 +59,19 @@ class MathmlWriter(Typesetter):
             f'<annotation-xml encoding="MathML-Content">{meant}</annotation-xml></semantics></math>'
         )
 
-    def _call(self, node: Call, arguments: Sequence[WrittenTerm]) -> WrittenTerm:
-        short = self._names.short(node)
-        if short is not None:
-            index = short.index
-            script = f"<mn>{index}</mn>" if index.isdigit() else f"<mtext>{index}</mtext>"
-            return WrittenTerm(f"<msub><mi>{short.letter}</mi>{script}</msub>", Binding.ATOM)
-        inner = "<mo>,</mo>".join(map(self._signed, arguments))
-        if node.function is Function.SQRT:
-            return WrittenTerm(self._root(inner), Binding.ATOM)
-        if node.function is Function.ABS:
-            return WrittenTerm(f"<mrow><mo>|</mo>{inner}<mo>|</mo></mrow>", Binding.ATOM)
-        return WrittenTerm(
-            f"<mrow>{_name(node.function)}{_APPLY}{self._bracketed(inner)}</mrow>", Binding.ATOM
-        )
+    def _short(self, short: ShortName) -> str:
+        index = short.index
+        script = f"<mn>{index}</mn>" if index.isdigit() else f"<mtext>{index}</mtext>"
+        return f"<msub><mi>{short.letter}</mi>{script}</msub>"
 
-    def _power(self, base: int, exponent: Fraction) -> WrittenTerm:
-        written, node = self._written[base], self.ledger.nodes[base]
-        power = _exponent(exponent)
-        if isinstance(node, Call) and node.function in _FUNCTIONS and self._names.short(node) is None:
-            name = _name(node.function)
-            raised = written.body.replace(name, f"<msup>{name}{power}</msup>", 1)
-            return WrittenTerm(raised, Binding.POWER)
-        return WrittenTerm(f"<msup>{self._within(written, Binding.ATOM)}{power}</msup>", Binding.POWER)
+    def _applied(self, function: Function, inner: str) -> str:
+        return f"<mrow>{self.functions[function]}{_APPLY}{self._bracketed(inner)}</mrow>"
+
+    def _exponent(self, exponent: Fraction) -> str:
+        whole = f"<mn>{exponent.numerator}</mn>"
+        if exponent.denominator == 1:
+            return whole
+        return f"<mfrac>{whole}<mn>{exponent.denominator}</mn></mfrac>"
 
     def _joined(self, parts: Sequence[str]) -> str:
         return f"<mrow>{''.join(parts)}</mrow>"
@@ -98,18 +92,6 @@ class MathmlWriter(Typesetter):
         kind = "mn" if script.isdigit() else "mi"
         return f"<msub>{letter}<{kind}>{escape(script)}</{kind}></msub>"
 
-    def _pi(self) -> str:
-        return "<mi>π</mi>"
-
-    def _digits(self, digits: str) -> str:
-        return f"<mn>{digits}</mn>"
-
-    def _over(self, numerator: str, denominator: str) -> str:
-        return f"<mfrac>{numerator}{denominator}</mfrac>"
-
-    def _root(self, radicand: str) -> str:
-        return f"<msqrt>{radicand}</msqrt>"
-
     def _times(self, factors: Sequence[str]) -> str:
         if len(factors) == 1:
             return factors[0]
@@ -121,12 +103,3 @@ class MathmlWriter(Typesetter):
 
 def _cells(row: Sequence[str]) -> str:
     return f"<mtd>{'</mtd><mtd>'.join(row)}</mtd>" if row else ""
-
-
-def _name(function: Function) -> str:
-    return f"<mi>{_FUNCTIONS[function]}</mi>"
-
-
-def _exponent(exponent: Fraction) -> str:
-    whole = f"<mn>{exponent.numerator}</mn>"
-    return whole if exponent.denominator == 1 else f"<mfrac>{whole}<mn>{exponent.denominator}</mn></mfrac>"

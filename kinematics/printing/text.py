@@ -55,6 +55,3 @@ class TextWriter(LineWriter):
 
     def _parameter(self, name: str) -> str:
         return name
-
-    def _pi(self) -> str:
-        return "pi"

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from enum import IntEnum
 from fractions import Fraction
-from typing import Generic, NamedTuple, TypeVar
+from typing import ClassVar, Generic, NamedTuple, TypeVar
 
-from kinematics.expressions import Call, Expression, JointVariable, Parameter, Pi, Power, Sum
+from kinematics.expressions import Call, Expression, Function, JointVariable, Parameter, Pi, Power, Sum
 from kinematics.printing.ledger import Entered, Ledger, Quotient
-from kinematics.printing.notation import Names
+from kinematics.printing.notation import Names, ShortName
 
 W = TypeVar("W")
 
@@ -77,11 +77,13 @@ class LineWriter(Writer[WrittenTerm]):
         plus: what stands between two terms.
         minus: what stands before a term that is subtracted.
         sign: what stands before a negative first term.
+        pi: the number π.
     """
 
     plus = "+"
     minus = "-"
     sign = "-"
+    pi = "pi"
 
     def name(self, number: int, name: str) -> None:
         """Let a name stand for a node in what is written from now on."""
@@ -110,7 +112,7 @@ class LineWriter(Writer[WrittenTerm]):
             case JointVariable(index):
                 return WrittenTerm(self._parameter(self._names.variable(index)), Binding.ATOM)
             case Pi():
-                return WrittenTerm(self._pi(), Binding.ATOM)
+                return WrittenTerm(self.pi, Binding.ATOM)
             case Power(_, exponent):
                 return self._raised(below[0], exponent)
         raise AssertionError(number)
@@ -153,12 +155,35 @@ class LineWriter(Writer[WrittenTerm]):
     @abstractmethod
     def _parameter(self, name: str) -> str: ...
 
-    @abstractmethod
-    def _pi(self) -> str: ...
-
 
 class Typesetter(LineWriter):
-    """Writes expressions in two dimensions: fractions with a line, roots, powers above."""
+    """Writes expressions in two dimensions: fractions with a line, roots, powers above.
+
+    Attributes:
+        comma: what stands between two arguments.
+        digits: how a whole number is written, given its digits.
+        over: a fraction, given what is above and below.
+        root: a square root, given the radicand.
+        absolute: an absolute value.
+        power: a power, given base and exponent.
+        functions: names of functions.
+    """
+
+    comma: ClassVar[str]
+    digits: ClassVar[str]
+    over: ClassVar[str]
+    root: ClassVar[str]
+    absolute: ClassVar[str]
+    power: ClassVar[str]
+    functions: ClassVar[Mapping[Function, str]]
+
+    def _call(self, node: Call, arguments: Sequence[WrittenTerm]) -> WrittenTerm:
+        short = self._names.short(node)
+        if short is not None:
+            return WrittenTerm(self._short(short), Binding.ATOM)
+        inner = self.comma.join(map(self._signed, arguments))
+        own = {Function.SQRT: self.root, Function.ABS: self.absolute}.get(node.function)
+        return WrittenTerm(own.format(inner) if own else self._applied(node.function, inner), Binding.ATOM)
 
     def _quotient(self, quotient: Quotient) -> WrittenTerm:
         """A product with its numbers and roots in one fraction: (√3/2)·c1."""
@@ -167,43 +192,46 @@ class Typesetter(LineWriter):
         above = [self._written[factor] for factor in quotient.above]
         below = [self._raised(base, exponent) for base, exponent in quotient.below]
         weakest = Binding.SUM if len(below) == 1 and not weight.denominator else Binding.PRODUCT
-        denominator = [self._digits(weight.denominator)] if weight.denominator else []
+        denominator = [self.digits.format(weight.denominator)] if weight.denominator else []
         denominator += [self._within(factor, weakest) for factor in below]
-        head = [self._digits(weight.digits)] if weight.digits else []
+        head = [self.digits.format(weight.digits)] if weight.digits else []
         head += [self._within(factor, Binding.PRODUCT) for factor in constants]
         least = Binding.SUM if below and not head and len(above) == 1 else Binding.PRODUCT
         tail = [self._within(factor, least) for factor in above]
         if below:
             head, tail = head + tail, []
         if denominator:
-            over = self._over(self._times(head or [self._digits("1")]), self._times(denominator))
+            over = self.over.format(self._times(head or [self.digits.format("1")]), self._times(denominator))
             return WrittenTerm(self._times([over, *tail]), Binding.PRODUCT, weight.negative)
         factors = head + tail
         if len(factors) > 1:
             return WrittenTerm(self._times(factors), Binding.PRODUCT, weight.negative)
         alone = (*constants, *above)
         binding = alone[0].binding if alone else Binding.ATOM
-        return WrittenTerm(factors[0] if factors else self._digits("1"), binding, weight.negative)
+        return WrittenTerm(factors[0] if factors else self.digits.format("1"), binding, weight.negative)
 
     def _raised(self, base: int, exponent: Fraction) -> WrittenTerm:
         written = self._written[base]
         if exponent == 1:
             return written
         if exponent == Fraction(1, 2):
-            return WrittenTerm(self._root(self._signed(written)), Binding.ATOM)
-        return self._power(base, exponent)
+            return WrittenTerm(self.root.format(self._signed(written)), Binding.ATOM)
+        power, node = self._exponent(exponent), self.ledger.nodes[base]
+        if isinstance(node, Call) and node.function in self.functions and self._names.short(node) is None:
+            name = self.functions[node.function]
+            raised = written.body.replace(name, self.power.format(name, power), 1)
+        else:
+            raised = self.power.format(self._within(written, Binding.ATOM), power)
+        return WrittenTerm(raised, Binding.POWER)
 
     @abstractmethod
-    def _power(self, base: int, exponent: Fraction) -> WrittenTerm: ...
+    def _short(self, short: ShortName) -> str: ...
 
     @abstractmethod
-    def _digits(self, digits: str) -> str: ...
+    def _applied(self, function: Function, inner: str) -> str: ...
+
+    @abstractmethod
+    def _exponent(self, exponent: Fraction) -> str: ...
 
     @abstractmethod
     def _times(self, factors: Sequence[str]) -> str: ...
-
-    @abstractmethod
-    def _over(self, numerator: str, denominator: str) -> str: ...
-
-    @abstractmethod
-    def _root(self, radicand: str) -> str: ...
