@@ -161,14 +161,7 @@ def advanced(
     outcome: AttemptOutcome,
     allowance: Allowance,
 ) -> Counted | None:
-    """Return what makes the grade after one more attempt: `counted` of all, from what it was of those before.
-
-    Args:
-        policy: the link's.
-        before: `counted` of the earlier attempts.
-        outcome: the newest attempt.
-        allowance: the student's.
-    """
+    """Return what makes the grade after one more attempt: `counted` of all, from that of those before."""
     latest = counted(policy, [outcome], allowance)
     if before is None or latest is None:
         return latest or before

@@ -58,12 +58,6 @@ def read(
 ) -> LinkSettings:
     """Return settings that somebody has just made; what is left out has its default.
 
-    Args:
-        exercise_id: the exercise.
-        values: the settings as JSON.
-        parts: kinds of the exercise's parts.
-        languages: those that the service speaks.
-
     Raises:
         LinkSettingsError: a value cannot be meant, or there is no such setting; each with its place.
     """

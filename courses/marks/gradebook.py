@@ -76,12 +76,7 @@ def regrade(
 ) -> None:
     """Derive the grades of students anew from all their attempts, and queue those that changed.
 
-    Args:
-        connection: in the transaction that changed a rule or a score, with the students' rows locked.
-        link: with its rules.
-        allowances: of each student, by their ids.
-        unsent: students whose scores cannot be sent.
-        now: the time.
+    It belongs to the transaction that changed a rule or a score, with the students' rows locked.
     """
     longest = longest_extra(connection, link.id)
     people = list(allowances)
@@ -175,13 +170,7 @@ def _queue(connection: sa.Connection, changes: Sequence[GradeChange], now: datet
 
 
 def schedule_scores(connection: sa.Connection, link: Link, now: datetime) -> None:
-    """Give scores of a link that wait to be sent the time that its rules now give them.
-
-    Args:
-        connection: in the transaction that changed a rule, with the students' rows locked.
-        link: with its rules.
-        now: the time.
-    """
+    """Give scores of a link that wait to be sent the time that its rules now give them."""
     longest = longest_extra(connection, link.id)
     due = score_due(link.settings.policy, now, released=link.released_at is not None, longest=longest)
     waits = sa.and_(

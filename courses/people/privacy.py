@@ -30,10 +30,7 @@ SHORTEST_KEY = 8
 def person_named(store: Store, key: str, course_id: int | None = None) -> str:
     """Return the whole pseudonym of the one person whose pseudonym begins with these characters.
 
-    Args:
-        store: the database.
-        key: eight characters or more.
-        course_id: the course in which the person has taken part; None: any.
+    The key has eight characters or more; without a course, any person is meant.
 
     Raises:
         UnknownRecordError: it is nobody's, or several people's.
@@ -68,10 +65,7 @@ def participant(connection: sa.Connection, course_id: int, key: str) -> int | No
 def export_person(store: Store, key: str, course_id: int | None = None) -> dict[str, Any]:
     """Return everything that is stored about one person, as JSON.
 
-    Args:
-        store: the database.
-        key: the person's pseudonym.
-        course_id: the course that is asked about; None: all of them.
+    With a course, what belongs to it alone.
 
     Raises:
         UnknownRecordError: there is no such person.
@@ -98,10 +92,7 @@ def erase_person(store: Store, key: str, course_id: int | None = None) -> dict[s
     Of one course: what belongs to it, and the person only if nothing is left elsewhere. What the person did
     there as a member of staff stays in the log.
 
-    Args:
-        store: the database.
-        key: the person's pseudonym.
-        course_id: the course whose records are removed; None: those of all courses.
+    With a course, what belongs to it alone.
 
     Returns:
         How many rows of each relation were removed.
@@ -156,13 +147,7 @@ def _in_course(table: sa.Table, course_id: int | None) -> list[sa.ColumnElement[
 
 
 def purge(store: Store, now: datetime, *, people: timedelta, log: timedelta) -> dict[str, int]:
-    """Remove people who were not seen for a time, and old lines of the audit log.
-
-    Args:
-        store: the database.
-        now: the time.
-        people: how long what belongs to a person is kept after their last visit.
-        log: how long a line of the audit log is kept.
+    """Remove people who were not seen for the time `people`, and lines of the audit log older than `log`.
 
     Returns:
         How many people, sessions and lines were removed.

@@ -16,10 +16,6 @@ from kinematics.errors import Fault
 def advance(connection: sa.Connection, target: str) -> None:
     """Apply what the database lacks of the history.
 
-    Args:
-        connection: in a transaction that writes.
-        target: the revision to stop at; "head" for the newest.
-
     Raises:
         StorageError: the database's schema is not in this program's history.
     """

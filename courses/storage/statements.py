@@ -35,12 +35,7 @@ def upsert(
 ) -> sa.Row[Any]:
     """Insert a row, or change the one that has its key; return its primary key.
 
-    Args:
-        connection: in a transaction that writes.
-        table: which.
-        key: columns that identify the row, under a unique constraint.
-        values: what it holds from now on.
-        otherwise: what a new row holds besides.
+    The key is columns under a unique constraint; a new row also holds what `otherwise` says.
     """
     statement = _insert(connection.dialect.name, table).values({**(otherwise or {}), **values, **key})
     statement = statement.on_conflict_do_update(index_elements=list(key), set_=dict(values or key))
@@ -60,12 +55,8 @@ def upsert_all(
 ) -> None:
     """Insert rows, or change those that have their keys.
 
-    Args:
-        connection: in a transaction that writes.
-        table: which.
-        key: columns that identify a row, under a unique constraint.
-        rows: what they hold from now on; all with the same columns.
-        changed: values of a row that was there, where they are not the new ones; given the new row's columns.
+    The key is columns under a unique constraint. All rows have the same columns; given the columns of a new
+    row, `changed` says which values one that was there gets instead.
     """
     statement = _upserting(connection.dialect.name, table, tuple(key), tuple(rows[0]), changed)
     connection.execute(statement, [dict(row) for row in rows])

@@ -28,12 +28,7 @@ def change_settings(
 ) -> None:
     """Give a link its exercise and rules; grades follow in the same transaction.
 
-    Args:
-        store: the database.
-        link_id: the link.
-        settings: its new ones.
-        now: the time.
-        seen: version of those that they were made from; None: whatever they were.
+    `seen` is the version of the settings that these were made from; None: whatever they were.
 
     Raises:
         OutdatedError: somebody has saved others since.
@@ -72,13 +67,7 @@ def allow(
 ) -> None:
     """Give a student extra time or attempts, instead of what they had before; they need not have come yet.
 
-    Args:
-        store: the database.
-        link: for which.
-        person: pseudonym of the student.
-        allowance: what they get.
-        now: the time.
-        listed: pseudonyms of the class, where the platform tells who is in it.
+    `listed` is the pseudonyms of the class, where the platform tells who is in it.
 
     Raises:
         UnknownRecordError: the course has no such student.

@@ -61,12 +61,7 @@ Judge = Callable[[Sequence[Attempt]], Sequence[Rejudged]]
 def begin(store: Store, link_id: int, scope: Scope, basis: str, now: datetime) -> int:
     """Return a run; one of this scope and basis that may still be applied is taken up again.
 
-    Args:
-        store: the database.
-        link_id: whose attempts are judged again.
-        scope: which of them.
-        basis: what the judgements depend on, besides the attempts: on another one they are made anew.
-        now: the time.
+    The basis is what judgements depend on besides the attempts: on another one they are made anew.
     """
     same = sa.and_(
         _RUN.c.link_id == link_id,
@@ -202,13 +197,6 @@ def apply(store: Store, link_id: int, run: int, basis: str, now: datetime) -> No
     """Let the run's scores count; what changed goes to the gradebook again.
 
     A run whose application was interrupted is settled to its end.
-
-    Args:
-        store: the database.
-        link_id: the link.
-        run: what was looked at.
-        basis: what judgements made now depend on, as in `begin`.
-        now: the time.
 
     Raises:
         UnknownRecordError: the link has no such run that waits.

@@ -25,11 +25,7 @@ def class_overview(
 ) -> dict[str, Any]:
     """Return links of a course, its students, and how far each is: not begun, begun, stuck, or done.
 
-    Args:
-        store: the database.
-        course_id: the course.
-        members: names of the class's students by their pseudonyms, where the platform tells who they are:
-            then those who have opened nothing are listed, too.
+    Where the platform tells who the members are, those who have opened nothing are listed, too.
     """
     link, person, grade = records.link, records.person, records.grade
     with store.reading() as connection:

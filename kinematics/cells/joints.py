@@ -50,13 +50,7 @@ class RowJoint:
 def row_joints(
     stated: Sequence[JointType | None], syntax: Sequence[Syntax], *, by_row: bool = True
 ) -> tuple[tuple[RowJoint, ...], tuple[Fault, ...]]:
-    """Return the joint of every row, and what is wrong with how the variables are numbered.
-
-    Args:
-        stated: the type that each row states, or None.
-        syntax: the syntax trees of each row's cells.
-        by_row: whether variables may be numbered by row.
-    """
+    """Return the joint of every row, and what is wrong with how the variables are numbered."""
     numberings = [_assigned(stated, syntax, Numbering.BY_JOINT)]
     if by_row and any(joint.joint is JointType.FIXED for joint in numberings[0]):
         numberings.append(_assigned(stated, syntax, Numbering.BY_ROW))

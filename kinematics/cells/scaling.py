@@ -27,11 +27,7 @@ Kinds = Mapping[str, ParameterKind]
 def scaled_cell(expression: Expression, kind: ParameterKind, kinds: Kinds, ratio: Fraction) -> Expression:
     """Return c(p·ratio)/ratio of a length, c(p·ratio) of an angle, where p are the length parameters.
 
-    Args:
-        expression: the cell, its lengths in the old unit.
-        kind: what the cell gives.
-        kinds: what each parameter measures.
-        ratio: old units in a new one, 1000 from millimetres to metres.
+    `ratio` is how many old units a new one has: 1000 from millimetres to metres.
     """
     weight = 1 / ratio if kind is ParameterKind.LENGTH else Fraction(1)
     terms = terms_of(expression)

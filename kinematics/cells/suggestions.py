@@ -30,10 +30,6 @@ def nearest_name(name: str, known: Collection[str]) -> str | None:
     Names are the same but for case or underscores (A2 for a2, F_x for fx), for letters that look like digits
     (L0 for LO), or for one letter left out, put in, changed or exchanged with its neighbour; their numbers
     agree. Or both are the rate of one joint (q1_dot for dq1), or an a is written as α where no name is (α2).
-
-    Args:
-        name: what was typed, in any spelling that a cell may have.
-        known: the names that mean something.
     """
     typed = canonical_name(name) or name
     names = {canonical_name(candidate) or candidate for candidate in known}

@@ -182,13 +182,7 @@ class Composite:
 
 
 def composite_of(reader: FormReader, table: SymbolicTable, links: Sequence[SymbolicBody]) -> Composite:
-    """Walk a chain from the tip to the base.
-
-    Args:
-        reader: into whose ring everything is read.
-        table: the DH table.
-        links: what moves with frame 1 … N, one for each row.
-    """
+    """Walk a chain from the tip to the base."""
     motions = motions_of(table)
     found = Composite(reader, len(links))
     # what stands in every product is read first: keys of what is read early are short

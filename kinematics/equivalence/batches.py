@@ -61,11 +61,6 @@ def axes_of_tables(
 ) -> AxisBatch:
     """Return the axes of `axes_of`, for tables in which some cells are changed.
 
-    Args:
-        tables: tables with the same number of joints.
-        variations: the candidates.
-        policy: what is fixed at the ends.
-
     Returns:
         The axes of every candidate: the base's place, the joints', the tool's.
     """

@@ -53,14 +53,6 @@ def fitted_cells(
 ) -> NumericTable | None:
     """The table with some cells changed so that it describes the reference, as nearly as they can do that.
 
-    Args:
-        reference: the reference.
-        table: a table with the same types of joints.
-        places: which cells may change.
-        signs: σ.
-        tolerance: what counts as near.
-        meter: counts the work.
-
     Returns:
         None if the mean error stays above half the tolerance.
     """

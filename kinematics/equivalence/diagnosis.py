@@ -71,11 +71,7 @@ def diagnose(
 
     If every fact is right by itself, but not all together, their precision is what is wrong.
 
-    Args:
-        reference: the reference.
-        table: the submission, to say in which row a fact stands.
-        submission: its chain.
-        policy: the base and tool rules are judged as well; zeros and directions are left free.
+    Base and tool are judged by the policy; zeros and directions are left free.
     """
     near = reference.nearnesses(policy.tolerance)[0]
     best: Trail | None = None

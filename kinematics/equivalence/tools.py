@@ -125,9 +125,7 @@ def _on(point: Vector, axis: Axis, near: Nearness) -> bool:
 def placements(choice: ToolChoice, here: Motion) -> list[Motion]:
     """The motions of H_N that place the submission's frame N as the choice wants it, as nearly as they can.
 
-    Args:
-        choice: what the policy wants.
-        here: pose of the submission's frame N after all alignments.
+    `here` is the pose of the submission's frame N after all alignments.
     """
     if choice.rule is ToolRule.FREE:
         return [IDENTITY]

@@ -100,13 +100,6 @@ def least_error(arm: Arm, target: Array, joints: Array, low: Array, high: Array)
     """Return the (n,) configuration of least error near one, within bounds, to rounding.
 
     Descents end where the error no longer changes, and that is √rounding away from where it is least.
-
-    Args:
-        arm: the arm.
-        target: (4, 4).
-        joints: (n,) within the bounds, close to the least error.
-        low: (n,) bounds.
-        high: (n,) bounds.
     """
     x, low, high = joints / arm.units, low / arm.units, high / arm.units
     g, cost = _gradient(arm, target, x)

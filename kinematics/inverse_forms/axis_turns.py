@@ -74,10 +74,7 @@ def turn_of_joint(write: InverseDerivation, joint: SignedJoint) -> Turn:
 def write_turns(write: InverseDerivation, turns: Sequence[Turn], N: Sequence[Vector]) -> bool:
     """Write down one, two or three turns that make a rotation.
 
-    Args:
-        write: where to.
-        turns: about axes of which neighbours are at right angles.
-        N: the rotation, by rows.
+    N is given by rows; neighbouring axes are at right angles.
 
     Returns:
         Whether there is a form for these axes.
@@ -147,12 +144,7 @@ def _three_turns(
 def _aligned(name: str, turns: Sequence[Turn], N: Sequence[Vector], m: Vector, kappa: int) -> SingularCase:
     """The case N c = κ a, in which the first and the last turn are about one direction.
 
-    Args:
-        name: of the first angle.
-        turns: three.
-        N: the rotation.
-        m: components of N c, the last along a.
-        kappa: 1 or -1.
+    m is N c, its last component along a.
     """
     first, second, third = turns
     a, b, c = (turn.axis for turn in turns)

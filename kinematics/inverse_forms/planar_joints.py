@@ -82,13 +82,8 @@ def place_point(
 ) -> bool:
     """Write down two joints that bring a point of the plane to its place.
 
-    Args:
-        write: where to.
-        plane: the plane.
-        joints: two.
-        start: the point at θ = 0.
-        target: its place, coordinates in the plane.
-        varying: whether other joints move the start, possibly onto the axis of one of these.
+    The start is where the point is at θ = 0, the target its place in the plane. Where `varying` holds, other
+    joints move the start, possibly onto the axis of one of these.
 
     Returns:
         Whether there is a form for these joints: there is none where the second cannot move the point, two
@@ -277,16 +272,8 @@ def circular_root(
 ) -> Expression:
     """Write down φ with a cos φ + b sin φ = d; returned is φ in terms of the joint's variable.
 
-    Args:
-        write: where to.
-        a: the coefficient of the cosine.
-        b: that of the sine.
-        d: what the sum is to be.
-        joint: turns by φ or -φ.
-        sense: 1 or -1.
-        varying: whether a and b may both be 0 on some targets; lengths that are names may always be.
-        conditions: what else the angle needs.
-        cases: in which these do not hold.
+    The joint turns by ±φ, as `sense` says. Where `varying` holds, a and b may both be 0 on some targets;
+    lengths that are names may always be. Of further conditions, `cases` tells where they do not hold.
     """
     coefficients = [value for value in (a, b) if value != ZERO]
     singular = (*coefficients, d)

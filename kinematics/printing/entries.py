@@ -40,11 +40,7 @@ class Equation(NamedTuple):
 def entry_lines(matrix: Entered, ledger: Ledger, names: Names, result: str) -> list[Equation]:
     """Write a matrix entry by entry; the last row of a pose is left out.
 
-    Args:
-        matrix: what to write, in the ledger.
-        ledger: where its nodes are.
-        names: how sines, cosines and joint variables are written.
-        result: the letter of the entries of a matrix that is no pose: J11, and g1 in a single column.
+    The entries of a matrix that is no pose have the letter `result`: J11, and g1 in a single column.
     """
     text, latex = TextWriter(names, ledger), LatexWriter(names, ledger)
     lines = []

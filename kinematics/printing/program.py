@@ -90,13 +90,7 @@ def program(
 ) -> Program:
     """Plan a function.
 
-    Args:
-        matrix: its value.
-        purpose: its name and meaning.
-        n_joints: number of joint variables.
-        parameters: its other arguments, whether the matrix holds them or not.
-        variables: names of the joint variables.
-        stepwise: whether what is repeated is computed once; otherwise the entries are as they are read.
+    If it is not `stepwise`, the entries stay as they are read; else what is repeated is computed once.
     """
     import sympy
     from sympy.simplify.cse_main import tree_cse

@@ -17,12 +17,7 @@ _DIGITS = ".6g"
 
 
 def table_html(table: DHTable[Expression] | DHTable[float], variables: Sequence[str] = ()) -> str:
-    """Return a table as an HTML table: one row a link, angles in radians.
-
-    Args:
-        table: exact or numeric.
-        variables: names of the joint variables; q1, q2, … if left out.
-    """
+    """Return a table as an HTML table: one row a link, angles in radians."""
     columns = COLUMNS[table.convention]
     indices = _indices(table.convention)
     heads = "".join(f"<th>{_LETTERS[column][0]}<sub>{indices[column]}</sub></th>" for column in columns)
@@ -34,12 +29,7 @@ def table_html(table: DHTable[Expression] | DHTable[float], variables: Sequence[
 
 
 def table_latex(table: DHTable[Expression] | DHTable[float], variables: Sequence[str] = ()) -> str:
-    """Return a table as a LaTeX array between dollar signs, angles in radians.
-
-    Args:
-        table: exact or numeric.
-        variables: names of the joint variables; q1, q2, … if left out.
-    """
+    """Return a table as a LaTeX array between dollar signs, angles in radians."""
     columns = COLUMNS[table.convention]
     indices = _indices(table.convention)
     heads = " & ".join(["i", *(f"{_LETTERS[column][1]}_{{{indices[column]}}}" for column in columns)])

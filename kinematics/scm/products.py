@@ -193,10 +193,6 @@ def check_rotations(factors: Sequence[Factor], product: int) -> None:
     Numbers are put in for the names, so that rounded entries pass as elsewhere. A part in parameters alone
     may be a rotation for values that satisfy conditions nobody has stated, and passes.
 
-    Args:
-        factors: what is multiplied, with values put in.
-        product: its number in the question, from 0.
-
     Raises:
         DescriptionError: code `matrix_not_rotation`, at ("products", i, k).
     """

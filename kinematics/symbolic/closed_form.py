@@ -158,12 +158,7 @@ def jacobian(
     Column k holds the linear and angular velocity of the end frame for q̇_k = 1.
 
     Revolute joint: (z_k × (p - p_k), z_k); prismatic joint: (z_k, 0), z_k the direction of the joint's axis.
-
-    Args:
-        table: the DH table.
-        frame: the axes in which the velocities are written.
-        base: 4×4 pose of frame 0 in the world; the identity if left out.
-        tool: 4×4 pose of the tool in frame N; the identity if left out.
+    Base and tool are as in `Workings`.
 
     Returns:
         6 × n: three rows of linear, three rows of angular velocity.

@@ -126,10 +126,7 @@ class Ring:
     def turned(self, circle: tuple[Form, Form], x: Form, y: Form) -> tuple[Form, Form]:
         """Return the coordinates of (x + i·y) e^(iφ), where x, y and φ are real.
 
-        Args:
-            circle: e^(iφ) and e^(-iφ).
-            x: a real function.
-            y: another.
+        `circle` is e^(iφ) and e^(-iφ).
         """
         if not (x.coefficients or y.coefficients):
             return x, y

@@ -113,10 +113,6 @@ class ClearWrist:
         """Return all solutions, the one with the smallest joint values first.
 
         None near a singularity, at the edge of the reach, or beyond it.
-
-        Args:
-            target: (4, 4).
-            tolerance: distance [m] and angle [rad] within which the target is reached.
         """
         ca1, sa1, a2, rho = self.ca1, self.sa1, self.a2, self.rho
         seen = self.seen(*target.ravel().tolist()[:12])

@@ -24,11 +24,7 @@ may lead to another."""
 def way_through_gaps(follower: Follower, joints: Array, path: FamilyPath, gap: float) -> FamilyPath:
     """Return the path on which a family lies, followed through gaps.
 
-    Args:
-        follower: of the family's target.
-        joints: (n,) a member.
-        path: the family.
-        gap: how many tolerances the pose may be off in a gap.
+    In a gap the pose may be off by `gap` tolerances.
     """
     arm = follower.arm
     wide = Follower(arm, follower.target, min(gap * follower.tolerance, WIDEST * min(arm.size, 1.0)))
@@ -64,13 +60,7 @@ def nearest_places(follower: Follower, way: FamilyPath) -> list[Array]:
 
 
 def _pieces(follower: Follower, way: FamilyPath, there: NDArray[np.bool_]) -> NDArray[np.intp]:
-    """(m,) of which piece each point of a way is; one ends where the target is lost, if only between points.
-
-    Args:
-        follower: of the target.
-        way: whose points they are.
-        there: (m,) which of them reach it.
-    """
+    """(m,) the piece of each point of a way; one ends where the target is lost, if only between points."""
     x = way.points / follower.arm.units
     both = np.flatnonzero(there & np.roll(there, -1))
     both = both if way.closed else both[both < len(x) - 1]

@@ -35,14 +35,7 @@ tolerance at a member, and reaches the target there, misses it by two on the oth
 def families_within(
     arm: Arm, follower: Follower, component: Component, box: Box
 ) -> list[tuple[Array, Family]]:
-    """Return the parts of a family within the limits, each with a member.
-
-    Args:
-        arm: the arm.
-        follower: of the family's target.
-        component: the family.
-        box: joint limits.
-    """
+    """Return the parts of a family within the limits, each with a member."""
     q = component.joints
     wrapped, fits = within_limits(q[None], arm.revolute, box, arm.size)
     if not component.paths:
