@@ -62,11 +62,6 @@ def decide_draws(
     """Decide for tables with parameters, given at several draws of the parameters.
 
     The draws must agree on the signs; structure and diagnosis follow the first one.
-
-    Args:
-        references: the key at each draw.
-        submissions: the submission at the same draws.
-        policy: what is left free and what is fixed.
     """
     prepared_references = [prepared(table) for table in references]
     chains = [chain_of_table(table) for table in submissions]
@@ -122,14 +117,6 @@ def certify(
 
     An exact one is looked for first: among axes that are nearly parallel there may be others nearby, which
     stand within the tolerance.
-
-    Args:
-        references: the key at each draw.
-        submissions: the submission's chain at the same draws.
-        policy: what is left free and what is fixed.
-        effort: how hard to try.
-        meter: counts the work, if it is bounded.
-        measured: the residual at the samples is wanted.
     """
     found = _found(references, submissions, policy, effort, meter, measured=measured)
     return None if found is None else _certificate(found)
@@ -160,6 +147,15 @@ def _found(
         return None
     references = [r.beside(chain) for r, chain in zip(references, submissions, strict=True)]
     wanted = policy.tolerance
+
+    def first(asked: Policy, trying: Effort) -> Found | None:
+        """The first certificate that stands, whatever axes count as parallel."""
+        levels = references[0].levels(asked.base, asked.zero, asked.tolerance)
+        tried = (
+            Search(references, submissions, asked, near, trying, meter, measured).run() for near in levels
+        )
+        return next((found for found in tried if found is not None), None)
+
     coarser = EXACT.length <= wanted.length and EXACT.angle <= wanted.angle and wanted != EXACT
     if coarser and not surely_apart(references[0], submissions[0], EXACT):
         # among axes that are nearly parallel, alignments lever up the errors of the arithmetic
@@ -168,29 +164,12 @@ def _found(
         trying = effort if levered else Effort.PLAIN
         exact = replace(policy, tolerance=EXACT)
         with nullcontext() if meter is None else meter.at_most(meter.left // 2):
-            found = _first(references, submissions, exact, trying, meter, measured=measured)
+            found = first(exact, trying)
             if found is not None:
                 return found
     elif surely_apart(references[0], submissions[0], wanted):
         return None
-    return _first(references, submissions, policy, effort, meter, measured=measured)
-
-
-def _first(
-    references: Sequence[Reference],
-    submissions: Sequence[Chain],
-    policy: Policy,
-    effort: Effort,
-    meter: Meter | None,
-    *,
-    measured: bool,
-) -> Found | None:
-    """The first certificate that stands, whatever axes count as parallel."""
-    for level in references[0].levels(policy.base, policy.zero, policy.tolerance):
-        found = Search(references, submissions, policy, level, effort, meter, measured).run()
-        if found is not None:
-            return found
-    return None
+    return first(policy, effort)
 
 
 def _certificate(found: Found) -> Certificate:

@@ -20,7 +20,7 @@ from kinematics.errors import DescriptionError, Fault
 from kinematics.forward import forward_kinematics
 from kinematics.frames.axes import AxisLine, Gripper, JointAxis, Pose, ends_of, matrix, read_axes, robot_size
 from kinematics.frames.directions import CrossProduct, LengthSigns, choose_directions
-from kinematics.frames.ends import entering, leaving, may_end, may_start
+from kinematics.frames.ends import may_stand, meeting
 from kinematics.frames.exactness import clean_angle, clean_length
 from kinematics.frames.levels import settle_levels
 from kinematics.frames.normals import EXACT_ANGLE, CommonNormal, Relation, common_normal
@@ -32,7 +32,7 @@ from kinematics.frames.parallels import (
     with_dummies,
 )
 from kinematics.frames.placement import draw_prismatic_axes
-from kinematics.frames.remarks import tilt_remarks, unfit_base, unfit_tool
+from kinematics.frames.remarks import tilt_remarks
 from kinematics.se3 import Transform, Vector, angle_from_to, cross, dot, scale, subtract
 from kinematics.table import Convention, DHRow, DHTable, JointType, NumericTable
 
@@ -115,6 +115,17 @@ class FrameAssignment:
     warnings: tuple[Fault, ...]
 
 
+_UNFIT_BASE = {
+    Convention.STANDARD: "base_not_frame_zero_standard",
+    Convention.MODIFIED: "base_not_frame_zero_modified",
+}
+_UNFIT_TOOL = {
+    Convention.STANDARD: "tool_not_last_frame_standard",
+    Convention.MODIFIED: "tool_not_last_frame_modified",
+}
+"""Warnings that a given frame cannot be frame 0, or frame N."""
+
+
 @dataclass(frozen=True, slots=True)
 class _Geometry:
     """The figure that both conventions read: axes, normals, their feet, the x directions, the end frames."""
@@ -188,9 +199,9 @@ def assign_frames(
     on_axis = [frame.origin for frame in frames[convention is Convention.MODIFIED :]]
     warnings = tilt_remarks(tilts, table, on_axis, near_parallel)
     if first is not None and geometry.first is None:
-        warnings.append(unfit_base(convention))
+        warnings.append(Fault.at(_UNFIT_BASE[convention], "base"))
     if last is not None and geometry.last is None:
-        warnings.append(unfit_tool(convention))
+        warnings.append(Fault.at(_UNFIT_TOOL[convention], "tool"))
     T_w_0 = matrix(base_pose)
     return FrameAssignment(
         table=table,
@@ -210,11 +221,12 @@ def _geometry(
     lengths: LengthSigns,
     intersecting: CrossProduct,
 ) -> _Geometry:
-    start = first.origin if first and may_start(first, lines[0], convention) else None
-    end = last.origin if last and may_end(last, lines[-1], convention) else None
+    standard = convention is Convention.STANDARD
+    start = first.origin if first and may_stand(first, lines[0], z_on_axis=standard) else None
+    end = last.origin if last and may_stand(last, lines[-1], z_on_axis=not standard) else None
     lines = draw_prismatic_axes(lines, size, start=start, end=end)
-    entry = entering(first, lines[0], convention, size) if first and start else None
-    exit_ = leaving(last, lines[-1], convention, size) if last and end else None
+    entry = meeting(first, lines[0], size, z_on_axis=standard) if first and start else None
+    exit_ = meeting(last, lines[-1], size, z_on_axis=not standard) if last and end else None
     normals = [common_normal(one, other, size) for one, other in pairwise(lines)]
     taken_first, taken_last = first if entry else None, last if exit_ else None
     x = choose_directions(

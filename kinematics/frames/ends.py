@@ -2,7 +2,8 @@
 
 A row holds four of the six numbers of a rigid motion, so the first and the last frame are not quite free.
 In a standard table z_0 is axis 1 with the origin on it, and x_N crosses axis N at right angles. In a
-modified table x_0 crosses axis 1 at right angles, and z_N is axis N with the origin on it.
+modified table x_0 crosses axis 1 at right angles, and z_N is axis N with the origin on it. So one of the two
+has its z on its axis, the other has its x across it.
 """
 
 from __future__ import annotations
@@ -10,35 +11,21 @@ from __future__ import annotations
 from kinematics.frames.axes import AxisLine, Pose
 from kinematics.frames.normals import EXACT_ANGLE, EXACT_LENGTH
 from kinematics.se3 import Vector, along, cross, dot, foot, norm, subtract
-from kinematics.table import Convention
 
 
-def may_start(first: Pose, axis: AxisLine, convention: Convention) -> bool:
-    """Return whether a given frame has the orientation of a frame 0; the place of axis 1 aside."""
-    if convention is Convention.STANDARD:
-        return _same(first.z, axis.direction)
-    return abs(dot(first.x, axis.direction)) <= EXACT_ANGLE
+def may_stand(pose: Pose, axis: AxisLine, *, z_on_axis: bool) -> bool:
+    """Return whether a given frame has the orientation of an end frame; the place of the axis aside."""
+    if z_on_axis:
+        return norm(cross(pose.z, axis.direction)) <= EXACT_ANGLE and dot(pose.z, axis.direction) > 0
+    return abs(dot(pose.x, axis.direction)) <= EXACT_ANGLE
 
 
-def may_end(last: Pose, axis: AxisLine, convention: Convention) -> bool:
-    """Return whether a given frame has the orientation of a frame N; the place of axis N aside."""
-    if convention is Convention.STANDARD:
-        return abs(dot(last.x, axis.direction)) <= EXACT_ANGLE
-    return _same(last.z, axis.direction)
-
-
-def entering(first: Pose, axis: AxisLine, convention: Convention, size: float) -> Vector | None:
-    """Return where the normal from a given frame 0 meets axis 1; None if the frame cannot be frame 0."""
-    if convention is Convention.MODIFIED:
-        return _crossing(first, axis, size)
-    return first.origin if _lies_on(first.origin, axis, size) else None
-
-
-def leaving(last: Pose, axis: AxisLine, convention: Convention, size: float) -> Vector | None:
-    """Return where the normal to a given frame N leaves axis N; None if the frame cannot be frame N."""
-    if convention is Convention.STANDARD:
-        return _crossing(last, axis, size)
-    return last.origin if _lies_on(last.origin, axis, size) else None
+def meeting(pose: Pose, axis: AxisLine, size: float, *, z_on_axis: bool) -> Vector | None:
+    """Return where the normal between a given frame and its axis meets this; None if the frame is no end."""
+    if not z_on_axis:
+        return _crossing(pose, axis, size)
+    off = subtract(pose.origin, foot(pose.origin, axis.point, axis.direction))
+    return pose.origin if norm(off) <= EXACT_LENGTH * size else None
 
 
 def _crossing(pose: Pose, axis: AxisLine, size: float) -> Vector | None:
@@ -46,11 +33,3 @@ def _crossing(pose: Pose, axis: AxisLine, size: float) -> Vector | None:
     point = foot(pose.origin, axis.point, axis.direction)
     on_x = along(pose.origin, dot(subtract(point, pose.origin), pose.x), pose.x)
     return point if norm(subtract(point, on_x)) <= EXACT_LENGTH * size else None
-
-
-def _lies_on(point: Vector, axis: AxisLine, size: float) -> bool:
-    return norm(subtract(point, foot(point, axis.point, axis.direction))) <= EXACT_LENGTH * size
-
-
-def _same(u: Vector, v: Vector) -> bool:
-    return norm(cross(u, v)) <= EXACT_ANGLE and dot(u, v) > 0

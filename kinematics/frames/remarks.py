@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from kinematics.errors import Fault
 from kinematics.frames.parallels import NearParallel, Tilt
 from kinematics.se3 import Vector, norm, subtract
-from kinematics.table import Convention, NumericTable
+from kinematics.table import NumericTable
 
 
 def tilt_remarks(
@@ -17,12 +17,6 @@ def tilt_remarks(
 
     A turn about an axis that is tilted by ε moves a point at distance r from the pivot by at most 2 ε r; r is
     bounded by the lengths of the rows from that joint on.
-
-    Args:
-        tilts: the tilts that were found.
-        table: the table that was made.
-        axis_points: for each axis the origin that the table has on it.
-        policy: what was done about them.
     """
     remarks = []
     for tilt in tilts:
@@ -39,15 +33,3 @@ def tilt_remarks(
             Fault.at("near_parallel", *where, joint=i + 1, previous=i, angle=angle, displacement=displacement)
         )
     return remarks
-
-
-def unfit_base(convention: Convention) -> Fault:
-    """Return the warning that a given frame cannot be frame 0."""
-    standard = convention is Convention.STANDARD
-    return Fault.at("base_not_frame_zero_standard" if standard else "base_not_frame_zero_modified", "base")
-
-
-def unfit_tool(convention: Convention) -> Fault:
-    """Return the warning that a given frame cannot be frame N."""
-    standard = convention is Convention.STANDARD
-    return Fault.at("tool_not_last_frame_standard" if standard else "tool_not_last_frame_modified", "tool")

@@ -110,18 +110,6 @@ class FramePlace:
         return {"first": numbers[0], "second": numbers[-1]}
 
 
-def own_axis(index: int, count: int, convention: Convention) -> int | None:
-    """Return the number of the axis along which z_i lies: i in a modified table, i+1 in a standard one."""
-    own = index if convention is Convention.MODIFIED else index + 1
-    return own if 1 <= own <= count else None
-
-
-def partner_axis(index: int, count: int, convention: Convention) -> int | None:
-    """Return the number of the axis that x_i crosses: i+1 in a modified table, i in a standard one."""
-    partner = index + 1 if convention is Convention.MODIFIED else index
-    return partner if 1 <= partner <= count else None
-
-
 def broken_rules(frame: PartialPose, place: FramePlace) -> list[FrameFinding]:
     """Return the rules of the convention that a frame breaks, as far as it has been chosen.
 

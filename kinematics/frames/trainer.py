@@ -29,7 +29,7 @@ from kinematics.frames.exactness import clean_angle, clean_length
 from kinematics.frames.parallels import PARALLEL_TOLERANCE, straighten
 from kinematics.frames.placement import draw_prismatic_axes
 from kinematics.frames.rounding import settled, slides_on_neighbours
-from kinematics.frames.rules import FrameFinding, FramePlace, broken_rules, own_axis, partner_axis
+from kinematics.frames.rules import FrameFinding, FramePlace, broken_rules
 from kinematics.se3 import (
     Transform,
     Vector,
@@ -135,7 +135,8 @@ def check_frames(
     size = robot_size(lines, first, last)
     frames, places, broken = _against_rules(read, lines, convention, size, rounding)
     sound = _sound(frames, broken)
-    shown = _shown_lines(lines, _drawn_lines(lines, frames, convention), size)
+    drawn = zip(_drawn_lines(lines, frames, convention), draw_prismatic_axes(lines, size), strict=True)
+    shown = [own or other for own, other in drawn]
     prescribed = {0: first, len(lines): last}
     judged = tuple(
         JudgedFrame(
@@ -249,12 +250,6 @@ def _drawn_lines(
     return drawn
 
 
-def _shown_lines(lines: Sequence[AxisLine], drawn: Sequence[AxisLine | None], size: float) -> list[AxisLine]:
-    """The axes for choosing from: prismatic axes where the student or else the assignment draws them."""
-    proposed = draw_prismatic_axes(lines, size)
-    return [own or other for own, other in zip(drawn, proposed, strict=True)]
-
-
 def _places(
     lines: Sequence[AxisLine], frames: Sequence[PartialPose], convention: Convention, size: float
 ) -> list[FramePlace]:
@@ -265,7 +260,8 @@ def _places(
 def _place(
     i: int, lines: Sequence[AxisLine], drawn: Sequence[AxisLine | None], convention: Convention, size: float
 ) -> FramePlace:
-    own, partner = own_axis(i, len(lines), convention), partner_axis(i, len(lines), convention)
+    before, after = i or None, i + 1 if i < len(lines) else None  # axis 1 … N, or none
+    own, partner = (after, before) if convention is Convention.STANDARD else (before, after)
     return FramePlace(
         index=i,
         convention=convention,
