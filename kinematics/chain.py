@@ -214,12 +214,7 @@ def frames_at_zero(table: NumericTable) -> list[Motion]:
 
 
 def table_at(table: NumericTable, joints: Sequence[float]) -> NumericTable:
-    """Return the table whose frames at q = 0 are those of a table at one configuration.
-
-    Args:
-        table: the DH table; its entries are finite.
-        joints: (n,) finite joint variables [rad, or m of a prismatic joint].
-    """
+    """Return the table whose frames at q = 0 are those of a table at one configuration."""
     rows = list(table.rows)
     for i, q in zip(table.joint_rows, joints, strict=True):
         row = rows[i]
@@ -306,12 +301,7 @@ def screw_bases(chain: Chain) -> Floats:
 
 
 def joint_motions(chain: Chain, joints: Floats) -> Transform:
-    """Return exp([S_i] q_i) for every joint and configuration, (n, m, 4, 4).
-
-    Args:
-        chain: the joint axes.
-        joints: (n, m) joint variables.
-    """
+    """Return exp([S_i] q_i), (n, m, 4, 4), of (n, m) joint variables: a row a joint, a column a configuration."""
     n, samples = joints.shape
     weights = np.empty((n, samples, 2))
     np.sin(joints, out=weights[:, :, 0])

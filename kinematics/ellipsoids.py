@@ -53,16 +53,7 @@ def velocity_ellipsoids(
     of prismatic joints count in characteristic lengths, those of revolute joints in radians, so that the
     shape is the same in metres and in millimetres.
 
-    Args:
-        table: the DH table.
-        joints: (n,) joint variables [rad, or the table's unit for a prismatic joint].
-        base: (4, 4) pose of frame 0 in the world; the identity if left out.
-        tool: (4, 4) pose of the tool in frame N; the identity if left out.
-
-    Raises:
-        JointValueError: not n finite values, or the result overflows.
-        PoseError: base or tool is not a rigid transform.
-        TableError: an entry of the table is NaN or infinite.
+    Args and raises as in `kinematics.forward_kinematics`, for one configuration.
 
     Source: T. Yoshikawa, Manipulability of robotic mechanisms, Int. J. Robotics Research 4 (1985) 3, sect. 3.
     """

@@ -89,16 +89,7 @@ def end_pose(
 ) -> Transform:
     """Return the pose of the end frame alone, (4, 4): what `forward_kinematics` calls `transform`.
 
-    Args:
-        table: the DH table.
-        joints: (n,) joint variables in joint order [rad, or m for a prismatic joint].
-        base: (4, 4) pose of frame 0 in the world; the identity if left out.
-        tool: (4, 4) pose of the tool in frame N; the identity if left out.
-
-    Raises:
-        JointValueError: not n finite values, or lengths so large that the result overflows.
-        PoseError: base or tool is not a rigid transform.
-        TableError: an entry of the table is NaN or infinite.
+    Args and raises as in `forward_kinematics`, for one configuration.
     """
     plan = plan_of(table, base, tool)
     values = configurations(joints, plan.n_joints)
@@ -113,19 +104,10 @@ def end_poses(
     Cosine and sine come from one tangent here (see `kinematics.angles`), so a pose may differ from that of
     `end_pose` in the last digits: by a few 1e-16 for each row, times the length of the chain.
 
-    Args:
-        table: the DH table.
-        joints: (m, n) joint variables, one configuration a row [rad, or m for a prismatic joint].
-        base: (4, 4) pose of frame 0 in the world; the identity if left out.
-        tool: (4, 4) pose of the tool in frame N; the identity if left out.
+    Args and raises as in `forward_kinematics`, for (m, n) joint variables, one configuration a row.
 
     Returns:
         (m, 4, 4) transforms.
-
-    Raises:
-        JointValueError: not m rows of n finite values, or lengths so large that a result overflows.
-        PoseError: base or tool is not a rigid transform.
-        TableError: an entry of the table is NaN or infinite.
     """
     plan = plan_of(table, base, tool)
     return plan.pose.many(many_configurations(joints, plan.n_joints))

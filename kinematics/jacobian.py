@@ -142,15 +142,7 @@ def dexterity(
     two-link arm is singular in its translation, not in its twist: it can still tell its two joints apart by
     the rotation of the tip.
 
-    Args:
-        table: the DH table.
-        joints: (n,) joint variables [rad, or m for a prismatic joint], or (m, n) for a batch.
-        base: (4, 4) pose of frame 0 in the world; the identity if left out.
-        tool: (4, 4) pose of the tool in frame N; the identity if left out.
-        tolerance: singular values below this fraction of the largest count as zero.
-
-    Raises:
-        JointValueError, PoseError, TableError: as of `jacobian`.
+    Args and raises as in `jacobian`; singular values below `tolerance` times the largest count as zero.
 
     Source: T. Yoshikawa, Manipulability of robotic mechanisms, Int. J. Robotics Research 4 (1985) 3, eq. 8.
     """

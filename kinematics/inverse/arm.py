@@ -188,10 +188,7 @@ def arm_of(
 def low_discrepancy(count: int, dimension: int, skip: int = 0) -> Array:
     """Return the points of the additive recurrence x_k = frac(½ + k·α), α from the generalised golden ratio.
 
-    Args:
-        count: how many.
-        dimension: of the cube [0, 1)ⁿ.
-        skip: how many points of the sequence to leave out first.
+    The first `skip` points of the sequence are left out.
 
     Source: M. Roberts, The unreasonable effectiveness of quasirandom sequences (2018).
     """

@@ -113,13 +113,7 @@ def table_from_urdf(
 def chain_from_urdf(text: str, *, base_link: str | None = None, tip_link: str | None = None) -> UrdfChain:
     """Return one serial chain of a URDF description.
 
-    Args:
-        text: the description, XML.
-        base_link: name of the first link; the root if left out.
-        tip_link: name of the last link; may be left out if only one link carries no other.
-
-    Raises:
-        DescriptionError: the text cannot be read, or the chain is none that a DH table can hold.
+    Args and raises as in `table_from_urdf`.
     """
     document = read_document(text)
     steps = serial_chain(document, base_link, tip_link)
