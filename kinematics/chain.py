@@ -301,7 +301,7 @@ def screw_bases(chain: Chain) -> Floats:
 
 
 def joint_motions(chain: Chain, joints: Floats) -> Transform:
-    """Return exp([S_i] q_i), (n, m, 4, 4), of (n, m) joint variables: a row a joint, a column a configuration."""
+    """Return exp([S_i] q_i), (n, m, 4, 4), of (n, m) joint variables, one configuration a column."""
     n, samples = joints.shape
     weights = np.empty((n, samples, 2))
     np.sin(joints, out=weights[:, :, 0])
