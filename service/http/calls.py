@@ -17,12 +17,12 @@ from collections.abc import Callable, Mapping
 from functools import partial
 from inspect import iscoroutinefunction
 from types import UnionType
-from typing import Annotated, Any, TypeVar, Union, get_args, get_type_hints
+from typing import Any, TypeVar, Union, get_args, get_type_hints
 
 from fastapi import APIRouter, Response
 
 from service.http.languages import language_of
-from service.http.openapi import body_with, problems
+from service.http.openapi import problems
 from service.http.routing import API_PREFIX, ApiRequest, ApiRoute
 from service.work.limiters import WorkKind
 
@@ -43,15 +43,14 @@ class CallRouter(APIRouter):
     def __init__(self, tag: str, route_class: type[ApiRoute] = ApiRoute) -> None:
         super().__init__(prefix=API_PREFIX, tags=[tag], route_class=route_class)
 
-    def judge(self, path: str, summary: str, examples: Mapping[str, Any]) -> Callable[[_Function], _Function]:
+    def judge(self, path: str, summary: str) -> Callable[[_Function], _Function]:
         """Return what makes a function answer POST at a path in the threads in which answers are judged."""
-        return self.call(path, summary, examples, kind=WorkKind.GRADING)
+        return self.call(path, summary, kind=WorkKind.GRADING)
 
     def call(
         self,
         path: str,
         summary: str,
-        examples: Mapping[str, Any],
         *,
         kind: WorkKind | None = None,
         answer: Any = None,
@@ -62,7 +61,6 @@ class CallRouter(APIRouter):
         Args:
             path: below /api/v1.
             summary: of the call, for OpenAPI; the function's docstring describes it.
-            examples: bodies by name; a test sends each of them.
             kind: in whose threads it is done; left out, it takes a few milliseconds for a small body.
             answer: the answer's shape, if the function returns nothing but a response.
             exclude_none: whether fields without a value are left out of the answer.
@@ -89,7 +87,7 @@ class CallRouter(APIRouter):
                 return await request.resources.limiters[kind].run(work)
 
             endpoint.__name__, endpoint.__doc__ = function.__name__, function.__doc__
-            endpoint.__annotations__ = {"body": Annotated[asked, body_with(examples)], "request": ApiRequest}
+            endpoint.__annotations__ = {"body": asked, "request": ApiRequest}
             self.post(
                 path,
                 summary=summary,

@@ -5,9 +5,10 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Mapping, Sequence
+from pathlib import Path
 from typing import Any
 
-from fastapi import Body, FastAPI
+from fastapi import FastAPI
 from fastapi.openapi.utils import get_openapi
 from pydantic import BaseModel
 from pydantic.json_schema import models_json_schema
@@ -16,6 +17,7 @@ from service.http.problem_documents import PROBLEM_JSON
 from service.http.routing import API_PREFIX, JSON
 from service.schemas.base import ProblemDocument
 
+_EXAMPLES = Path(__file__).parent.parent / "examples"
 _REFERENCE = "#/components/schemas/{model}"
 _DECLARED: dict[str, type[BaseModel]] = {}
 
@@ -31,31 +33,17 @@ DESCRIPTIONS: dict[int, str] = {
 }
 
 
-def request_body(
-    model: type[BaseModel], examples: Mapping[str, Any], **other: Mapping[str, Any]
-) -> dict[str, Any]:
+def request_body(model: type[BaseModel], **other: Mapping[str, Any]) -> dict[str, Any]:
     """Return what OpenAPI says of a direct route's body: `openapi_extra` of the route.
 
     Args:
         model: the JSON body's shape.
-        examples: bodies by name; a test sends each of them.
         other: further media types, by the name of their subtype with an underscore for each hyphen.
     """
     _DECLARED[model.__name__] = model
-    content: dict[str, Any] = {
-        JSON: {"schema": {"$ref": _REFERENCE.format(model=model.__name__)}, "examples": _named(examples)}
-    }
+    content: dict[str, Any] = {JSON: {"schema": {"$ref": _REFERENCE.format(model=model.__name__)}}}
     content |= {f"application/{name.replace('_', '-')}": dict(entry) for name, entry in other.items()}
     return {"requestBody": {"required": True, "content": content}}
-
-
-def body_with(examples: Mapping[str, Any]) -> Any:
-    """Return what OpenAPI says of a validated body, for `Annotated`: bodies by name; a test sends each."""
-    return Body(openapi_examples=_named(examples))
-
-
-def _named(examples: Mapping[str, Any]) -> dict[str, Any]:
-    return {name: {"summary": name, "value": value} for name, value in examples.items()}
 
 
 NPY_QUERY: dict[str, Any] = {
@@ -113,8 +101,14 @@ def document(app: FastAPI, tags: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
         components.setdefault(name, definition)
     for unused in ("HTTPValidationError", "ValidationError"):
         components.pop(unused, None)
+    examples = examples_by_call()
     for path, operations in schema["paths"].items():
         for method, operation in operations.items():
+            if "requestBody" in operation:
+                shown = examples[path.removeprefix(API_PREFIX)]
+                operation["requestBody"]["content"][JSON]["examples"] = {
+                    name: {"summary": name, "value": body} for name, body in shown.items()
+                }
             operation["operationId"] = _identifier(path, method, len(operations))
             _refuse_alike(operation)
             _put_in_order(operation)
@@ -123,6 +117,24 @@ def document(app: FastAPI, tags: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
     order = [tag["name"] for tag in tags]
     schema["paths"] = dict(sorted(schema["paths"].items(), key=lambda item: _rank(item[1], order)))
     return schema
+
+
+def examples_by_call() -> dict[str, dict[str, Any]]:
+    """Return the bodies that the document shows, by a call's address and their names; a test sends each.
+
+    In the files of `service/examples`, {"$ref": name} stands for what is shared by several of them.
+    """
+    shared, calls = (json.loads((_EXAMPLES / name).read_bytes()) for name in ("shared.json", "calls.json"))
+
+    def whole(value: Any) -> Any:
+        if isinstance(value, list):
+            return [whole(entry) for entry in value]
+        if not isinstance(value, dict):
+            return value
+        return shared[value["$ref"]] if "$ref" in value else {name: whole(value[name]) for name in value}
+
+    found: dict[str, dict[str, Any]] = whole(calls)
+    return found
 
 
 def _identifier(path: str, method: str, methods: int) -> str:

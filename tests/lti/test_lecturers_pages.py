@@ -13,7 +13,7 @@ from playwright.sync_api import Page, Route, expect
 from courses.people.administration import invite_administrator
 from courses.storage.database import Store
 from service.course_resources import now
-from service.schemas.exercises.examples_authoring import TWO_LINKS
+from tests.examples import DRAFT
 from tests.lti.classes import TEACHER, Browser, Lms, hint
 from tests.lti.test_in_a_browser import PATIENCE, chromium, framed  # noqa: F401
 from tests.lti.test_launches import CUSTOM, RIGHT, WRONG
@@ -169,7 +169,7 @@ def test_rules_of_a_published_exercise_keep_it(
     page: Page, browser: Browser, another_browser: Callable[[], Browser], lms: Lms, service: str
 ) -> None:
     """It stands in no list: the form showed the first of the list, which a new deadline chose."""
-    published = browser.api("POST", "author/publish", {"draft": TWO_LINKS}).json()["id"]
+    published = browser.api("POST", "author/publish", {"draft": DRAFT}).json()["id"]
     where = {"resource": "own", "context": "own", "custom": {"exercise": published}}
     browser.launch("ann", hint(**where))
     arrived(page, lms, "tina", hint([TEACHER], **where))

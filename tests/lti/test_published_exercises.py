@@ -8,8 +8,8 @@ from typing import Any
 
 import pytest
 
-from service.schemas.exercises.examples_authoring import TWO_LINKS
 from service.settings import Publishers, Settings
+from tests.examples import DRAFT
 from tests.lti.classes import TEACHER, Browser, Lms, eventually, hint
 
 PUBLISH = "author/publish"
@@ -45,7 +45,7 @@ def choosing(browser: Browser) -> str:
 
 
 def draft(**more: Any) -> dict[str, Any]:
-    return {"draft": {**TWO_LINKS, **more}}
+    return {"draft": {**DRAFT, **more}}
 
 
 def test_a_published_draft_is_chosen_launched_and_graded(browser: Browser, lms: Lms) -> None:
@@ -56,7 +56,7 @@ def test_a_published_draft_is_chosen_launched_and_graded(browser: Browser, lms: 
     assert lms.client.post(made["address"], data={"JWT": made["jwt"]}).status_code == 200
     (item,) = lms.state()["returned"][-1]["items"]
     assert item["lineItem"]["scoreMaximum"] == 8
-    assert item["title"] == TWO_LINKS["definition"]["title"]["en"]
+    assert item["title"] == DRAFT["definition"]["title"]["en"]
     link = hint(resource="own", custom=item["custom"])
     browser.launch("ann", link)
     assert browser.landed.endswith(f"/exercises/{published['id']}")

@@ -10,8 +10,7 @@ import copy
 from typing import Any
 
 from kinematics.catalogue import robot_ids
-from service.schemas.examples import TWO_LINKS
-from service.schemas.kinematics.scm import SCARA
+from tests.examples import SCARA_CHAIN, TWO_LINKS
 
 CELLS = [0, 1, -0.5, 0.3, "pi/2", "-pi/2", "L1", "2*L1 + 0.1", "L2", "sqrt(2)/2"]
 TURNS = ["q1", "q2", "q3 + pi/2", "0"]
@@ -41,7 +40,7 @@ _PARAMETERS = {
 
 _WHOLE: dict[str, Any] = {
     "Table": TWO_LINKS,
-    "ScmChainModel": SCARA,
+    "ScmChainModel": SCARA_CHAIN,
     "ScrewProduct": {"screws": [{"linear": [0, 0, 0], "angular": [0, 0, 1]}], "home": _STRAIGHT},
 }
 """One of each robot that bodies hold."""

@@ -13,8 +13,8 @@ import numpy as np
 import pytest
 
 from service.messages import languages
-from service.schemas.examples import PUMA_560
 from service.settings import Settings
+from tests.examples import PUMA_560
 from tests.live_service import running
 
 FK = "/api/v1/forward-kinematics"

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from service.schemas.examples import CYLINDRICAL, PUMA_560
+from tests.examples import CYLINDRICAL, PUMA_560
 from tests.service import oracle
 from tests.service.test_bad_input import check_problem
 from tests.service.test_forward_kinematics import questions

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from kinematics import catalogue
-from service.schemas.examples import CYLINDRICAL, PUMA_560
+from tests.examples import CYLINDRICAL, PUMA_560
 from tests.service.test_bad_input import check_problem
 
 CONVERT = "/api/v1/convert"

@@ -20,13 +20,12 @@ from schemathesis.specs.openapi.checks import positive_data_acceptance
 
 from service.routes.kinematics.scm_inverse import RandomConfigurationRequest
 from service.routes.kinematics.workspace import WorkspaceRequest
-from service.schemas.examples import TWO_LINKS
 from service.schemas.kinematics.conversion import ConvertRequest
 from service.schemas.kinematics.inverse_kinematics import NumericInverseKinematicsRequest
-from service.schemas.kinematics.scm import SCARA
 from tests.conftest import EXPLORE
 from tests.document import DOCUMENT
 from tests.drawn_calls import for_each_call
+from tests.examples import SCARA_CHAIN, TWO_LINKS
 from tests.service.likely_requests import likely, with_whole_robots
 
 EXAMPLES = 40 if EXPLORE else 5
@@ -162,7 +161,12 @@ CHOICES: dict[type[BaseModel], dict[str, list[Any]]] = {
         "axis": [[0, 0, 1]],
         "samples": [5, 5.0],
     },
-    RandomConfigurationRequest: {"chain": [SCARA], "robot": ["puma560"], "count": [1, 1.0], "seed": [2.0]},
+    RandomConfigurationRequest: {
+        "chain": [SCARA_CHAIN],
+        "robot": ["puma560"],
+        "count": [1, 1.0],
+        "seed": [2.0],
+    },
 }
 
 

@@ -16,9 +16,9 @@ import pytest
 from exercises.definition import Exercise
 from exercises.needs import unneeded_dimensions
 from service.__main__ import main
-from service.schemas.exercises.examples_grading import ANSWERS, SCARA_BY_THE_BOOK
 from service.settings import Settings
 from service.wire.exercises import exercise_views
+from tests.examples import ANSWERS, SCARA_BY_THE_BOOK
 from tests.exercises.folders import folder
 from tests.exercises.packaged import exercise, exercise_ids, table_ids
 from tests.live_service import running

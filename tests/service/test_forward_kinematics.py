@@ -11,8 +11,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from service.schemas.examples import PUMA_560
 from service.settings import Settings
+from tests.examples import PUMA_560
 from tests.live_service import running
 from tests.service import oracle
 

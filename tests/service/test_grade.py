@@ -7,7 +7,7 @@ from typing import Any
 import httpx
 import pytest
 
-from service.schemas.exercises.examples_grading import GRADE, RX90, SCARA, SCARA_BY_THE_BOOK
+from tests.examples import GRADE, RX90, SCARA, SCARA_BY_THE_BOOK
 
 
 def grade(client: httpx.Client, **body: Any) -> httpx.Response:

@@ -13,9 +13,9 @@ from kinematics.catalogue import robot, robot_ids
 from kinematics.cells import AngleUnit, bind_parameters
 from kinematics.forward import end_pose
 from kinematics.table import JointType
-from service.schemas.examples import PUMA_560
 from service.wire.kinematics import inverse_solutions
 from service.work.workers import Lane, Workers
+from tests.examples import PUMA_560
 
 URL = "/api/v1/inverse-kinematics"
 

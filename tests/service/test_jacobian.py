@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 
-from service.schemas.examples import PUMA_560, TWO_LINKS
+from tests.examples import PUMA_560, TWO_LINKS
 from tests.service import oracle
 from tests.service.test_bad_input import check_problem
 from tests.service.test_forward_kinematics import questions

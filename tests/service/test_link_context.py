@@ -16,8 +16,8 @@ from exercises.access import Tool
 from exercises.grading import HelpLevel
 from service.http.link_context import HEADER, LinkContext, signed, verified
 from service.http.problems import ForbiddenError
-from service.schemas.exercises.examples_grading import SCARA_BY_THE_BOOK
 from service.settings import Settings
+from tests.examples import SCARA_BY_THE_BOOK
 from tests.exercises.folders import TWO_LINKS, folder
 from tests.live_service import running
 

@@ -19,8 +19,8 @@ import pytest
 from kinematics.expressions import evaluate
 from kinematics.printing import Format
 from service.app import create_app
-from service.routes.kinematics.symbolic import PUMA_LENGTHS
 from service.settings import Settings
+from tests.examples import PUMA_LENGTHS
 from tests.kinematics.printing.tree_reader import from_tree
 from tests.live_service import running
 
@@ -301,7 +301,7 @@ def test_sympy_is_never_imported() -> None:
 import asyncio, json, sys
 import httpx
 from service.app import create_app
-from service.routes.kinematics.symbolic import PUMA_LENGTHS
+from tests.examples import PUMA_LENGTHS
 from service.work.workers import Lane
 
 async def main():

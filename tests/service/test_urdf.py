@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from kinematics import catalogue
-from service.schemas.examples import CYLINDRICAL, PUMA_560, TURNING_ARM
+from tests.examples import CYLINDRICAL, PUMA_560, TURNING_ARM
 from tests.kinematics.urdf.foreign import foreign_poses
 from tests.service.test_bad_input import check_problem
 

@@ -299,7 +299,7 @@ def test_the_main_module_is_never_run_again_nor_needed() -> None:
     program = """
 from starlette.testclient import TestClient
 from service.app import create_app
-from service.routes.kinematics.symbolic import PUMA_LENGTHS
+from tests.examples import PUMA_LENGTHS
 print("begin")
 print(TestClient(create_app()).post("/api/v1/symbolic", json={"table": PUMA_LENGTHS}).status_code)
 """

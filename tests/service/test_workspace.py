@@ -8,7 +8,7 @@ import httpx
 import numpy as np
 import pytest
 
-from service.schemas.examples import CYLINDRICAL, PUMA_560, TWO_LINKS
+from tests.examples import CYLINDRICAL, PUMA_560, TWO_LINKS
 from tests.service.test_bad_input import check_problem
 
 PATH = "/api/v1/workspace"

@@ -15,8 +15,8 @@ from playwright.sync_api import Locator, Page, Route, expect
 from exercises.authoring.archive import draft_of_archive
 from exercises.authoring.draft import exercise_of_draft
 from exercises.selftest.checks import check_values
-from service.schemas.exercises.examples_authoring import TWO_LINKS
 from service.settings import Settings
+from tests.examples import DRAFT
 from tests.live_service import running
 from tests.web.conftest import LANGUAGES, WITHOUT_FRAGMENT, OpenPage, Watch
 from tests.web.driving import cell, put_table
@@ -241,7 +241,7 @@ def test_an_arm_from_urdf(open_page: OpenPage) -> None:
 
 def kept(page: Page) -> None:
     """Have two links in the browser as if they had been written there before."""
-    work = json.dumps({"draft": TWO_LINKS, "source": None})
+    work = json.dumps({"draft": DRAFT, "source": None})
     page.add_init_script(
         f"""if (location.protocol !== "about:" && !sessionStorage.getItem("kept")) {{
           sessionStorage.setItem("kept", "once");

@@ -24,7 +24,7 @@ from kinematics.symbolic import ProofStatus
 from service.http.calls import CallRouter
 from service.schemas.base import Real, Wire
 from service.schemas.choices import forbidding, together
-from service.schemas.kinematics.dynamics_request import DYNAMICS, WeighedRobot
+from service.schemas.kinematics.dynamics_request import WeighedRobot
 from service.schemas.kinematics.robot_question import NO_ROBOT
 from service.schemas.spoken import feedback_sentence
 from service.schemas.tables import Cell, Units, units_of
@@ -71,24 +71,10 @@ class CheckDynamicsAnswer(Units):
     mistakes: list[DynamicsMistakeModel] = Field(description="the usual slips that explain a wrong answer")
 
 
-_TWO_LINKS = DYNAMICS["two links in a vertical plane, let go"]
-
-_EXAMPLES: dict[str, Any] = {
-    "two links: a C that is right, but not of Christoffel symbols": {
-        "table": _TWO_LINKS["table"],
-        "links": _TWO_LINKS["links"],
-        "parameters": {**_TWO_LINKS["parameters"], "g": 9.81},
-        "gravity": [0, "-g", 0],
-        "C": [["-2*m2*L1*r2*s2*dq2", "-m2*L1*r2*s2*dq2"], ["m2*L1*r2*s2*dq1", 0]],
-        "g": ["(m1*r1 + m2*L1)*g*c1 + m2*r2*g*c12", "m2*r2*g*c12"],
-    }
-}
-
-
 router = CallRouter("kinematics")
 
 
-@router.judge("/check-dynamics", "Are these M, C and g those of the robot?", _EXAMPLES)
+@router.judge("/check-dynamics", "Are these M, C and g those of the robot?")
 def check_dynamics(body: CheckDynamicsRequest, settings: Settings, language: str) -> CheckDynamicsAnswer:
     """Judge M and g entry by entry, and C by C q̇: every C with the right C q̇ is right.
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from contextlib import suppress
 from functools import partial
-from typing import Annotated, Any, NamedTuple
+from typing import Annotated, NamedTuple
 
 import numpy as np
 from pydantic import Field
@@ -26,7 +26,6 @@ from kinematics.table import JointType
 from service.http.calls import CallRouter
 from service.http.problems import located
 from service.resources import Resources
-from service.schemas import examples
 from service.schemas.base import Matrix4, OneOf, Real, Wire
 from service.schemas.kinematics.robot_question import JointRanges, PoseInput, RobotQuestion, domain_limits
 from service.schemas.spoken import SpokenFeedback, spoken
@@ -94,21 +93,6 @@ class CheckInverseKinematicsAnswer(Units):
 
 router = CallRouter("kinematics")
 
-_EXAMPLES: dict[str, Any] = {
-    "two links, one of the two elbows": {
-        "table": examples.TWO_LINKS,
-        "parameters": {"L1": 0.5, "L2": 0.3},
-        "target": [[1, 0, 0, 0.5], [0, 1, 0, 0.3], [0, 0, 1, 0], [0, 0, 0, 1]],
-        "position_only": True,
-        "solutions": [[0, 1.5707963]],
-    },
-    "out of reach": {
-        "table": examples.TWO_LINKS,
-        "parameters": {"L1": 0.5, "L2": 0.3},
-        "target": [[1, 0, 0, 2], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]],
-        "claim": "out_of_reach",
-    },
-}
 
 ROUNDED = 2e-3
 """How far a target may be from a rigid motion: three decimals."""
@@ -122,9 +106,7 @@ class _Asked(NamedTuple):
     own: Certificate | None
 
 
-@router.call(
-    "/check-inverse-kinematics", "Do these joint values reach the pose, and are they all?", _EXAMPLES
-)
+@router.call("/check-inverse-kinematics", "Do these joint values reach the pose, and are they all?")
 async def check_inverse_kinematics(
     body: CheckInverseKinematicsRequest, robot: PreparedRobot, resources: Resources, language: str
 ) -> CheckInverseKinematicsAnswer:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any, ClassVar
+from typing import Annotated, ClassVar
 
 from pydantic import Field
 
@@ -71,27 +71,7 @@ class CheckRotationAnswer(Wire):
     mistakes: list[RotationMistakeModel] = Field(description="the usual slips that explain a wrong answer")
 
 
-_QUARTER = [[0, -1, 0], [1, 0, 0], [0, 0, 1]]
-_EXAMPLES: dict[str, Any] = {
-    "the negative of a quaternion": {
-        "expected": {"matrix": _QUARTER},
-        "answer": {"quaternion": [-0.7071, 0, 0, -0.7071]},
-    },
-    "both triples": {
-        "angle_unit": "deg",
-        "expected": {"angles": [30, 60, -45], "axes": "ZYZ"},
-        "answer": {"triples": [[30, 60, -45], [210, -60, 135]], "axes": "ZYZ"},
-        "every": True,
-    },
-    "fixed axes for current ones": {
-        "angle_unit": "deg",
-        "expected": {"angles": [30, 45, -60]},
-        "answer": {"angles": [30, 45, -60], "turning": "fixed"},
-    },
-}
-
-
-@router.call("/check-rotation", "Does an answer mean this orientation?", _EXAMPLES)
+@router.call("/check-rotation", "Does an answer mean this orientation?")
 def check_rotation(body: CheckRotationRequest, language: str) -> CheckRotationAnswer:
     """Return whether an answer in any notation means the orientation, and what a wrong one looks like.
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any
+from typing import Annotated
 
 import numpy as np
 from pydantic import Field
@@ -10,7 +10,6 @@ from pydantic import Field
 from kinematics.answers.screw_answers import ScrewAnswer, ScrewFrame, ScrewMistake, ScrewOrder, judge_screws
 from kinematics.errors import DescriptionError, Fault
 from service.http.calls import CallRouter
-from service.schemas import examples
 from service.schemas.base import Matrix4, OneOf, Real, Wire
 from service.schemas.exercises.verdicts import PolicyModel
 from service.schemas.kinematics.robot_question import PoseInput, RobotQuestion
@@ -67,17 +66,8 @@ router = CallRouter("kinematics")
 LARGEST = 1e6
 """Numbers beyond this are no screws of a robot in any unit: squares of them would not be told apart."""
 
-_EXAMPLES: dict[str, Any] = {
-    "two links, the second axis the other way round": {
-        "table": examples.TWO_LINKS,
-        "parameters": {"L1": 0.5, "L2": 0.3},
-        "screws": [[0, 0, 0, 0, 0, 1], [0, 0.5, 0, 0, 0, -1]],
-        "home": [[1, 0, 0, 0.8], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]],
-    }
-}
 
-
-@router.judge("/check-screws", "Are these screws and this home pose the robot?", _EXAMPLES)
+@router.judge("/check-screws", "Are these screws and this home pose the robot?")
 def check_screws(body: CheckScrewsRequest, robot: PreparedRobot, language: str) -> CheckScrewsAnswer:
     """Judge screws: either sense of an axis, any point on it, any zero, space or body, any prismatic length.
 

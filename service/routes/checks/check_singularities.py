@@ -17,7 +17,6 @@ from kinematics.inverse.lengths import check_lengths
 from kinematics.symbolic import ProofStatus
 from kinematics.symbolic.determinants import MotionRows
 from service.http.calls import CallRouter
-from service.schemas import examples
 from service.schemas.base import OneOf, Real, Wire
 from service.schemas.choices import forbidding, together
 from service.schemas.kinematics.robot_question import NO_ROBOT, RobotQuestion
@@ -91,23 +90,8 @@ class CheckSingularitiesAnswer(Units):
 
 router = CallRouter("kinematics")
 
-_EXAMPLES: dict[str, Any] = {
-    "two links that position a point": {
-        "table": examples.TWO_LINKS,
-        "parameters": {"L1": 0.5, "L2": 0.3},
-        "motion": "translation",
-        "conditions": ["q2 = 0, pi"],
-        "joints": [0, 0],
-        "lost": [1, 0, 0],
-    },
-    "PUMA 560: the wrist is missing": {
-        "robot": "puma560",
-        "conditions": ["tan(q3) = -d4/a3", "a2*c2 + a3*c23 - d4*s23 = 0"],
-    },
-}
 
-
-@router.judge("/check-singularities", "Is the arm singular just where these conditions hold?", _EXAMPLES)
+@router.judge("/check-singularities", "Is the arm singular just where these conditions hold?")
 def check_singularities(
     body: CheckSingularitiesRequest, robot: PreparedRobot, language: str
 ) -> CheckSingularitiesAnswer:

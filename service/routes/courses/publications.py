@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import Annotated
 
 from fastapi import Response
 
@@ -15,11 +14,9 @@ from exercises.authoring.trials import trial
 from kinematics.errors import Fault
 from service.course_callers import in_thread, json_response, signed_in
 from service.course_resources import now
-from service.http.openapi import body_with
 from service.http.problems import ForbiddenError
 from service.http.routing import ApiRequest, api_router
 from service.schemas.exercises import authoring as wire
-from service.schemas.exercises import examples_authoring as examples
 from service.settings import Publishers
 from service.wire.exercises.drafts import draft_refused
 from service.work.workers import Lane
@@ -33,9 +30,7 @@ router = api_router("authoring")
     summary="Publish a draft",
     include_in_schema=False,  # like all that needs storage
 )
-async def publish_draft(
-    body: Annotated[wire.PublishRequest, body_with(examples.DRAFT)], request: ApiRequest
-) -> Response:
+async def publish_draft(body: wire.PublishRequest, request: ApiRequest) -> Response:
     """Keep this version of the exercise under an address of its own, for good.
 
     The address is made from the content. It is in no list; whoever has it can use the exercise as any

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import Annotated, Any
+from typing import Any
 
 from fastapi import Response
 
@@ -14,13 +14,12 @@ from exercises.grader import grade
 from exercises.instance import generate
 from service.http.calls import CallRouter
 from service.http.languages import language_of
-from service.http.openapi import body_with, problems, request_body
+from service.http.openapi import problems, request_body
 from service.http.problems import located
 from service.http.routing import JSON, ApiRequest, DirectRoute, api_router
 from service.http.validation import validated
 from service.messages import robot_name
 from service.schemas.exercises import authoring as wire
-from service.schemas.exercises import examples_authoring as examples
 from service.schemas.exercises.exercises import ExerciseAnswer, GradedModel
 from service.wire.exercises.drafts import (
     draft_body,
@@ -46,7 +45,7 @@ LARGEST_BODY = 2 * LARGEST_ARCHIVE
 """Of an archive in base64, with what is around it."""
 
 
-@router.call("/author/start", "Start an exercise", examples.START, answer=wire.StartAnswer)
+@router.call("/author/start", "Start an exercise", answer=wire.StartAnswer)
 async def start_draft(body: wire.StartRequest, request: ApiRequest) -> Response:
     """Start a draft from a catalogue robot, a DH table, drawn joint axes, an SCM chain or a URDF description.
 
@@ -57,7 +56,7 @@ async def start_draft(body: wire.StartRequest, request: ApiRequest) -> Response:
     return _json({**draft_body(draft), "axes": axes}, language_of(request))
 
 
-@router.call("/author/preview", "A draft as students will see it", examples.DRAFT, answer=wire.PreviewAnswer)
+@router.call("/author/preview", "A draft as students will see it", answer=wire.PreviewAnswer)
 async def preview_draft(body: wire.DraftRequest, request: ApiRequest) -> Response:
     """Return the exercise with its figure, and what the policy leaves free for this robot.
 
@@ -71,7 +70,7 @@ async def preview_draft(body: wire.DraftRequest, request: ApiRequest) -> Respons
     return _json(found, language)
 
 
-@router.call("/author/check", "A round of a draft's self-test", examples.CHECK, answer=wire.SelfTestAnswer)
+@router.call("/author/check", "A round of a draft's self-test", answer=wire.SelfTestAnswer)
 async def check_draft(body: wire.CheckRequest, request: ApiRequest) -> Response:
     """Run `framewise exercises check` for the values of one seed, with some of the listed mistakes."""
     language = language_of(request)
@@ -80,9 +79,7 @@ async def check_draft(body: wire.CheckRequest, request: ApiRequest) -> Response:
     return _json(self_test_body(findings, body.seed, language), language)
 
 
-@router.call(
-    "/author/right-answers", "Right answers that look different", examples.DRAFT, answer=wire.RehearsalAnswer
-)
+@router.call("/author/right-answers", "Right answers that look different", answer=wire.RehearsalAnswer)
 async def right_answers_of_draft(body: wire.RightAnswersRequest, request: ApiRequest) -> Response:
     """Return right tables with other frames, signs, zeros and conventions, as far as the policy allows."""
     return await _rehearsed(request, rehearsed_right, body.draft, body.count)
@@ -91,7 +88,6 @@ async def right_answers_of_draft(body: wire.RightAnswersRequest, request: ApiReq
 @router.call(
     "/author/mistakes",
     "The commonest wrong answers and their marks",
-    examples.DRAFT,
     answer=wire.RehearsalAnswer,
 )
 async def mistakes_of_draft(body: wire.DraftRequest, request: ApiRequest) -> Response:
@@ -102,7 +98,7 @@ async def mistakes_of_draft(body: wire.DraftRequest, request: ApiRequest) -> Res
     return await _rehearsed(request, rehearsed_mistakes, body.draft)
 
 
-@router.call("/author/grade", "Judge an answer to a draft", examples.TRY, answer=GradedModel)
+@router.call("/author/grade", "Judge an answer to a draft", answer=GradedModel)
 async def grade_against_draft(body: wire.TryRequest, request: ApiRequest) -> Response:
     """Return the verdict that a student would get. Nothing is recorded."""
     language = language_of(request)
@@ -127,9 +123,7 @@ async def grade_against_draft(body: wire.TryRequest, request: ApiRequest) -> Res
     response_class=Response,
     summary="The folder of a draft",
 )
-async def folder_of_draft(
-    body: Annotated[wire.DraftRequest, body_with(examples.DRAFT)], request: ApiRequest
-) -> Response:
+async def folder_of_draft(body: wire.DraftRequest, request: ApiRequest) -> Response:
     """Return the folder as a zip archive, the same bytes for the same draft."""
     draft = body.draft.draft()
     with draft_refused():
@@ -143,7 +137,7 @@ async def folder_of_draft(
     "/author/import",
     response_model=wire.DraftAnswer,
     responses=problems(503),
-    openapi_extra=request_body(wire.ImportRequest, examples.IMPORT),
+    openapi_extra=request_body(wire.ImportRequest),
     summary="The draft in a folder",
 )
 async def import_draft(request: ApiRequest) -> Response:

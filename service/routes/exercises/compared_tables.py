@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any
+from typing import Annotated
 
 import numpy as np
 from pydantic import Field
@@ -13,7 +13,6 @@ from exercises.parts.mistakes.compare_tables import ComparisonReason, true_reaso
 from kinematics.cells import Limits
 from service.http.calls import CallRouter
 from service.schemas.base import WHOLE, Wire
-from service.schemas.examples import ELBOW
 from service.schemas.exercises.verdicts import PolicyModel
 from service.schemas.spoken import SpokenFeedback, spoken
 from service.schemas.tables import Parameters, Table
@@ -72,12 +71,7 @@ class OtherTablesAnswer(Wire):
     )
 
 
-_REVERSED: dict[str, Any] = {**ELBOW, "rows": [{**ELBOW["rows"][0], "alpha": -90}, *ELBOW["rows"][1:]]}
-_OTHERS = {"an elbow arm, in its own convention": {"table": ELBOW, "policy": {"convention": "standard"}}}
-_COMPARE = {"the axes of joints 2 and 3 reversed": {"first": ELBOW, "second": _REVERSED}}
-
-
-@router.judge("/compare-tables", "Do two tables describe the same robot, and why?", _COMPARE)
+@router.judge("/compare-tables", "Do two tables describe the same robot, and why?")
 def compare_tables(body: CompareTablesRequest, limits: Limits, language: str) -> CompareTablesAnswer:
     """Return whether they are one robot, whichever way frames, zeros, directions and conventions were chosen.
 
@@ -95,7 +89,7 @@ def compare_tables(body: CompareTablesRequest, limits: Limits, language: str) ->
     )
 
 
-@router.judge("/other-tables", "Other tables of the same robot", _OTHERS)
+@router.judge("/other-tables", "Other tables of the same robot")
 def write_other_tables(body: OtherTablesRequest, limits: Limits) -> OtherTablesAnswer:
     """Return tables of a given one's robot that keep a policy, with what differs in their frames.
 

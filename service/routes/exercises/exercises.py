@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import lru_cache, partial
-from typing import Annotated, TypeVar
+from typing import Annotated, Any, TypeVar
 
 from fastapi import Path, Request, Response
 
@@ -13,7 +13,7 @@ from exercises.answers import parse
 from exercises.errors import AnswerError
 from exercises.grader import Report, grade
 from exercises.grading import HelpLevel
-from exercises.instance import Instance
+from exercises.instance import SEED_CHARACTERS, Instance
 from kinematics.errors import Fault
 from service.http.languages import language_of
 from service.http.link_context import LinkContext
@@ -22,8 +22,8 @@ from service.http.openapi import problems, request_body
 from service.http.problems import ForbiddenError, RequestError, RequestPart
 from service.http.routing import JSON, ApiRequest, DirectRoute, api_router
 from service.http.validation import validated
+from service.messages import languages
 from service.resources import resources_of
-from service.schemas.exercises import examples_grading as examples
 from service.schemas.exercises.exercises import ExerciseAnswer, ExerciseList, ExerciseModel, GradedModel
 from service.web.responses import IMMUTABLE, packed_response, text_response
 from service.wire.exercises.exercise_views import attempts_of, exercise_list, exercise_view, instance_of
@@ -44,13 +44,35 @@ Id = Annotated[
     str,
     Path(max_length=64, description="id of the exercise", openapi_examples={"PUMA": {"value": "puma560"}}),
 ]
-_ONE_STUDENTS = {"parameters": [examples.EXERCISE_ID, examples.SEED, examples.LANGUAGE]}
+_EXERCISE_ID: dict[str, Any] = {
+    "name": "exercise_id",
+    "in": "path",
+    "required": True,
+    "description": "id of the exercise",
+    "schema": {"type": "string", "maxLength": 64},
+    "examples": {"SCARA": {"value": "scara"}},
+}
+_SEED: dict[str, Any] = {
+    "name": "seed",
+    "in": "query",
+    "required": False,
+    "description": "names a student or a try; the same seed gives the same values",
+    "schema": {"type": "string", "maxLength": SEED_CHARACTERS},
+}
+_LANGUAGE: dict[str, Any] = {
+    "name": "lang",
+    "in": "query",
+    "required": False,
+    "description": "en, es, fr, pt, ro or uk; else Accept-Language decides",
+    "schema": {"type": "string", "enum": list(languages())},
+}
+_ONE_STUDENTS = {"parameters": [_EXERCISE_ID, _SEED, _LANGUAGE]}
 
 
 @router.get(
     "/exercises",
     response_model=ExerciseList,
-    openapi_extra={"parameters": [examples.LANGUAGE]},
+    openapi_extra={"parameters": [_LANGUAGE]},
     summary="All exercises",
 )
 async def list_exercises(request: ApiRequest) -> Response:
@@ -158,7 +180,7 @@ async def _figure(request: ApiRequest, caching: str, asked: str | None = None) -
     "/exercises/{exercise_id}/grade",
     response_model=GradedModel,
     responses=problems(404, 503),
-    openapi_extra={**request_body(ExerciseAnswer, examples.ANSWERS), **_ONE_STUDENTS},
+    openapi_extra={**request_body(ExerciseAnswer), **_ONE_STUDENTS},
     summary="Judge an answer to an exercise",
 )
 async def grade_answer(request: ApiRequest) -> Response:

@@ -22,7 +22,6 @@ from service.http.problems import ServiceError, located
 from service.http.routing import JSON, ApiRequest, BytesResponse, DirectRoute, api_router
 from service.http.validation import validated
 from service.schemas.base import ProblemDocument, Wire
-from service.schemas.exercises import examples_grading as examples
 from service.schemas.exercises.verdicts import Help, PolicyModel, VerdictModel
 from service.schemas.tables import Parameters, Table
 from service.wire.exercises.ungraded import answer_refused
@@ -87,7 +86,7 @@ MANY_TABLES = JsonLimits(lists=4 * MOST_SUBMISSIONS)
     summary="Judge a DH table by a key of your own",
     response_model=VerdictModel | ManyVerdicts,
     responses=problems(406, 503),
-    openapi_extra=request_body(GradeBody, examples.GRADE),
+    openapi_extra=request_body(GradeBody),
 )
 async def grade_table(request: ApiRequest) -> Response:
     """Return whether a submission describes the reference robot, whatever frames it was written in.

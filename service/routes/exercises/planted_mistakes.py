@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Annotated, Any, Literal, TypeVar
+from typing import Annotated, Literal, TypeVar
 
 from pydantic import Field
 
@@ -21,7 +21,6 @@ from kinematics.symbolic import Matrix
 from kinematics.table import Convention
 from service.http.calls import CallRouter
 from service.http.problems import RequestError
-from service.schemas import examples
 from service.schemas.base import OneOf, Wire
 from service.schemas.exercises.exercises import FigureFrame, Seed
 from service.schemas.exercises.verdicts import PolicyModel
@@ -104,25 +103,7 @@ class PlantFrameMistakeAnswer(Wire):
     mended: FigureFrame = Field(description="the wrong frame as it should be")
 
 
-_IN_TABLE: dict[str, Any] = {"an elbow arm": {"table": examples.ELBOW, "seed": "ana"}}
-_IN_MATRIX: dict[str, Any] = {
-    "a cylindrical arm": {"table": examples.CYLINDRICAL, "seed": "ana"},
-    "two links, their last frame": {"table": examples.TWO_LINKS, "matrix": "transform", "seed": "ana"},
-}
-_IN_FRAMES: dict[str, Any] = {
-    "a SCARA": {
-        "axes": [
-            {"joint": "revolute", "point": [0, 0, 0], "direction": [0, 0, 1]},
-            {"joint": "revolute", "point": [0.4, 0, 0], "direction": [0, 0, 1]},
-            {"joint": "prismatic", "point": [0.65, 0, 0], "direction": [0, 0, 1]},
-        ],
-        "convention": "standard",
-        "seed": "ana",
-    }
-}
-
-
-@router.judge("/plant-mistake", "A right table in, a table with one mistake out", _IN_TABLE)
+@router.judge("/plant-mistake", "A right table in, a table with one mistake out")
 def plant_mistake(body: PlantMistakeRequest, limits: Limits, language: str) -> PlantMistakeAnswer:
     """Plant a mistake of the catalogue, in one row, that makes the table another robot or breaks its policy.
 
@@ -145,7 +126,7 @@ def plant_mistake(body: PlantMistakeRequest, limits: Limits, language: str) -> P
     )
 
 
-@router.judge("/plant-matrix-mistake", "A right table in, one of its matrices with a mistake out", _IN_MATRIX)
+@router.judge("/plant-matrix-mistake", "A right table in, one of its matrices with a mistake out")
 def plant_matrix_mistake(
     body: PlantMatrixMistakeRequest, limits: Limits, language: str
 ) -> PlantMatrixMistakeAnswer:
@@ -170,7 +151,7 @@ def plant_matrix_mistake(
     )
 
 
-@router.judge("/plant-frame-mistake", "Joint axes in, frames with a mistake out", _IN_FRAMES)
+@router.judge("/plant-frame-mistake", "Joint axes in, frames with a mistake out")
 def plant_frame_mistake(body: PlantFrameMistakeRequest, language: str) -> PlantFrameMistakeAnswer:
     """Return the frames by the procedure of the lecture, one of which breaks one rule of the convention.
 

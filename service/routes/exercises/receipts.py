@@ -5,7 +5,7 @@ from __future__ import annotations
 import io
 from datetime import UTC, datetime
 from functools import partial
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Any
 
 import segno
 from fastapi import Request, Response
@@ -19,14 +19,13 @@ from kinematics.table import COLUMNS
 from service.http.languages import language_of
 from service.http.link_context import LinkContext
 from service.http.link_guard import context_of
-from service.http.openapi import body_with, problems
+from service.http.openapi import problems
 from service.http.routing import api_router
 from service.messages import sentence
 from service.receipts.receipt import LONGEST_NAME, PartScore, Receipt, answer_hash, issue
 from service.resources import AppResources
 from service.routes.exercises.exercises import Id, help_of, refuse_beyond, seed_of
 from service.schemas.base import Real, Wire
-from service.schemas.exercises import examples_grading
 from service.schemas.exercises.exercises import ExerciseAnswer
 from service.wire.exercises.exercise_views import attempts_of, instance_of
 from service.wire.exercises.figure_files import figure_file
@@ -59,7 +58,6 @@ class IssuedReceipt(Wire):
     issued: str = Field(description="when, in UTC (ISO 8601)")
 
 
-_RECEIPT: dict[str, Any] = {"a table": {"table": examples_grading.SCARA_BY_THE_BOOK, "name": "Ada Lovelace"}}
 _PDF = "application/pdf"
 _LETTERS = {"theta": "θ", "d": "d", "a": "a", "alpha": "α"}
 _OUTSIDE = {"name", "seed", "help", "attempt"}
@@ -75,7 +73,7 @@ _OUTSIDE = {"name", "seed", "help", "attempt"}
 async def issue_receipt(
     request: Request,
     exercise_id: Id,
-    body: Annotated[ReceiptRequest, body_with(_RECEIPT)],
+    body: ReceiptRequest,
     resources: AppResources,
 ) -> Any:
     """Return a compact JWS that says what an answer earned, for a student to hand to a lecturer.
@@ -105,7 +103,7 @@ async def issue_receipt(
 async def receipt_page(
     request: Request,
     exercise_id: Id,
-    body: Annotated[ReceiptRequest, body_with(_RECEIPT)],
+    body: ReceiptRequest,
     resources: AppResources,
 ) -> Response:
     """Return the same receipt on a page.

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from typing import Annotated, Any
+from typing import Annotated
 from urllib.parse import urlencode
 
 from fastapi import Request
@@ -12,7 +12,7 @@ from pydantic import Field
 from exercises.access import Tool
 from exercises.instance import SEED_CHARACTERS
 from service.http.link_context import QUERY, LinkContext, signed
-from service.http.openapi import body_with, problems
+from service.http.openapi import problems
 from service.http.routing import api_router
 from service.resources import AppResources
 from service.routes.exercises.exercises import Id
@@ -57,9 +57,6 @@ class SignedLink(Wire):
 router = api_router("exercises")
 
 _DAY = 24 * 3600
-_LINK: dict[str, Any] = {
-    "an exam": {"off": ["catalogue", "playground", "matrices", "trainer"], "help": "verdict", "attempts": 3}
-}
 
 
 @router.post(
@@ -71,7 +68,7 @@ _LINK: dict[str, Any] = {
 async def make_link(
     request: Request,
     exercise_id: Id,
-    body: Annotated[SignedLinkRequest, body_with(_LINK)],
+    body: SignedLinkRequest,
     resources: AppResources,
 ) -> SignedLink:
     """Return the address of the exercise's page under settings that only restrict what its students may use.

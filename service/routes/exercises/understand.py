@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import lru_cache, partial
-from typing import Annotated, Any
+from typing import Any
 
 from fastapi import Response
 
@@ -34,7 +34,6 @@ from kinematics.printing.text import TextWriter
 from kinematics.table import CELLS, VARIABLE_CELLS, DHRow, JointType, SymbolicRow
 from service.http.languages import language_for
 from service.http.link_guard import switched_off
-from service.http.openapi import body_with
 from service.http.problems import RequestError
 from service.http.routing import ApiRequest, OneRobotRoute, api_router
 from service.schemas.exercises.understanding import (
@@ -49,26 +48,6 @@ from service.wire.fault_pointers import fault_entries
 
 router = api_router("kinematics", route_class=OneRobotRoute)
 
-EXAMPLES: dict[str, Any] = {
-    "a table with an empty cell and an open bracket": {
-        "table": {
-            "convention": "modified",
-            "angle_unit": "deg",
-            "rows": [
-                {"joint": "revolute", "alpha": 0, "a": "", "d": "L1", "theta": "θ1"},
-                {"joint": "prismatic", "alpha": -90, "a": "2(L1", "d": "L2 - d2", "theta": 0},
-            ],
-        }
-    },
-    "a name that the exercise does not know": {
-        "table": {
-            "convention": "modified",
-            "angle_unit": "deg",
-            "rows": [{"joint": "revolute", "alpha": 0, "a": "a9", "d": 0, "theta": "θ1"}],
-        },
-        "exercise": "scara",
-    },
-}
 
 Place = tuple[int, str]
 MATHML = "http://www.w3.org/1998/Math/MathML"
@@ -77,9 +56,7 @@ WRITTEN = 512
 
 
 @router.post("/understand", summary="What a table means, cell by cell, while it is being typed")
-async def understand(
-    body: Annotated[UnderstandRequest, body_with(EXAMPLES)], request: ApiRequest, response: Response
-) -> UnderstandAnswer:
+async def understand(body: UnderstandRequest, request: ApiRequest, response: Response) -> UnderstandAnswer:
     """Return the meaning of every readable cell, the link matrix of every row with numbers, and the faults.
 
     Unlike the other calls, this one does not refuse a table with faults, but reads the rest of it. With

@@ -161,33 +161,7 @@ class CheckFramesAnswer(Units):
     tool: Matrix4 | None = None
 
 
-_ELBOW = [
-    {"joint": "revolute", "point": [0, 0, 0], "direction": [0, 0, 1]},
-    {"joint": "revolute", "point": [0, 0, 0.4], "direction": [0, -1, 0]},
-    {"joint": "revolute", "point": [0.5, 0, 0.4], "direction": [0, -1, 0]},
-]
-_ASSIGN: dict[str, Any] = {
-    "an elbow arm with a gripper": {
-        "axes": _ELBOW,
-        "convention": "standard",
-        "angle_unit": "deg",
-        "tool": {"point": [0.9, 0, 0.4], "approach": [1, 0, 0], "jaws": [0, 1, 0]},
-    }
-}
-_CHECK: dict[str, Any] = {
-    "two frames of three, one of them broken": {
-        "axes": _ELBOW,
-        "convention": "modified",
-        "angle_unit": "deg",
-        "frames": [
-            {"origin": [0, 0, 0], "x": [1, 0, 0], "z": [0, 0, 1]},
-            {"origin": [0, 0, 0.4], "x": [0, 1, 0], "z": [0, 0, 1]},
-        ],
-    }
-}
-
-
-@router.call("/assign-frames", "Joint axes in, a DH table out", _ASSIGN)
+@router.call("/assign-frames", "Joint axes in, a DH table out")
 def assign(body: AssignFramesRequest, language: str) -> AssignFramesAnswer:
     """Assign frames by the procedure of the lecture documents, each with its rule and its free choices.
 
@@ -216,7 +190,7 @@ def assign(body: AssignFramesRequest, language: str) -> AssignFramesAnswer:
     )
 
 
-@router.call("/check-frames", "A student's frames, judged rule by rule", _CHECK)
+@router.call("/check-frames", "A student's frames, judged rule by rule")
 def check(body: CheckFramesRequest, language: str) -> CheckFramesAnswer:
     """Return the rules that the chosen frames break, the choices there are, and the rows that follow."""
     judged = check_frames(

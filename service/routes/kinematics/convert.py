@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from service.http.calls import CallRouter
 from service.http.routing import OneRobotRoute
-from service.schemas import examples
 from service.schemas.kinematics.conversion import ConvertAnswer, ConvertRequest
 from service.settings import Settings
 from service.wire.kinematics.conversion import converted
@@ -12,7 +11,7 @@ from service.wire.kinematics.conversion import converted
 router = CallRouter("kinematics", route_class=OneRobotRoute)
 
 
-@router.call("/convert", "From one description of a robot to another", examples.CONVERT)
+@router.call("/convert", "From one description of a robot to another")
 def convert(body: ConvertRequest, settings: Settings) -> ConvertAnswer:
     """Return another description of the same robot, without loss.
 

@@ -12,7 +12,6 @@ from service.http.openapi import problems, request_body
 from service.http.routing import JSON, ApiRequest, BytesResponse, DirectRoute, api_router
 from service.http.validation import validated
 from service.schemas.kinematics.dynamics_request import (
-    DYNAMICS,
     DynamicsBody,
     DynamicsReply,
     NumericDynamicsRequest,
@@ -29,7 +28,7 @@ router = api_router("kinematics", route_class=DirectRoute)
     summary="Torques, mass matrix, Coriolis and gravity terms, in numbers and in closed form",
     response_model=DynamicsReply,
     responses=problems(406, 503),
-    openapi_extra=request_body(DynamicsBody, DYNAMICS),
+    openapi_extra=request_body(DynamicsBody),
 )
 async def dynamics(request: ApiRequest) -> Response:
     """Return the terms of M(q) q̈ + C(q, q̇) q̇ + g(q) = τ, for links with mass, centre of mass and inertia.

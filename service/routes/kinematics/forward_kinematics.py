@@ -12,7 +12,6 @@ from kinematics.errors import Fault
 from service.http.openapi import NPY_QUERY, problems, request_body
 from service.http.problems import RequestError
 from service.http.routing import JSON, NPY, ApiRequest, BytesResponse, DirectRoute, api_router
-from service.schemas import examples
 from service.schemas.base import LONGEST_LIST, WHOLE, Matrix4, OneOf, Vector3, Wire
 from service.schemas.kinematics.orientations import Orientation
 from service.schemas.kinematics.robot_question import Joints, PoseInput, RobotQuestion
@@ -116,7 +115,7 @@ _ARRAY = {"schema": {"type": "string", "format": "binary"}}
     response_model_exclude_none=True,
     responses={200: {"content": {NPY: _ARRAY}}, **problems(406, 503)},
     openapi_extra={
-        **request_body(ForwardKinematicsRequest, examples.FORWARD_KINEMATICS, x_npy=_ARRAY),
+        **request_body(ForwardKinematicsRequest, x_npy=_ARRAY),
         **NPY_QUERY,
     },
 )

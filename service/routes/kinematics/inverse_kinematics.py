@@ -6,9 +6,7 @@ from functools import partial
 
 from service.http.calls import CallRouter
 from service.http.routing import ApiRequest, BytesResponse
-from service.schemas import examples
 from service.schemas.kinematics.inverse_forms import (
-    SYMBOLIC_INVERSE,
     InverseQuestion,
     SymbolicInverseAnswer,
     SymbolicInverseRequest,
@@ -21,40 +19,10 @@ from service.wire.kinematics.symbolic_tasks import answered
 
 router = CallRouter("kinematics")
 
-_TARGET = [[0, 0, 1, 0.5], [0, -1, 0, 0.2], [1, 0, 0, 0.3], [0, 0, 0, 1]]
-_EXAMPLES = {
-    "PUMA 560: all eight": {"table": examples.PUMA_560, "target": _TARGET},
-    "PUMA 560: within limits": {
-        "robot": "puma560",
-        "target": _TARGET,
-        "limits": [[-160, 160], [-225, 45], [-45, 225], [-110, 170], [-100, 100], [-266, 266]],
-    },
-    "two links: out of reach, so the nearest pose": {
-        "table": examples.TWO_LINKS,
-        "parameters": {"L1": 0.5, "L2": 0.3},
-        "target": [[1, 0, 0, 1], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]],
-    },
-    "three links in names, two poses at once, the nearest to a start first": {
-        "table": {
-            "convention": "standard",
-            "angle_unit": "deg",
-            "rows": [
-                {"alpha": 90, "a": 0, "d": "h", "theta": "q1"},
-                {"alpha": 0, "a": "L1", "d": 0, "theta": "q2"},
-                {"alpha": 0, "a": "L2", "d": 0, "theta": "q3"},
-            ],
-        },
-        "parameters": {"h": 0.4, "L1": 0.5, "L2": 0.3},
-        "targets": [[0.7, 0, 0.7, 0, 0, 90], [0, 0.7, 0.7, 90, 0, 90]],
-        "start": [0, 30, -60],
-    },
-}
-
 
 @router.call(
     "/inverse-kinematics",
     "A pose to the joint values that reach it",
-    _EXAMPLES | SYMBOLIC_INVERSE,
     answer=InverseKinematicsAnswer | InverseKinematicsAnswers | SymbolicInverseAnswer,
     exclude_none=True,
 )

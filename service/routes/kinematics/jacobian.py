@@ -16,7 +16,6 @@ from kinematics.jacobian import RANK_TOLERANCE, Dexterity, JacobianFrame, Mobili
 from kinematics.jacobian import jacobian as jacobian_of
 from service.http.openapi import NPY_QUERY, problems, request_body
 from service.http.routing import JSON, NPY, ApiRequest, BytesResponse, DirectRoute, api_router
-from service.schemas import examples
 from service.schemas.base import Matrix6, OneOf, Real, Wire
 from service.schemas.kinematics.orientations import RatesOfAngles
 from service.schemas.kinematics.robot_question import Joints, NumericForm, PoseInput, RobotQuestion
@@ -122,23 +121,6 @@ class JacobianReply(RootModel[JacobianAnswer | SymbolicJacobianAnswer]):
     """Jacobians in numbers or in closed form."""
 
 
-_SYMBOLIC: dict[str, Any] = {
-    "PUMA 560 in closed form, no joint values": {
-        "form": "symbolic",
-        "robot": "puma560",
-        "notation": "short",
-        "formats": ["latex", "text"],
-    },
-    "Stanford arm, rates of its wrist's angles": {
-        "form": "symbolic",
-        "robot": "stanford",
-        "frame": "base",
-        "angles": {"axes": "ZYZ"},
-        "formats": ["text"],
-    },
-}
-
-
 _READER = QuestionReader(JacobianQuestion, NumericJacobianRequest)
 _NAMES = {JacobianFrame.BASE: "J0", JacobianFrame.END: "Jn"}
 _BLOCK = 512
@@ -153,7 +135,7 @@ _ARRAY = {"schema": {"type": "string", "format": "binary"}}
     summary="Joint rates to the velocity of the tool",
     response_model=JacobianReply,
     responses=problems(406, 503),
-    openapi_extra={**request_body(JacobianBody, examples.JACOBIAN | _SYMBOLIC, x_npy=_ARRAY), **NPY_QUERY},
+    openapi_extra={**request_body(JacobianBody, x_npy=_ARRAY), **NPY_QUERY},
 )
 async def jacobian(request: ApiRequest) -> Response:
     """Return the geometric Jacobians J0 and Jn of one configuration or of a batch: (v, ω) = J(q) dq/dt.

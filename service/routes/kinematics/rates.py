@@ -86,17 +86,8 @@ class RatesAnswer(Units):
 
 router = CallRouter("kinematics")
 
-_EXAMPLES: dict[str, Any] = {
-    "a SCARA that turns both links, and a load of 10 N at its tool": {
-        "robot": "scara",
-        "joints": [0.3, 0.6, 0.1, 0],
-        "rates": [1, -0.5, 0, 0],
-        "wrench": [0, 0, -10, 0, 0, 0],
-    }
-}
 
-
-@router.call("/rates", "Velocities, accelerations and forces at one configuration", _EXAMPLES)
+@router.call("/rates", "Velocities, accelerations and forces at one configuration")
 def rates(body: RatesRequest, robot: PreparedRobot) -> RatesAnswer:
     """Return (v, ω) = J0 q̇, J0 q̈ + J̇0 q̇, the analytic Jacobian, τ = J0ᵀ (f, m) and ellipsoids.
 

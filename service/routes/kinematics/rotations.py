@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any
+from typing import Annotated
 
 from pydantic import Field
 
@@ -51,17 +51,7 @@ class RotationsAnswer(Wire):
     sequences: list[SequenceAngles] = Field(description="all 24; empty if the matrix is no rotation")
 
 
-_EXAMPLES: dict[str, Any] = {
-    "roll, pitch and yaw": {
-        "angle_unit": "deg",
-        "orientation": {"angles": [30, 45, -60], "axes": "XYZ", "turning": "fixed"},
-    },
-    "gimbal lock": {"angle_unit": "deg", "orientation": {"angles": [20, 90, 10]}},
-    "a reflection": {"orientation": {"matrix": [[1, 0, 0], [0, 1, 0], [0, 0, -1]]}},
-}
-
-
-@router.call("/rotations", "One orientation in every notation", _EXAMPLES)
+@router.call("/rotations", "One orientation in every notation")
 def rotations(body: RotationsRequest) -> RotationsAnswer:
     """Return the matrix, quaternion, axis and angle, and both solutions for the angles of all 24 sequences.
 

@@ -23,7 +23,7 @@ from service.http.calls import CallRouter
 from service.http.routing import ApiRequest, BytesResponse, OneRobotRoute
 from service.schemas.base import LONGEST_LIST, Matrix4, OneOf, Real, Vector3
 from service.schemas.kinematics.orientations import Orientation
-from service.schemas.kinematics.scm import LENGTHS, SCARA, STANFORD, ChainQuestion, ScmJoints
+from service.schemas.kinematics.scm import ChainQuestion, ScmJoints
 from service.schemas.tables import Units, units_of
 from service.wire.json_chunks import plain_lists
 from service.wire.kinematics.chain_forms import ChainTask, Wanted, is_quick, written_chain
@@ -118,29 +118,7 @@ class ScmJacobianAnswer(Units):
     symbols: dict[str, str] | None = Field(None, description="what the short names of a closed form mean")
 
 
-_FORWARD_KINEMATICS: dict[str, Any] = {
-    "Stanford arm in numbers": {"chain": STANFORD, "parameters": LENGTHS, "joints": [30, 60, 0.5, 0, 45, 90]},
-    "SCARA in closed form": {"chain": SCARA, "formats": ["text", "latex"]},
-    "a robot of the catalogue": {"robot": "kr125", "joints": [0, -90, 90, 0, 45, 0]},
-}
-_INVERSE_TRANSFORM: dict[str, Any] = {
-    "SCARA in closed form": {"chain": SCARA, "formats": ["text"], "notation": "full"},
-    "a robot of the catalogue": {"robot": "uw", "joints": [10, 20, 30]},
-}
-_JACOBIAN: dict[str, Any] = {
-    "Stanford arm by inspection": {
-        "chain": STANFORD,
-        "parameters": LENGTHS,
-        "joints": [30, 60, 0.5, 0, 45, 90],
-    },
-    "two links by differentiation": {"robot": "twolink", "joints": [20, 40], "method": "differentiation"},
-    "two links in closed form": {"robot": "twolink", "formats": ["text"]},
-}
-
-
-@router.call(
-    "/scm/forward-kinematics", "Direct kinematics of an SCM chain", _FORWARD_KINEMATICS, exclude_none=True
-)
+@router.call("/scm/forward-kinematics", "Direct kinematics of an SCM chain", exclude_none=True)
 async def forward_kinematics(
     body: ScmForwardKinematicsRequest, request: ApiRequest
 ) -> ScmForwardKinematicsAnswer | BytesResponse:
@@ -164,7 +142,6 @@ async def forward_kinematics(
 @router.call(
     "/scm/inverse-transform",
     "Inverse of the direct kinematics of an SCM chain",
-    _INVERSE_TRANSFORM,
     exclude_none=True,
 )
 async def inverse_of_transform(
@@ -181,7 +158,7 @@ async def inverse_of_transform(
     return ScmInverseTransformAnswer(**units_of(prepared.read), transform=plain_lists(inverse))
 
 
-@router.call("/scm/jacobian", "J0 and Jn of an SCM chain", _JACOBIAN, exclude_none=True)
+@router.call("/scm/jacobian", "J0 and Jn of an SCM chain", exclude_none=True)
 async def jacobian(body: ScmJacobianRequest, request: ApiRequest) -> ScmJacobianAnswer | BytesResponse:
     """Return J0 and Jn, by inspection (scm(manipulator, 1) and 2) or by differentiating the matrix (h2j).
 

@@ -16,7 +16,7 @@ from service.http.routing import ApiRequest, OneRobotRoute
 from service.schemas.base import LONGEST_LIST, WHOLE, Real
 from service.schemas.kinematics.inverse_kinematics import InverseKinematicsAnswer
 from service.schemas.kinematics.robot_question import PoseInput, domain_limits
-from service.schemas.kinematics.scm import LENGTHS, STANFORD, ChainQuestion, ScmJoints
+from service.schemas.kinematics.scm import ChainQuestion, ScmJoints
 from service.schemas.tables import Units, units_of
 from service.wire.fault_pointers import traced
 from service.wire.kinematics.inverse_solutions import TargetQuestion, answer_to, target_answer
@@ -63,21 +63,7 @@ class RandomConfigurationAnswer(Units):
     limits: list[list[Real]] = Field(description="[low, high] of every joint, as used")
 
 
-_TARGETS: dict[str, Any] = {
-    "two links": {"robot": "twolink", "target": [1, 1, 0, 90, 0, 0]},
-    "PUMA 560 near given joints": {
-        "robot": "puma560",
-        "target": [[1, 0, 0, 0.4], [0, 1, 0, -0.15005], [0, 0, 1, 0.3], [0, 0, 0, 1]],
-        "start": [0, 45, -90, 0, 0, 0],
-    },
-}
-_DRAWN: dict[str, Any] = {
-    "three configurations": {"chain": STANFORD, "parameters": LENGTHS, "count": 3, "seed": 1},
-    "within limits": {"robot": "twolink", "limits": [[-90, 90], [0, 120]]},
-}
-
-
-@router.call("/scm/inverse-kinematics", "Inverse kinematics of an SCM chain", _TARGETS, exclude_none=True)
+@router.call("/scm/inverse-kinematics", "Inverse kinematics of an SCM chain", exclude_none=True)
 async def inverse_kinematics(
     body: ScmInverseKinematicsRequest, request: ApiRequest
 ) -> InverseKinematicsAnswer:
@@ -100,7 +86,7 @@ async def inverse_kinematics(
     return InverseKinematicsAnswer(**units_of(prepared.read), **target_answer(found, prepared))
 
 
-@router.call("/scm/random-configuration", "Random joint values for an SCM chain", _DRAWN)
+@router.call("/scm/random-configuration", "Random joint values for an SCM chain")
 async def random_configuration(
     body: RandomConfigurationRequest, request: ApiRequest
 ) -> RandomConfigurationAnswer:

@@ -141,40 +141,7 @@ class ScmProductsAnswer(Units):
     symbols: dict[str, str] | None = Field(None, description="what the short names stand for")
 
 
-_PRODUCTS: dict[str, Any] = {
-    "a shift along x and a turn about x commute": {
-        "products": [[{"x": "X"}, {"c": "C"}], [{"c": "C"}, {"x": "X"}]]
-    },
-    "those along y and about x do not": {"products": [[{"y": "Y"}, {"c": "C"}], [{"c": "C"}, {"y": "Y"}]]},
-    "a matrix of ones own its Jacobian and its values": {
-        "products": [
-            [
-                [
-                    ["cos(q1)", "-sin(q1)", 0, "L1*cos(q1)"],
-                    ["sin(q1)", "cos(q1)", 0, "L1*sin(q1)"],
-                    [0, 0, 1, 0],
-                    [0, 0, 0, 1],
-                ],
-                {"a": "q2"},
-                {"x": "L2"},
-            ],
-            [{"a": "q1"}, {"x": "L1"}, {"a": "q2"}, {"x": "L2"}],
-        ],
-        "parameters": {"L1": 0.4, "L2": 0.3},
-        "joints": [30, 45],
-        "angle_unit": "deg",
-        "jacobian": True,
-    },
-    "two frames multiplied": {
-        "products": [[[0.1, 0, 0.3, 90, 0, 0], [0, 0.2, 0, 0, 30, 0]]],
-        "angle_unit": "deg",
-    },
-}
-
-
-@router.call(
-    "/scm/products", "Products of motions, compared", _PRODUCTS, answer=ScmProductsAnswer, exclude_none=True
-)
+@router.call("/scm/products", "Products of motions, compared", answer=ScmProductsAnswer, exclude_none=True)
 async def products(body: ScmProductsRequest, request: ApiRequest) -> BytesResponse:
     """Multiply motions and matrices: HRX … HTZ, GEO, SCZIP, S2D and H2J of the toolbox.
 

@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 from fastapi import Response
 from pydantic import Field
 
 from service.http.openapi import problems, request_body
 from service.http.routing import JSON, ONE_ROBOT, ApiRequest, DirectRoute, api_router
 from service.schemas.base import LONGEST_LIST, OneOf
-from service.schemas.examples import PUMA_560, TWO_LINKS
 from service.schemas.kinematics.written_matrices import (
     WritingAnswer,
     WritingQuestion,
@@ -62,39 +59,13 @@ class SymbolicAnswer(WritingAnswer):
     jacobian: WrittenJacobians | None = None
 
 
-PUMA_LENGTHS: dict[str, Any] = {
-    **PUMA_560,
-    "rows": [
-        {**row, **cells}
-        for row, cells in zip(
-            PUMA_560["rows"], [{}, {"a": "a2"}, {"a": "a3", "d": "d3"}, {"d": "d4"}, {}, {}], strict=True
-        )
-    ],
-}
-_EXAMPLES: dict[str, Any] = {
-    "PUMA 560 with its lengths as symbols": {
-        "table": PUMA_LENGTHS,
-        "formats": ["latex", "text"],
-        "notation": "short",
-    },
-    "two links as functions, one length given": {
-        "table": TWO_LINKS,
-        "parameters": {"L1": 0.4},
-        "formats": ["python", "c", "matlab", "sympy"],
-        "parts": ["transform"],
-        "inverse": True,
-        "jacobian": True,
-    },
-}
-
-
 @router.post(
     "/symbolic",
     summary="Link, frame and end transforms in closed form",
     response_model=SymbolicAnswer,
     response_model_exclude_none=True,
     responses=problems(406, 503),
-    openapi_extra=request_body(SymbolicRequest, _EXAMPLES),
+    openapi_extra=request_body(SymbolicRequest),
 )
 async def symbolic(request: ApiRequest) -> Response:
     """Return ⁰T_N, all link transforms and frames in closed form; on request the inverse and Jacobians.

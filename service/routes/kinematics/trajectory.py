@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any
+from typing import Annotated
 
 import numpy as np
 from pydantic import Field
@@ -51,18 +51,8 @@ class TrajectoryAnswer(Units):
 
 router = CallRouter("kinematics")
 
-_EXAMPLES: dict[str, Any] = {
-    "a PUMA 560 that stretches in two seconds": {
-        "robot": "puma560",
-        "start": [0, 45, -180, 0, 45, 0],
-        "end": [0, 90, -90, 0, 0, 0],
-        "duration": 2,
-        "samples": 5,
-    }
-}
 
-
-@router.call("/trajectory", "Joint trajectory between two configurations", _EXAMPLES)
+@router.call("/trajectory", "Joint trajectory between two configurations")
 def trajectory(body: TrajectoryRequest, robot: PreparedRobot) -> TrajectoryAnswer:
     """Return a motion from `start` to `end`, joints together: q(t) = start + s(t / duration) (end − start).
 

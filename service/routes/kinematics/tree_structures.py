@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from typing import Annotated, Any
+from typing import Annotated
 
 from pydantic import Field
 
@@ -114,25 +114,8 @@ class TreeAnswer(Units):
 
 router = CallRouter("kinematics")
 
-_EXAMPLES: dict[str, Any] = {
-    "a torso with two arms": {
-        "tree": {
-            "angle_unit": "deg",
-            "rows": [
-                {"after": 0, "alpha": 0, "a": 0, "d": "h", "theta": "q1"},
-                {"after": 1, "alpha": 90, "a": "w", "d": 0, "theta": "q2"},
-                {"after": 2, "alpha": 0, "a": "L", "d": 0, "theta": "q3"},
-                {"after": 1, "gamma": 180, "b": 0.1, "alpha": 90, "a": "w", "d": 0, "theta": "q4"},
-                {"after": 4, "alpha": 0, "a": "L", "d": 0, "theta": "q5"},
-            ],
-        },
-        "parameters": {"h": 0.5, "w": 0.2, "L": 0.3},
-        "joints": [10, 30, -40, -30, 40],
-    }
-}
 
-
-@router.call("/trees", "Frames, Jacobians and tables of an arm that branches", _EXAMPLES)
+@router.call("/trees", "Frames, Jacobians and tables of an arm that branches")
 def trees(body: TreeRequest, limits: Limits) -> TreeAnswer:
     """Return the poses of all frames of a tree (Khalil, Kleinfinger), and each tip's Jacobian and table.
 

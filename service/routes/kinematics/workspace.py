@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import partial
-from typing import Annotated, Any, Self
+from typing import Annotated, Self
 
 from pydantic import Field, model_validator
 from pydantic_core import PydanticCustomError
@@ -14,7 +14,6 @@ from kinematics.workspace import Radii, Workspace, check_reach, joint_spans, wor
 from service.http.calls import CallRouter
 from service.http.routing import OneRobotRoute
 from service.resources import Resources
-from service.schemas import examples
 from service.schemas.base import WHOLE, Real, Vector3, Wire
 from service.schemas.choices import forbidding, together
 from service.schemas.kinematics.robot_question import (
@@ -122,20 +121,8 @@ class WorkspaceResponse(Units):
 
 router = CallRouter("kinematics", route_class=OneRobotRoute)
 
-_DMRA: dict[str, Any] = {"robot": "dmra"}
-_EXAMPLES: dict[str, Any] = {
-    "DMRA, every joint turning fully": _DMRA,
-    "a SCARA within its limits, with points": {"robot": "scara", "samples": 16},
-    "DMRA in its support plane, the hand pointing down": {"robot": "dmra", "plane": {}, "axis": [0, 0, -1]},
-    "two links with an elbow that bends by 30° to 120°": {
-        "table": {**examples.TWO_LINKS, "angle_unit": "deg"},
-        "parameters": {"L1": 0.4, "L2": 0.3},
-        "limits": [None, [30, 120]],
-    },
-}
 
-
-@router.call("/workspace", "Radii, box and points of the workspace", _EXAMPLES, exclude_none=True)
+@router.call("/workspace", "Radii, box and points of the workspace", exclude_none=True)
 async def reach(body: WorkspaceRequest, robot: PreparedRobot, resources: Resources) -> WorkspaceResponse:
     """Return the least and greatest distance of the end frame's origin, and the box that contains it.
 

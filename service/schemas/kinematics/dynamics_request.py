@@ -11,7 +11,6 @@ from pydantic_core import PydanticCustomError
 from kinematics.dynamics.reading import RawBody
 from kinematics.printing import Notation
 from service.schemas.base import LONGEST_LIST, Listed, OneOf, Real, Wire
-from service.schemas.examples import TWO_LINKS
 from service.schemas.kinematics.robot_question import RobotQuestion
 from service.schemas.kinematics.written_matrices import (
     STANDARD_FORMATS,
@@ -140,28 +139,3 @@ def _bar(i: int) -> dict[str, Any]:
         "centre": [f"r{i} - L{i}", 0, 0],
         "inertia": [[0, 0, 0], [0, 0, 0], [0, 0, f"I{i}"]],
     }
-
-
-DYNAMICS: dict[str, Any] = {
-    "PUMA 560, the torque of a motion": {
-        "robot": "puma560",
-        "joints": [0, 45, -90, 0, 30, 0],
-        "rates": [30, -20, 10, 0, 0, 40],
-        "accelerations": [0, 60, 0, 0, 0, 0],
-    },
-    "two links in a vertical plane, let go": {
-        "table": TWO_LINKS,
-        "parameters": {"L1": 0.4, "L2": 0.3, "r1": 0.2, "r2": 0.15, "m1": 2, "m2": 1, "I1": 0.03, "I2": 0.01},
-        "links": [_bar(1), _bar(2)],
-        "gravity": [0, -9.81, 0],
-        "joints": [0, 0],
-        "torque": [0, 0],
-    },
-    "two links in closed form": {
-        "form": "symbolic",
-        "table": TWO_LINKS,
-        "links": [_bar(1), _bar(2)],
-        "gravity": [0, "-g", 0],
-        "notation": "short",
-    },
-}

@@ -143,14 +143,3 @@ class SymbolicInverseAnswer(Units):
         "that returns the values of all conditions `fulfilled`; where one is farther from 0 than the target "
         "was rounded, the branch does not reach it",
     )
-
-
-SYMBOLIC_INVERSE: dict[str, Any] = {
-    "SCARA in symbols": {"form": "symbolic", "robot": "scara", "notation": "short"},
-    "PUMA 560 in symbols, as functions too": {
-        "form": "symbolic",
-        "robot": "puma560",
-        "notation": "short",
-        "formats": ["latex", "text", "python"],
-    },
-}

@@ -12,9 +12,9 @@ import httpx
 import pytest
 
 from exercises.library import ROOT, packaged
-from service.schemas.exercises.examples_authoring import DRAWING, TWO_LINKS
 from service.settings import Settings
 from tests.conftest import EXPLORE
+from tests.examples import DRAFT, DRAWING
 from tests.live_service import running
 
 PATIENCE = 120.0
@@ -74,9 +74,7 @@ def test_a_drawing_becomes_an_exercise_that_tests_itself(client: httpx.Client) -
 
 
 def test_a_preview_is_what_students_see(client: httpx.Client) -> None:
-    shown = client.post(
-        f"{CALLS}preview", json={"draft": TWO_LINKS}, headers={"Accept-Language": "ro"}
-    ).json()
+    shown = client.post(f"{CALLS}preview", json={"draft": DRAFT}, headers={"Accept-Language": "ro"}).json()
     assert shown["exercise"]["title"] == "Două elemente"
     assert shown["figure"].startswith("<svg")
     assert (
@@ -89,10 +87,10 @@ def test_a_preview_is_what_students_see(client: httpx.Client) -> None:
 
 
 def test_right_and_wrong_answers_are_shown_with_their_marks(client: httpx.Client) -> None:
-    right = client.post(f"{CALLS}right-answers", json={"draft": TWO_LINKS, "count": 10}).json()["answers"]
+    right = client.post(f"{CALLS}right-answers", json={"draft": DRAFT, "count": 10}).json()["answers"]
     assert len(right) == 10
     assert all(answer["correct"] and answer["points"] == 10 for answer in right)
-    wrong = client.post(f"{CALLS}mistakes", json={"draft": TWO_LINKS}).json()["answers"]
+    wrong = client.post(f"{CALLS}mistakes", json={"draft": DRAFT}).json()["answers"]
     assert len(wrong) >= 8
     assert all(answer["refused"] or answer["score"] < 1 for answer in wrong)
     assert any(edit["message"] for answer in wrong for edit in answer["repairs"])
@@ -107,8 +105,8 @@ def answer_of(**cells: Any) -> dict[str, Any]:
 
 
 def test_a_student_would_be_told_the_same(client: httpx.Client) -> None:
-    words = {**TWO_LINKS["definition"], "remarks": {"alpha_value": {"en": "These axes are parallel."}}}
-    draft = {**TWO_LINKS, "definition": words}
+    words = {**DRAFT["definition"], "remarks": {"alpha_value": {"en": "These axes are parallel."}}}
+    draft = {**DRAFT, "definition": words}
     right = client.post(f"{CALLS}grade", json={"draft": draft, "answer": answer_of()})
     assert right.json()["total"]["score"] == 1
     wrong = client.post(f"{CALLS}grade", json={"draft": draft, "answer": answer_of(alpha=90)}).json()
@@ -123,12 +121,12 @@ def test_a_student_would_be_told_the_same(client: httpx.Client) -> None:
 
 
 def test_a_published_version_never_changes(client: httpx.Client) -> None:
-    first = client.post(f"{CALLS}publish", json={"draft": TWO_LINKS}).json()
-    again = client.post(f"{CALLS}publish", json={"draft": TWO_LINKS}).json()
+    first = client.post(f"{CALLS}publish", json={"draft": DRAFT}).json()
+    again = client.post(f"{CALLS}publish", json={"draft": DRAFT}).json()
     assert first == again
     longer = {
-        **TWO_LINKS,
-        "definition": {**TWO_LINKS["definition"], "parameters": {"L1": {"value": 2}, "L2": {"value": 1}}},
+        **DRAFT,
+        "definition": {**DRAFT["definition"], "parameters": {"L1": {"value": 2}, "L2": {"value": 1}}},
     }
     other = client.post(f"{CALLS}publish", json={"draft": longer}).json()
     assert other["id"] != first["id"]
@@ -146,7 +144,7 @@ def test_a_published_version_never_changes(client: httpx.Client) -> None:
 def test_a_published_version_outlives_the_process(tmp_path: Path) -> None:
     settings = Settings(storage="on", data_folder=tmp_path, symbolic_seconds=60.0)
     with running(settings) as origin:
-        draft = {"draft": TWO_LINKS}
+        draft = {"draft": DRAFT}
         address = httpx.post(f"{origin}{CALLS}publish", json=draft, timeout=PATIENCE).json()["id"]
     with running(settings) as origin:
         assert httpx.get(f"{origin}/api/v1/exercises/{address}", timeout=PATIENCE).status_code == 200
@@ -155,7 +153,7 @@ def test_a_published_version_outlives_the_process(tmp_path: Path) -> None:
 
 def test_without_storage_everything_works_but_publishing() -> None:
     with running(Settings(storage="off", symbolic_seconds=60.0)) as origin:
-        draft = {"draft": TWO_LINKS}
+        draft = {"draft": DRAFT}
         assert httpx.post(f"{origin}{CALLS}folder.zip", json=draft, timeout=PATIENCE).status_code == 200
         refused = httpx.post(f"{origin}{CALLS}publish", json=draft, timeout=PATIENCE)
         assert (refused.status_code, refused.json()["code"]) == (404, "storage_off")
@@ -185,7 +183,7 @@ HOSTILE: dict[str, tuple[str, Any, str]] = {
 @pytest.mark.parametrize("call", ["preview", "check", "folder.zip", "publish", "mistakes"])
 def test_hostile_drafts_are_refused_in_words(client: httpx.Client, name: str, call: str) -> None:
     member, value, code = HOSTILE[name]
-    draft = {**TWO_LINKS, member: {**TWO_LINKS[member], **value} if isinstance(value, dict) else value}
+    draft = {**DRAFT, member: {**DRAFT[member], **value} if isinstance(value, dict) else value}
     answer = client.post(CALLS + call, json={"draft": draft})
     assert answer.status_code == 422
     assert code in {fault["code"] for fault in answer.json()["errors"]}
@@ -195,8 +193,8 @@ def test_hostile_drafts_are_refused_in_words(client: httpx.Client, name: str, ca
 
 def test_a_table_longer_than_any_arm_is_refused_at_once(client: httpx.Client) -> None:
     row = {"joint": "revolute", "theta": "q1", "d": 0, "a": 1, "alpha": 0}
-    reference = {**TWO_LINKS["definition"]["reference"], "rows": [row] * 64}
-    draft = {**TWO_LINKS, "definition": {**TWO_LINKS["definition"], "reference": reference}}
+    reference = {**DRAFT["definition"]["reference"], "rows": [row] * 64}
+    draft = {**DRAFT, "definition": {**DRAFT["definition"], "reference": reference}}
     answer = client.post(f"{CALLS}preview", json={"draft": draft})
     assert answer.json()["code"] == "draft_too_many_rows"
     assert answer.json()["pointer"] == "/draft/definition/reference/rows"

@@ -10,8 +10,8 @@ import pytest
 from pydantic import ValidationError
 
 from service.http.api_keys import KeyFile, KeyScope
-from service.schemas.exercises.examples_authoring import TWO_LINKS
 from service.settings import Publishers, Settings
+from tests.examples import DRAFT
 from tests.live_service import running
 
 PATIENCE = 120.0
@@ -19,7 +19,7 @@ PATIENCE = 120.0
 
 def published(origin: str, **fields: str) -> tuple[int, Any]:
     answer = httpx.post(
-        f"{origin}/api/v1/author/publish", json={"draft": TWO_LINKS}, headers=fields, timeout=PATIENCE
+        f"{origin}/api/v1/author/publish", json={"draft": DRAFT}, headers=fields, timeout=PATIENCE
     )
     body = answer.json()
     return answer.status_code, body.get("code") or body["id"].rpartition("-")[0]
@@ -32,7 +32,7 @@ def shown(origin: str) -> str:
 
 def test_anyone_publishes_unless_the_operator_says_otherwise(tmp_path: Path) -> None:
     with running(Settings(storage="on", data_folder=tmp_path, symbolic_seconds=60.0)) as origin:
-        assert published(origin) == (200, TWO_LINKS["id"])
+        assert published(origin) == (200, DRAFT["id"])
         assert shown(origin) == "anyone"
 
 
@@ -52,7 +52,7 @@ def test_visitors_students_and_programs_are_told_who_may(tmp_path: Path, who: Pu
             (401, "session_expired") if who is Publishers.STAFF else (403, "publishing_closed")
         )
         assert published(origin, **{"X-API-Key": grading}) == (403, "api_key_scope")
-        expected = (403, "publishing_closed") if who is Publishers.NOBODY else (200, TWO_LINKS["id"])
+        expected = (403, "publishing_closed") if who is Publishers.NOBODY else (200, DRAFT["id"])
         assert published(origin, Authorization=f"Bearer {publishing}") == expected
         assert shown(origin) == who.value
 
