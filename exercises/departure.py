@@ -134,11 +134,6 @@ def shared_joints(key: NumericTable, answer: NumericTable, policy: Policy) -> tu
     """Return how many first joints two tables share as a mechanism, and the certificate for these.
 
     The last joint's own offset is the certificate's choice: without the rest of the chain it means nothing.
-
-    Args:
-        key: the robot of the figure.
-        answer: the robot of the table.
-        policy: what tells how exact lengths and angles are.
     """
     free = mechanism_only(policy)
     for joints in range(joints_alike(key, answer, free), 0, -1):

@@ -23,14 +23,7 @@ from kinematics.expressions import Expression, Parameter, parameters_in
 def unknown_name(
     name: str, exercise: Exercise, where: tuple[str | int, ...], others: Collection[str] = ()
 ) -> Fault:
-    """Return the fault of a name that means nothing in an exercise.
-
-    Args:
-        name: the name.
-        exercise: the exercise.
-        where: the place of the cell.
-        others: names that may stand there besides the exercise's own.
-    """
+    """Return the fault of a name that means nothing in an exercise."""
     own = tuple(exercise.reference.parameters)
     known = (*own, *sorted(set(others) - set(own)))
     close = nearest_name(name, (*known, *exercise.aliases))

@@ -51,12 +51,7 @@ class Metrics:
     """The metrics of one application."""
 
     def __init__(self, occupancy: Callable[[], Occupancy], outbox: Callable[[], OutboxState] | None) -> None:
-        """Make them.
-
-        Args:
-            occupancy: tells what runs and waits in each lane of this process.
-            outbox: asks for the state of the scores to send; None without storage.
-        """
+        """Make them; without storage there is no outbox."""
         disable_created_metrics()  # type: ignore[no-untyped-call]
         self._occupancy = occupancy
         self._asked = time.monotonic()

@@ -73,12 +73,7 @@ def policy_admission(exercise: Exercise, values: Mapping[str, float]) -> PolicyA
 def textbook_choices(
     table: SymbolicTable, by: Expression
 ) -> Iterator[tuple[tuple[bool, ...], SymbolicTable]]:
-    """Yield what is done otherwise than in the key, and the table that it leads to.
-
-    Args:
-        table: the key.
-        by: a length by which origins are moved.
-    """
+    """Yield what is done otherwise than in the key, and the table that it leads to."""
     for changed in product((False, True), repeat=len(CHOICES)):
         rows = table_in(table, Convention.MODIFIED).rows
         for choice, applies in zip(CHOICES.values(), changed, strict=True):

@@ -62,11 +62,7 @@ def scaffold(
 ) -> Path:
     """Write the folder of a new exercise.
 
-    Args:
-        exercise_id: its id; letters, digits and hyphens.
-        source: what it is about.
-        into: the folder of exercises in which its own is made.
-        robot_name: title of an exercise about a catalogue robot.
+    Its folder is made in `into`, and named by the id: letters, digits and hyphens.
 
     Returns:
         The new folder.
@@ -88,11 +84,6 @@ def started(
     exercise_id: str, source: ExerciseSource, robot_name: RobotName = name_of_catalogue
 ) -> ExerciseDraft:
     """Return the draft of a new exercise: everything that has to be said, in words that may stay.
-
-    Args:
-        exercise_id: its id.
-        source: what it is about.
-        robot_name: title of an exercise about a catalogue robot.
 
     Raises:
         DefinitionError: the id is no name of a folder.

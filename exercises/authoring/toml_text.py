@@ -29,9 +29,6 @@ _BY_ROW = frozenset({"rows"})
 def toml_text(definition: Mapping[str, Any]) -> str:
     """Return the text of a definition.
 
-    Args:
-        definition: its keys, as a reader of TOML gives them: texts, numbers, switches, lists and tables.
-
     Raises:
         ValueError: a value is none that TOML knows, such as None.
     """

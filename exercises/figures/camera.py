@@ -60,15 +60,7 @@ def camera_for(view: View) -> Camera:
 def fitted(
     camera: Camera, points: Iterable[ArrayLike], *, width: float, height: float, most: float
 ) -> Camera:
-    """Return the camera scaled so that the points fit into a box of paper with its corner at the origin.
-
-    Args:
-        camera: where from.
-        points: (3,) points that must be inside.
-        width: of the box.
-        height: greatest height of the box.
-        most: largest scale.
-    """
+    """Return the camera scaled, up to `most`, so that (3,) points fit into a box of paper at the origin."""
     flat = replace(camera, scale=1.0, shift=(0.0, 0.0)).project(np.array(list(points)))
     low, high = flat.min(axis=0), flat.max(axis=0)
     extent = np.maximum(high - low, 1e-12)

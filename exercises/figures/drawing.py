@@ -52,15 +52,7 @@ Style = dict[str, Any]
 def draw_figure(
     scene: Scene, view: View, width: float = 480.0, *, note: str = "", frames: Sequence[DrawnFrame] = ()
 ) -> SvgDrawing:
-    """Return the figure of a scene.
-
-    Args:
-        scene: what is drawn.
-        view: from where it is seen.
-        width: of the paper.
-        note: a few words below the figure.
-        frames: frame 0 … N, drawn over the robot.
-    """
+    """Return the figure of a scene, frames drawn over the robot and a note below it."""
     drawing = drawn(scene, view, width, note, frames)
     return SvgDrawing(box=drawing.box(), elements="".join(drawing.canvas.parts))
 
@@ -79,13 +71,7 @@ def drawn(scene: Scene, view: View, width: float, note: str, frames: Sequence[Dr
 
 
 class Drawing:
-    """One figure in the making.
-
-    Attributes:
-        canvas: what is drawn so far.
-        camera: how space is seen.
-        dimensions: the lines of the dimensions, where they were placed.
-    """
+    """One figure in the making."""
 
     def __init__(
         self,

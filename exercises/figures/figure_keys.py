@@ -27,13 +27,7 @@ USUAL_VIEW = View(azimuth=math.radians(-60), elevation=math.radians(24))
 
 
 def read_figure(reader: Reader, joint_types: Sequence[JointType], degrees: bool) -> FigureSpecification:
-    """Return what a [figure] says; faults go to the reader.
-
-    Args:
-        reader: of the [figure].
-        joint_types: types of the robot's joints.
-        degrees: the exercise gives the values of revolute joints in degrees.
-    """
+    """Return what a [figure] says, turns in degrees or in [rad]; faults go to the reader."""
     view = reader.table("view")
     upright = reader.table("upright")
     specification = FigureSpecification(

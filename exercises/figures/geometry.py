@@ -81,15 +81,7 @@ class GripperPose:
 class Scene:
     """A robot in space, in the directions of the figure (z up) and in the exercise's length unit.
 
-    Attributes:
-        axes: the joints, in joint order.
-        links: polylines.
-        dimensions: named lengths.
-        points: marked points.
-        ground: where the robot is fixed.
-        gripper: the gripper.
-        size: diagonal of the box that holds the robot.
-        to_scale: no length was drawn otherwise than it is.
+    Its size is the diagonal of the box that holds the robot; it is to scale if no length was drawn otherwise.
     """
 
     axes: tuple[FigureJointAxis, ...]

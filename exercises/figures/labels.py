@@ -30,15 +30,7 @@ class Written:
 def number_places(
     axis: FigureJointAxis, body: Body, ends: Array, camera: Camera, paper: PaperMap
 ) -> Places[Written]:
-    """Return a joint's number beyond either end of its axis, or beside its body.
-
-    Args:
-        axis: of the joint.
-        body: of the joint.
-        ends: (2, 2) ends of the axis on paper, against its direction first.
-        camera: from where it is seen.
-        paper: the map on which places are looked for.
-    """
+    """Return a joint's number beyond either of the (2, 2) ends of its axis, or beside its body."""
     start, end = ends
     centre = camera.project(body.centre)
     length = float(np.linalg.norm(end - start))

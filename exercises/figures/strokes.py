@@ -20,11 +20,6 @@ def in_front(
     """Return the stretches of each line before a body that none hides, as pairs of points on paper.
 
     A figure is drawn in three passes: lines, bodies, and these stretches once more on top.
-
-    Args:
-        lines: ends in space of each line.
-        bodies: what may hide them.
-        camera: from where they are seen.
     """
     if not bodies or not lines:
         return [[] for _ in lines]

@@ -87,9 +87,7 @@ def line(points: Sequence[Array] | Array) -> str:
 class SvgDrawing:
     """What is drawn, without a word that tells of it.
 
-    Attributes:
-        box: left, top, width and height of the paper.
-        elements: the elements in the order of drawing.
+    Its box is left, top, width and height of the paper.
     """
 
     box: tuple[float, float, float, float]
@@ -97,14 +95,7 @@ class SvgDrawing:
 
 
 def document(drawing: SvgDrawing, *, title: str, description: str, language: str) -> str:
-    """Return the file.
-
-    Args:
-        drawing: what is drawn.
-        title: what the figure shows, in a few words.
-        description: the same in full, for those who do not see it.
-        language: language of title and description.
-    """
+    """Return the file."""
     return opening(drawing.box, title=title, description=description, language=language) + rest(drawing)
 
 

@@ -38,12 +38,7 @@ def _says(table: NumericTable) -> int:
 
 
 def as_it_follows(report: PartReport, share: float) -> PartReport:
-    """Return the report on a part with what it earns where it follows from a table that says little.
-
-    Args:
-        report: on an answer that follows from its student's own table, as if that were like any other.
-        share: see `share_that_follows`.
-    """
+    """Return the report on a part with what it earns where it follows from a table that says little."""
     if share >= 1.0:
         return report
     kept = tuple(entry for entry in report.feedback if entry.code not in _EARNED)

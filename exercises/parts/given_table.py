@@ -12,10 +12,7 @@ from kinematics.table import COLUMNS, Convention
 def given_table(instance: Instance, read: ReadTable | None = None, name: str = "table") -> GivenNumbers:
     """Return a DH table for a page to show: the key, if no other is handed in.
 
-    Args:
-        instance: the exercise with the student's values.
-        read: the table.
-        name: what it is; message `given-<name>`.
+    What it is called is the message `given-<name>`.
     """
     table = read or instance.exercise.reference
     columns = columns_of(table)

@@ -229,13 +229,7 @@ class PartType(ABC, Generic[P, Raw, Read]):
     disclosures: ClassVar[Mapping[str, Disclosure]] = MappingProxyType({})
 
     def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> P:
-        """Return the part as its definition asks for it; faults go to the reader.
-
-        Args:
-            reader: of the part's entry; `kind` and `points` are read already.
-            points: what the part is worth.
-            robot: what the definition is about.
-        """
+        """Return the part as its definition asks beside `kind` and `points`; faults go to the reader."""
         return Part(kind=self.kind, points=points)  # type: ignore[return-value]
 
     def keys(self, robot: RobotFacts) -> tuple[DefinitionKey, ...]:
@@ -269,12 +263,7 @@ class PartType(ABC, Generic[P, Raw, Read]):
 
     @abstractmethod
     def read(self, raw: Raw, reading: Reading) -> Read | None:
-        """Return the answer as read; None if faults were kept in the reading.
-
-        Args:
-            raw: what was handed in.
-            reading: the exercise, the student's own table, and where faults go.
-        """
+        """Return the answer as read; None if faults were kept in the reading."""
 
     @abstractmethod
     def grade(self, part: P, answer: Read, context: Context) -> PartReport:

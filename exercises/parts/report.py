@@ -132,13 +132,7 @@ class Disclosure:
 
 
 def told_from(level: HelpLevel, *codes: str, instead: str | None = None) -> dict[str, Disclosure]:
-    """Return the disclosure of feedback that is told from one level of help on.
-
-    Args:
-        level: it.
-        codes: of the feedback.
-        instead: code of the coarser feedback below it, if there is one.
-    """
+    """Return the disclosure of feedback that is told from one level of help on."""
     return dict.fromkeys(codes, Disclosure(level=level, instead=instead))
 
 

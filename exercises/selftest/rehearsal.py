@@ -56,12 +56,7 @@ class RehearsedAnswer:
 
 
 def right_answers(exercise: Exercise, count: int) -> tuple[RehearsedAnswer, ...]:
-    """Return right answers with other frames, signs, zeros and conventions, as the policy allows.
-
-    Args:
-        exercise: one that asks for a table.
-        count: how many at most; where little is free there are fewer.
-    """
+    """Return right answers with other frames, signs, zeros and conventions, as many as the policy allows."""
     instance = generate(exercise)
     key = key_as_asked(exercise.reference, exercise.policy)
     found = {written_table(key): key}

@@ -46,9 +46,7 @@ class HandIn:
 def hand_ins(path: Path, settings: TableSettings) -> Iterator[HandIn]:
     """Yield what a class handed in, file by file, so that memory does not grow with the class.
 
-    Args:
-        path: a file with one or many tables, a folder of files, or a zip archive.
-        settings: convention and units, where a file does not name them.
+    The path is a file with one or many tables, a folder of files, or a zip archive.
 
     Raises:
         RequestError: nothing can be read at the path.

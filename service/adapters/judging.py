@@ -63,11 +63,7 @@ class JudgedAnswer:
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class NotGraded:
-    """An answer that cannot be graded, and costs no attempt.
-
-    Attributes:
-        faults: what is wrong, each with its place.
-    """
+    """An answer that cannot be graded, and costs no attempt."""
 
     faults: tuple[Fault, ...]
 

@@ -91,11 +91,6 @@ class FoundTable:
 def read_tables(name: str, content: bytes, settings: TableSettings) -> tuple[FoundTable, ...]:
     """Return every table of a file.
 
-    Args:
-        name: the file's name; its suffix says how it is read.
-        content: its bytes.
-        settings: convention and units, where the file does not name them.
-
     Raises:
         RequestError: the file is too large, cannot be read, or holds no table.
     """

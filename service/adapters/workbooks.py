@@ -35,11 +35,6 @@ class UnreadableError(Exception):
 def sheets_of(content: bytes, rows: int, cells: int) -> list[Sheet]:
     """Return the titles of a workbook's sheets, and what stands in their cells.
 
-    Args:
-        content: the file.
-        rows: of a sheet, as many as are read.
-        cells: of the rectangle about what is filled, at most.
-
     Raises:
         UnreadableError: it is no workbook, a damaged one, or one that takes too much.
     """

@@ -25,14 +25,7 @@ _TICKET = re.compile(r"([0-9]{1,17})\.([0-9a-f]{64})")
 
 
 def arrival_ticket(came: datetime, token: str, answer: Any, secret: bytes) -> str:
-    """Return a ticket: the time [µs since 1970-01-01 UTC] and its signature.
-
-    Args:
-        came: when the answer came.
-        token: of the session that it came from.
-        answer: the answer, as read from JSON.
-        secret: of the installation.
-    """
+    """Return a ticket: the time [µs since 1970-01-01 UTC] and its signature."""
     told = str((came - _EPOCH) // _MICROSECOND)
     return f"{told}.{_signature(told, token, answer, secret)}"
 

@@ -97,13 +97,7 @@ class LinkGuard:
 
 
 def may_open(path: str, context: LinkContext, library: Library) -> bool:
-    """Return whether the students of a link may open a path: what its context and its exercise leave on.
-
-    Args:
-        path: below the service's root.
-        context: of the link.
-        library: the exercises that there are.
-    """
+    """Return whether the students of a link may open a path: what its context and its exercise leave on."""
     steps = [step for step in path.split("/") if step]
     needed: tuple[Tool, ...] | None
     if steps[:2] == ["api", "v1"]:

@@ -59,11 +59,7 @@ class TracingMiddleware:
 
 
 def exporting(address: str) -> SdkProvider:
-    """Return a provider whose spans are sent to a collector every few seconds; the last when it is shut down.
-
-    Args:
-        address: of the collector, such as http://collector:4318/v1/traces.
-    """
+    """Return a provider that sends spans to a collector every few seconds, the last when it is shut down."""
     from opentelemetry.exporter.otlp.proto.http.trace_exporter import OTLPSpanExporter
     from opentelemetry.sdk.resources import Resource
     from opentelemetry.sdk.trace import TracerProvider as SdkProvider

@@ -71,12 +71,6 @@ class Registered:
 def register(fetcher: Fetcher, configuration: str, token: str | None, tool: ToolRegistration) -> Registered:
     """Register the tool with a platform.
 
-    Args:
-        fetcher: sends the requests.
-        configuration: address of the platform's OpenID configuration.
-        token: what the platform gave for this registration.
-        tool: what the platform is told.
-
     Raises:
         LoginError: the configuration lacks something, or speaks for another host.
         PlatformError: the platform does not answer as it should.

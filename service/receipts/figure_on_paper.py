@@ -22,11 +22,7 @@ _NUMBERS = {"M": 2, "L": 2, "A": 7, "Z": 0}
 def draw_figure(page: Paper, figure: str, at: tuple[float, float], width: float) -> float:
     """Draw a figure as wide as told, its upper left corner at a point; returns its height.
 
-    Args:
-        page: where to.
-        figure: SVG, made by the service.
-        at: upper left corner [pt].
-        width: of the figure [pt].
+    Lengths are in points.
     """
     root = ElementTree.fromstring(figure)  # noqa: S314 – our own file
     left, top, wide, high = map(float, root.attrib["viewBox"].split())

@@ -44,11 +44,7 @@ REGISTRY = _registry()
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class ReceiptKeys:
-    """Ed25519 keys, the signing one first.
-
-    Attributes:
-        keys: the keys, each with its `kid`.
-    """
+    """Ed25519 keys, the signing one first."""
 
     keys: tuple[OKPKey, ...]
 

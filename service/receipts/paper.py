@@ -87,13 +87,7 @@ class Paper:
     ) -> None:
         """Put a line of text.
 
-        Args:
-            at: where its baseline begins.
-            text: what is said.
-            face: the typeface.
-            size: of the letters.
-            colour: of the letters.
-            halo: colour and width of a line around the letters, drawn before them.
+        A halo is a line around the letters, drawn before them.
         """
         if halo is not None:
             outline = self._text(at, text, face, size)

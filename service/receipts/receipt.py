@@ -26,13 +26,7 @@ LONGEST_NAME = 200
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class PartScore:
-    """What one part of an exercise earned.
-
-    Attributes:
-        points: what the answer earned.
-        max_points: what the part is worth.
-        correct: whether it is right.
-    """
+    """What one part of an exercise earned."""
 
     points: float
     max_points: float

@@ -52,10 +52,7 @@ class Sheet:
 def pdf_of(sheet: Sheet, *, figure: str, code: Sequence[bytes | bytearray]) -> bytes:
     """Return the pages as PDF.
 
-    Args:
-        sheet: what is written.
-        figure: the robot, SVG.
-        code: the QR code, a byte for each module, 1 where it is dark.
+    The figure is SVG; the QR code has a byte for each module, 1 where it is dark.
     """
     with paper(sheet.language) as page:
         flow = _Flow(page)

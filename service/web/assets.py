@@ -35,14 +35,7 @@ ENCODINGS = {"br": ".br", "gzip": ".gz"}
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Asset:
-    """One representation of one file.
-
-    Attributes:
-        body: the bytes to send.
-        media_type: value of Content-Type.
-        encoding: value of Content-Encoding, or None.
-        etag: quoted strong validator of this representation.
-    """
+    """One representation of one file."""
 
     body: bytes
     media_type: str
@@ -99,9 +92,6 @@ class Assets:
 
         A page names them all at once, so that a browser need not find them one behind the other. What a
         module imports later, by `import()`, is not among them.
-
-        Args:
-            name: path of the module below the folder.
         """
         self._scan()
         if name not in self._all_imports:

@@ -78,15 +78,7 @@ def page_response(
 ) -> Response:
     """Return a page in the reader's language, with the headers that every page has.
 
-    Args:
-        request: the request that it answers.
-        page: which kind of page.
-        values: what its template asks for as `{{ name }}`; `title` overrides the page's title.
-        own: the same of what differs from reader to reader; see `render`.
-        status: the HTTP status.
-        in_any_frame: whether anybody may frame it.
-        form_action: where its forms may go.
-        off: what the page's exercise switches off, beside what the link does by which it was opened.
+    `values` and `own` are what its template asks for, see `render`; anybody may frame it, if told so.
     """
     resources = resources_of(request)
     settings, courses = resources.settings, resources.courses

@@ -32,11 +32,7 @@ _TOO_LONG = ("result_not_finite", "urdf_length_overflow")
 
 @contextmanager
 def traced(request: Any) -> Iterator[None]:
-    """Place the faults of a robot's rows, base and tool into the request that describes the robot.
-
-    Args:
-        request: a validated request with one of the fields `table`, `robot`, `chain`, `scm` and `urdf`.
-    """
+    """Place the faults of a robot's rows, base and tool into the request that describes the robot."""
     try:
         yield
     except KinematicsError as error:

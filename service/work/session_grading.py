@@ -90,11 +90,7 @@ class Grader:
     ) -> SessionJudgement:
         """Judge an answer.
 
-        Args:
-            settings: what the link asks, and how.
-            seed: of the student's values.
-            wire: the answer; which attempt it says it is counts for nothing.
-            attempt: which attempt it is, from 1, for the exercise's help ladder.
+        The exercise's help ladder goes by `attempt`, from 1, whatever the answer says of it.
 
         Raises:
             KinematicsError, ExerciseError: it cannot be graded.

@@ -29,11 +29,6 @@ async def in_thread(
     to itself: the cycle would keep a request and its body until the next garbage collection. Here it comes in
     a list, which is emptied.
 
-    Args:
-        function: what is called.
-        arguments: what it is called with.
-        threads: in which of some threads.
-
     Raises:
         BaseException: whatever the function raises.
     """

@@ -183,10 +183,6 @@ def _weights(context: Context, right: Sequence[bool]) -> list[float]:
     Those of joints count the same. Rows without a variable may be added to a table at will, so all of them
     together count no more than the key's, or one; one of zeros, whose matrix is there for nothing, can only
     lose.
-
-    Args:
-        context: holds the student's own table.
-        right: of each row, whether its matrix is.
     """
     assert context.own is not None
     rows = context.own_numbers(context.values(context.own_names())).rows

@@ -21,12 +21,7 @@ REST: Interval = (0.0, 0.0)
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Reach:
-    """Radii of a workspace, in one unit of length.
-
-    Attributes:
-        inner: least distance.
-        outer: greatest distance.
-    """
+    """Radii of a workspace, in one unit of length."""
 
     inner: float
     outer: float

@@ -128,16 +128,7 @@ class MistakeType(PartType[M, Raw, Read]):
     def number(
         self, text: int | str | None, field: str, within: range, reading: Reading, code: str, **params: Any
     ) -> int | None:
-        """Return a number as it was given, None if none was; one that is out of range is a fault.
-
-        Args:
-            text: what was given.
-            field: of the answer.
-            within: numbers that there are.
-            reading: where the fault goes.
-            code: of the fault.
-            params: what it says besides how many there are.
-        """
+        """Return a number as it was given, None if none was; one that is out of range is a fault."""
         if text is None or text == "":
             return None
         digits = str(text)

@@ -54,11 +54,7 @@ class MatrixKind(StrEnum):
 class PlantedMatrix:
     """A matrix with a mistake in it.
 
-    Attributes:
-        right: the matrix as it should be.
-        shown: the matrix with the mistake.
-        code: the mistake.
-        link: whose matrix it is: the row, from 0; None of ⁰T_N.
+    It belongs to a row `link`, from 0, or is ⁰T_N if that is None.
     """
 
     right: Matrix

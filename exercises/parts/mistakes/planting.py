@@ -46,10 +46,7 @@ REPAIRS: Mapping[str, str] = MappingProxyType(
 class Planted:
     """A table with a mistake in it.
 
-    Attributes:
-        table: it.
-        code: the mistake.
-        row: in which row, from 0.
+    Its row counts from 0.
     """
 
     table: ReadTable
@@ -67,14 +64,7 @@ def read_mistakes(reader: Reader, catalogue: Sequence[str]) -> tuple[str, ...]:
 
 
 def planted(exercise: Exercise, codes: Sequence[str], picker: Picker, name: str) -> Planted:
-    """Return the key with a mistake that a student's seed chooses among those that do harm.
-
-    Args:
-        exercise: the exercise; its policy decides what does harm.
-        codes: the mistakes to choose from.
-        picker: draws.
-        name: what is drawn.
-    """
+    """Return the key with a mistake that a student's seed chooses among those that do harm."""
     harmful = {code: ways for code in codes if (ways := _ways(exercise, code))}
     code = picker.choice(tuple(harmful), f"{name} mistake")
     return picker.choice(harmful[code], f"{name} place")

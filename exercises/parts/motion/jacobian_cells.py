@@ -270,10 +270,7 @@ def forces_mark(
 ) -> JacobianMark:
     """Return the mark for joint forces, or for none.
 
-    Args:
-        forces: what was handed in.
-        zeros: as many zeros; what these have right earns nothing.
-        judge: finds which of some forces are right, and what the others look like.
+    What as many zeros have right earns nothing.
     """
     if forces is None:
         return _missing(JacobianAsk.FORCES)

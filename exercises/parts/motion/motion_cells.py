@@ -38,14 +38,7 @@ class MotionCells:
 def read_motion(
     raw: MotionCells, reading: Reading, kind: str, weights: Collection[str]
 ) -> EquationsAnswer | None:
-    """Return the functions that were typed; faults are kept in the reading.
-
-    Args:
-        raw: the cells.
-        reading: what they are read beside.
-        kind: of the part.
-        weights: names of what the links weigh, which may stand beside the exercise's own.
-    """
+    """Return the functions that were typed; faults are kept in the reading."""
     before = len(reading.faults)
     n = len(reading.joint_types)
     rates = {rate_name(i) for i in range(1, n + 1)}

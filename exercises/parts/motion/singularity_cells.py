@@ -49,14 +49,7 @@ class SingularityAnswer:
 def read_singularities(
     raw: SingularityCells, reading: Reading, kind: str, count: int
 ) -> SingularityAnswer | None:
-    """Return the functions that vanish, row by row, and the motion; faults are kept in the reading.
-
-    Args:
-        raw: as typed.
-        reading: what it is read beside.
-        kind: of the part.
-        count: how many components a motion has.
-    """
+    """Return the functions that vanish, row by row, and the motion; faults are kept in the reading."""
     before = len(reading.faults)
     exercise = reading.instance.exercise
     types = exercise.reference.table.joint_types

@@ -17,15 +17,7 @@ from kinematics.rotations.sequences import EulerSequence, Turning
 def drawn_triple(
     exercise: Exercise, picker: Picker, usual: Sequence[Fraction], ways: Sequence[Draw | None], name: str
 ) -> Triple:
-    """Return a student's three angles [rad].
-
-    Args:
-        exercise: the exercise, for its unit.
-        picker: draws the values.
-        usual: the angles where no seed is given [the exercise's unit].
-        ways: from where each is drawn.
-        name: what is drawn.
-    """
+    """Return a student's three angles [rad], drawn beside the usual ones [the exercise's unit]."""
     drawn = (
         float(picker.value(value, way, f"{name} {i}"))
         for i, (value, way) in enumerate(zip(usual, ways, strict=True), 1)

@@ -63,12 +63,7 @@ class RobotModel(Wire):
 
     @classmethod
     def of(cls, robot: CatalogueRobot, told: Callable[[str], str | None]) -> Self:
-        """Return a robot of the catalogue as it goes over the wire.
-
-        Args:
-            robot: the robot.
-            told: the sentence of a message in the caller's language, None if there is none.
-        """
+        """Return a robot of the catalogue as it goes over the wire."""
         raw = robot.raw
         return cls(
             id=robot.id,

@@ -71,11 +71,7 @@ def _drawn_alike(exercise: Exercise) -> bytes:
 def figure_path(figures: SharedAnswers, instance: Instance, language: str, asked: str | None = None) -> str:
     """Return the path of a figure below the API's root, by which any process can draw it.
 
-    Args:
-        figures: the figures of the application.
-        instance: the exercise with the student's values.
-        language: of title and description.
-        asked: the query that the page carries, if not language and seed alone.
+    Its query is the one that was asked with, or else tells language and seed alone.
     """
     address = figure_address(figures, instance, language)
     seed = {} if instance.seed is None else {"seed": instance.seed}

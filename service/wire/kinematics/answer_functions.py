@@ -29,14 +29,6 @@ def read_row(
 ) -> tuple[Expression, ...]:
     """Return what the cells of a row mean.
 
-    Args:
-        cells: the row.
-        expected: how many cells it must have.
-        robot: whose joint variables and angle unit it uses.
-        known: names that have a value.
-        where: place of the row.
-        variables: whether joint variables may stand in it.
-
     Raises:
         JointValueError: it has more or fewer cells.
         CellError: a cell cannot be read, or holds a name without a value.
@@ -59,15 +51,7 @@ def roundings_of(
     known: Collection[str],
     rates: Collection[str],
 ) -> Rounded:
-    """Return what entries with names are with each of their decimals moved by half a unit of its last place.
-
-    Args:
-        typed: the cells.
-        meant: what they mean.
-        robot: whose joint variables and angle unit they use.
-        known: names that have a value.
-        rates: names that are no dimensions of the robot.
-    """
+    """Return what entries with names are with each of their decimals moved by half of its last place."""
 
     def read_again(texts: list[str]) -> tuple[Expression, ...] | None:
         try:
@@ -82,11 +66,6 @@ def known_functions(
     read: Sequence[CellMeaning | Fault], known: Collection[str], places: Sequence[Where]
 ) -> tuple[Expression, ...]:
     """Return what was read, if nothing is wrong with it and every name in it has a value.
-
-    Args:
-        read: functions, or what is wrong with them.
-        known: names that have a value.
-        places: where each function stands.
 
     Raises:
         CellError: one cannot be read, or holds a name without a value.

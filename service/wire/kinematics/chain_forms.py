@@ -40,17 +40,7 @@ class Wanted(StrEnum):
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class ChainTask:
-    """A closed form to be written.
-
-    Attributes:
-        chain: the chain.
-        parameters: names of its parameters.
-        variables: names of its joint variables.
-        wanted: which matrices.
-        formats: in which formats.
-        notation: how sines and cosines are written.
-        head: what the answer says besides.
-    """
+    """A closed form to be written."""
 
     chain: ScmChain
     parameters: tuple[str, ...]

@@ -33,13 +33,7 @@ from service.wire.kinematics.symbolic_forms import Writing
 class ProductsTask:
     """Products to be formed, compared and written.
 
-    Attributes:
-        read: the products.
-        values: of some of the parameters.
-        joints: q_1 … q_n [rad, or length units], or None.
-        jacobian: whether Jacobians are wanted.
-        formats: in which formats matrices are written.
-        notation: how sines and cosines are written.
+    Joint values are in [rad] and length units.
     """
 
     read: ReadProducts

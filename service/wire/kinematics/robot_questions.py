@@ -50,12 +50,7 @@ class ReadQuestion(Generic[Question]):
 
 
 class QuestionReader(Generic[Question]):
-    """Reads the questions of one call.
-
-    Attributes:
-        question: the shape of a question without its joints.
-        request: the same with its joints.
-    """
+    """Reads the questions of one call."""
 
     def __init__(self, question: type[Question], request: type[Question]) -> None:
         self._question = question
@@ -151,13 +146,7 @@ async def batch_response(
 
     A small one at once, a large one in a thread and sent while it is computed.
 
-    Args:
-        question: the question.
-        request: the request.
-        media_type: of the answer.
-        blocks: the pieces of the answer.
-        check: makes sure that the answer exists, before anything is sent.
-        length: of all pieces together [byte], if it is known.
+    The check, made before anything is sent, ensures that the answer exists.
     """
     if len(question.joints) <= _SMALL:
         if check:

@@ -78,13 +78,7 @@ class FormTask(Generic[AnyFormat]):
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class SymbolicTask(FormTask[Format]):
-    """Matrices in closed form to be written.
-
-    Attributes:
-        parts: what is wanted.
-        frames: which Jacobians, if any.
-        angles: of the analytic Jacobian, if it is wanted besides.
-    """
+    """Matrices in closed form to be written."""
 
     parts: tuple[FormPart, ...]
     frames: tuple[JacobianFrame, ...] = tuple(JacobianFrame)

@@ -33,12 +33,6 @@ async def closed_form(
 ) -> BytesResponse:
     """Return the answer to a request for closed forms: as it was given before, or from a worker process.
 
-    Args:
-        request: the request.
-        shape: of its body.
-        task_of: makes of a body what is to be derived and written.
-        write: derives and writes it.
-
     Raises:
         RequestError: the body is not of that shape.
         KinematicsError: what it says cannot be meant.
