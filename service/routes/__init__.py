@@ -1,7 +1,7 @@
 """One noun a file, in the packages `kinematics`, `checks`, `exercises` and `courses`; beside them the pages.
 
 A page says all of a call: the shapes of its request and its answer, and the function between them. What
-several calls share is in `service.schemas` and `service.wire`; requests for the OpenAPI document to show are in
+several calls share is in `service.schemas` and `service.wire`; requests for the OpenAPI document are in
 `service/examples/calls.json`, by path. Each module has a `router`: calls that are functions are declared on a
 `service.http.calls.CallRouter`, others on what `service.http.routing.api_router` returns.
 
