@@ -50,6 +50,13 @@ export function named(name, said) {
   return t("form-named", { name, said: String(said) });
 }
 
+/** A name in its own direction, and not in that of the words beside it, if it is read from right to left. @param {string} name */
+export function ownDirection(name) {
+  return /[\p{Script=Hebrew}\p{Script=Arabic}\p{Script=Syriac}\p{Script=Thaana}\p{Script=Nko}]/u.test(name)
+    ? `\u2068${name}\u2069`
+    : name;
+}
+
 /** Whether there is such a message. @param {string} id */
 export function knows(id) {
   return Boolean(bundle?.getMessage(id)?.value);

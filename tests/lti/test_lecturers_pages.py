@@ -21,6 +21,7 @@ from tests.web.conftest import assert_accessible_at_both_sizes, axe, new_context
 
 Check = Callable[[Page], None]
 pytestmark = pytest.mark.parametrize("address", ["sqlite"], indirect=True)
+NAME = "עדה (Ada) לאבלייס"
 PHONE = {"width": 320, "height": 900}
 ENDED = {"code": "session_expired", "title": "Not signed in", "detail": "You are no longer signed in."}
 
@@ -103,20 +104,21 @@ def test_the_class_its_numbers_and_an_attempt(
 def test_a_list_that_was_cut_says_so_and_no_score_is_rounded_up(
     page: Page, browser: Browser, lms: Lms, service: str
 ) -> None:
-    """Two hundred of a class's attempts looked like all, and 99.6 % like 100 %."""
+    """Two hundred of a class's attempts looked like all, and 99.6 % like 100 %; names were read backwards."""
     where = {"resource": "long", "context": "long", "custom": CUSTOM}
     browser.launch("lena", hint(**where))
     assert browser.api("POST", "session/attempts", RIGHT).status_code in (200, 409)
 
     def many(route: Route) -> None:
         found, *_ = route.fetch().json()["attempts"]
-        route.fulfill(json={"attempts": [{**found, "score": 0.996}] * 200})
+        route.fulfill(json={"attempts": [{**found, "score": 0.996, "name": NAME}] * 200})
 
     page.route("**/attempts?*", many)
     arrived(page, lms, "tina", hint([TEACHER], **where))
     page.locator("#link dl button").first.click()
     behind = page.locator("#link", has_text="The latest 200 are listed here.")
     expect(behind.get_by_role("cell", name="99.6 %").first).to_be_visible()
+    expect(behind.locator("tbody th", has_text="Ada").first).to_have_text(f"\u2068{NAME}\u2069")
 
 
 def test_what_concerns_every_student_is_asked_before_and_told_after(

@@ -2,7 +2,7 @@
 
 import { dataTable } from "../data-table.js";
 import { el, fill } from "../dom.js";
-import { named, t } from "../i18n.js";
+import { named, ownDirection, t } from "../i18n.js";
 import { percentOf } from "../numbers.js";
 
 /** @type {Record<string, string>} */
@@ -10,7 +10,7 @@ const TONES = { solved: "good", stuck: "bad", begun: "warn", opened: "", absent:
 
 /** What a student is called: a name where the platform shares it, else the beginning of the pseudonym. @param {any} options */
 export function studentName({ name, key }) {
-  return name ?? key.slice(0, 8);
+  return ownDirection(name ?? key.slice(0, 8));
 }
 
 /**

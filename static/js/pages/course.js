@@ -8,7 +8,7 @@ import { LinkView } from "../lecturer/link-view.js";
 import { api, startPage } from "../page.js";
 import { problemNotice, telling } from "../problem.js";
 import "../scene/robot-scene.js";
-import { openSession } from "../session/course-session.js";
+import { openSession, signedIn } from "../session/course-session.js";
 
 const $ = (/** @type {string} */ id) => /** @type {HTMLElement} */ (document.getElementById(id));
 
@@ -19,9 +19,7 @@ async function run() {
       fill($("class"), el("p", { text: t("lecturer-come-from-course") }));
       return;
     }
-    const { person, course } = session;
-    const who = { name: person.name ?? person.key.slice(0, 8), course: course.title };
-    $("course-title").after(el("p", { class: "hint", text: t("session-signed-in", who) }));
+    $("course-title").after(el("p", { class: "hint", text: signedIn(session) }));
     const { exercises } = await api.get("exercises");
     const link = new LinkView(
       api,

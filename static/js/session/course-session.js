@@ -5,7 +5,7 @@
 
 import { Problem } from "../api.js";
 import { debounced, el, fill } from "../dom.js";
-import { dates, t } from "../i18n.js";
+import { dates, ownDirection, t } from "../i18n.js";
 import { percentOf, pointsTold } from "../numbers.js";
 import { forgetFragment, warnAbove } from "../page.js";
 import { problemNotice } from "../problem.js";
@@ -243,8 +243,6 @@ export class CourseSession {
 
   #show() {
     const {
-      person,
-      course,
       attempts_allowed: allowed,
       attempts_made: made,
       counting,
@@ -262,7 +260,7 @@ export class CourseSession {
     const isBefore = (/** @type {string | null} */ time) => time !== null && new Date() < new Date(time);
     const facts = [
       el("span", {
-        text: t("session-signed-in", { name: person.name ?? person.key.slice(0, 8), course: course.title }),
+        text: signedIn(this.told),
       }),
       el("span", {
         text: allowed === null ? t("session-attempts", { made }) : t("session-attempts-of", { made, allowed }),
@@ -286,6 +284,12 @@ export class CourseSession {
     ];
     fill(this.banner, el("p", { class: "row" }, facts));
   }
+}
+
+/** Who is signed in, and where. @param {any} told what the service says of the session */
+export function signedIn({ person, course }) {
+  const name = ownDirection(person.name ?? person.key.slice(0, 8));
+  return t("session-signed-in", { name, course: ownDirection(course.title) });
 }
 
 /** 128 random bits; also where a page without TLS has no `randomUUID`. */
