@@ -87,6 +87,9 @@ def joint_feedback(found: JointVerdict, answer: JointAnswer) -> Iterator[Feedbac
             loose = "loose" if found.loose[i - 1] else "wrong"
             says = loose if any(answer.combinations[i - 1]) else "zero"
             yield Feedback(code=f"joints_combination_{says}", params={"row": i})
+    says_some = answer.claim in (JointClaim.FINITE, JointClaim.INFINITE)
+    if not found.share and says_some and any(row.right for row in found.rows):
+        yield Feedback(code="joints_taken_off")
 
 
 def _slip(i: int, row: RowVerdict) -> Feedback:

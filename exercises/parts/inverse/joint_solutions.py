@@ -58,7 +58,7 @@ class InverseKinematicsType(PartType[InverseKinematicsPart, JointAnswerCells, Jo
         ),
         **told_from(HelpLevel.KIND, "joints_family_missing"),
         **told_from(HelpLevel.ROW, *(f"joints_combination_{said}" for said in ("wrong", "loose", "zero"))),
-        **told_from(HelpLevel.ROW, "claim_wrong"),
+        **told_from(HelpLevel.ROW, "claim_wrong", "joints_taken_off"),
     }
 
     def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> InverseKinematicsPart:

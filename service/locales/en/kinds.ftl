@@ -185,6 +185,7 @@ feedback-joints_orientation_only = Row { $row } reaches the orientation, but not
 feedback-joints_limits = Row { $row } reaches the pose with joint { $joint } beyond its limit.
 feedback-joints_rounded = Row { $row } comes close to a solution, but not close enough: work with more decimals.
 feedback-joints_family_missing = The pose is singular: say which combination of joint variables stays the same along the solutions.
+feedback-joints_taken_off = What is wrong is taken off what is right, so that guesses earn nothing: here nothing is left of the right rows.
 feedback-joints_combination_wrong = Combination { $row } does not stay the same along the solutions.
 feedback-joints_combination_zero = Combination { $row } is 0 whatever the joints do, so it says nothing.
 feedback-joints_combination_loose = Combination { $row } stays the same along the solutions, but that is not enough: other joint values with the same combination do not reach the pose.

@@ -185,6 +185,7 @@ feedback-joints_orientation_only = La fila { $row } alcanza la orientación, per
 feedback-joints_limits = La fila { $row } alcanza la pose con la articulación { $joint } fuera de su límite.
 feedback-joints_rounded = La fila { $row } se acerca a una solución, pero no lo suficiente: calcule con más decimales.
 feedback-joints_family_missing = La pose es singular: diga qué combinación de variables articulares permanece igual en las soluciones.
+feedback-joints_taken_off = Lo incorrecto se descuenta de lo correcto, para que adivinar no dé puntos: aquí no queda nada de las filas correctas.
 feedback-joints_combination_wrong = La combinación { $row } no permanece igual en las soluciones.
 feedback-joints_combination_zero = La combinación { $row } vale 0 hagan lo que hagan las articulaciones, y no dice nada.
 feedback-joints_combination_loose = La combinación { $row } permanece igual en las soluciones, pero eso no basta: otros valores articulares con la misma combinación no alcanzan la pose.

@@ -185,6 +185,7 @@ feedback-joints_orientation_only = La ligne { $row } atteint l’orientation, ma
 feedback-joints_limits = La ligne { $row } atteint la pose avec l’articulation { $joint } au-delà de sa limite.
 feedback-joints_rounded = La ligne { $row } est proche d’une solution, mais pas assez : calculez avec plus de décimales.
 feedback-joints_family_missing = La pose est singulière : dites quelle combinaison des variables articulaires reste constante le long des solutions.
+feedback-joints_taken_off = Ce qui est faux est retranché de ce qui est juste, pour que deviner ne rapporte rien : ici, il ne reste rien des lignes justes.
 feedback-joints_combination_wrong = La combinaison { $row } ne reste pas constante le long des solutions.
 feedback-joints_combination_zero = La combinaison { $row } vaut 0 quoi que fassent les articulations : elle ne dit rien.
 feedback-joints_combination_loose = La combinaison { $row } reste constante le long des solutions, mais cela ne suffit pas : d’autres valeurs articulaires de même combinaison n’atteignent pas la pose.

@@ -185,6 +185,7 @@ feedback-joints_orientation_only = A linha { $row } alcança a orientação, mas
 feedback-joints_limits = A linha { $row } alcança a pose com a junta { $joint } além do limite.
 feedback-joints_rounded = A linha { $row } aproxima-se de uma solução, mas não o bastante: calcule com mais casas decimais.
 feedback-joints_family_missing = A pose é singular: diga que combinação das variáveis das juntas permanece igual nas soluções.
+feedback-joints_taken_off = O que está errado é descontado do que está certo, para que adivinhar não dê pontos: aqui não sobra nada das linhas certas.
 feedback-joints_combination_wrong = A combinação { $row } não permanece igual nas soluções.
 feedback-joints_combination_zero = A combinação { $row } vale 0 façam as juntas o que fizerem, e não diz nada.
 feedback-joints_combination_loose = A combinação { $row } permanece igual nas soluções, mas isso não basta: outros valores das juntas com a mesma combinação não alcançam a pose.

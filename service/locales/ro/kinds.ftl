@@ -186,6 +186,7 @@ feedback-joints_orientation_only = Rândul { $row } atinge orientarea, dar nu ș
 feedback-joints_limits = Rândul { $row } atinge situarea cu cupla { $joint } dincolo de limita ei.
 feedback-joints_rounded = Rândul { $row } este aproape de o soluție, dar nu destul de aproape: calculați cu mai multe zecimale.
 feedback-joints_family_missing = Situarea este singulară: spuneți ce combinație a variabilelor rămâne neschimbată de-a lungul soluțiilor.
+feedback-joints_taken_off = Ce este greșit se scade din ce este corect, ca ghicitul să nu aducă puncte: aici nu mai rămâne nimic din rândurile corecte.
 feedback-joints_combination_wrong = Combinația { $row } nu rămâne neschimbată de-a lungul soluțiilor.
 feedback-joints_combination_zero = Combinația { $row } este 0 orice ar face cuplele și nu spune nimic.
 feedback-joints_combination_loose = Combinația { $row } rămâne neschimbată de-a lungul soluțiilor, dar nu este destul: alte valori ale cuplelor cu aceeași combinație nu ating situarea.

@@ -38,6 +38,15 @@ def test_a_combination_of_zeros_says_nothing() -> None:
     assert "joints_combination_wrong" not in codes(found)
 
 
+def test_right_joint_values_that_earn_nothing_are_told_why() -> None:
+    """The claim of infinitely many and a wrong combination take off both of the right rows."""
+    rows = ((30, 60), (90, -60))
+    for combinations, taken_off in (((), False), (((1, 0),), True)):
+        cells = JointAnswerCells(claim=JointClaim.INFINITE, solutions=rows, combinations=combinations)
+        found = part(judged("twolink-inverse", inverse_kinematics=cells), "inverse_kinematics")
+        assert ("joints_taken_off" in codes(found), found.score == 0.0) == (taken_off, taken_off)
+
+
 def motion(exercise_id: str, **cells: Any) -> float:
     given = {name: value for name, value in cells.items() if value is not None}
     report = judged(exercise_id, equations_of_motion=MotionCells(**given))
