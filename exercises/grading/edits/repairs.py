@@ -223,10 +223,14 @@ def _mends(work: Work, changes: Sequence[Change], effort: Effort) -> bool:
 
 
 def _pairs(work: Work, first: Sequence[Trial]) -> Iterator[Repaired]:
-    """Two edits: one of the first, then each that might finish."""
+    """Two edits: one of the first, then each that might finish; in whichever order, each pair once."""
+    told = set()
     for changes in _mending(work, _pairs_to_try(work, first), Effort.PLAIN):
-        shown = (changes[0], after(*changes))
-        yield Repaired(tuple(sorted(shown, key=lambda c: -1 if c.row is None else c.row)))
+        shown = sorted((changes[0], after(*changes)), key=lambda c: -1 if c.row is None else c.row)
+        edits = frozenset((change.code, change.row, change.cell, change.params) for change in shown)
+        if edits not in told:
+            told.add(edits)
+            yield Repaired(tuple(shown))
 
 
 def _pairs_to_try(work: Work, first: Sequence[Trial]) -> Iterator[tuple[Work, tuple[Change, Change], Finish]]:

@@ -240,3 +240,15 @@ def test_which_of_two_rows_is_missing_is_left_open_beside_a_wrong_cell() -> None
         ("row_missing", 5),
         ("row_missing", 6),
     ]
+
+
+@pytest.mark.parametrize(("missing", "first"), [(0, 1), (0, 3), (1, 2), (2, 3)])
+def test_two_edits_that_may_be_made_in_either_order_are_told_once(missing: int, first: int) -> None:
+    """A row left out and two rows exchanged, numbered as they stand in the answer."""
+    rows = [row for number, row in enumerate(PUMA.rows) if number != missing]
+    rows[first], rows[first + 1] = rows[first + 1], rows[first]
+    answer = DHTable(convention=PUMA.convention, rows=tuple(rows))
+    found = grade(written(PUMA), written(answer), FREE).repairs
+    edits = [frozenset((edit.code, edit.row) for edit in repair.edits) for repair in found]
+    assert frozenset({("row_missing", missing + 1), ("rows_swapped", first + 1)}) in edits
+    assert len(edits) == len(set(edits))
