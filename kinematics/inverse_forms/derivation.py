@@ -75,7 +75,8 @@ def inverse_form(
     Raises:
         TableError: code `inverse_form_unknown` of an arm that is not taken apart so, at ("rows",), or at the
             cell that leaves axes neither parallel nor at right angles; `inverse_form_idle_joint` of one that
-            is, but for a joint that cannot move what it would have to, because a length is 0.
+            is, but for a joint that cannot move what it would have to: a length is 0, or two slides are
+            parallel.
     """
     if not table.n_joints:
         raise TableError(Fault.at("inverse_joint_count", "rows", count=0, limit=MAX_JOINTS))

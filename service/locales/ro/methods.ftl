@@ -1,7 +1,7 @@
 # Cinematica inversă.
 
 error-inverse_form_unknown = Axele acestui braț nu se succed într-un mod a cărui cinematică inversă să fie cunoscută în formă simbolică: ele trebuie să fie perpendiculare sau paralele, cu două sau trei cuple care se mișcă într-un plan și cu o încheietură ale cărei axe se intersectează într-un punct. Numeric se rezolvă oricum.
-error-inverse_form_idle_joint = Cupla { $joint } nu face nimic acolo unde soluția simbolică are nevoie de ea: punctul pe care ar trebui să îl miște se află pe axa ei sau o altă cuplă îl mișcă la fel, fiindcă o lungime dintre axe este 0. Soluția numerică funcționează oricum.
+error-inverse_form_idle_joint = Cupla { $joint } nu face nimic acolo unde soluția simbolică are nevoie de ea: punctul pe care ar trebui să îl miște se află pe axa ei sau o altă cuplă îl mișcă la fel, fiindcă o lungime dintre axe este 0 sau două cuple de translație sunt paralele. Soluția numerică funcționează oricum.
 error-inverse_joint_count =
     Cinematica inversă se calculează pentru 1 până la { $limit ->
         [one] { $limit } cuplă
