@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import fields
-from functools import lru_cache
+from functools import cache, lru_cache
 from importlib import import_module
 from typing import Any, TypeVar, cast
 
@@ -90,8 +90,13 @@ def of_student(table: sa.FromClause, link_id: Any, person_id: Any) -> sa.ColumnE
 def filled(kind: type[Record], row: Any, **others: Any) -> Record:
     """Return a record with what a row has in the columns of its fields; others stand instead, or besides."""
     found = row._mapping
-    columns = {entry.name: found[entry.name] for entry in fields(cast(Any, kind)) if entry.name in found}
-    return kind(**columns | others)
+    columns = {name: found[name] for name in _names(cast(Any, kind)) if name not in others and name in found}
+    return kind(**columns, **others)
+
+
+@cache
+def _names(kind: Any) -> tuple[str, ...]:
+    return tuple(entry.name for entry in fields(kind))
 
 
 def record_of(row: Any) -> dict[str, Any]:

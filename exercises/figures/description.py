@@ -10,6 +10,7 @@ import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from enum import StrEnum
+from functools import lru_cache
 from typing import TypeAlias
 
 from exercises.figures.geometry import FigureJointAxis, Scene
@@ -18,6 +19,8 @@ from kinematics.se3 import Vector, dot, norm, subtract
 from kinematics.table import JointType
 
 Basis: TypeAlias = tuple[Vector, Vector, Vector]
+CACHED_PLACES = 1024
+"""Places and directions in the cache: dimensions begin and end where joints are."""
 
 
 class LineDirection(StrEnum):
@@ -115,6 +118,7 @@ def _course(vector: Vector) -> str:
     return LineDirection.OBLIQUE.value
 
 
+@lru_cache(maxsize=CACHED_PLACES)
 def _triple(vector: Vector) -> str:
     return f"({'; '.join(map(_number, vector))})"
 
