@@ -5,7 +5,9 @@ from __future__ import annotations
 import threading
 import time
 from collections.abc import Callable
+from contextlib import suppress
 from datetime import UTC, datetime
+from typing import Any
 
 from courses.attempts.stored_attempts import Typed, keep_drafts
 from courses.attempts.submissions import JudgedSubmission, store_submissions
@@ -69,10 +71,7 @@ class CourseResources:
     """
 
     def __init__(
-        self,
-        settings: Settings,
-        crowd: Callable[[], int] = lambda: 0,
-        is_thronged: Callable[[], bool] = lambda: False,
+        self, settings: Settings, crowd: Callable[[], int] = int, is_thronged: Callable[[], bool] = bool
     ) -> None:
         """Open the database.
 
@@ -86,24 +85,19 @@ class CourseResources:
         self.fetcher = Fetcher(frozenset(settings.lti_trusted_origins))
         self.platform_keys = PlatformKeys(self.fetcher)
         self.services = Services(self.fetcher, self.signing)
-        capacity = settings.grading_queue
+        alike: dict[str, Any] = {"capacity": settings.grading_queue, "gives_up": _database_is_gone}
         self.sign_in: Batcher[str, CourseSession] = Batcher(
             lambda tokens: sessions_of(self.store, tokens, now()),
-            capacity=capacity,
-            gives_up=_database_is_gone,
+            **alike,
             pause=lambda: _THRONGED_PAUSE if is_thronged() else 0.0,
         )
         self.keep: Batcher[JudgedSubmission, Attempt] = Batcher(
             lambda submissions: store_submissions(self.store, submissions, now()),
-            capacity=capacity,
-            gives_up=_database_is_gone,
+            **alike,
             pause=lambda: min(_PAUSE_FOR_EACH * crowd(), _LONGEST_PAUSE),
         )
         self.keep_draft: Batcher[Typed, None] = Batcher(
-            lambda typed: keep_drafts(self.store, typed, now()),
-            capacity=capacity,
-            gives_up=_database_is_gone,
-            pause=lambda: _DRAFTS_PAUSE,
+            lambda typed: keep_drafts(self.store, typed, now()), **alike, pause=lambda: _DRAFTS_PAUSE
         )
         self._people: dict[str, Proven] = {}
         self._lock = threading.Lock()
@@ -300,8 +294,6 @@ def _new_key(made: datetime, *, at_once: bool) -> StoredKey:
 def _origins(platform: Platform) -> list[str]:
     found = []
     for address in (platform.issuer, platform.authorization_endpoint, *platform.origins):
-        try:
+        with suppress(ValueError):
             found.append(origin_of(address))
-        except ValueError:
-            continue
     return found
