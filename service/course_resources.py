@@ -68,6 +68,7 @@ class CourseResources:
         sign_in: finds who is signed in by a token.
         keep: stores a judged submission.
         keep_draft: stores what somebody has typed.
+        key_set: the public keys as they were published last; empty before.
     """
 
     def __init__(
@@ -99,6 +100,7 @@ class CourseResources:
         self.keep_draft: Batcher[Typed, None] = Batcher(
             lambda typed: keep_drafts(self.store, typed, now()), **alike, pause=lambda: _DRAFTS_PAUSE
         )
+        self.key_set: dict[str, Any] = {}
         self._people: dict[str, Proven] = {}
         self._lock = threading.Lock()
         self._members: dict[int, tuple[dict[str, str | None] | None, float]] = {}
