@@ -54,10 +54,9 @@ LONG = ("web", "lti", "service")
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    rank = {Path(__file__).parent / room: place for place, room in enumerate(LONG)}
-    items.sort(
-        key=lambda item: min((rank[room] for room in item.path.parents if room in rank), default=len(LONG))
-    )
+    rank = {room: place for place, room in enumerate(LONG)}
+    depth = len(Path(__file__).parent.parts)
+    items.sort(key=lambda item: rank.get(item.path.parts[depth], len(LONG)))
 
 
 @pytest.hookimpl(wrapper=True)
