@@ -128,13 +128,7 @@ def read_tree(
 
 
 def path_table(tree: ReadTree, table: DHTable[Entry], frame: int) -> DHTable[Entry]:
-    """Return the modified table of the serial arm from the base to a frame.
-
-    Args:
-        tree: whose path it is.
-        table: its rows, exact or in numbers.
-        frame: number of the frame.
-    """
+    """Return the modified table of the serial arm from the base to a frame."""
     rows = []
     for k in tree.path(frame):
         branch, row = table.rows[2 * k - 2 : 2 * k]

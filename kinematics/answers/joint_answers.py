@@ -43,12 +43,7 @@ FAR = 1e6
 
 
 def judge_joints(question: JointQuestion, answer: JointAnswer) -> JointVerdict:
-    """Judge an answer against the complete set.
-
-    Args:
-        question: the pose, and what reaches it.
-        answer: in the variables of the question's arm.
-    """
+    """Judge an answer against the complete set."""
     expected = question.expected
     if expected in _NONE:
         right = answer.claim is expected

@@ -48,9 +48,7 @@ _TURNS = {MotionKind.TURN_Z: 2, MotionKind.SHIFT_Z: 2, MotionKind.TURN_X: 0, Mot
 class JointWrench:
     """The wrench on everything beyond a joint under unit acceleration of that joint.
 
-    Attributes:
-        force: f.
-        moment: n, about the origin.
+    The moment n is about the origin.
     """
 
     force: Triple

@@ -95,12 +95,7 @@ def candidate_from(
     Where a turn of frame 0 about the first joint's axis, or of frame N about the last one's, does the same as
     an offset of that joint, the offset is chosen such that B and E come as near to the identity as they can.
 
-    Args:
-        chains: the reference's and the submission's.
-        plan: the groups.
-        path: the alignments.
-        zero: whether the policy fixes the zeros.
-        tool_turns: the policy lets frame N move with the last joint.
+    Where `tool_turns` holds, the policy lets frame N move with the last joint.
     """
     reference, submission = chains
     values, g = offsets_and_first(plan, path, zero)

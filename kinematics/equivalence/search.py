@@ -79,12 +79,7 @@ class Found:
 class Way:
     """A path through the groups and a placement of frame N, so that it can be followed at other draws.
 
-    Attributes:
-        plan: which plan.
-        start: which of its starts.
-        signs: the sign at each joint.
-        choice: which of the tool's choices.
-        placement: which of the choice's placements.
+    All but the signs are numbers: of a plan, its start, a choice of the tool, a placement of the choice.
     """
 
     plan: int

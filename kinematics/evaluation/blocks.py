@@ -32,14 +32,7 @@ UFUNCS: dict[Operator, Any] = {
 
 
 class _Layout(NamedTuple):
-    """A tape whose registers are replaced by the buffers they share.
-
-    Attributes:
-        operations: as on the tape.
-        results: buffer of each operation's result.
-        outputs: operand of each output.
-        n_buffers: how many buffers there are.
-    """
+    """A tape whose registers are replaced by the buffers they share."""
 
     operations: list[Operation]
     results: list[int]

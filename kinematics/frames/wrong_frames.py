@@ -44,11 +44,7 @@ class DrawnFrame:
 class PlantedFrame:
     """Frames with one mistake.
 
-    Attributes:
-        index: number of the frame that is wrong.
-        code: what is wrong with it; one of `FRAME_MISTAKES`.
-        shown: frame 0 … N, one of them wrong.
-        right: the frame as it was.
+    `code` is what is wrong with frame `index`, `right` that frame as it was.
     """
 
     index: int

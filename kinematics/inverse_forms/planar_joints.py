@@ -34,9 +34,7 @@ Point: TypeAlias = tuple[Expression, Expression]
 class JointPlane:
     """A plane with its coordinates.
 
-    Attributes:
-        h: its normal.
-        f: direction of the first coordinate.
+    h is its normal, f the direction of the first coordinate.
     """
 
     h: Axis

@@ -95,9 +95,7 @@ class SignedArm:
 def signed_arm_of(table: SymbolicTable, tip: Vector = (ZERO, ZERO, ZERO)) -> SignedArm:
     """Return the arm of a table.
 
-    Args:
-        table: the DH table.
-        tip: what is to be placed, a point in frame N.
+    `tip` is what is to be placed, a point in frame N.
 
     Raises:
         TableError: code `inverse_form_unknown`, at the cell that leaves axes neither parallel nor at right

@@ -28,13 +28,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Purpose:
-    """What a function is called and what it returns, in words that stand in a comment.
-
-    Attributes:
-        name: the function's name, an identifier in every language.
-        meaning: one sentence.
-        result: the name of the matrix.
-    """
+    """What a function is called and what it returns, in words that stand in a comment."""
 
     name: str
     meaning: str

@@ -159,14 +159,7 @@ class LineWriter(Writer[WrittenTerm]):
 class Typesetter(LineWriter):
     """Writes expressions in two dimensions: fractions with a line, roots, powers above.
 
-    Attributes:
-        comma: what stands between two arguments.
-        digits: how a whole number is written, given its digits.
-        over: a fraction, given what is above and below.
-        root: a square root, given the radicand.
-        absolute: an absolute value.
-        power: a power, given base and exponent.
-        functions: names of functions.
+    Numbers, fractions, roots, absolute values and powers are given by templates.
     """
 
     comma: ClassVar[str]

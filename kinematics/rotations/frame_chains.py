@@ -55,13 +55,7 @@ class ChainFactor:
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class ChainVerdict:
-    """What is said of a pose.
-
-    Attributes:
-        rotation: the rotation is right.
-        position: the position is right.
-        mistakes: what a wrong one looks like.
-    """
+    """What is said of a pose."""
 
     rotation: bool
     position: bool

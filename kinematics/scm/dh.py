@@ -60,9 +60,6 @@ def modified_dh_from_scm(chain: ScmChain) -> SymbolicTable:
     needs (a base turned away from the first axis, two parallel axes offset in two directions, the Final
     Transformation, the tool) become fixed rows, so nothing is lost and no 4x4 remains to be carried along.
 
-    Args:
-        chain: an SCM chain that passes `verify`.
-
     Raises:
         DescriptionError: the chain does not pass `verify`; its faults.
 

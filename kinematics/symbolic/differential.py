@@ -20,13 +20,7 @@ _LONG = 1000
 
 @dataclass(frozen=True, slots=True)
 class MovingJoint:
-    """A joint and what lies before and after it.
-
-    Attributes:
-        motion: the joint's own.
-        before: the runs up to it.
-        after: the motions that follow.
-    """
+    """A joint and what lies before and after it."""
 
     motion: Motion
     before: tuple[Run, ...]

@@ -58,15 +58,7 @@ class Mimic(NamedTuple):
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class UrdfJoint:
-    """A joint as it is written; its numbers are read when the joint turns out to matter.
-
-    Attributes:
-        name: its name.
-        kind: its type, as written.
-        parent: name of the link that it stands on.
-        child: name of the link that it carries.
-        element: its XML element.
-    """
+    """A joint as it is written; its numbers are read when the joint turns out to matter."""
 
     name: str
     kind: str
@@ -185,13 +177,7 @@ class UrdfJoint:
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class UrdfDocument:
-    """A description: a tree of links, if it is sound.
-
-    Attributes:
-        name: the robot's name; empty if it has none.
-        links: names of the links.
-        joints: the joints.
-    """
+    """A description: a tree of links, if it is sound."""
 
     name: str
     links: tuple[str, ...]
