@@ -40,10 +40,7 @@ class XScrew(Generic[Entry]):
 class Conversion(Generic[Entry]):
     """A table in another convention: base · (its product) · tool is the old table's product, for every q.
 
-    Attributes:
-        table: the new table, with as many rows as the old one.
-        base: what stands before the table; None for nothing.
-        tool: what stands behind the table; None for nothing.
+    Base and tool are what stands before and behind the table; None for nothing.
     """
 
     table: DHTable[Entry]
@@ -71,7 +68,8 @@ def convert(
     """
     if to is table.convention or not table.rows:
         return Conversion(table=replace(table, convention=to), base=_or_none(base), tool=_or_none(tool))
-    nothing = _nothing_like(table)
+    zero = _zero_like(table.rows[0].a)
+    nothing = XScrew(a=zero, alpha=zero)
     between: list[XScrew[Entry]] = [XScrew(a=row.a, alpha=row.alpha) for row in table.rows]
     if to is Convention.MODIFIED:
         shifted = between[:-1]
@@ -108,11 +106,6 @@ def _joined(first: XScrew[Entry], second: XScrew[Entry] | None) -> XScrew[Entry]
 
 def _sum(left: Any, right: Any) -> Any:
     return left + right if isinstance(left, float | int) else add((left, right))
-
-
-def _nothing_like(table: DHTable[Entry]) -> XScrew[Entry]:
-    zero = _zero_like(table.rows[0].a)
-    return XScrew(a=zero, alpha=zero)
 
 
 def _zero_like(entry: Any) -> Any:

@@ -56,9 +56,7 @@ class RobotKeys(KeyReader):
 def read_robot(robot_id: str, text: str) -> Robot:
     """Return the robot that a catalogue file describes.
 
-    Args:
-        robot_id: the file's name without its ending.
-        text: the file's content.
+    `robot_id` is the file's name without its ending.
 
     Raises:
         DescriptionError: every fault, each at (file name, key, …).
@@ -80,7 +78,7 @@ def _robot(robot_id: str, keys: RobotKeys) -> Robot | None:
     raw = _raw_table(keys.table("table", needed=True))
     table = keys.guarded(lambda: read_table(raw), "table")
     parameters = _parameters(keys, table)
-    n = table.table.n_joints if table else _stated_joints(raw)
+    n = table.table.n_joints if table else sum(row.joint is not JointType.FIXED for row in raw.rows)
     limits, limits_source = _limits(keys, n) if keys.given("limits") else (None, None)
     configurations = _configurations(keys.table("configurations", needed=True), raw, n, limits)
     chain = _chain(keys.table("chain"), raw) if keys.given("chain") else None
@@ -124,10 +122,6 @@ def _raw_table(keys: RobotKeys) -> RawTable:
         row.finish()
     keys.finish()
     return RawTable(convention=convention, rows=tuple(rows), angle_unit=angle_unit, length_unit=length_unit)
-
-
-def _stated_joints(raw: RawTable) -> int:
-    return sum(row.joint is not JointType.FIXED for row in raw.rows)
 
 
 def _parameters(keys: RobotKeys, table: ReadTable | None) -> dict[str, float]:

@@ -43,13 +43,6 @@ class Limits:
     smallest: float = 5e-324
     largest: float = 1e15
 
-    def is_precise(self, value: Fraction) -> bool:
-        """Return whether a number has no more digits than results may have.
-
-        They may have those of a double, and room to spare.
-        """
-        return max(value.numerator.bit_length(), value.denominator.bit_length()) <= RESULT_BITS
-
     def admits(self, value: Fraction) -> bool:
         """Return whether a number is of a size that is read."""
         numerator, denominator = abs(value.numerator), value.denominator

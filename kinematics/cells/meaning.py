@@ -95,13 +95,6 @@ def interpret(
 ) -> CellMeaning:
     """Return the exact expression that a cell means.
 
-    Args:
-        node: the cell's syntax tree.
-        position: an angle or a length.
-        angle_unit: unit of plain numbers where an angle stands.
-        limits: bounds on numbers and exponents.
-        variable_of: which names are joint variables.
-
     Raises:
         CellRefusal: the cell has no meaning here, or no finite value.
     """
@@ -271,7 +264,7 @@ def _from_degrees(expression: Expression) -> Expression:
 def _refuse_size(value: Fraction, node: Node, limits: Limits) -> None:
     if not limits.admits(value):
         raise size_refusal(value, node.column, limits)
-    if not limits.is_precise(value):
+    if max(value.numerator.bit_length(), value.denominator.bit_length()) > RESULT_BITS:
         raise CellRefusal("number_too_long", column=node.column, limit=_RESULT_DIGITS)
 
 

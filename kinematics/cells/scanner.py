@@ -88,6 +88,8 @@ _RATE = re.compile(rf"\\dot *(?:\{{ *(?:q|\\theta|θ) *\}}|q|\\theta|θ)([0-9]*)
 _DOTTED = re.compile(rf"[qθ]{DOT_ABOVE}([0-9]*)((?: *(?:{_SUBSCRIPT}))*)")
 _FROM_DEGREES = re.compile(r"(?:radians|deg2rad)(?= *\()")
 """What programs call the function whose argument is in degrees."""
+_EMPTY_CALL = re.compile(r" *\( *\)")
+"""A spreadsheet writes PI()."""
 _DEGREE_POWER = re.compile(r"\^ *(?:\{ *(?:\\circ|°) *\}|\\circ(?![A-Za-z])|°)")
 _SUPERSCRIPT = re.compile(f"{SUPERSCRIPT_MINUS}?[{''.join(SUPERSCRIPTS)}]+")
 _FORTRAN_EXPONENT = re.compile(r"[dD]([+-][0-9]+)(?![0-9A-Za-z_.(])")
@@ -216,7 +218,8 @@ def _name(plain: str, start: int, limits: Limits) -> Scanned:
         raise CellRefusal("names_run_together", column=start + 1, text=word)
     if not digits and not scripts:
         if word.lower() == "pi":
-            return [_token("PI", "pi", start)], _past_empty_call(plain, match.end())
+            call = _EMPTY_CALL.match(plain, match.end())
+            return [_token("PI", "pi", start)], (call or match).end()
         if word in {"deg", "Deg", "DEG"}:
             return [_token("DEGREE", "°", start)], match.end()
         if word.lower() in _NOT_VALUES:
@@ -325,12 +328,6 @@ def _refuse_what_runs_on(plain: str, text: str, start: int, end: int, *, after_d
         and ((after_digits and text[-1] not in GREEK) or following.isdigit())
     ):
         raise CellRefusal("names_run_together", column=start + 1, text=text)
-
-
-def _past_empty_call(plain: str, end: int) -> int:
-    # A spreadsheet writes PI().
-    match = re.compile(r" *\( *\)").match(plain, end)
-    return match.end() if match else end
 
 
 def _without_math_marks(plain: str) -> str:

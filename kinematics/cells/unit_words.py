@@ -60,14 +60,11 @@ def is_symbol_of_unit(name: str) -> bool:
 
 
 def _is_unit(word: str) -> bool:
-    if word.lower() in _UNITS:
-        return word.lower() not in _ALSO_NAMES or word.islower()
-    return _is_begun(word.lower())
-
-
-def _is_begun(word: str) -> bool:
-    """Return whether a word is the beginning of a unit in letters that are in no name: 90 гра, 90 градусо.
+    """Return whether a word is a unit, or the beginning of one in letters that are in no name: 90 гра.
 
     A page reads cells while they are typed; letters that look like Latin ones may be meant as these.
     """
-    return any(map(_FOREIGN.__contains__, word)) and any(unit.startswith(word) for unit in _UNITS)
+    lower = word.lower()
+    if lower in _UNITS:
+        return lower not in _ALSO_NAMES or word.islower()
+    return not _FOREIGN.isdisjoint(lower) and any(unit.startswith(lower) for unit in _UNITS)

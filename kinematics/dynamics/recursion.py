@@ -275,9 +275,8 @@ def _motion_crosses(V: Floats) -> Floats:
 
 
 def _force_crosses(V: Floats) -> Floats:
-    """Return the matrices of F ↦ V ×* F."""
-    v, w = _crosses(V[..., :3]), _crosses(V[..., 3:])
-    return _blocks(w, np.zeros_like(w), v, w)
+    """Return the matrices of F ↦ V ×* F: what is adjoint to V × V', with the sign changed."""
+    return -np.swapaxes(_motion_crosses(V), -1, -2)
 
 
 def _momentum_crosses(F: Floats) -> Floats:

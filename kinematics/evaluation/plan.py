@@ -21,6 +21,7 @@ from kinematics.errors import Fault, JointValueError
 from kinematics.evaluation.blocks import run_blocks
 from kinematics.evaluation.recurrences import (
     LinkMotions,
+    Rows,
     base_jacobian,
     end_jacobian,
     end_pose,
@@ -211,31 +212,18 @@ def _overflow(*where: int) -> JointValueError:
     return JointValueError(Fault.at("result_not_finite", "joints", *where))
 
 
-def _pose(chain: LinkMotions, values: Sequence[Any]) -> list[Scalar]:
-    r0, r1, r2 = end_pose(chain, values)
-    return [*r0, *r1, *r2, 0.0, 0.0, 0.0, 1.0]
+def _flat(*poses: Rows) -> list[Scalar]:
+    return [x for r0, r1, r2 in poses for x in (*r0, *r1, *r2, 0.0, 0.0, 0.0, 1.0)]
 
 
-def _links(chain: LinkMotions, values: Sequence[Any]) -> list[Scalar]:
-    return [x for r0, r1, r2 in link_poses(chain, values) for x in (*r0, *r1, *r2, 0.0, 0.0, 0.0, 1.0)]
-
-
-def _frames(chain: LinkMotions, values: Sequence[Any]) -> list[Scalar]:
-    return [x for r0, r1, r2 in frame_poses(chain, values) for x in (*r0, *r1, *r2, 0.0, 0.0, 0.0, 1.0)]
-
-
-def _base_jacobian(chain: LinkMotions, values: Sequence[Any]) -> list[Scalar]:
-    return [column[i] for columns in [base_jacobian(chain, values)] for i in range(6) for column in columns]
-
-
-def _end_jacobian(chain: LinkMotions, values: Sequence[Any]) -> list[Scalar]:
-    return [column[i] for columns in [end_jacobian(chain, values)] for i in range(6) for column in columns]
+def _by_rows(columns: Sequence[Sequence[Scalar]]) -> list[Scalar]:
+    return [column[i] for i in range(6) for column in columns]
 
 
 _RESULTS: dict[Quantity, Callable[[LinkMotions, Sequence[Any]], list[Scalar]]] = {
-    Quantity.POSE: _pose,
-    Quantity.LINKS: _links,
-    Quantity.FRAMES: _frames,
-    Quantity.BASE_JACOBIAN: _base_jacobian,
-    Quantity.END_JACOBIAN: _end_jacobian,
+    Quantity.POSE: lambda chain, values: _flat(end_pose(chain, values)),
+    Quantity.LINKS: lambda chain, values: _flat(*link_poses(chain, values)),
+    Quantity.FRAMES: lambda chain, values: _flat(*frame_poses(chain, values)),
+    Quantity.BASE_JACOBIAN: lambda chain, values: _by_rows(base_jacobian(chain, values)),
+    Quantity.END_JACOBIAN: lambda chain, values: _by_rows(end_jacobian(chain, values)),
 }

@@ -125,7 +125,10 @@ class _ChainReader:
         variable, sign = Entry.A, 1
         if len(self.faults) == before:
             variable, sign = self._variable(i, holding, entries)
-        constants = {e.value: _without_variable(expression) for e, expression in entries.items()}
+        constants = {
+            e.value: add(term for term in terms_of(expression) if not joint_variables_in(term))
+            for e, expression in entries.items()
+        }
         return ChainRow(constant=Placement(**constants), variable=variable, sign=sign)
 
     def placement(self, name: str, cells: RawPlacement) -> Placement:
@@ -189,10 +192,6 @@ class _ChainReader:
 
     def _refuse(self, code: str, *where: str | int, **params: ParamValue) -> None:
         self.faults.append(Fault.at(code, *where, **params))
-
-
-def _without_variable(expression: Expression) -> Expression:
-    return add(term for term in terms_of(expression) if not joint_variables_in(term))
 
 
 def _variable_sign(expression: Expression) -> int | None:

@@ -45,8 +45,9 @@ def appended(rows: list[SymbolicRow], row: SymbolicRow) -> list[SymbolicRow]:
 
     A last row that only turns and shifts along x flows into it.
     """
-    if rows and _is_still(rows[-1]):
-        *rows, last = rows
+    last = rows[-1] if rows else row
+    if rows and last.joint is JointType.FIXED and last.theta == last.d == ZERO:
+        rows = rows[:-1]
         row = replace(row, a=add((last.a, row.a)), alpha=principal(add((last.alpha, row.alpha))))
     return [*rows, row]
 
@@ -68,7 +69,3 @@ def principal(angle: Expression) -> Expression:
     """Return an exact angle brought into (-π, π]."""
     half_turns = pi_fraction(angle)
     return angle if half_turns is None else pi_times(1 - (1 - half_turns) % 2)
-
-
-def _is_still(row: SymbolicRow) -> bool:
-    return row.joint is JointType.FIXED and row.theta == ZERO and row.d == ZERO

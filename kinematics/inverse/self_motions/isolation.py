@@ -41,11 +41,6 @@ def lost_value(tolerance: float) -> float:
     return max(tolerance / LONG * 2.0, LOST, math.sqrt(tolerance))
 
 
-def merging_value(tolerance: float) -> float:
-    """Return the least singular value of the Jacobian above which a solution stands alone."""
-    return MERGING * math.sqrt(tolerance)
-
-
 def told_apart(arm: Arm, target: Array, joints: Array, tolerance: float) -> tuple[list[int], list[int]]:
     """Return which solutions stand alone, each once; and which may be of families, the most exact first."""
     if not len(joints):
@@ -54,7 +49,7 @@ def told_apart(arm: Arm, target: Array, joints: Array, tolerance: float) -> tupl
     errors = np.linalg.norm(errors_of(arm, frames[-1], target), axis=1)
     J = arm.jacobians(frames) * arm.units
     least = np.linalg.svd(J, compute_uv=False)[:, arm.generic_rank - 1]
-    delicate = (least <= merging_value(tolerance)) | (arm.redundancy > 0)
+    delicate = (least <= MERGING * math.sqrt(tolerance)) | (arm.redundancy > 0)
     apart = np.abs(differences(joints[:, None], joints[None], arm)).max(axis=2)
     np.fill_diagonal(apart, np.inf)
     if not arm.redundancy and float(least.min()) > lost_value(tolerance):
