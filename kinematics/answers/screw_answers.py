@@ -22,7 +22,7 @@ import numpy as np
 
 from kinematics.answers.axis_pairs import AxisPair, axis_pairs
 from kinematics.chain import Axis, Chain, chain_of_axes, size_of
-from kinematics.equivalence import Certificate, Policy
+from kinematics.equivalence import Certificate, Policy, ToolRule
 from kinematics.equivalence.decision import WORK_OF_ACCEPTANCE, certify
 from kinematics.equivalence.meter import Meter, WorkExhaustedError
 from kinematics.equivalence.reference import prepared
@@ -242,8 +242,7 @@ def _explained(
         if right(replace(answer, screws=screws)):
             yield ScrewMistake.MOMENT_SIGN, i + 1
             return
-    free = Policy(tolerance=policy.tolerance, base=policy.base, zero=policy.zero, direction=policy.direction)
-    if _certified(key, answer, _any_tool(free)) is not None:
+    if _certified(key, answer, replace(policy, tool=ToolRule.FREE)) is not None:
         yield ScrewMistake.HOME, None
         return
     for factor in OTHER_UNITS:
@@ -270,7 +269,3 @@ def _certified(key: NumericTable, answer: ScrewAnswer, policy: Policy) -> Certif
         meter = Meter(WORK_OF_ACCEPTANCE)
         return certify([prepared(key)], [screw_chain(answer)], policy, meter=meter)
     return None
-
-
-def _any_tool(policy: Policy) -> Policy:
-    return replace(policy, tool=type(policy.tool).FREE)
