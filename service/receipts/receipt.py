@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 from base64 import urlsafe_b64decode, urlsafe_b64encode
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from datetime import UTC, datetime
 from typing import Any
 
@@ -64,6 +64,10 @@ class Receipt:
     service: str
 
 
+_CLAIMS = tuple(entry.name for entry in fields(Receipt) if entry.name not in ("time", "service"))
+"""Fields that are claims of the same names; the other two are `iat` and `iss`."""
+
+
 def answer_hash(answer: Mapping[str, Any]) -> str:
     """Return the SHA-256 of an answer: its JSON with sorted keys, without white space."""
     return hashlib.sha256(orjson.dumps(answer, option=orjson.OPT_SORT_KEYS)).hexdigest()
@@ -75,15 +79,7 @@ def issue(receipt: Receipt, keys: ReceiptKeys) -> str:
         {
             "iss": receipt.service,
             "iat": int(receipt.time.timestamp()),
-            "exercise": receipt.exercise,
-            "version": receipt.version,
-            "seed": receipt.seed,
-            "name": receipt.name,
-            "points": receipt.points,
-            "max_points": receipt.max_points,
-            "parts": receipt.parts,
-            "settings": receipt.settings,
-            "answer": receipt.answer,
+            **{name: getattr(receipt, name) for name in _CLAIMS},
         },
         option=orjson.OPT_SORT_KEYS,
     )
@@ -107,7 +103,10 @@ def verify(token: str, keys: ReceiptKeys) -> Receipt:
         signed = jws.deserialize_compact(token, key, registry=REGISTRY)
     except (JoseError, ValueError):
         raise _refused("receipt_altered") from None
-    return _receipt(orjson.loads(signed.payload or b""))
+    claims = orjson.loads(signed.payload or b"")
+    told = {name: claims[name] for name in _CLAIMS}
+    told["parts"] = {kind: PartScore(**score) for kind, score in told["parts"].items()}
+    return Receipt(**told, time=datetime.fromtimestamp(claims["iat"], UTC), service=claims["iss"])
 
 
 def _header(token: str) -> dict[str, Any]:
@@ -128,22 +127,6 @@ def _header(token: str) -> dict[str, Any]:
     if written != parts or not isinstance(header, dict):
         raise _refused("receipt_malformed")
     return header
-
-
-def _receipt(claims: Mapping[str, Any]) -> Receipt:
-    return Receipt(
-        exercise=claims["exercise"],
-        version=claims["version"],
-        seed=claims["seed"],
-        name=claims["name"],
-        points=claims["points"],
-        max_points=claims["max_points"],
-        parts={kind: PartScore(**score) for kind, score in claims["parts"].items()},
-        settings=claims["settings"],
-        answer=claims["answer"],
-        time=datetime.fromtimestamp(claims["iat"], UTC),
-        service=claims["iss"],
-    )
 
 
 def _refused(code: str, **params: str) -> RequestError:
