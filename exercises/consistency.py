@@ -7,7 +7,6 @@ from collections.abc import Iterator
 from exercises.definition import Exercise
 from exercises.errors import DefinitionError
 from exercises.figures.geometry import build_scene
-from exercises.figures.specification import FigureSpecification
 from exercises.needs import unmet_needs
 from exercises.parts.registry import part_type
 from exercises.statements import names_in
@@ -44,7 +43,8 @@ def _figure_faults(exercise: Exercise) -> list[Fault]:
 
 def _name_faults(exercise: Exercise) -> list[Fault]:
     """Names in statements that stand neither in the table nor in the figure."""
-    known = {parameter.name for parameter in exercise.parameters} | _figure_names(exercise.figure)
+    known = {parameter.name for parameter in exercise.parameters} | set(exercise.figure.marks)
+    known |= {mark.name for mark in exercise.figure.dimensions}
     return [
         Fault.at("statement_name_unknown", f"statement.{language}.md", name=name)
         for language, text in exercise.statements.items()
@@ -65,7 +65,3 @@ def _part_faults(exercise: Exercise) -> Iterator[Fault]:
     for i, part in enumerate(exercise.parts):
         for fault in part_type(part.kind).inconsistencies(part, exercise):
             yield fault.within(FILE, "parts", i)
-
-
-def _figure_names(figure: FigureSpecification) -> set[str]:
-    return set(figure.marks) | {mark.name for mark in figure.dimensions}

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from random import Random
 
 from exercises.answers import RawAnswer
@@ -112,8 +112,11 @@ def _rehearsed(
         score=verdict.score,
         points=report.points,
         max_points=report.max_points,
-        repairs=tuple(_plain(edit) for edit in (verdict.repairs[0].edits if verdict.repairs else ())),
-        feedback=tuple(_plain_feedback(entry) for entry in verdict.feedback),
+        repairs=tuple(
+            replace(edit, params=dict(edit.params))
+            for edit in (verdict.repairs[0].edits if verdict.repairs else ())
+        ),
+        feedback=tuple(replace(entry, params=dict(entry.params)) for entry in verdict.feedback),
         remarks=len(report.remarks),
     )
 
@@ -141,11 +144,3 @@ def _report(instance: Instance, table: RawTable, read: ReadTable) -> Report:
             raise
         kept = {kind: raw for kind, raw in answer.items() if kind not in refused}
         return judged_answer(instance, RawAnswer(**kept))
-
-
-def _plain(edit: Edit) -> Edit:
-    return Edit(code=edit.code, row=edit.row, cell=edit.cell, params=dict(edit.params))
-
-
-def _plain_feedback(entry: Feedback) -> Feedback:
-    return Feedback(code=entry.code, row=entry.row, params=dict(entry.params))

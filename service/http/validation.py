@@ -102,7 +102,7 @@ def _part(error: Any) -> RequestPart:
 
 
 def _fault(error: ErrorDetails, loc: tuple[int | str, ...], model: Any, allowed: _Allowed) -> Fault:
-    where = _place(loc)
+    where = tuple(step for step in loc if not _is_tag(step))
     kind, context = error["type"], error.get("ctx") or {}
     code = CODES.get(kind, kind if kind not in _PYDANTIC_TYPES else "value_invalid")
     if code == "object_expected" and not where:
@@ -135,10 +135,6 @@ def _name(where: Sequence[int | str]) -> str:
     """The innermost named field, with the indices below it: joints[3][0]."""
     named = max((i for i, step in enumerate(where) if isinstance(step, str)), default=0)
     return "".join(f"[{step}]" if isinstance(step, int) else str(step) for step in where[named:])
-
-
-def _place(loc: Iterable[int | str]) -> tuple[int | str, ...]:
-    return tuple(step for step in loc if not _is_tag(step))
 
 
 def _is_tag(step: int | str) -> bool:

@@ -11,7 +11,6 @@ import re
 import types
 from collections.abc import Mapping, Sequence
 from dataclasses import MISSING, fields, is_dataclass
-from dataclasses import Field as RecordField
 from enum import Enum
 from functools import cache
 from typing import Annotated, Any, Union, cast, get_args, get_origin, get_type_hints
@@ -58,7 +57,7 @@ def model_of(record: type) -> type[Wire]:
     found: dict[str, Any] = {
         entry.name: (
             wire_type(hints[entry.name]),
-            Field(_default(entry), description=described.get(entry.name)),
+            Field(... if entry.default is MISSING else entry.default, description=described.get(entry.name)),
         )
         for entry in fields(record)
     }
@@ -142,10 +141,6 @@ def descriptions(record: type) -> dict[str, str]:
             elif name and line.strip():
                 found[name] += " " + line.strip()
     return {name: text.rstrip(".") for name, text in found.items()}
-
-
-def _default(entry: RecordField[Any]) -> Any:
-    return ... if entry.default is MISSING else entry.default
 
 
 def _plain_type(annotation: Any) -> Any:

@@ -40,10 +40,6 @@ def _own_link(context: Context, row: int) -> Expected:
     return lambda samples: context.own_links(samples)[row]
 
 
-def _cell_facts(i: int, compared: Compared) -> list[Fact]:
-    return [fact(False, i, r, c) for r, c in np.argwhere(~compared.cells).tolist()]
-
-
 def _what_is_off(context: Context, i: int, compared: Compared) -> Feedback:
     """The misconception that explains a wrong matrix, or else its wrong cells."""
     assert context.own is not None
@@ -166,7 +162,7 @@ def _by_own_rows(context: Context, answer: Sequence[SymbolicMatrix | None], part
         compared = compare(context, matrix, _own_link(context, i))
         facts.append(fact(compared.right, i))
         if not compared.right:
-            facts += _cell_facts(i, compared)
+            facts += [fact(False, i, r, c) for r, c in np.argwhere(~compared.cells).tolist()]
             feedback.append(_what_is_off(context, i, compared))
     right = [fact.finding is Finding.OK for fact in facts if len(fact.where) == 1]
     weights = _weights(context, right)

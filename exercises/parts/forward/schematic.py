@@ -150,13 +150,12 @@ def _relation_facts(key: Schematic, answer: Schematic, feedback: list[Feedback])
         facts.append(Fact(where=("relations", i), finding=finding))
         if finding is Finding.WRONG and i < len(key.relations):
             feedback.append(
-                Feedback(code=_what_is_off(key.relations[i], answer.relations[i]), params=_pair(i))
+                Feedback(
+                    code=_what_is_off(key.relations[i], answer.relations[i]),
+                    params={"first": i + 1, "second": i + 2},
+                )
             )
     return facts
-
-
-def _pair(i: int) -> dict[str, str | int | float | tuple[str, ...] | tuple[int, ...]]:
-    return {"first": i + 1, "second": i + 2}
 
 
 def _what_is_off(key: AxisRelation, given: AxisRelation) -> str:

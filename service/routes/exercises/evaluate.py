@@ -140,7 +140,7 @@ def _accepted(request: Request, asked: EvaluateRequest, address: str, language: 
     callbacks = resources_of(request).callbacks
     if not callbacks.allows(address):
         return _refused("callback_not_allowed", message=sentence(language, "error-callback_not_allowed"))
-    request_id = _request_id(request)
+    request_id = str(request.scope.get(REQUEST_ID) or "")
     if not callbacks.has_room():
         raise busy()
     callbacks.send(
@@ -168,10 +168,6 @@ def _error(status: int, code: str, message: str, details: dict[str, Any] | None)
 
 def _headers() -> dict[str, str]:
     return {"X-Api-Version": mued.VERSION, "Cache-Control": "no-store"}
-
-
-def _request_id(request: Request) -> str:
-    return str(request.scope.get(REQUEST_ID) or "")
 
 
 def _said(error: ValidationError) -> str | None:

@@ -66,7 +66,7 @@ async def solved(
     with traced(request):
         question = _question(request, robot)
         answer = await answer_to(question, workers)
-    return _answer(answer, robot)
+    return InverseKinematicsAnswer(**robot.units, **target_answer(answer, robot))
 
 
 async def solved_each(
@@ -194,10 +194,6 @@ def _solve_each(
         targets,
         seconds,
     )
-
-
-def _answer(answer: InverseKinematics, robot: PreparedRobot) -> InverseKinematicsAnswer:
-    return InverseKinematicsAnswer(**robot.units, **target_answer(answer, robot))
 
 
 def target_answer(answer: InverseKinematics, robot: InUnits) -> dict[str, Any]:
