@@ -19,12 +19,7 @@ ATTEMPTS = 8
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class OtherTable:
-    """Another table of the same robot.
-
-    Attributes:
-        table: it, in the units of the first.
-        reasons: in what its frames differ from the first's.
-    """
+    """Another table of the same robot."""
 
     table: ReadTable
     reasons: frozenset[ComparisonReason]

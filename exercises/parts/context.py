@@ -33,13 +33,7 @@ _STEPS = tuple(math.sqrt(p) for p in (2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Context:
-    """Everything that one answer is judged by.
-
-    Attributes:
-        instance: the exercise with the student's values.
-        answer: everything that was handed in, as read.
-        verdict: on the student's own table, if one was handed in.
-    """
+    """Everything that one answer is judged by."""
 
     instance: Instance
     answer: Answer

@@ -188,11 +188,7 @@ class Reading:
     ) -> Expression | None:
         """Return an expression in the exercise's own names, or None; faults are kept.
 
-        Args:
-            expression: what was read.
-            where: the place of its cell in the whole answer.
-            others: names that may stand in it besides the exercise's own.
-            idle: names in its cell that make no difference.
+        See `exercises.names.in_own_names`.
         """
         try:
             return in_own_names(expression, self.instance.exercise, where, others, idle=idle)
@@ -267,13 +263,7 @@ class PartType(ABC, Generic[P, Raw, Read]):
 
     @abstractmethod
     def grade(self, part: P, answer: Read, context: Context) -> PartReport:
-        """Judge an answer; everything that was found, whatever the help level.
-
-        Args:
-            part: what is asked.
-            answer: what was handed in, as read.
-            context: the key, the student's own table, values, tolerance, the other parts.
-        """
+        """Judge an answer; everything that was found, whatever the help level."""
 
     def shown(self, report: PartReport, level: HelpLevel) -> PartReport:
         """Return the report as a level of help shows it."""

@@ -77,13 +77,7 @@ def judged(
 ) -> PartReport:
     """Return the report on a part.
 
-    Args:
-        part: what was asked.
-        score: 0 … 1.
-        credit: what the marks rest on; nothing, if there are none.
-        correct: right for the robot; left out: full marks that rest on the key.
-        facts: the single findings.
-        feedback: what to tell the student.
+    It is correct, if nothing is said, with full marks that rest on the key.
     """
     credit = credit if score else Credit.NONE
     points = float(part.points)
@@ -141,10 +135,7 @@ def shown(report: PartReport, help_level: HelpLevel, disclosures: Mapping[str, D
 
     An answer that is not right is never left without a word.
 
-    Args:
-        report: everything that was found.
-        help_level: how much may be told.
-        disclosures: by code; feedback that is not listed is always told.
+    Feedback without a disclosure is always told.
     """
     told: list[Feedback] = []
     for entry in report.feedback:

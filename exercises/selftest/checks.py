@@ -61,10 +61,7 @@ def check_values(
 ) -> Findings:
     """Test an exercise by itself with the values of some seeds, None being the usual values.
 
-    Args:
-        seeds: whose values.
-        exercise: the exercise.
-        mistakes: how many of the listed mistakes are made for each seed; None: all of them.
+    See `check`.
     """
     findings = Findings(exercise.id)
     with_table = exercise.part(TABLE) is not None

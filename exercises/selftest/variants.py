@@ -47,11 +47,7 @@ def small_changes(
 ) -> Iterator[SymbolicTable]:
     """Yield right tables that differ from a right one in a single choice, in its own convention.
 
-    Args:
-        table: a right table.
-        policy: what the table is held to; only what it leaves free is changed.
-        lengths: lengths by which origins may be moved.
-        rng: chooses the place.
+    See `variant`.
     """
     for rule in _rules(policy):
         if rule is _insert_row:

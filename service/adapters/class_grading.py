@@ -59,10 +59,7 @@ def require_exercise(name: str, folders: tuple[Path, ...]) -> None:
 def grade_class(found: Iterable[HandIn], settings: ClassSettings, jobs: int | None = None) -> Iterator[Mark]:
     """Yield the mark of every hand-in, in their order.
 
-    Args:
-        found: what was handed in.
-        settings: the exercise and what is told.
-        jobs: processes; all cores if left out, none besides this one for 1.
+    All cores are used, if the number of jobs is left out; for 1 this process alone.
     """
     _library.cache_clear()  # a folder may have changed since another class was graded in this process
     jobs = jobs or os.cpu_count() or 1

@@ -144,14 +144,6 @@ def line_item_for(
     there is, none is made. A new one names its link,
     without which Open edX never publishes its marks; where a platform refuses that, it stands alone.
 
-    Args:
-        services: calls of services.
-        platform: the platform.
-        line_items: address of its line items.
-        resource: id of the resource link, as its launches name it.
-        label: the column's title.
-        maximum: points of full marks.
-
     Returns:
         Address of the line item.
 

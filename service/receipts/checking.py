@@ -25,11 +25,7 @@ _SHOWN = 200
 class CheckedReceipt:
     """One text that was handed in as a receipt.
 
-    Attributes:
-        text: the text, without white space.
-        receipt: what it says; None if it is not ours.
-        fault: why it is not ours.
-        repeated: whether the same answer stands in another receipt beside it.
+    It is repeated if the same answer stands in another receipt beside it.
     """
 
     text: str

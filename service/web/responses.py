@@ -37,11 +37,7 @@ def content_security_policy(
 ) -> str:
     """Return what a page may load and who may frame it: only this origin; no inline script or style at all.
 
-    Args:
-        settings: names the origins that may frame pages.
-        in_any_frame: whether the page may stand in anybody's frame, whatever the settings say.
-        platforms: origins of learning management systems, whose pages may frame ours.
-        form_action: where the page's forms may go.
+    `in_any_frame` is stronger than the settings; learning platforms may frame every page.
     """
     ancestors = ("*",) if in_any_frame else (*settings.frame_ancestors, *platforms)
     return "; ".join(

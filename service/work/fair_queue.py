@@ -96,10 +96,7 @@ class FairQueue:
     def __init__(self, *, slots: int, capacity: int, timeout: float) -> None:
         """Make a queue.
 
-        Args:
-            slots: how many tasks run at a time.
-            capacity: how many may wait.
-            timeout: how long each of them may wait [s].
+        Each waits for at most `timeout` seconds.
         """
         self._slots = self._most = slots
         self._capacity = capacity

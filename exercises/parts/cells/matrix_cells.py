@@ -119,12 +119,7 @@ def read_row(
 ) -> tuple[Expression, ...] | None:
     """Return what a row of cells means in the joint variables of a student's answer.
 
-    Args:
-        cells: the row.
-        reading: where faults go.
-        part: the kind of part.
-        where: place of the row inside the part.
-        names: names that may stand in it besides the exercise's own.
+    Other names than the exercise's own may stand in it, if `names` holds them; faults go to the reading.
     """
     read = read_functions(cells, reading.joint_types, reading.angle_unit, (part, *where))
     found = [entry for entry in read if not isinstance(entry, Fault)]

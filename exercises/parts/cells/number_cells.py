@@ -32,12 +32,6 @@ def on_paper(values: Floats, decimals: int = DECIMALS) -> Floats:
 def number_of(cell: Cell, position: Position, instance: Instance, where: tuple[str | int, ...]) -> float:
     """Return the value of a cell without joint variables; an angle in [rad], a length in the exercise's unit.
 
-    Args:
-        cell: a number or text.
-        position: what stands in it.
-        instance: the exercise with the student's values.
-        where: place of the cell, for faults.
-
     Raises:
         CellError: it cannot be read, holds an unknown name, or has no finite value.
     """
@@ -69,12 +63,7 @@ def read_numbers_of(
 ) -> tuple[float, ...] | None:
     """Return the values of some cells, or None; faults are kept in the reading, at `where` in the part.
 
-    Args:
-        cells: numbers or text.
-        position: what stands in them, or in each of them.
-        reading: the exercise with the student's values, and where faults go.
-        part: the kind of part.
-        where: place of the cells inside it.
+    The position is what stands in them, or in each of them.
     """
     positions = [position] * len(cells) if isinstance(position, Position) else position
     found = [

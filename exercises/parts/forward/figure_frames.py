@@ -65,11 +65,7 @@ def lengths_in_frame(origin: Sequence[float], directions: Iterable[Sequence[floa
 def read_vector(cells: Sequence[Cell], reading: Reading, part: str, *where: str | int) -> Vector | None:
     """Return a point or a direction that was typed as three cells, or None; faults go to the reading.
 
-    Args:
-        cells: three of them.
-        reading: the exercise with the student's values.
-        part: the kind of part.
-        where: place of the cells inside it; where its last name is no origin, they are a direction.
+    Where the last name of their place is no origin, they are a direction.
     """
     numbers = read_numbers_of(cells, Position.LENGTH, reading, part, *where)
     if numbers is None:

@@ -133,11 +133,8 @@ def chain_of_poses(
 ) -> Chain | None:
     """Return the joint axes of a ⁰T_N at q = 0; None if it is not a serial chain's.
 
-    Args:
-        poses_of: the ⁰T_N.
-        joint_types: types of its joints.
-        tolerance: how far its derivatives may be from joint screws.
-        size: typical length of the robot, in the unit of `poses_of`.
+    The size is the robot's, in the unit of the poses; the tolerance, how far derivatives may be from joint
+    screws.
     """
     n = len(joint_types)
     steps = np.diag([math.pi / 2 if joint_type is JointType.REVOLUTE else size for joint_type in joint_types])

@@ -76,11 +76,7 @@ def read_conditions(
 ) -> list[Condition | Fault]:
     """Return for each condition in a cell a function that vanishes just where it holds, or what is wrong.
 
-    Args:
-        cell: one condition, or several with commas, semicolons or "or" between them.
-        joint_types: types of joint 1 … n.
-        angle_unit: unit of plain numbers where an angle stands.
-        where: place of the cell, for faults.
+    Several conditions have commas, semicolons or "or" between them.
     """
     text = str(cell)
     if len(text) > LONGEST:

@@ -152,10 +152,7 @@ class RotationCheckType(PartType[RotationCheckPart, RotationClaimCells, Rotation
 def planted(rotation: Matrix3, claim: RotationClaim, column: int) -> Matrix3:
     """Return a rotation with one property spoilt, rounded as it is shown; as it is for the claim `rotation`.
 
-    Args:
-        rotation: the matrix to start from.
-        claim: the property that is to fail, and no other.
-        column: which column is changed.
+    No other property fails than that of the claim.
     """
     columns = [list(entries) for entries in zip(*rotation, strict=True)]
     chosen, next_one = columns[column], columns[(column + 1) % 3]

@@ -58,13 +58,7 @@ class WeighedTable:
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class DynamicsTask(FormTask[Format]):
-    """Equations of motion to be derived and written; lengths in [m].
-
-    Attributes:
-        links: the links, values substituted.
-        gravity: acceleration of free fall in frame 0, likewise.
-        parts: what is wanted.
-    """
+    """Equations of motion to be derived and written; lengths in [m]."""
 
     links: tuple[SymbolicBody, ...]
     gravity: tuple[Expression, Expression, Expression]

@@ -42,14 +42,7 @@ class FormPart(StrEnum):
 class FormTask(Generic[AnyFormat]):
     """Something of a robot that is to be derived and written.
 
-    Attributes:
-        table: the DH table, values substituted.
-        variables: names of the joint variables; q1, q2, … if left out.
-        formats: in which formats.
-        notation: how sines and cosines are written.
-        base: 4×4 pose of frame 0, or None.
-        tool: 4×4 pose of the tool, or None.
-        head: what the answer says besides.
+    Values are substituted; joint variables are q1, q2, … if nothing is said.
     """
 
     table: SymbolicTable
