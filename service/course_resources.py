@@ -43,7 +43,7 @@ CACHED_EXERCISES = 512
 _PAUSE_FOR_EACH, _LONGEST_PAUSE = 0.005, 0.25
 """Seconds in which judged answers are gathered for one transaction: for each answer that waits to be judged,
 which takes about as long, and at the most. One alone costs five times as much as one of some dozens."""
-_THRONGED_PAUSE = 0.02
+_SESSIONS_PAUSE = 0.02
 """Seconds in which requests are gathered to ask once who is signed in, while many are under way: one alone
 costs four times as much as one of some dozens."""
 _DRAFTS_PAUSE = 0.1
@@ -72,14 +72,14 @@ class CourseResources:
     """
 
     def __init__(
-        self, settings: Settings, crowd: Callable[[], int] = int, is_thronged: Callable[[], bool] = bool
+        self, settings: Settings, answers_waiting: Callable[[], int] = int, is_busy: Callable[[], bool] = bool
     ) -> None:
         """Open the database.
 
         Args:
             settings: the operator's choices.
-            crowd: how many answers wait to be judged.
-            is_thronged: whether so many requests are under way that a moment more is nothing.
+            answers_waiting: how many answers wait to be judged.
+            is_busy: whether so many requests are under way that a moment more is nothing.
         """
         self.store: Store = open_store(settings.database_url, settings.data_folder)
         self.store.bound_answers()
@@ -90,12 +90,12 @@ class CourseResources:
         self.sign_in: Batcher[str, CourseSession] = Batcher(
             lambda tokens: sessions_of(self.store, tokens, now()),
             **alike,
-            pause=lambda: _THRONGED_PAUSE if is_thronged() else 0.0,
+            pause=lambda: _SESSIONS_PAUSE if is_busy() else 0.0,
         )
         self.keep: Batcher[JudgedSubmission, Attempt] = Batcher(
             lambda submissions: store_submissions(self.store, submissions, now()),
             **alike,
-            pause=lambda: min(_PAUSE_FOR_EACH * crowd(), _LONGEST_PAUSE),
+            pause=lambda: min(_PAUSE_FOR_EACH * answers_waiting(), _LONGEST_PAUSE),
         )
         self.keep_draft: Batcher[Typed, None] = Batcher(
             lambda typed: keep_drafts(self.store, typed, now()), **alike, pause=lambda: _DRAFTS_PAUSE

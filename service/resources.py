@@ -33,9 +33,9 @@ UPLOADS = 4
 """So many bodies of the largest size may be in memory at a time."""
 TURNS = 4
 """Requests that go on between two looks of the event loop at its connections, if they are quick."""
-CROWD = 8
+MANY_ANSWERS = 8
 """When more answers wait to be judged, those that were judged share their transactions."""
-THRONG = 64
+MANY_REQUESTS = 64
 """When more requests are under way, those who are signed in are looked up together."""
 
 
@@ -67,7 +67,7 @@ class Resources:
         self.turns = FairQueue(slots=TURNS, capacity=settings.grading_queue, timeout=settings.queue_seconds)
         self.under_way = 0
         self.courses = (
-            CourseResources(settings, self._crowd, lambda: self.under_way > THRONG)
+            CourseResources(settings, self._waiting_answers, lambda: self.under_way > MANY_REQUESTS)
             if settings.storage == "on"
             else None
         )
@@ -96,10 +96,10 @@ class Resources:
             raise NotFoundError(Fault.at("storage_off"), part=RequestPart.PATH)
         return self.courses
 
-    def _crowd(self) -> int:
+    def _waiting_answers(self) -> int:
         """How many answers wait to be judged, where that are so many that a moment more is nothing."""
         waiting = self.grading.queue.waiting
-        return waiting if waiting > CROWD else 0
+        return waiting if waiting > MANY_ANSWERS else 0
 
     def _occupancy(self) -> Occupancy:
         """What runs and waits: in threads by the kind of work, in processes by their lane."""

@@ -27,7 +27,7 @@ from exercises.grading import HelpLevel
 from exercises.instance import cached_instance, generate
 from exercises.library import Library
 from kinematics.cells import DEFAULT
-from service.course_resources import _DRAFTS_PAUSE, _LONGEST_PAUSE, _THRONGED_PAUSE, CourseResources, now
+from service.course_resources import _DRAFTS_PAUSE, _LONGEST_PAUSE, _SESSIONS_PAUSE, CourseResources, now
 from service.schemas.exercises.exercises import ExerciseAnswer
 from service.settings import Settings
 from service.work.session_grading import Grader, judged_submission, with_exercise_rules
@@ -245,7 +245,7 @@ def test_the_more_wait_to_be_judged_the_longer_judged_answers_are_gathered(
 ) -> None:
     """Whoever waits behind many loses nothing by it, and a transaction costs as much as some judgements."""
     settings = Settings(storage="on", data_folder=tmp_path / "data")
-    courses = CourseResources(settings, crowd=lambda: waiting)
+    courses = CourseResources(settings, answers_waiting=lambda: waiting)
     session = joined(courses.store, at=now(), exercise_id="two")
     pauses: list[float] = []
     monkeypatch.setattr("service.work.batcher.time", SimpleNamespace(sleep=pauses.append))
@@ -260,12 +260,12 @@ async def keep(courses: CourseResources, judged: JudgedSubmission) -> Attempt:
     return await courses.keep(judged)
 
 
-@pytest.mark.parametrize(("is_thronged", "pause"), [(False, []), (True, [_THRONGED_PAUSE])])
+@pytest.mark.parametrize(("is_busy", "pause"), [(False, []), (True, [_SESSIONS_PAUSE])])
 def test_people_are_looked_up_together_only_while_many_ask(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, is_thronged: bool, pause: list[float]
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, is_busy: bool, pause: list[float]
 ) -> None:
     settings = Settings(storage="on", data_folder=tmp_path / "data")
-    courses = CourseResources(settings, is_thronged=lambda: is_thronged)
+    courses = CourseResources(settings, is_busy=lambda: is_busy)
     pauses: list[float] = []
     monkeypatch.setattr("service.work.batcher.time", SimpleNamespace(sleep=pauses.append))
     with pytest.raises(SessionError):
