@@ -44,7 +44,7 @@ def test_a_name_that_nobody_can_give_is_noticed_when_the_call_is_declared() -> N
         raise NotImplementedError
 
     with pytest.raises(KeyError, match="weather"):
-        CallRouter("kinematics").call("/ping", "Ping", {})(wants_too_much)
+        CallRouter("kinematics").call("/ping", "Ping")(wants_too_much)
 
 
 @pytest.mark.parametrize("way", ["call", "judge"])
@@ -54,7 +54,7 @@ def test_answers_are_judged_in_threads_and_short_work_is_done_at_once(way: str) 
     def pong(body: Ping, language: str) -> Pong:
         return Pong(text=f"{body.text} {language}", thread=threading.current_thread().name)
 
-    getattr(router, way)("/pong", "Pong", {})(pong)
+    getattr(router, way)("/pong", "Pong")(pong)
     application = FastAPI()
     application.include_router(router)
     application.state.resources = create_app().state.resources
