@@ -71,7 +71,6 @@ class _Collecting(logging.Handler):
 
 
 _LOGGED = _Collecting()
-logging.getLogger().addHandler(_LOGGED)
 
 
 @contextmanager
@@ -94,6 +93,7 @@ def watched() -> Iterator[None]:
         FindingError: a warning, an error in the log, or too much work.
     """
     _LOGGED.found.clear()
+    logging.getLogger().addHandler(_LOGGED)  # each time: a service that starts configures the log anew
     with warnings.catch_warnings(), _uncollected():
         warnings.simplefilter("error")
         begun = time.thread_time()

@@ -137,7 +137,7 @@ def test_a_row_of_zeros_changes_nothing_but_the_numbers_of_the_rows_behind_it(pl
 
 def test_no_more_than_six_explanations() -> None:
     """A row too many and two rows exchanged have more; who reads them all is helped by none."""
-    rows: Rows = [(0, 0, 0, "q1"), (0, 0.31, 0, "q2"), (0, 0.0203, 0, "q3"), (0, 0.4318, 0, "q4")]
+    rows: Rows = [(0, 0.0203, 0, "q1"), (0, 0.31, 0, "q2"), (0, 0, 0, "q3"), (0, 0.4318, 0, "q4")]
     assert len(repairs(grade(read("standard", PLANAR), read("standard", rows), USUAL))) == 6
 
 
