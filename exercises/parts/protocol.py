@@ -188,7 +188,11 @@ class Reading:
     ) -> Expression | None:
         """Return an expression in the exercise's own names, or None; faults are kept.
 
-        See `exercises.names.in_own_names`.
+        Args:
+            expression: what was read.
+            where: the place of its cell in the whole answer.
+            others: names that may stand in it besides the exercise's own.
+            idle: names in its cell that make no difference.
         """
         try:
             return in_own_names(expression, self.instance.exercise, where, others, idle=idle)
@@ -225,7 +229,13 @@ class PartType(ABC, Generic[P, Raw, Read]):
     disclosures: ClassVar[Mapping[str, Disclosure]] = MappingProxyType({})
 
     def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> P:
-        """Return the part as its definition asks beside `kind` and `points`; faults go to the reader."""
+        """Return the part as its definition asks for it; faults go to the reader.
+
+        Args:
+            reader: of the part's entry; `kind` and `points` are read already.
+            points: what the part is worth.
+            robot: what the definition is about.
+        """
         return Part(kind=self.kind, points=points)  # type: ignore[return-value]
 
     def keys(self, robot: RobotFacts) -> tuple[DefinitionKey, ...]:
@@ -259,11 +269,22 @@ class PartType(ABC, Generic[P, Raw, Read]):
 
     @abstractmethod
     def read(self, raw: Raw, reading: Reading) -> Read | None:
-        """Return the answer as read; None if faults were kept in the reading."""
+        """Return the answer as read; None if faults were kept in the reading.
+
+        Args:
+            raw: what was handed in.
+            reading: the exercise, the student's own table, and where faults go.
+        """
 
     @abstractmethod
     def grade(self, part: P, answer: Read, context: Context) -> PartReport:
-        """Judge an answer; everything that was found, whatever the help level."""
+        """Judge an answer; everything that was found, whatever the help level.
+
+        Args:
+            part: what is asked.
+            answer: what was handed in, as read.
+            context: the key, the student's own table, values, tolerance, the other parts.
+        """
 
     def shown(self, report: PartReport, level: HelpLevel) -> PartReport:
         """Return the report as a level of help shows it."""

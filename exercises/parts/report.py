@@ -77,7 +77,13 @@ def judged(
 ) -> PartReport:
     """Return the report on a part.
 
-    It is correct, if nothing is said, with full marks that rest on the key.
+    Args:
+        part: what was asked.
+        score: 0 … 1.
+        credit: what the marks rest on; nothing, if there are none.
+        correct: right for the robot; left out: full marks that rest on the key.
+        facts: the single findings.
+        feedback: what to tell the student.
     """
     credit = credit if score else Credit.NONE
     points = float(part.points)
@@ -126,7 +132,13 @@ class Disclosure:
 
 
 def told_from(level: HelpLevel, *codes: str, instead: str | None = None) -> dict[str, Disclosure]:
-    """Return the disclosure of feedback that is told from one level of help on."""
+    """Return the disclosure of feedback that is told from one level of help on.
+
+    Args:
+        level: it.
+        codes: of the feedback.
+        instead: code of the coarser feedback below it, if there is one.
+    """
     return dict.fromkeys(codes, Disclosure(level=level, instead=instead))
 
 
@@ -135,7 +147,10 @@ def shown(report: PartReport, help_level: HelpLevel, disclosures: Mapping[str, D
 
     An answer that is not right is never left without a word.
 
-    Feedback without a disclosure is always told.
+    Args:
+        report: everything that was found.
+        help_level: how much may be told.
+        disclosures: by code; feedback that is not listed is always told.
     """
     told: list[Feedback] = []
     for entry in report.feedback:
