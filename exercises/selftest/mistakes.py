@@ -75,6 +75,16 @@ def _rows_swapped(read: ReadTable) -> Iterator[ReadTable]:
             yield _rows(read, (*rows[:i], rows[i + 1], rows[i], *rows[i + 2 :]))
 
 
+def _twists_swapped(read: ReadTable) -> Iterator[ReadTable]:
+    """α exchanged with the next row; of fixed rows between joints only what they come to counts."""
+    rows = read.table.rows
+    moves = all(row.joint is not JointType.FIXED for row in rows)
+    for i, (one, other) in enumerate(pairwise(rows) if moves else ()):
+        if one.alpha != other.alpha:
+            both = replace(one, alpha=other.alpha), replace(other, alpha=one.alpha)
+            yield _rows(read, (*rows[:i], *both, *rows[i + 2 :]))
+
+
 def _row_missing(read: ReadTable) -> Iterator[ReadTable]:
     rows = read.table.rows
     for i in range(len(rows)):
@@ -193,6 +203,7 @@ MISTAKES: dict[str, Mistake] = {
     "alpha_sign": _each_row(_twist_reversed),
     "alpha_value": _each_row(_twist_changed),
     "twists_all_reversed": _twists_all_reversed,
+    "twists_swapped": _twists_swapped,
     "a_sign": _each_row(lambda row: replace(row, a=negate(row.a))),
     "d_sign": _but_slides(lambda row: replace(row, d=negate(row.d))),
     "a_d_swapped": _but_slides(lambda row: replace(row, a=row.d, d=row.a)),

@@ -32,6 +32,7 @@ from exercises.grading.edits.row_edits import (
     row_left_out,
     row_too_many,
     rows_swapped,
+    twists_swapped,
 )
 from exercises.grading.edits.table_edits import (
     all_in_degrees,
@@ -167,6 +168,7 @@ CATALOGUE: tuple[Misconception, ...] = (
     ),
     Misconception(code="a_sign", changes=sign_of_length, cells=("a",), sizes=NONE),
     Misconception(code="d_sign", changes=sign_of_offset, cells=("d",), sizes=NONE),
+    Misconception(code="twists_swapped", changes=twists_swapped, sizes=TWISTS),
     Misconception(code="a_d_swapped", changes=cells_swapped),
     Misconception(
         code="parameters_swapped",

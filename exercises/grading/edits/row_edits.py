@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Collection, Iterator
 from dataclasses import replace
 from functools import lru_cache
-from itertools import combinations
+from itertools import combinations, pairwise
 
 from exercises.grading.edits.cell_edits import RIGHT_ANGLES
 from exercises.grading.edits.changes import ROW_CELLS, Change, Extent, with_row, with_rows
 from exercises.grading.edits.fitting import fitted_table
 from exercises.grading.edits.last_row import last_row
+from exercises.grading.edits.own_table import is_length_of
 from exercises.grading.edits.work import Work
 from exercises.grading.facts import NEARLY
 from exercises.grading.judging.typed import Place
@@ -35,6 +37,19 @@ def cells_swapped(work: Work) -> Iterator[Change]:
         if row.a != row.d and row.joint is not JointType.PRISMATIC:
             cells = ((i, "a", row.d), (i, "d", row.a))
             yield Change("a_d_swapped", Extent.ROW, i, cells=cells, touched=((i, "a"), (i, "d")))
+
+
+def twists_swapped(work: Work) -> Iterator[Change]:
+    """Exchange α of neighbouring rows, unless that exchanges the rows."""
+    rows = work.table.rows
+    for i, (one, other) in enumerate(pairwise(rows)):
+        apart = abs(math.remainder(one.alpha - other.alpha, math.pi)) > work.policy.tolerance.angle
+        same = (one.joint, one.a, one.d, one.theta) == (other.joint, other.a, other.d, other.theta)
+        if apart and not same and work.is_near(i, i + 1) and not (work.is_near(i) or work.is_near(i + 1)):
+            cells = ((i, "alpha", other.alpha), (i + 1, "alpha", one.alpha))
+            params = (("other", i + 2),)
+            touched = ((i, "alpha"), (i + 1, "alpha"))
+            yield Change("twists_swapped", Extent.ROW, i, cells=cells, touched=touched, params=params)
 
 
 def joint_of_other_type(work: Work) -> Iterator[Change]:
@@ -73,9 +88,10 @@ def _of_type(work: Work, code: str, index: int, joint: JointType) -> Change:
 
 
 def rows_swapped(work: Work) -> Iterator[Change]:
-    """Exchange two rows; none of which the types alone are wrong, unless their joints are neighbours in line.
+    """Exchange two rows; of none are the types alone wrong, unless their joints are neighbours in line.
 
-    A slider and a joint that turns about a parallel axis make the same motions in either order.
+    A slider and a joint that turns about a parallel axis make the same motions in either order. An offset of
+    the key that has gone along with a joint shows that its row has.
     """
     rows = work.table.rows
     entries = [(row.alpha, row.a, row.d, row.theta) for row in rows]
@@ -85,8 +101,10 @@ def rows_swapped(work: Work) -> Iterator[Change]:
         differ = one.joint is not other.joint or one.sign != other.sign
         if j - i > farthest or i in kept or j in kept or not work.is_near(i, j, moves=differ):
             continue
-        if differ and work.has_wrong_types_alone and not _commute(work, i, j):
-            continue
+        if differ and work.has_wrong_types_alone:
+            offset = max(one, other, key=lambda row: row.joint is JointType.REVOLUTE).d
+            if not (is_length_of(work.reference.table, offset) or _commute(work, i, j)):
+                continue
         cells: list[CellChange] = []
         table = None
         if differ:

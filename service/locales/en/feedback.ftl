@@ -99,6 +99,7 @@ repair-alpha_value = Row { $row }: α has the wrong value. Look again at how z{ 
 repair-twists_all_reversed = Every α has the wrong sign. Turn one z axis onto the next about x with your right hand, not your left.
 repair-a_sign = Row { $row }: a has the wrong sign. It is counted along x.
 repair-d_sign = Row { $row }: d has the wrong sign. It is counted along z.
+repair-twists_swapped = Rows { $row } and { $other }: each has the other’s α.
 repair-a_d_swapped = Row { $row }: a and d are swapped. a is measured along x, d along z.
 repair-a_value = Row { $row }: a has the wrong value. Measure along the common normal of z{ $before } and z{ $row }.
 repair-a_missing = Row { $row }: a should not be zero, because z{ $before } and z{ $row } do not meet.

@@ -235,6 +235,7 @@ option-d_offset = the constant added to the variable d is wrong
 option-theta_value = the constant θ has the wrong value
 option-twists_all_reversed = every α has the wrong sign
 option-twists_early = α alone one row too high
+option-twists_swapped = α of two rows exchanged
 option-twists_late = α alone one row too low
 option-variable_sign = a joint variable counts the wrong way
 option-same = the same robot

@@ -99,6 +99,7 @@ repair-alpha_value = Fila { $row }: α tiene un valor erróneo. Vuelva a mirar c
 repair-twists_all_reversed = Todos los α tienen el signo equivocado. Gire un eje z hasta el siguiente alrededor de x con la mano derecha, no con la izquierda.
 repair-a_sign = Fila { $row }: a tiene el signo equivocado. Se cuenta en el sentido de x.
 repair-d_sign = Fila { $row }: d tiene el signo equivocado. Se cuenta en el sentido de z.
+repair-twists_swapped = Filas { $row } y { $other }: los valores de α se han intercambiado.
 repair-a_d_swapped = Fila { $row }: a y d se han intercambiado. a se mide a lo largo de x, d a lo largo de z.
 repair-a_value = Fila { $row }: a tiene un valor erróneo. Mida sobre la normal común de z{ $before } y z{ $row }.
 repair-a_missing = Fila { $row }: a no debería ser cero, pues z{ $before } y z{ $row } no se cortan.

@@ -235,6 +235,7 @@ option-d_offset = la constante sumada a la variable d es errónea
 option-theta_value = la constante θ tiene un valor erróneo
 option-twists_all_reversed = todas las α tienen el signo equivocado
 option-twists_early = solo α una fila más arriba
+option-twists_swapped = α de dos filas intercambiados
 option-twists_late = solo α una fila más abajo
 option-variable_sign = una variable articular cuenta al revés
 option-same = el mismo robot

@@ -99,6 +99,7 @@ repair-alpha_value = Ligne { $row } : α a une valeur fausse. Regardez à nouve
 repair-twists_all_reversed = Tous les α ont le mauvais signe. Faites tourner un axe z jusqu’au suivant autour de x avec la main droite, non la gauche.
 repair-a_sign = Ligne { $row } : a a le mauvais signe. Elle se compte dans le sens de x.
 repair-d_sign = Ligne { $row } : d a le mauvais signe. Il se compte dans le sens de z.
+repair-twists_swapped = Lignes { $row } et { $other } : les valeurs de α sont interverties.
 repair-a_d_swapped = Ligne { $row } : a et d sont intervertis. a se mesure le long de x, d le long de z.
 repair-a_value = Ligne { $row } : a a une valeur fausse. Mesurez sur la perpendiculaire commune à z{ $before } et z{ $row }.
 repair-a_missing = Ligne { $row } : a ne devrait pas être nulle, car z{ $before } et z{ $row } ne se coupent pas.

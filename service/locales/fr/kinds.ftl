@@ -235,6 +235,7 @@ option-d_offset = la constante ajoutée à la variable d est fausse
 option-theta_value = la constante θ a une valeur fausse
 option-twists_all_reversed = tous les α ont le mauvais signe
 option-twists_early = α seul une ligne trop haut
+option-twists_swapped = α de deux lignes intervertis
 option-twists_late = α seul une ligne trop bas
 option-variable_sign = une variable articulaire est comptée à l’envers
 option-same = le même robot

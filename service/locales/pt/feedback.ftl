@@ -99,6 +99,7 @@ repair-alpha_value = Linha { $row }: α tem um valor errado. Veja de novo como z
 repair-twists_all_reversed = Todos os α têm o sinal errado. Rode um eixo z até ao seguinte em torno de x com a mão direita, não com a esquerda.
 repair-a_sign = Linha { $row }: a tem o sinal errado. Conta-se no sentido de x.
 repair-d_sign = Linha { $row }: d tem o sinal errado. Conta-se no sentido de z.
+repair-twists_swapped = Linhas { $row } e { $other }: os valores de α estão trocados.
 repair-a_d_swapped = Linha { $row }: a e d estão trocados. a mede-se ao longo de x, d ao longo de z.
 repair-a_value = Linha { $row }: a tem um valor errado. Meça sobre a normal comum a z{ $before } e z{ $row }.
 repair-a_missing = Linha { $row }: a não deveria ser zero, pois z{ $before } e z{ $row } não se intersetam.

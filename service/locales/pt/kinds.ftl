@@ -235,6 +235,7 @@ option-d_offset = a constante somada à variável d está errada
 option-theta_value = a constante θ tem um valor errado
 option-twists_all_reversed = todos os α têm o sinal errado
 option-twists_early = só α uma linha acima
+option-twists_swapped = α de duas linhas trocados
 option-twists_late = só α uma linha abaixo
 option-variable_sign = uma variável de junta conta ao contrário
 option-same = o mesmo robô

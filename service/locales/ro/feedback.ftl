@@ -100,6 +100,7 @@ repair-alpha_value = Rândul { $row }: α are o valoare greșită. Priviți din 
 repair-twists_all_reversed = Toate unghiurile α au semnul greșit. Rotiți o axă z peste următoarea în jurul lui x cu mâna dreaptă, nu cu stânga.
 repair-a_sign = Rândul { $row }: a are semnul greșit. Se măsoară în sensul lui x.
 repair-d_sign = Rândul { $row }: d are semnul greșit. Se măsoară în sensul lui z.
+repair-twists_swapped = Rândurile { $row } și { $other }: valorile lui α sunt inversate între ele.
 repair-a_d_swapped = Rândul { $row }: a și d sunt inversate. a se măsoară de-a lungul lui x, d de-a lungul lui z.
 repair-a_value = Rândul { $row }: a are o valoare greșită. Măsurați pe perpendiculara comună a axelor z{ $before } și z{ $row }.
 repair-a_missing = Rândul { $row }: a nu ar trebui să fie zero, deoarece z{ $before } și z{ $row } nu se intersectează.

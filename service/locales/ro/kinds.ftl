@@ -236,6 +236,7 @@ option-d_offset = constanta adunată la variabila d este greșită
 option-theta_value = constanta θ are o valoare greșită
 option-twists_all_reversed = toate valorile α au semnul greșit
 option-twists_early = doar α cu un rând prea sus
+option-twists_swapped = α inversat între două rânduri
 option-twists_late = doar α cu un rând prea jos
 option-variable_sign = o variabilă de cuplă are sensul greșit
 option-same = același robot

@@ -235,6 +235,7 @@ option-d_offset = стала, додана до змінної d, неправи
 option-theta_value = стала θ має неправильне значення
 option-twists_all_reversed = усі α мають неправильний знак
 option-twists_early = лише α на рядок вище
+option-twists_swapped = α двох рядків поміняно місцями
 option-twists_late = лише α на рядок нижче
 option-variable_sign = змінну зчленування відлічено не в той бік
 option-same = того самого робота

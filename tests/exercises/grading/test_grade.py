@@ -274,6 +274,7 @@ MISTAKES: dict[str, tuple[Rows, str, int | None]] = {
         3,
     ),
     "rows_swapped": ([PUMA[0], (*PUMA[2][:3], "q2"), (*PUMA[1][:3], "q3"), *PUMA[3:]], "rows_swapped", 2),
+    "twists_swapped": (with_cells(PUMA, (2, 0, "-pi/2"), (3, 0, 0)), "twists_swapped", 2),
     "angles_in_degrees": (
         [(90 if r[0] == "pi/2" else -90 if r[0] == "-pi/2" else 0, *r[1:]) for r in PUMA],
         "angles_in_degrees",

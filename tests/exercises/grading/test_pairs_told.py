@@ -10,6 +10,7 @@ from random import Random
 import pytest
 
 from exercises.grading import BaseRule, DirectionRule, HelpLevel, Policy, ToolRule, Verdict, ZeroRule, grade
+from kinematics.conversion import convert
 from kinematics.table import Convention, DHTable, NumericRow, NumericTable
 from tests.exercises.grading.campaign import drawn_by_hand
 from tests.exercises.grading.test_grade import Rows, with_cells
@@ -161,6 +162,17 @@ def test_two_wrong_types_are_no_rows_exchanged() -> None:
     assert verdict.score == 0.44
 
 
+@pytest.mark.parametrize("convention", Convention)
+def test_a_joint_that_took_its_offset_along_has_changed_rows(convention: Convention) -> None:
+    """One slip has one mark in either convention, though in the modified one the types alone are off."""
+    key = dict(catalogue())["stanford"]
+    first, second, third, *rest = convert(key, convention).table.rows
+    wrong = DHTable(convention=convention, rows=(first, third, second, *rest))
+    verdict = grade(written(key), written(wrong), FREE)
+    assert [(edit.code, edit.row) for edit in verdict.repairs[0].edits] == [("rows_swapped", 2)]
+    assert verdict.score == 0.67
+
+
 def test_neighbours_in_line_are_exchanged() -> None:
     """The last two joints of a SCARA make the same motions in either order."""
     key = dict(catalogue())["scara"]
@@ -252,3 +264,27 @@ def test_two_edits_that_may_be_made_in_either_order_are_told_once(missing: int, 
     edits = [frozenset((edit.code, edit.row) for edit in repair.edits) for repair in found]
     assert frozenset({("row_missing", missing + 1), ("rows_swapped", first + 1)}) in edits
     assert len(edits) == len(set(edits))
+
+
+@pytest.mark.parametrize(
+    ("name", "row"),
+    [("cloos", 3), ("dmra", 1), ("rx90", 3), ("stanford", 3), ("puma560", 1), ("uw", 2)],
+)
+def test_twists_that_stand_in_each_others_rows_are_told_as_that_alone(name: str, row: int) -> None:
+    key = dict(catalogue())[name]
+    one, other = key.rows[row - 1].alpha, key.rows[row].alpha
+    verdict = told(key, {(row, "alpha"): other, (row + 1, "alpha"): one}, FREE)
+    assert [(edit.code, edit.row, edit.params["other"]) for edit in verdict.repairs[0].edits] == [
+        ("twists_swapped", row, row + 1)
+    ]
+    assert accused(verdict) == [("twist_wrong", row), ("twist_wrong", row + 1)]
+    by_row = accused(told(key, {(row, "alpha"): other, (row + 1, "alpha"): one}, FREE, HelpLevel.ROW))
+    assert by_row == [("row_wrong", row), ("row_wrong", row + 1)]
+
+
+@pytest.mark.parametrize(("name", "row"), [("dmra", 5), ("kr125", 1), ("ur5", 5)])
+def test_a_twist_that_no_frame_asks_for_is_not_accused_of_being_elsewhere(name: str, row: int) -> None:
+    key = dict(catalogue())[name]
+    one, other = key.rows[row - 1].alpha, key.rows[row].alpha
+    verdict = told(key, {(row, "alpha"): other, (row + 1, "alpha"): one}, FREE)
+    assert [[edit.code for edit in repair.edits] for repair in verdict.repairs] == [["alpha_value"]]
