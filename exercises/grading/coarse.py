@@ -9,9 +9,9 @@ import numpy as np
 
 from exercises.grading.edits.work import WORK_OF_ONE_EDIT, Work
 from exercises.grading.facts import Facts, fixed_ends
-from exercises.grading.judging.digits import SECOND_ORDER, explained_by_digits, says_enough
+from exercises.grading.judging.digits import SECOND_ORDER, explained_by_digits
 from exercises.grading.judging.judgement import share_of
-from exercises.grading.judging.typed import ANGLES, Place
+from exercises.grading.judging.typed import ANGLES, Place, says_enough
 from kinematics.chain import chain_of_table
 from kinematics.equivalence import Tolerance
 from kinematics.equivalence.decision import is_certified

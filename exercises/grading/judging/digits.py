@@ -14,7 +14,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from exercises.grading.judging.typed import ANGLES, SAME, Place
+from exercises.grading.judging.typed import ANGLES, Place, says_enough
 from kinematics.equivalence import BaseRule, Policy, Tolerance, ToolRule
 from kinematics.equivalence.batches import Variation
 from kinematics.equivalence.invariants import FLOOR, Invariants, invariants_of
@@ -27,8 +27,6 @@ Floats = NDArray[np.float64]
 
 PER_CENT = 0.01
 """The share of itself by which a length or an angle may be off, whatever its digits."""
-COARSEST = 0.25
-"""Half a unit of the last place beside the number itself: 0.2 may be 0.15, 0.1 is not 0.15 rounded."""
 CACHED_TABLES = 64
 """Tables at hand: each is asked for when it is judged, when edits are tried on it and when it is scored."""
 SECOND_ORDER = 1.25
@@ -130,11 +128,6 @@ def tightened(
     own = invariants.own_sizes[:, 0]
     slacks = np.maximum(share * own, reaches) + floors(invariants, reference)
     return invariants.held_to(slacks[:, None])
-
-
-def says_enough(step: float, entry: float) -> bool:
-    """Return whether half a unit of the last place is small beside a number; beside a zero it is not."""
-    return step <= COARSEST * abs(entry) * (1.0 + SAME)
 
 
 def steps_of_wrong(

@@ -28,6 +28,8 @@ from kinematics.table import CELLS, DHTable, JointType, SymbolicTable
 
 # An angle typed with fewer than two decimals [rad], or less than one [deg], stands for itself.
 COARSEST_ANGLE = 0.01
+COARSEST = 0.25
+"""Half a unit of the last place beside the number itself: 0.2 may be 0.15, 0.1 is not 0.15 rounded."""
 ANGLES = ("alpha", "theta")
 SAME = 1e-9
 """[rad], or a share: millions of roundings to doubles, 1e-16 each, leave no more of what is the same."""
@@ -140,6 +142,11 @@ def _half_steps_by_value(
     return MappingProxyType(steps), tuple(zeros)
 
 
+def says_enough(step: float, entry: float) -> bool:
+    """Return whether half a unit of the last place is small beside a number; beside a zero it is not."""
+    return step <= COARSEST * abs(entry) * (1.0 + SAME)
+
+
 def meant_in_radians(angle: float) -> float:
     """Return what an angle [rad] was meant to be, if radians were typed where degrees are declared.
 
@@ -208,4 +215,4 @@ def _nearest(entry: Expression, step: float, known: list[tuple[float, Expression
         return None
     here = evaluate(entry)
     value, exact = min(known, key=lambda one: abs(one[0] - here))
-    return exact if abs(value - here) <= step * (1.0 + SAME) else None
+    return exact if abs(value - here) <= step * (1.0 + SAME) and says_enough(step, here) else None

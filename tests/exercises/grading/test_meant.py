@@ -284,6 +284,18 @@ def test_zeros_of_a_wrong_answer_are_known_to_within_the_tolerance() -> None:
     )
 
 
+def test_a_number_that_says_too_little_is_as_wrong_among_names_as_among_numbers() -> None:
+    """0.1 is no 0.07 rounded."""
+    values = {"a2": 0.4, "a3": 0.07, "d3": 0.15, "d4": 0.45}
+    wrong = with_cells(PUMA, (3, 1, 0.1))
+    found = {
+        (verdict.score, *((entry.code, entry.row) for entry in verdict.feedback))
+        for rows in (wrong, [tuple(values.get(str(cell), cell) for cell in row) for row in wrong])
+        for verdict in [grade(KEY, read("standard", rows), USUAL, values)]  # type: ignore[arg-type]
+    }
+    assert found == {(0.89, ("not_equivalent", None), ("length_wrong", 3))}
+
+
 def test_a_draw_is_moved_to_the_front_and_none_is_lost() -> None:
     (way, *_) = comparisons(KEY, KEY, {})
     assert len(way.drawn) > 2
