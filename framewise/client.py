@@ -9,8 +9,8 @@ from typing import Any
 
 import httpx
 
-from framewise.calls import ApiCall, Json
 from framewise.exercise_calls import ExerciseCalls
+from framewise.sender import ApiCall, Json
 
 API = "/api/v1/"
 _TIMEOUT_SECONDS = 60.0

@@ -1,18 +1,178 @@
-"""The calls for those who make exercises, or hand them out; both clients send them, too."""
+"""The calls that judge answers, and those for authors of exercises; both clients send them, too."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from typing import Any, TypeAlias
 
-from framewise.calls import Answer, Answers, Content, KinematicsCalls, Table, posted, step
+from framewise.calls import Joints, KinematicsCalls, Matrix
+from framewise.sender import Answer, Answers, ApiCall, Content, Table, posted, step
 
 Draft: TypeAlias = Mapping[str, Any]
 """An exercise as its author has it: `id`, `definition` and `statements`."""
 
 
 class ExerciseCalls(KinematicsCalls[Answer, Content, Answers]):
-    """Calls for those who make exercises, or hand them out."""
+    """Calls about exercises and answers."""
+
+    def check_inverse_kinematics(self, robot: Table | str, target: Any, **options: Any) -> Answer:
+        """Return whether joint values, or a claim, answer a question (POST /check-inverse-kinematics)."""
+        return self._of_robot("check-inverse-kinematics", robot, target=target, **options)
+
+    def check_frames(
+        self,
+        axes: Sequence[Mapping[str, Any]],
+        convention: str,
+        frames: Sequence[Mapping[str, Any]],
+        **options: Any,
+    ) -> Answer:
+        """Return which rules of a convention frames break (POST /check-frames)."""
+        return self.post(
+            "check-frames", axes=list(axes), convention=convention, frames=list(frames), **options
+        )
+
+    def check_rotation(self, expected: Mapping[str, Any], answer: Any, **options: Any) -> Answer:
+        """Return whether an orientation is the expected one (POST /check-rotation)."""
+        return self.post("check-rotation", expected=dict(expected), answer=answer, **options)
+
+    def exercises(self, *, language: str | None = None) -> Answer:
+        """Return all exercises (GET /exercises)."""
+        return self.get("exercises", lang=language)
+
+    def exercise(self, exercise_id: str, *, seed: str | None = None, language: str | None = None) -> Answer:
+        """Return an exercise with one student's values (GET /exercises/{exercise_id})."""
+        return self.get(f"exercises/{step(exercise_id)}", seed=seed, lang=language)
+
+    def figure(self, exercise_id: str, *, seed: str | None = None, language: str | None = None) -> Content:
+        """Return an exercise's figure as SVG (GET /exercises/{exercise_id}/figure.svg)."""
+        query = {"seed": seed, "lang": language}
+        return self.fetch(
+            ApiCall(method="GET", path=f"exercises/{step(exercise_id)}/figure.svg", query=query)
+        )
+
+    def scorm_package(
+        self,
+        exercise_id: str,
+        *,
+        version: str = "1.2",
+        language: str | None = None,
+        help_level: str | None = None,
+        per_student: bool = False,
+        passing: float | None = None,
+    ) -> Content:
+        """Return an exercise as a SCORM package (GET /exercises/{exercise_id}/scorm.zip).
+
+        Args:
+            exercise_id: the exercise.
+            version: "1.2" or "2004".
+            language: of the page.
+            help_level: less help than the exercise allows.
+            per_student: whether every student gets values of their own.
+            passing: share of the points from which on the LMS is told "passed".
+        """
+        query = {
+            "version": version,
+            "lang": language,
+            "help": help_level,
+            "per_student": "true" if per_student else None,
+            "pass": None if passing is None else str(passing),
+        }
+        return self.fetch(ApiCall(method="GET", path=f"exercises/{step(exercise_id)}/scorm.zip", query=query))
+
+    def grade(self, reference: Table, submission: Table, **options: Any) -> Answer:
+        """Return the verdict on a table by a key of your own (POST /grade).
+
+        Args:
+            reference: the key.
+            submission: the answer.
+            options: `policy`, `parameters`, `help`.
+        """
+        return self.post("grade", reference=dict(reference), submission=dict(submission), **options)
+
+    def grade_all(self, reference: Table, submissions: Sequence[Table], **options: Any) -> Answer:
+        """Return the verdicts on many tables by one key, in their order (POST /grade).
+
+        One that cannot be graded has a problem document in the place of its verdict.
+        """
+        return self.post(
+            "grade", reference=dict(reference), submissions=list(map(dict, submissions)), **options
+        )
+
+    def grade_each(self, reference: Table, submissions: Sequence[Table], **options: Any) -> Answers:
+        """Yield what `grade_all` returns, verdict by verdict (POST /grade)."""
+        submitted = list(map(dict, submissions))
+        return self.stream(posted("grade", reference=dict(reference), submissions=submitted, **options))
+
+    def grade_exercise(
+        self, exercise_id: str, answer: Mapping[str, Any], *, language: str | None = None
+    ) -> Answer:
+        """Return what is said of an answer (POST /exercises/{exercise_id}/grade).
+
+        Args:
+            exercise_id: the exercise.
+            answer: `table` and further parts, `seed`, `help`.
+            language: of the sentences.
+        """
+        path = f"exercises/{step(exercise_id)}/grade"
+        return self.send(ApiCall(method="POST", path=path, body=dict(answer), query={"lang": language}))
+
+    def receipt(self, exercise_id: str, answer: Mapping[str, Any], name: str) -> Answer:
+        """Return the receipt of an answer (POST /exercises/{exercise_id}/receipts).
+
+        Args:
+            exercise_id: the exercise.
+            answer: as for `grade_exercise`.
+            name: the student's, as it is to stand there.
+        """
+        return self.post(f"exercises/{step(exercise_id)}/receipts", **{**answer, "name": name})
+
+    def verify_receipts(self, receipts: Sequence[str]) -> Answer:
+        """Return what receipts say, and which of them are not ours (POST /receipts/verify)."""
+        return self.post("receipts/verify", receipts=list(receipts))
+
+    def receipt_keys(self) -> Answer:
+        """Return the public keys of receipts, a JWK Set (GET /receipts/keys)."""
+        return self.get("receipts/keys")
+
+    def check_jacobian(self, robot: Table | str, joints: Joints, jacobian: Matrix, **options: Any) -> Answer:
+        """Return whether a Jacobian, as numbers, is a table's (POST /check-jacobian).
+
+        Args:
+            robot: a table, or the id of a robot of the catalogue.
+            joints: where it was taken [units of the table].
+            jacobian: the matrix.
+            options: further members of the body: `point`, `frame`, `wrench`, `forces` ….
+        """
+        return self._of_robot("check-jacobian", robot, joints=joints, jacobian=jacobian, **options)
+
+    def check_jacobian_form(
+        self, robot: Table | str, jacobian: Sequence[Sequence[Any]], **options: Any
+    ) -> Answer:
+        """Return whether a Jacobian, as functions of the joints, is a table's (POST /check-jacobian-form)."""
+        return self._of_robot("check-jacobian-form", robot, jacobian=jacobian, **options)
+
+    def check_singularities(self, robot: Table | str, conditions: Sequence[str], **options: Any) -> Answer:
+        """Return whether an arm is singular just where conditions hold (POST /check-singularities).
+
+        Args:
+            robot: a table, or the id of a robot of the catalogue.
+            conditions: functions that vanish, or equations.
+            options: further members of the body: `motion`, `joints`, `lost`, `parameters` ….
+        """
+        return self._of_robot("check-singularities", robot, conditions=list(conditions), **options)
+
+    def check_dynamics(self, robot: Table | str, **options: Any) -> Answer:
+        """Return whether M, C and g are those of a robot with weights (POST /check-dynamics).
+
+        Args:
+            robot: a table, or the id of a robot of the catalogue.
+            options: the answer's `M`, `C` or `h`, and `g`; `links`, `gravity`, `parameters`, `tolerance`.
+        """
+        return self._of_robot("check-dynamics", robot, **options)
+
+    def check_screws(self, robot: Table | str, screws: Sequence[Any], home: Any, **options: Any) -> Answer:
+        """Return whether screws and a home pose describe a table's robot (POST /check-screws)."""
+        return self._of_robot("check-screws", robot, screws=screws, home=home, **options)
 
     def compare_tables(self, first: Table, second: Table, **options: Any) -> Answer:
         """Return whether two tables describe the same robot, and why (POST /compare-tables)."""
