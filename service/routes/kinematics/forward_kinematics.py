@@ -14,7 +14,7 @@ from service.http.problems import RequestError
 from service.http.routing import JSON, NPY, ApiRequest, BytesResponse, DirectRoute, api_router
 from service.schemas.base import LONGEST_LIST, WHOLE, Matrix4, OneOf, Vector3, Wire
 from service.schemas.kinematics.orientations import Orientation
-from service.schemas.kinematics.robot_question import Joints, PoseInput, RobotQuestion
+from service.schemas.kinematics.robot_question import Joints, PlacedRobotQuestion
 from service.schemas.tables import Units
 from service.wire.kinematics.pose_answers import (
     ARRAY_PARTS,
@@ -48,11 +48,9 @@ class LinkPoint(Wire):
     at: Vector3 = Field(description="its coordinates in that frame")
 
 
-class ForwardKinematicsQuestion(RobotQuestion):
+class ForwardKinematicsQuestion(PlacedRobotQuestion):
     """What is asked of a robot, without the joint values."""
 
-    base: PoseInput | None = Field(None, description="pose of frame 0 in the world; the identity if left out")
-    tool: PoseInput | None = Field(None, description="pose of the tool in frame N; the identity if left out")
     inverse: bool = Field(False, description="whether the inverse of the transform is wanted as well")
     parts: list[OneOf[PoseQuantity]] | None = Field(
         None,

@@ -18,7 +18,7 @@ from service.http.openapi import NPY_QUERY, problems, request_body
 from service.http.routing import JSON, NPY, ApiRequest, BytesResponse, DirectRoute, api_router
 from service.schemas.base import Matrix6, OneOf, Real, Wire
 from service.schemas.kinematics.orientations import RatesOfAngles
-from service.schemas.kinematics.robot_question import Joints, NumericForm, PoseInput, RobotQuestion
+from service.schemas.kinematics.robot_question import Joints, NumericForm, PlacedRobotQuestion
 from service.schemas.kinematics.written_matrices import (
     WritingAnswer,
     WritingQuestion,
@@ -37,11 +37,9 @@ from service.wire.kinematics.symbolic_tasks import closed_form
 router = api_router("kinematics", route_class=DirectRoute)
 
 
-class JacobianQuestion(RobotQuestion):
+class JacobianQuestion(PlacedRobotQuestion):
     """What is asked of a robot, without the joint values."""
 
-    base: PoseInput | None = Field(None, description="pose of frame 0 in the world; the identity if left out")
-    tool: PoseInput | None = Field(None, description="pose of the tool in frame N; the identity if left out")
     frame: OneOf[JacobianFrame] | None = Field(
         None, description="base for J0 alone, end for Jn alone; both if left out"
     )

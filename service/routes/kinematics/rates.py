@@ -14,7 +14,7 @@ from kinematics.se3 import check_transform
 from service.http.calls import CallRouter
 from service.schemas.base import Matrix6, Real, Vector3, Vector6, Wire
 from service.schemas.kinematics.orientations import RatesOfAngles
-from service.schemas.kinematics.robot_question import PoseInput, RobotQuestion
+from service.schemas.kinematics.robot_question import PlacedRobotQuestion
 from service.schemas.tables import Units
 from service.wire.fault_pointers import traced
 from service.wire.json_chunks import plain_lists
@@ -23,7 +23,7 @@ from service.wire.kinematics.pose_matrices import base_and_tool
 from service.wire.kinematics.prepared_robots import PreparedRobot
 
 
-class RatesRequest(RobotQuestion):
+class RatesRequest(PlacedRobotQuestion):
     """A robot at one configuration, and what moves or pushes it."""
 
     joints: list[Real] = Field(max_length=64, description="q_1 … q_n, in the table's units")
@@ -41,8 +41,6 @@ class RatesRequest(RobotQuestion):
     angles: RatesOfAngles | None = Field(
         None, description="whose rates `analytic` has; roll, pitch, yaw (X, Y, Z, fixed axes) if left out"
     )
-    base: PoseInput | None = Field(None, description="pose of frame 0 in the world; the identity if left out")
-    tool: PoseInput | None = Field(None, description="pose of the tool in frame N; the identity if left out")
 
 
 class EllipsoidModel(Wire):

@@ -12,18 +12,16 @@ from kinematics.printing.formats import EquationFormat
 from service.http.validation import CHOICE
 from service.schemas.base import LONGEST_LIST, OneOf, Wire
 from service.schemas.kinematics.inverse_kinematics import NumericInverseKinematicsRequest
-from service.schemas.kinematics.robot_question import PoseInput, RobotQuestion
+from service.schemas.kinematics.robot_question import PlacedRobotQuestion
 from service.schemas.kinematics.written_matrices import SomeParameters
 from service.schemas.tables import Units
 
 
-class SymbolicInverseRequest(RobotQuestion):
+class SymbolicInverseRequest(PlacedRobotQuestion):
     """A robot whose inverse kinematics are wanted in closed form: no target."""
 
     form: Literal["symbolic"] = Field(description="the word symbolic: closed forms, and no target")
     parameters: SomeParameters = Field(default_factory=dict)
-    base: PoseInput | None = Field(None, description="pose of frame 0 in the world; the identity if left out")
-    tool: PoseInput | None = Field(None, description="pose of the tool in frame N; the identity if left out")
     formats: list[OneOf[EquationFormat]] = Field(
         default_factory=lambda: [EquationFormat.LATEX, EquationFormat.TEXT],
         min_length=1,

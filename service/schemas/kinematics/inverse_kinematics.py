@@ -14,8 +14,8 @@ from service.schemas.kinematics.robot_question import (
     NO_ROBOT,
     JointRanges,
     NumericForm,
+    PlacedRobotQuestion,
     PoseInput,
-    RobotQuestion,
 )
 from service.schemas.tables import Units
 
@@ -23,7 +23,7 @@ MOST_TARGETS = 1000
 """Targets of one request; an arm of six joints answers a thousand within a second."""
 
 
-class NumericInverseKinematicsRequest(RobotQuestion):
+class NumericInverseKinematicsRequest(PlacedRobotQuestion):
     """A robot, and a pose for its tool to reach, or many."""
 
     model_config = forbidding(
@@ -56,8 +56,6 @@ class NumericInverseKinematicsRequest(RobotQuestion):
         description="[least, greatest] of each joint in the table's units, null where there is no limit; "
         "left out, joints are free: those that the catalogue knows of a robot do not apply of themselves",
     )
-    base: PoseInput | None = Field(None, description="pose of frame 0 in the world; the identity if left out")
-    tool: PoseInput | None = Field(None, description="pose of the tool in frame N; the identity if left out")
     tolerance: Real | None = Field(
         None,
         json_schema_extra={"exclusiveMinimum": 0},

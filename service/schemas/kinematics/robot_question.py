@@ -106,6 +106,13 @@ PoseInput: TypeAlias = Annotated[
 ]
 
 
+class PlacedRobotQuestion(RobotQuestion):
+    """Base of the calls whose robot may stand somewhere, and hold a tool."""
+
+    base: PoseInput | None = Field(None, description="pose of frame 0 in the world; the identity if left out")
+    tool: PoseInput | None = Field(None, description="pose of the tool in frame N; the identity if left out")
+
+
 _ONE = {"type": "array", "items": {"type": "number"}, "maxItems": LONGEST_LIST}
 
 

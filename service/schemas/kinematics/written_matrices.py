@@ -8,7 +8,7 @@ from pydantic import ConfigDict, Field
 
 from kinematics.printing import SOURCES, Format, Notation
 from service.schemas.base import LONGEST_LIST, OneOf, Real, Wire
-from service.schemas.kinematics.robot_question import PoseInput, RobotQuestion
+from service.schemas.kinematics.robot_question import PlacedRobotQuestion
 from service.schemas.tables import Units
 
 STANDARD_FORMATS = (Format.LATEX, Format.TEXT)
@@ -29,12 +29,10 @@ SomeParameters: TypeAlias = Annotated[
 ]
 
 
-class WritingQuestion(RobotQuestion):
+class WritingQuestion(PlacedRobotQuestion):
     """Base of the calls that write matrices: a robot, and how."""
 
     parameters: SomeParameters = Field(default_factory=dict)
-    base: PoseInput | None = Field(None, description="pose of frame 0 in the world; the identity if left out")
-    tool: PoseInput | None = Field(None, description="pose of the tool in frame N; the identity if left out")
     formats: Formats = Field(default_factory=lambda: list(STANDARD_FORMATS))
     notation: OneOf[Notation] = Field(Notation.FULL, description="full: cos(q2 + q3); short: c23")
 
