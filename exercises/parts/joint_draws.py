@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from enum import StrEnum
 from fractions import Fraction
 from functools import lru_cache
@@ -31,6 +32,21 @@ class PoseCase(StrEnum):
     OUT_OF_REACH = "out_of_reach"
 
 
+@dataclass(frozen=True, kw_only=True, slots=True)
+class JointDraws:
+    """Joint values of a part [the exercise's units]: the usual ones, and from where others are drawn."""
+
+    usual: tuple[Fraction, ...]
+    ways: tuple[Draw | None, ...]
+
+    def drawn(self, picker: Picker, name: str) -> tuple[Fraction, ...]:
+        """Return a student's own, drawn under the name of a kind of part."""
+        return tuple(
+            picker.value(value, way, f"{name} q{i}")
+            for i, (value, way) in enumerate(zip(self.usual, self.ways, strict=True), 1)
+        )
+
+
 class SolutionsAsked(StrEnum):
     """How many solutions of inverse kinematics are asked."""
 
@@ -51,7 +67,7 @@ def joint_labels(exercise: Exercise) -> tuple[str, ...]:
 
 def read_joints(
     reader: Reader, robot: RobotFacts, *, single: bool = True, usual_turns: Draw | None = None
-) -> tuple[tuple[Fraction, ...], tuple[Draw | None, ...]]:
+) -> JointDraws:
     """Return the usual joint values of a part, and per joint from where a student's own are drawn.
 
     `turns` are for revolute joints, `slides` for prismatic ones, `q1`, `q2`, … for a single joint.
@@ -68,17 +84,8 @@ def read_joints(
     names = joint_names(n)
     own = {name: read_draw(reader, name) for name in names if single and reader.given(name)}
     usual = (slides if kind is JointType.PRISMATIC else turns for kind in robot.joint_types)
-    return joints, tuple(own.get(name, way) for name, way in zip(names, usual, strict=True))
-
-
-def drawn_joints(
-    usual: Sequence[Fraction], draws: Sequence[Draw | None], picker: Picker, name: str
-) -> tuple[Fraction, ...]:
-    """Return a student's joint values [the exercise's units]."""
-    return tuple(
-        picker.value(value, draw, f"{name} q{i}")
-        for i, (value, draw) in enumerate(zip(usual, draws, strict=True), 1)
-    )
+    ways = tuple(own.get(name, way) for name, way in zip(names, usual, strict=True))
+    return JointDraws(usual=joints, ways=ways)
 
 
 def in_radians(exercise: Exercise, joints: Sequence[Fraction]) -> list[float]:

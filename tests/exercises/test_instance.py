@@ -49,7 +49,7 @@ def test_drawn_values_are_among_those_that_may_be_drawn(seed: str, exercise_id: 
         assert instance.exact[parameter.name] in parameter.draw.values
     for part in found.parts:
         if isinstance(part, PosePart):
-            for value, draw in zip(instance.drawn["pose"], part.draws, strict=True):
+            for value, draw in zip(instance.drawn["pose"], part.joints.ways, strict=True):
                 assert draw is not None
                 assert value in draw.values
 

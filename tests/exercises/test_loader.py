@@ -202,7 +202,7 @@ def test_parts_with_values_are_read(tmp_path: Path) -> None:
     found = load_exercise(folder(tmp_path, text))
     pose, workspace = found.parts[1:]
     assert isinstance(pose, PosePart)
-    assert pose.joints == (30, -45)
+    assert pose.joints.usual == (30, -45)
     assert isinstance(workspace, WorkspacePart)
     assert (workspace.origin, workspace.limits) == (None, ((0, 90), None))
 

@@ -36,7 +36,7 @@ from exercises.parts.context import Context
 from exercises.parts.definition_keys import TOLERANCE, DefinitionKey, Start, joint_keys, usual_joints
 from exercises.parts.following import ENOUGH
 from exercises.parts.forward.transform import transform_is_robot
-from exercises.parts.joint_draws import drawn_joints, in_radians, read_joints, told_units
+from exercises.parts.joint_draws import JointDraws, in_radians, read_joints, told_units
 from exercises.parts.protocol import TABLE, PartType, Reading, RobotFacts
 from exercises.parts.report import Credit, PartReport, judged, told_from
 from exercises.parts.task import PartTask
@@ -69,13 +69,10 @@ class PosePart(Part):
     """⁰T_N in numbers.
 
     Attributes:
-        joints: the joint values where no seed is given [units of the exercise].
-        draws: per joint, from where a student's own value is drawn, or None.
         tolerance: largest error of a position as a fraction of the robot's size, and of a direction cosine.
     """
 
-    joints: tuple[Fraction, ...]
-    draws: tuple[Draw | None, ...]
+    joints: JointDraws
     tolerance: float
 
 
@@ -106,9 +103,9 @@ class PosePartType(PartType[PosePart, CellMatrix, Matrices]):
     def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> PosePart:
         """Return the part with its joint values and from where students' own are drawn."""
         usual = USUAL_TURNS if robot.degrees else None
-        joints, draws = read_joints(reader, robot, single=False, usual_turns=usual)
+        joints = read_joints(reader, robot, single=False, usual_turns=usual)
         tolerance = reader.tolerance("tolerance", 0.005)
-        return PosePart(kind=self.kind, points=points, joints=joints, draws=draws, tolerance=tolerance)
+        return PosePart(kind=self.kind, points=points, joints=joints, tolerance=tolerance)
 
     def keys(self, robot: RobotFacts) -> tuple[DefinitionKey, ...]:
         """Return the keys of the joint values and their draws."""
@@ -126,7 +123,7 @@ class PosePartType(PartType[PosePart, CellMatrix, Matrices]):
 
     def draw(self, part: PosePart, exercise: Exercise, picker: Picker) -> tuple[Fraction, ...]:
         """Return the student's joint values [the exercise's units]."""
-        return drawn_joints(part.joints, part.draws, picker, self.kind)
+        return part.joints.drawn(picker, self.kind)
 
     def task(self, part: PosePart, instance: Instance) -> PartTask:
         """Ask for the pose at the student's joint values."""

@@ -30,7 +30,7 @@ from exercises.parts.inverse.joint_cells import (
     written_answer,
 )
 from exercises.parts.inverse.pose_question import DrawnPose, InverseKinematicsPart, question_of, target_of
-from exercises.parts.joint_draws import PoseCase, SolutionsAsked, drawn_joints, joint_labels, read_joints
+from exercises.parts.joint_draws import PoseCase, SolutionsAsked, joint_labels, read_joints
 from exercises.parts.protocol import TABLE, PartType, Reading, RobotFacts
 from exercises.parts.report import Credit, Fact, PartReport, fact, judged, told_from
 from exercises.parts.task import FieldShape, FormField, GivenNumbers, PartTask, choice_field
@@ -63,12 +63,10 @@ class InverseKinematicsType(PartType[InverseKinematicsPart, JointAnswerCells, Jo
 
     def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> InverseKinematicsPart:
         """Return the part with its pose and what is asked of it."""
-        joints, draws = read_joints(reader, robot)
         return InverseKinematicsPart(
             kind=self.kind,
             points=points,
-            joints=joints,
-            draws=draws,
+            joints=read_joints(reader, robot),
             cases=reader.choices("cases", PoseCase, ()) or (PoseCase.REACHED,),
             every=reader.choice("solutions", SolutionsAsked, SolutionsAsked.ALL) is SolutionsAsked.ALL,
             reach=reader.choice("reach", ArmReach, ArmReach.POSE),
@@ -100,7 +98,7 @@ class InverseKinematicsType(PartType[InverseKinematicsPart, JointAnswerCells, Jo
 
     def draw(self, part: InverseKinematicsPart, exercise: Exercise, picker: Picker) -> DrawnPose:
         """Return the student's joint values, and what becomes of their pose."""
-        joints = drawn_joints(part.joints, part.draws, picker, self.kind)
+        joints = part.joints.drawn(picker, self.kind)
         return DrawnPose(joints=joints, case=picker.choice(part.cases, f"{self.kind} case"))
 
     def task(self, part: InverseKinematicsPart, instance: Instance) -> PartTask:

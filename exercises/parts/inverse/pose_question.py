@@ -9,9 +9,8 @@ from functools import lru_cache
 import numpy as np
 
 from exercises.definition import Part
-from exercises.draws import Draw
 from exercises.instance import Instance
-from exercises.parts.joint_draws import PoseCase, in_radians, key_numbers
+from exercises.parts.joint_draws import JointDraws, PoseCase, in_radians, key_numbers
 from kinematics.answers.joint_questions import JointQuestion, joint_question
 from kinematics.forward import forward_kinematics
 from kinematics.inverse import ArmReach, solver_of
@@ -29,16 +28,14 @@ class InverseKinematicsPart(Part):
     """A pose whose joint values are asked.
 
     Attributes:
-        joints: the joint values where no seed is given [the exercise's units].
-        draws: per joint, from where a student's own value is drawn, or None.
+        joints: those of the pose.
         cases: what the pose may be; drawn.
         every: all solutions are asked, not one.
         reach: what of the last frame has to reach the pose.
         tolerance: of positions as a share of the robot's size, and of angles [rad].
     """
 
-    joints: tuple[Fraction, ...]
-    draws: tuple[Draw | None, ...]
+    joints: JointDraws
     cases: tuple[PoseCase, ...]
     every: bool
     reach: ArmReach

@@ -15,7 +15,7 @@ from fractions import Fraction
 import numpy as np
 
 from exercises.definition import Exercise
-from exercises.draws import Draw, Picker
+from exercises.draws import Picker
 from exercises.instance import Instance
 from exercises.parts.cells.number_cells import on_paper, read_numbers_of
 from exercises.parts.context import Context
@@ -28,7 +28,7 @@ from exercises.parts.definition_keys import (
 )
 from exercises.parts.forward.value import scaled_chain
 from exercises.parts.given_table import given_table
-from exercises.parts.joint_draws import drawn_joints, in_radians, joint_labels, key_numbers, read_joints
+from exercises.parts.joint_draws import JointDraws, in_radians, joint_labels, key_numbers, read_joints
 from exercises.parts.motion.jacobian_cells import (
     JacobianAsk,
     JacobianCells,
@@ -83,13 +83,11 @@ class JacobianPart(JacobianTerms):
     """A Jacobian, joint forces, or both, in numbers.
 
     Attributes:
-        joints: the joint values where no seed is given [the exercise's units].
-        draws: per joint, from where a student's own value is drawn, or None.
+        joints: of the configuration.
         wrench: force and moment on the tool.
     """
 
-    joints: tuple[Fraction, ...]
-    draws: tuple[Draw | None, ...]
+    joints: JointDraws
     wrench: tuple[float, ...]
 
 
@@ -102,7 +100,7 @@ class JacobianPartType(JacobianType[JacobianPart, JacobianNumbers]):
 
     def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> JacobianPart:
         """Return the part with its joint values and what is asked."""
-        joints, draws = read_joints(reader, robot)
+        joints = read_joints(reader, robot)
         asked = tuple(dict.fromkeys(reader.choices("ask", JacobianAsk, (JacobianAsk.JACOBIAN.value,))))
         wrench = reader.exacts("wrench", (0, 0, 0, 0, 0, 0))
         forces = JacobianAsk.FORCES in asked
@@ -114,7 +112,6 @@ class JacobianPartType(JacobianType[JacobianPart, JacobianNumbers]):
             kind=self.kind,
             points=points,
             joints=joints,
-            draws=draws,
             frame=reader.choice("frame", JacobianFrame, JacobianFrame.BASE),
             angles=read_angles(reader),
             ask=asked,
@@ -146,7 +143,7 @@ class JacobianPartType(JacobianType[JacobianPart, JacobianNumbers]):
 
     def draw(self, part: JacobianPart, exercise: Exercise, picker: Picker) -> tuple[Fraction, ...]:
         """Return the student's joint values [the exercise's units]."""
-        return drawn_joints(part.joints, part.draws, picker, self.kind)
+        return part.joints.drawn(picker, self.kind)
 
     def task(self, part: JacobianPart, instance: Instance) -> PartTask:
         """Show the configuration, the wrench, and the key if no table is asked."""

@@ -10,7 +10,7 @@ from random import Random
 from typing import ClassVar
 
 from exercises.definition import Exercise, Part
-from exercises.draws import Draw, Picker
+from exercises.draws import Picker
 from exercises.grading import Feedback, Finding, HelpLevel
 from exercises.grading.verdict import ParamValue
 from exercises.instance import Instance
@@ -18,7 +18,7 @@ from exercises.parts.cells.number_cells import DECIMALS
 from exercises.parts.context import Context
 from exercises.parts.definition_keys import DefinitionKey, Start, choice, joint_keys
 from exercises.parts.given_table import given_table
-from exercises.parts.joint_draws import drawn_joints, in_radians, joint_labels, read_joints, told_units
+from exercises.parts.joint_draws import JointDraws, in_radians, joint_labels, read_joints, told_units
 from exercises.parts.motion.singularity_cells import (
     MOST,
     SingularityAnswer,
@@ -45,12 +45,10 @@ class SingularitiesPart(Part):
     Attributes:
         rows: which motion counts.
         joints: a singular configuration in which the lost motion is asked, or None.
-        draws: per joint, from where a student's own value is drawn, or None.
     """
 
     rows: MotionRows
-    joints: tuple[Fraction, ...] | None
-    draws: tuple[Draw | None, ...]
+    joints: JointDraws | None
 
 
 class SingularitiesType(PartType[SingularitiesPart, SingularityCells, SingularityAnswer]):
@@ -75,10 +73,9 @@ class SingularitiesType(PartType[SingularitiesPart, SingularityCells, Singularit
 
     def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> SingularitiesPart:
         """Return the part with the motion that counts, and the configuration of the lost one."""
-        asked = reader.given("joints")
-        joints, draws = read_joints(reader, robot) if asked else (None, ())
+        joints = read_joints(reader, robot) if reader.given("joints") else None
         rows = reader.choice("motion", MotionRows, MotionRows.TWIST)
-        return SingularitiesPart(kind=self.kind, points=points, rows=rows, joints=joints, draws=draws)
+        return SingularitiesPart(kind=self.kind, points=points, rows=rows, joints=joints)
 
     def keys(self, robot: RobotFacts) -> tuple[DefinitionKey, ...]:
         """Return the keys of the motion that counts, and of the singular configuration."""
@@ -99,16 +96,14 @@ class SingularitiesType(PartType[SingularitiesPart, SingularityCells, Singularit
         if not only or not joint_variables_in(minor.expression()):
             yield Fault.at("singularities_no_families", "motion")
         arm = _arm(part, exercise, exercise.usual_values)
-        if part.joints is not None and not lost_motions_at(arm, in_radians(exercise, part.joints)):
+        if part.joints is not None and not lost_motions_at(arm, in_radians(exercise, part.joints.usual)):
             yield Fault.at("not_singular", "joints")
 
     def draw(
         self, part: SingularitiesPart, exercise: Exercise, picker: Picker
     ) -> tuple[Fraction, ...] | None:
         """Return the student's singular configuration [the exercise's units]."""
-        if part.joints is None:
-            return None
-        return drawn_joints(part.joints, part.draws, picker, self.kind)
+        return None if part.joints is None else part.joints.drawn(picker, self.kind)
 
     def task(self, part: SingularitiesPart, instance: Instance) -> PartTask:
         """Show the key, and the configuration of the lost motion."""

@@ -13,7 +13,7 @@ from random import Random
 from typing import ClassVar
 
 from exercises.definition import Exercise, Part
-from exercises.draws import Draw, Picker
+from exercises.draws import Picker
 from exercises.grading import Feedback, HelpLevel
 from exercises.instance import Instance
 from exercises.parts.cells.by_name import ByName, read_by_name
@@ -29,7 +29,7 @@ from exercises.parts.definition_keys import (
     joint_keys,
     usual_joints,
 )
-from exercises.parts.joint_draws import drawn_joints, key_frames, read_joints
+from exercises.parts.joint_draws import JointDraws, key_frames, read_joints
 from exercises.parts.protocol import PartType, Reading, RobotFacts
 from exercises.parts.report import Credit, PartReport, fact, judged, told_from
 from exercises.parts.task import FieldShape, FormField, GivenNumbers, PartTask
@@ -59,16 +59,14 @@ class FrameChainPart(Part):
     """Known poses of frames, and one that follows from them.
 
     Attributes:
-        joints: the joint values where no seed is given [the exercise's units].
-        draws: per joint, from where a student's own value is drawn, or None.
+        joints: of the configuration.
         known: (a, b) of each known pose of frame b in frame a.
         asked: (a, b) of the pose that is asked.
         path: the known poses on the way from a to b, and whether each is walked against its sense.
         tolerance: largest error of a direction cosine, and of a position as a share of the robot's size.
     """
 
-    joints: tuple[Fraction, ...]
-    draws: tuple[Draw | None, ...]
+    joints: JointDraws
     known: tuple[Pair, ...]
     asked: Pair
     path: tuple[tuple[int, bool], ...]
@@ -88,7 +86,7 @@ class FrameChainType(PartType[FrameChainPart, FrameChainCells, ByName[Matrices]]
 
     def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> FrameChainPart:
         """Return the part with its joint values and frames."""
-        joints, draws = read_joints(reader, robot, single=False)
+        joints = read_joints(reader, robot, single=False)
         known = tuple(_pair(inner) for inner in reader.entries("known"))
         asked = _pair(reader.table("asked", needed=True))
         path = path_between(known, asked)
@@ -98,7 +96,6 @@ class FrameChainType(PartType[FrameChainPart, FrameChainCells, ByName[Matrices]]
             kind=self.kind,
             points=points,
             joints=joints,
-            draws=draws,
             known=known,
             asked=asked,
             path=path or (),
@@ -137,7 +134,7 @@ class FrameChainType(PartType[FrameChainPart, FrameChainCells, ByName[Matrices]]
 
     def draw(self, part: FrameChainPart, exercise: Exercise, picker: Picker) -> tuple[Fraction, ...]:
         """Return the student's joint values [the exercise's units]."""
-        return drawn_joints(part.joints, part.draws, picker, self.kind)
+        return part.joints.drawn(picker, self.kind)
 
     def task(self, part: FrameChainPart, instance: Instance) -> PartTask:
         """Show the known poses and ask for one."""
