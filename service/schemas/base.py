@@ -36,9 +36,10 @@ class Wire(BaseModel):
     )
 
     @classmethod
-    def from_record(cls, record: Any) -> Self:
-        """Return a record of the domain, whose attributes have the names of the fields, as it goes out."""
-        return cls.model_validate(record, from_attributes=True, strict=False)
+    def from_record(cls, record: Any, **others: Any) -> Self:
+        """Return a record of the domain as it goes out: the fields that it has as attributes, and others."""
+        named = {name: getattr(record, name) for name in cls.model_fields if name not in others}
+        return cls.model_validate({**named, **others}, from_attributes=True, strict=False)
 
 
 LONGEST_LIST = 256

@@ -204,11 +204,8 @@ def check(body: CheckFramesRequest, language: str) -> CheckFramesAnswer:
     return CheckFramesAnswer(
         **units_of(body),
         frames=[
-            JudgedFrameModel(
-                index=frame.index,
-                complete=frame.complete,
-                findings=[_broken(finding, language) for finding in frame.findings],
-                candidates=Choices.from_record(frame.candidates),
+            JudgedFrameModel.from_record(
+                frame, findings=[_broken(finding, language) for finding in frame.findings]
             )
             for frame in judged.frames
         ],
@@ -235,13 +232,8 @@ def _matrix(transform: Transform | None) -> list[list[float]] | None:
 
 
 def _broken(finding: FrameFinding, language: str) -> Broken:
-    return Broken(
-        rule=finding.rule,
-        part=finding.part,
-        severity=finding.severity,
-        params=dict(finding.params),
-        message=_said(f"rule-{finding.rule.value}", finding.params, language),
-    )
+    said = _said(f"rule-{finding.rule.value}", finding.params, language)
+    return Broken.from_record(finding, message=said)
 
 
 def _said(message: str, params: Mapping[str, object], language: str) -> str:
