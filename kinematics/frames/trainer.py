@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -133,9 +134,10 @@ def check_frames(
     read = _read_frames(chosen, len(lines))
     first, last = ends_of(base, tool)
     size = robot_size(lines, first, last)
-    frames, places, broken = _against_rules(read, lines, convention, size, rounding)
+    robot = _Robot(lines, convention, size)
+    frames, places, broken = robot.against_rules(read, rounding)
     sound = _sound(frames, broken)
-    drawn = zip(_drawn_lines(lines, frames, convention), draw_prismatic_axes(lines, size), strict=True)
+    drawn = zip(robot.drawn_lines(frames), draw_prismatic_axes(lines, size), strict=True)
     shown = [own or other for own, other in drawn]
     prescribed = {0: first, len(lines): last}
     judged = tuple(
@@ -147,7 +149,15 @@ def check_frames(
         )
         for i in range(len(frames))
     )
-    return _judged(judged, _rows(lines, sound, convention, size), sound, last, convention)
+    rows = robot.rows(sound)
+    table, frame_0 = robot.table(sound), sound[0]
+    if table is None or frame_0 is None:
+        return JudgedFrames(frames=judged, rows=rows, table=None, base=None, tool=None)
+    T_w_0, T_n_tool = matrix(frame_0), np.eye(4)
+    if last is not None:
+        T_w_n = forward_kinematics(table, [0.0] * len(rows), base=T_w_0).transform
+        T_n_tool = inverse_transform(T_w_n) @ matrix(last)
+    return JudgedFrames(frames=judged, rows=rows, table=table, base=T_w_0, tool=T_n_tool)
 
 
 def rules_and_table(
@@ -163,46 +173,97 @@ def rules_and_table(
     there.
     """
     lines, _ = straighten(read_axes(axes), PARALLEL_TOLERANCE)
-    size = robot_size(lines, None, None)
-    frames, _, broken = _against_rules(_read_frames(chosen, len(lines)), lines, convention, size, rounding)
-    sound = _sound(frames, broken)
-    return broken, _table(_rows(lines, sound, convention, size), sound, convention)
+    robot = _Robot(lines, convention, robot_size(lines, None, None))
+    frames, _, broken = robot.against_rules(_read_frames(chosen, len(lines)), rounding)
+    return broken, robot.table(_sound(frames, broken))
 
 
-def _against_rules(
-    frames: Sequence[PartialPose],
-    lines: Sequence[AxisLine],
-    convention: Convention,
-    size: float,
-    rounding: float,
-) -> tuple[list[PartialPose], list[FramePlace], list[list[FrameFinding]]]:
-    """The frames as they are meant, what they are judged by, and the rules that each of them breaks."""
-    meant, places = _settled(frames, lines, convention, size, rounding)
-    return meant, places, [broken_rules(frame, place) for frame, place in zip(meant, places, strict=True)]
+class _Robot(NamedTuple):
+    """The axes to which frames are attached, and by which convention."""
+
+    lines: Sequence[AxisLine]
+    convention: Convention
+    size: float
+
+    def against_rules(
+        self, frames: Sequence[PartialPose], rounding: float
+    ) -> tuple[list[PartialPose], list[FramePlace], list[list[FrameFinding]]]:
+        """The frames as they are meant, what they are judged by, and the rules that each of them breaks.
+
+        Frames are moved onto what the rules ask for where they are that near.
+        """
+        meant = list(frames)
+        if rounding:
+            holders = [self._held(k) for k in range(len(self.lines))]
+            meant = slides_on_neighbours(meant, self.lines, holders, rounding * self.size)
+        places = self._places(meant)
+        if rounding:
+            meant = [settled(frame, place, rounding) for frame, place in zip(meant, places, strict=True)]
+            places = self._places(meant)
+        return meant, places, [broken_rules(frame, place) for frame, place in zip(meant, places, strict=True)]
+
+    def drawn_lines(self, frames: Sequence[PartialPose]) -> list[AxisLine | None]:
+        """The axes that have a place: revolute joints, and prismatic joints whose frame has an origin."""
+        drawn: list[AxisLine | None] = list(self.lines)
+        for k, line in enumerate(self.lines):
+            if line.joint is JointType.PRISMATIC:
+                origin = frames[self._held(k)].origin
+                drawn[k] = None if origin is None else AxisLine(line.joint, origin, line.direction)
+        return drawn
+
+    def rows(self, sound: Sequence[Pose | None]) -> tuple[NumericRow | None, ...]:
+        return tuple(self._row(i, sound) for i in range(1, len(sound)))
+
+    def table(self, sound: Sequence[Pose | None]) -> NumericTable | None:
+        """The table, once every row and frame 0 are there."""
+        rows = self.rows(sound)
+        whole = tuple(row for row in rows if row is not None)
+        if len(whole) < len(rows) or sound[0] is None:
+            return None
+        return DHTable(convention=self.convention, rows=whole)
+
+    def _held(self, k: int) -> int:
+        """The number of the frame whose z lies along line k."""
+        return k if self.convention is Convention.STANDARD else k + 1
+
+    def _places(self, frames: Sequence[PartialPose]) -> list[FramePlace]:
+        drawn = self.drawn_lines(frames)
+        return [self._place(i, drawn) for i in range(len(self.lines) + 1)]
+
+    def _place(self, i: int, drawn: Sequence[AxisLine | None]) -> FramePlace:
+        before, after = i or None, i + 1 if i < len(self.lines) else None  # axis 1 … N, or none
+        own, partner = (after, before) if self.convention is Convention.STANDARD else (before, after)
+        return FramePlace(
+            index=i,
+            convention=self.convention,
+            own=own,
+            own_line=None if own is None else drawn[own - 1] or self.lines[own - 1],
+            partner=partner,
+            partner_direction=None if partner is None else self.lines[partner - 1].direction,
+            partner_line=None if partner is None else drawn[partner - 1],
+            size=self.size,
+        )
+
+    def _row(self, i: int, sound: Sequence[Pose | None]) -> NumericRow | None:
+        """Row i, from frames i-1 and i."""
+        before, frame, line = sound[i - 1], sound[i], self.lines[i - 1]
+        if before is None or frame is None:
+            return None
+        w = subtract(frame.origin, before.origin)
+        x, z = (frame.x, before.z) if self.convention is Convention.STANDARD else (before.x, frame.z)
+        return DHRow(
+            joint=line.joint,
+            theta=clean_angle(angle_from_to(before.x, frame.x, z)),
+            d=clean_length(dot(w, z), self.size),
+            a=clean_length(dot(w, x), self.size),
+            alpha=clean_angle(angle_from_to(before.z, frame.z, x)),
+            sign=1 if dot(z, line.direction) > 0 else -1,
+        )
 
 
 def _sound(frames: Sequence[PartialPose], broken: Sequence[Sequence[FrameFinding]]) -> list[Pose | None]:
     """The frames that are whole and break no rule."""
     return [None if faults else _whole(frame) for frame, faults in zip(frames, broken, strict=True)]
-
-
-def _settled(
-    frames: Sequence[PartialPose],
-    lines: Sequence[AxisLine],
-    convention: Convention,
-    size: float,
-    rounding: float,
-) -> tuple[list[PartialPose], list[FramePlace]]:
-    """The frames, moved onto what the rules ask for where they are that near, and what they are judged by."""
-    found = list(frames)
-    if rounding:
-        holders = [k if convention is Convention.STANDARD else k + 1 for k in range(len(lines))]
-        found = slides_on_neighbours(found, lines, holders, rounding * size)
-    places = _places(lines, found, convention, size)
-    if rounding:
-        found = [settled(frame, place, rounding) for frame, place in zip(found, places, strict=True)]
-        places = _places(lines, found, convention, size)
-    return found, places
 
 
 def _read_frames(chosen: Sequence[ChosenFrame | None], count: int) -> list[PartialPose]:
@@ -238,42 +299,6 @@ def _follows(y: Vector, frame: PartialPose) -> bool:
     return norm(across) < SAME_DIRECTION or norm(subtract(y, unit(across))) <= SAME_DIRECTION
 
 
-def _drawn_lines(
-    lines: Sequence[AxisLine], frames: Sequence[PartialPose], convention: Convention
-) -> list[AxisLine | None]:
-    """The axes that have a place: revolute joints, and prismatic joints whose frame has an origin."""
-    drawn: list[AxisLine | None] = list(lines)
-    for k, line in enumerate(lines):
-        if line.joint is JointType.PRISMATIC:
-            origin = frames[k if convention is Convention.STANDARD else k + 1].origin
-            drawn[k] = None if origin is None else AxisLine(line.joint, origin, line.direction)
-    return drawn
-
-
-def _places(
-    lines: Sequence[AxisLine], frames: Sequence[PartialPose], convention: Convention, size: float
-) -> list[FramePlace]:
-    drawn = _drawn_lines(lines, frames, convention)
-    return [_place(i, lines, drawn, convention, size) for i in range(len(lines) + 1)]
-
-
-def _place(
-    i: int, lines: Sequence[AxisLine], drawn: Sequence[AxisLine | None], convention: Convention, size: float
-) -> FramePlace:
-    before, after = i or None, i + 1 if i < len(lines) else None  # axis 1 … N, or none
-    own, partner = (after, before) if convention is Convention.STANDARD else (before, after)
-    return FramePlace(
-        index=i,
-        convention=convention,
-        own=own,
-        own_line=None if own is None else drawn[own - 1] or lines[own - 1],
-        partner=partner,
-        partner_direction=None if partner is None else lines[partner - 1].direction,
-        partner_line=None if partner is None else drawn[partner - 1],
-        size=size,
-    )
-
-
 def _whole(frame: PartialPose) -> Pose | None:
     if frame.origin is None or frame.x is None or frame.z is None:
         return None
@@ -297,56 +322,3 @@ def _advice(sound: Sequence[Pose | None], place: FramePlace, prescribed: Pose | 
     elif before is not None and i > 1:
         findings.extend(vanishing_advice(frame, before, place))
     return findings
-
-
-def _row(
-    i: int, line: AxisLine, sound: Sequence[Pose | None], convention: Convention, size: float
-) -> NumericRow | None:
-    """Row i, from frames i-1 and i."""
-    before, frame = sound[i - 1], sound[i]
-    if before is None or frame is None:
-        return None
-    w = subtract(frame.origin, before.origin)
-    x, z = (frame.x, before.z) if convention is Convention.STANDARD else (before.x, frame.z)
-    return DHRow(
-        joint=line.joint,
-        theta=clean_angle(angle_from_to(before.x, frame.x, z)),
-        d=clean_length(dot(w, z), size),
-        a=clean_length(dot(w, x), size),
-        alpha=clean_angle(angle_from_to(before.z, frame.z, x)),
-        sign=1 if dot(z, line.direction) > 0 else -1,
-    )
-
-
-def _rows(
-    lines: Sequence[AxisLine], sound: Sequence[Pose | None], convention: Convention, size: float
-) -> tuple[NumericRow | None, ...]:
-    return tuple(_row(i, lines[i - 1], sound, convention, size) for i in range(1, len(sound)))
-
-
-def _table(
-    rows: Sequence[NumericRow | None], sound: Sequence[Pose | None], convention: Convention
-) -> NumericTable | None:
-    """The table, once every row and frame 0 are there."""
-    whole = tuple(row for row in rows if row is not None)
-    if len(whole) < len(rows) or sound[0] is None:
-        return None
-    return DHTable(convention=convention, rows=whole)
-
-
-def _judged(
-    judged: tuple[JudgedFrame, ...],
-    rows: tuple[NumericRow | None, ...],
-    sound: Sequence[Pose | None],
-    last: Pose | None,
-    convention: Convention,
-) -> JudgedFrames:
-    first, table = sound[0], _table(rows, sound, convention)
-    if first is None or table is None:
-        return JudgedFrames(frames=judged, rows=rows, table=None, base=None, tool=None)
-    T_w_0 = matrix(first)
-    tool = np.eye(4)
-    if last is not None:
-        T_w_n = forward_kinematics(table, [0.0] * len(rows), base=T_w_0).transform
-        tool = inverse_transform(T_w_n) @ matrix(last)
-    return JudgedFrames(frames=judged, rows=rows, table=table, base=T_w_0, tool=tool)
