@@ -75,7 +75,7 @@ form-unit-now-deg = Numbers in the angle columns are now read as degrees.
 form-unit-now-rad = Numbers in the angle columns are now read as radians.
 form-unit-now-length = Numbers in the length columns are now read in { $unit }.
 form-unit-convert = Convert the numbers
-form-unit-converted = Numbers converted
+form-unit-converted = Numbers converted.
 form-unit-converted-but =
     { $count ->
         [one] Numbers converted, except in one cell that is more than a sum: check it.

@@ -75,7 +75,7 @@ form-unit-now-deg = Los números de las columnas de ángulos se leen ahora en gr
 form-unit-now-rad = Los números de las columnas de ángulos se leen ahora en radianes.
 form-unit-now-length = Los números de las columnas de longitudes se leen ahora en { $unit }.
 form-unit-convert = Convertir los números
-form-unit-converted = Números convertidos
+form-unit-converted = Números convertidos.
 form-unit-converted-but =
     { $count ->
         [one] Números convertidos, salvo en una celda que no es una simple suma: revísela.

@@ -75,7 +75,7 @@ form-unit-now-deg = Les nombres des colonnes d’angles se lisent maintenant en 
 form-unit-now-rad = Les nombres des colonnes d’angles se lisent maintenant en radians.
 form-unit-now-length = Les nombres des colonnes de longueurs se lisent maintenant en { $unit }.
 form-unit-convert = Convertir les nombres
-form-unit-converted = Nombres convertis
+form-unit-converted = Nombres convertis.
 form-unit-converted-but =
     { $count ->
         [one] Nombres convertis, sauf dans une cellule qui n’est pas une simple somme : vérifiez-la.

@@ -75,7 +75,7 @@ form-unit-now-deg = Os números das colunas de ângulos leem-se agora em graus.
 form-unit-now-rad = Os números das colunas de ângulos leem-se agora em radianos.
 form-unit-now-length = Os números das colunas de comprimentos leem-se agora em { $unit }.
 form-unit-convert = Converter os números
-form-unit-converted = Números convertidos
+form-unit-converted = Números convertidos.
 form-unit-converted-but =
     { $count ->
         [one] Números convertidos, exceto numa célula que não é uma simples soma: verifique-a.

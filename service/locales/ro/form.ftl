@@ -77,7 +77,7 @@ form-unit-now-deg = Numerele din coloanele de unghiuri se citesc acum în grade.
 form-unit-now-rad = Numerele din coloanele de unghiuri se citesc acum în radiani.
 form-unit-now-length = Numerele din coloanele de lungimi se citesc acum în { $unit }.
 form-unit-convert = Convertește numerele
-form-unit-converted = Numerele au fost convertite
+form-unit-converted = Numerele au fost convertite.
 form-unit-converted-but =
     { $count ->
         [one] Numerele au fost convertite, cu excepția unei celule care nu este o simplă sumă: verificați-o.

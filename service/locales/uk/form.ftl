@@ -77,7 +77,7 @@ form-unit-now-deg = Числа в стовпцях кутів тепер чит�
 form-unit-now-rad = Числа в стовпцях кутів тепер читаються в радіанах.
 form-unit-now-length = Числа в стовпцях довжин тепер читаються в одиницях: { $unit }.
 form-unit-convert = Перерахувати числа
-form-unit-converted = Числа перераховано
+form-unit-converted = Числа перераховано.
 form-unit-converted-but =
     { $count ->
         [one] Числа перераховано, крім { $count } клітинки, що не є простою сумою: перевірте її.

@@ -364,7 +364,7 @@ export class DhTableEditor extends HTMLElement {
     const convert = () => {
       const { table, left } = converted();
       this.#change(table);
-      this.#say(left ? t("form-unit-converted-but", { count: left }) : t("form-unit-converted"));
+      this.#say(convertedText(left));
     };
     this.#say(text, [el("button", { type: "button", text: t("form-unit-convert"), onclick: convert })]);
   }
@@ -449,16 +449,22 @@ export class DhTableEditor extends HTMLElement {
   /** @param {import("./paste.js").Pasted} pasted @param {number} at @param {any} replace */
   #take(pasted, at, replace) {
     const before = this.#table;
-    const next = withPasted(before, pasted, at, replace, this.#allowed);
+    const { table: next, left } = withPasted(before, pasted, at, replace, this.#allowed);
     this.#change(next, { focus: [at, COLUMNS[next.convention][0]] });
     const said = [
       t("form-pasted", { rows: pasted.rows.length }),
       next.convention !== before.convention && t(`form-convention-now-${next.convention}`),
       next.angleUnit !== before.angleUnit && t(`form-unit-now-${next.angleUnit}`),
       next.lengthUnit !== before.lengthUnit && t("form-unit-now-length", { unit: next.lengthUnit }),
+      left !== null && convertedText(left),
     ];
     this.#say(said.filter(Boolean).join(" "));
   }
+}
+
+/** @param {number} left cells that could not be converted */
+function convertedText(left) {
+  return left ? t("form-unit-converted-but", { count: left }) : t("form-unit-converted");
 }
 
 customElements.define("dh-table-editor", DhTableEditor);

@@ -8,7 +8,7 @@
  *   rows: {joint: JointType | null, cells: Partial<Record<CellName, string>>}[]}} Pasted
  */
 
-import { holdsNumbers } from "./convert.js";
+import { convertedAngles, convertedLengths, holdsNumbers } from "./convert.js";
 import { cleaned, gridOf } from "./cut.js";
 import { CELLS, COLUMNS, inferredJoint, insertRow, MOST_ROWS, newRow, setCell } from "./model.js";
 import { readCode } from "./toolbox-code.js";
@@ -216,29 +216,44 @@ function readRow(row, columns) {
  * @param {import("./model.js").Table} table @param {Pasted} pasted @param {number} at first row that is replaced
  * @param {boolean} whole leave nothing of the rows after them
  * @param {("standard" | "modified")[]} allowed conventions that the headings may choose
- * @returns {import("./model.js").Table}
+ * @returns {{table: import("./model.js").Table, left: number | null}} `left`: as in `Converted`; null if nothing was converted
  */
 export function withPasted(table, pasted, at, whole, allowed) {
   const anyJoint = pasted.rows.some((row) => row.joint);
+  const before = table.rows.slice(0, at);
+  const kept = whole ? [] : table.rows.slice(at + pasted.rows.length);
+  const fresh = pasted.rows.map(({ cells }) => ({ ...newRow(0, "fixed"), ...cells }));
+  const { left, ...read } = inUnitsOf({ ...table, rows: [...before, ...kept] }, pasted.units, fresh);
   const rows = pasted.rows.map((row, i) => {
     const old = table.rows[at + i];
     const joint = row.joint ?? (anyJoint ? "fixed" : (old?.joint ?? "revolute"));
-    const cells = Object.fromEntries(CELLS.map((cell) => [cell, row.cells[cell] ?? old?.[cell] ?? ""]));
-    return { ...newRow(0, "fixed"), ...cells, joint };
+    const missing = CELLS.filter((cell) => row.cells[cell] === undefined);
+    const filled = Object.fromEntries(missing.map((cell) => [cell, old?.[cell] ?? ""]));
+    return { ...read.table.rows[i], ...filled, joint };
   });
-  const kept = whole ? [] : table.rows.slice(at + rows.length);
   const convention = pasted.convention && allowed.includes(pasted.convention) ? pasted.convention : table.convention;
-  const before = table.rows.slice(0, at);
-  const units = unitsBeside({ ...table, rows: [...before, ...kept] }, pasted.units);
-  return { ...table, ...units, convention, rows: [...before, ...rows, ...kept].slice(0, MOST_ROWS) };
+  return { table: { ...read.table, convention, rows: [...before, ...rows, ...kept].slice(0, MOST_ROWS) }, left };
 }
 
-/** Units of pasted rows, unless rows that stay hold numbers in another one. @param {import("./model.js").Table} rest @param {Units} units @returns {Units} */
-function unitsBeside(rest, { angleUnit, lengthUnit }) {
-  return {
-    ...(angleUnit && !holdsNumbers(rest, ANGLES.cells) ? { angleUnit } : {}),
-    ...(lengthUnit && !holdsNumbers(rest, LENGTHS.cells) ? { lengthUnit } : {}),
+/**
+ * Pasted rows in their own units, or, where rows that stay hold numbers in other ones, in those.
+ * @param {import("./model.js").Table} rest the rows that stay @param {Units} units of the pasted rows
+ * @param {import("./model.js").Row[]} rows
+ */
+function inUnitsOf(rest, units, rows) {
+  let table = { ...rest, ...units, rows };
+  /** @type {number | null} */
+  let left = null;
+  /** @param {import("./convert.js").Converted} converted */
+  const take = (converted) => {
+    table = converted.table;
+    left = (left ?? 0) + converted.left;
   };
+  if (table.angleUnit !== rest.angleUnit && holdsNumbers(rest, ANGLES.cells))
+    take(convertedAngles(table, rest.angleUnit));
+  if (table.lengthUnit !== rest.lengthUnit && holdsNumbers(rest, LENGTHS.cells))
+    take(convertedLengths(table, table.lengthUnit, rest.lengthUnit));
+  return { table, left };
 }
 
 /**

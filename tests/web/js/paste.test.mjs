@@ -140,7 +140,7 @@ test("what is no table is left alone", () => {
 test("pasted rows replace rows; numbers alone keep the joint types of the form", () => {
   const table = newTable("modified", 3);
   const pasted = readPasted("0\t1\t2\t3\n4\t5\t6\t7", COLUMNS.modified);
-  const next = withPasted(table, pasted, 0, false, ["modified"]);
+  const next = withPasted(table, pasted, 0, false, ["modified"]).table;
   assert.deepEqual(
     next.rows.map((row) => [row.joint, row.theta]),
     [
@@ -149,21 +149,22 @@ test("pasted rows replace rows; numbers alone keep the joint types of the form",
       ["revolute", "θ3"],
     ],
   );
-  assert.equal(withPasted(table, pasted, 0, true, ["modified"]).rows.length, 2);
+  assert.equal(withPasted(table, pasted, 0, true, ["modified"]).table.rows.length, 2);
 });
 
 test("where some rows hold a variable, the others are fixed", () => {
   const pasted = readPasted("0\t0\t0\tq1\n0\t0\t0.2\t0", COLUMNS.modified);
   assert.deepEqual(
-    withPasted(newTable("modified", 2), pasted, 0, true, []).rows.map((row) => row.joint),
+    withPasted(newTable("modified", 2), pasted, 0, true, []).table.rows.map((row) => row.joint),
     ["revolute", "fixed"],
   );
 });
 
 test("headings choose the convention only where it may be chosen", () => {
   const pasted = readPasted("θ_i\td_i\ta_i\tα_i\nq1\t0\t0\t90", COLUMNS.modified);
-  assert.equal(withPasted(newTable("modified", 1), pasted, 0, true, ["modified", "standard"]).convention, "standard");
-  assert.equal(withPasted(newTable("modified", 1), pasted, 0, true, ["modified"]).convention, "modified");
+  const convention = (allowed) => withPasted(newTable("modified", 1), pasted, 0, true, allowed).table.convention;
+  assert.equal(convention(["modified", "standard"]), "standard");
+  assert.equal(convention(["modified"]), "modified");
 });
 
 test("a block goes right and down from its cell, adding rows", () => {
@@ -240,12 +241,22 @@ test("units that headings name become the table's, unless numbers in another one
   assert.deepEqual(pasted.units, { angleUnit: "deg", lengthUnit: "mm" });
   const table = newTable("standard", 2, { angleUnit: "rad" });
   const whole = withPasted(table, pasted, 0, true, ["standard"]);
-  assert.deepEqual([whole.angleUnit, whole.lengthUnit], ["deg", "mm"]);
+  assert.deepEqual([whole.table.angleUnit, whole.table.lengthUnit, whole.left], ["deg", "mm", null]);
   table.rows[1] = { ...table.rows[1], a: "0.3" };
   const beside = withPasted(table, pasted, 0, false, ["standard"]);
-  assert.deepEqual([beside.angleUnit, beside.lengthUnit], ["deg", "m"]);
+  assert.deepEqual([beside.table.angleUnit, beside.table.lengthUnit, beside.left], ["deg", "m", 0]);
+  assert.deepEqual([beside.table.rows[0].a, beside.table.rows[0].alpha], ["0.4318", "90"]);
   const mixed = readPasted("θ\td (mm)\ta (m)\tα\nq1\t10\t1\t90", COLUMNS.standard);
   assert.deepEqual(mixed.units, {});
+});
+
+test("pasted radians beside rows in degrees are written in degrees; what cannot be is counted", () => {
+  const table = newTable("standard", 2);
+  table.rows[0] = { ...table.rows[0], alpha: "90" };
+  const pasted = readPasted("Link('d', 0.3, 'alpha', 1.5707963267948966, 'offset', 2*0.5)", COLUMNS.standard);
+  const { table: next, left } = withPasted(table, pasted, 1, false, ["standard"]);
+  assert.equal(next.angleUnit, "deg");
+  assert.deepEqual([next.rows[1].alpha, next.rows[1].d, next.rows[1].theta, left], ["90", "0.3", "θ1+2*0.5", 1]);
 });
 
 test("the notation of Khalil and Kleinfinger, in which d is the length and r the offset", () => {
