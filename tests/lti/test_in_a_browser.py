@@ -131,6 +131,27 @@ def test_what_was_typed_last_is_there_whatever_the_browser(
     with page.expect_request("**/session/draft"):
         first_cell("practice").fill("45")
     expect(first_cell("practice")).to_have_value("45")
+    assert elsewhere.api("PUT", "session/draft", typed).status_code == 204
+    expect(first_cell("practice")).to_have_value("90")
+    page.get_by_role("button", name="Show the other version").click()
+    expect(cell(page, 0, "alpha")).to_have_value("45")
+
+
+@pytest.mark.usefixtures("service")
+@pytest.mark.parametrize("address", ["sqlite"], indirect=True)
+def test_help_that_rises_starts_anew_for_each_student_at_a_shared_computer(page: Page, lms: Lms) -> None:
+    """The second student's first wrong answer was told as much as the first one's second."""
+    for user, twist in (("olga", "17"), ("pavlo", "18")):
+        page.goto(f"{lms.root}/start?user={user}&hint={hint(resource='shared', context='shared', custom=CUSTOM)}")
+        page.wait_for_url("**/exercises/**")
+        wait_ready(page)
+        page.evaluate("(table) => (document.querySelector('dh-table-editor').table = table)", RIGHT["table"])
+        cell(page, 0, "alpha").fill(twist)
+        page.locator(".help-choice select").select_option("steps")
+        with page.expect_request("**/session/attempts") as sent:
+            page.locator("form button[type=submit]").first.click()
+        assert sent.value.post_data_json["help"] == "row"
+        expect(page.locator("#verdict-card")).to_be_visible()
 
 
 @pytest.mark.parametrize("address", ["sqlite"], indirect=True)

@@ -17,19 +17,19 @@ import { partName, pointsText, Progress } from "./progress.js";
 export class AnswerCard {
   /**
    * @param {HTMLElement} place @param {any} exercise
-   * @param {{changed: (what: "table" | "part") => void, submit: (kind?: string) => void, together?: boolean}} page
-   *   `submit` hands in everything, or one part; `together`: with one part goes all else that is ready, because what
-   *   is handed in counts as a whole
+   * @param {{changed: (what: "table" | "part") => void, submit: (kind?: string) => void, owner?: string | null}} page
+   *   `submit` hands in everything, or one part; `owner`: somebody in a course, for whom with one part goes all else that
+   *   is ready, because what is handed in counts as a whole
    */
-  constructor(place, exercise, { changed, submit, together = false }) {
+  constructor(place, exercise, { changed, submit, owner = null }) {
     this.exercise = exercise;
     this.changed = changed;
-    this.together = together;
+    this.together = owner !== null;
     /** In a course every press is an attempt, and says so. */
-    this.labels = together
+    this.labels = this.together
       ? { all: "session-hand-in", part: "session-hand-in-ready" }
       : { all: "form-submit", part: "form-submit-part" };
-    this.help = new Help(exercise);
+    this.help = new Help(exercise, owner);
     this.progress = new Progress(exercise, (kind) => this.goTo(kind));
     this.editor = /** @type {any} */ (document.createElement("dh-table-editor"));
     this.editor.allowed = exercise.conventions;

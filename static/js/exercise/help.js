@@ -21,10 +21,10 @@ export function leastHelp(level, other) {
 }
 
 export class Help {
-  /** @param {Wire.Exercise} exercise */
-  constructor(exercise) {
+  /** @param {Wire.Exercise} exercise @param {string | null} owner whose answers these are, where somebody is signed in */
+  constructor(exercise, owner) {
     this.exercise = exercise;
-    this.key = `wrong:${exercise.id}${exercise.seed ? `:${exercise.seed}` : ""}`;
+    this.key = ["wrong", exercise.id, exercise.seed, owner].filter(Boolean).join(":");
     this.levels = LEVELS.slice(0, LEVELS.indexOf(exercise.help) + 1);
     this.steps = STEPS.slice(0, this.levels.includes("kind") ? STEPS.length : this.levels.includes("row") ? 1 : 0);
   }

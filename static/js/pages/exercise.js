@@ -82,7 +82,7 @@ async function run() {
       if (what === "table") follow();
     },
     submit: (kind) => submit(kind),
-    together: course !== null,
+    owner: course?.key ?? null,
   });
   connect(answer.editor, own);
   const access = new Access(exercise, answer.progress);
@@ -90,7 +90,12 @@ async function run() {
   robot.addEventListener("reading", (event) => answer.showReading(/** @type {CustomEvent} */ (event).detail));
 
   const here = recall(draftKey, null);
-  restore(course ? course.latest(here) : here);
+  const { state: latest, other } = course ? course.latest(here) : { state: here, other: null };
+  restore(latest);
+  if (other) {
+    const action = { text: t("session-draft-take"), run: () => resume(other.state) };
+    warnAbove(t("session-draft-other", { when: other.at }), action);
+  }
   const readOff = recall(`read-off:${id}`, null);
   if (readOff) {
     resume({ ...answer.state, table: readOff });

@@ -120,7 +120,7 @@ export class CourseSession {
   /** Has the service keep what is typed, soon; until it has, this browser knows of it. @param {unknown} state */
   draft(state) {
     this.typed = state;
-    keep(this.#unsent, true);
+    keep(this.#unsent, Date.now());
     this.#store(state);
   }
 
@@ -136,9 +136,20 @@ export class CourseSession {
     }
   }
 
-  /** What was typed last: the service knows, in whatever browser it was, unless this one's has not reached it. @param {any} here */
+  /**
+   * What was typed last, in whatever browser, and what else was: this browser's may not have reached the service.
+   * @param {any} here what this browser keeps
+   * @returns {{state: any, other: {state: any, at: string} | null}}
+   */
   latest(here) {
-    return recall(this.#unsent, false) ? here : (this.told.draft?.state ?? here);
+    const { draft } = this.told;
+    const typed = Number(recall(this.#unsent, 0));
+    if (!draft) return { state: here, other: null };
+    if (!typed || !here || JSON.stringify(here) === JSON.stringify(draft.state))
+      return { state: draft.state, other: null };
+    const own = { state: here, at: dayAndTime(typed) };
+    const stored = { state: draft.state, at: dayAndTime(draft.at) };
+    return typed > Date.parse(draft.at) ? { ...own, other: stored } : { ...stored, other: own };
   }
 
   /** When attempts open or close while the page is open, the banner says so. */
@@ -253,10 +264,6 @@ export class CourseSession {
       refusal,
       return_url: back,
     } = this.told;
-    const day = /** @type {const} */ ({ year: "numeric", month: "short", day: "numeric" });
-    const zoned = /** @type {const} */ ({ ...day, hour: "numeric", minute: "2-digit", timeZoneName: "short" });
-    const format = dates(zoned);
-    const when = (/** @type {string} */ time) => format.format(new Date(time));
     const isBefore = (/** @type {string | null} */ time) => time !== null && new Date() < new Date(time);
     const facts = [
       el("span", {
@@ -267,8 +274,8 @@ export class CourseSession {
       }),
       counting !== "best" && allowed !== 1 ? el("span", { text: t("session-counting", { counting }) }) : null,
       penalty > 0 && allowed !== 1 ? el("span", { text: t("session-penalty", { percent: percentOf(penalty) }) }) : null,
-      isBefore(opens) ? el("span", { text: t("session-opens", { when: when(opens) }) }) : null,
-      closes ? el("span", { text: t("session-closes", { when: when(closes) }) }) : null,
+      isBefore(opens) ? el("span", { text: t("session-opens", { when: dayAndTime(opens) }) }) : null,
+      closes ? el("span", { text: t("session-closes", { when: dayAndTime(closes) }) }) : null,
       grade
         ? el("span", {
             class: "badge good",
@@ -284,6 +291,13 @@ export class CourseSession {
     ];
     fill(this.banner, el("p", { class: "row" }, facts));
   }
+}
+
+/** @param {string | number} time */
+function dayAndTime(time) {
+  const day = /** @type {const} */ ({ year: "numeric", month: "short", day: "numeric" });
+  const zoned = /** @type {const} */ ({ ...day, hour: "numeric", minute: "2-digit", timeZoneName: "short" });
+  return dates(zoned).format(new Date(time));
 }
 
 /** Who is signed in, and where. @param {any} told what the service says of the session */
