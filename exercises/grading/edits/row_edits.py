@@ -88,10 +88,10 @@ def _of_type(work: Work, code: str, index: int, joint: JointType) -> Change:
 
 
 def rows_swapped(work: Work) -> Iterator[Change]:
-    """Exchange two rows; of none are the types alone wrong, unless their joints are neighbours in line.
+    """Exchange two rows; where only types are wrong, neighbours in line or a row with an offset of the key.
 
     A slider and a joint that turns about a parallel axis make the same motions in either order. An offset of
-    the key that has gone along with a joint shows that its row has.
+    the key beside a joint in the other row shows that the whole row has moved.
     """
     rows = work.table.rows
     entries = [(row.alpha, row.a, row.d, row.theta) for row in rows]
