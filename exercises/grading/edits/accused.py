@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from exercises.grading.edits.changes import Change
+from exercises.grading.edits.changes import Change, Extent
 from exercises.grading.edits.own_table import is_length_of, is_own_table
 from exercises.grading.edits.repairs import Repaired
 from exercises.grading.edits.work import LENGTHS
@@ -19,7 +19,7 @@ def own_table_first(
 
     Who forgets the key's last fixed row has made that slip, though a sign in the row before it might lead to
     the frame of the tool as well. Where the likeliest repair is two edits, and not both of cells, it stays
-    the first.
+    the first. Beside a cell, columns exchanged in its row alone are no other story.
     """
     if len(repairs) < 2 or repairs[0].of(table) is None:
         return tuple(repairs)
@@ -28,7 +28,13 @@ def own_table_first(
         made = repaired.of(table)
         return len(repaired.changes) > len(repairs[0].changes) or made is None or not is_own_table(made, key)
 
-    return tuple(sorted(repairs, key=leads_elsewhere))
+    def is_of_one_row(repaired: Repaired) -> bool:
+        rows = {row for row, *_ in repaired.changes[0].cells}
+        return repaired.changes[0].extent is Extent.TABLE and len(rows) == 1 and leads_elsewhere(repaired)
+
+    of_a_cell = len(repairs[0].changes) == 1 and repairs[0].changes[0].extent is Extent.CELL
+    told = [one for one in repairs if not (of_a_cell and len(one.changes) == 1 and is_of_one_row(one))]
+    return tuple(sorted(told, key=leads_elsewhere))
 
 
 class Accused(NamedTuple):

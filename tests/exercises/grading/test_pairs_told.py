@@ -173,6 +173,18 @@ def test_a_joint_that_took_its_offset_along_has_changed_rows(convention: Convent
     assert verdict.score == 0.67
 
 
+def test_columns_are_not_exchanged_in_the_row_of_a_wrong_twist_alone() -> None:
+    """A d of 90 instead of α would mend a SCARA, for d is free; but nobody asks for it."""
+    key = convert(dict(catalogue())["scara"], Convention.STANDARD).table
+    verdict = told(key, {(2, "alpha"): HALF}, Policy(tool=ToolRule.AXIS))
+    assert [[edit.code for edit in repair.edits] for repair in verdict.repairs] == [["alpha_value"]]
+    arm = standard((R, HALF, 0.3, 0, 0), (R, 0, 0.2, 0, 0))
+    exchanged = told(arm, {(1, "alpha"): 0.0, (1, "d"): HALF}, FREE)
+    assert [edit.code for repair in exchanged.repairs for edit in repair.edits] == [
+        "columns_exchanged", "alpha_value"
+    ]  # fmt: skip
+
+
 def test_neighbours_in_line_are_exchanged() -> None:
     """The last two joints of a SCARA make the same motions in either order."""
     key = dict(catalogue())["scara"]
