@@ -206,6 +206,12 @@ GANTRY = """rows = [
 JOINTS_OF = 'kind = "inverse_kinematics"\nreach = "position"\njoints = '
 
 
+def of_a_gantry(part: str) -> str:
+    """A definition that asks for one part about two sliders."""
+    start, end = TWO_LINKS.index("rows = ["), TWO_LINKS.index("[[parts]]")
+    return asking_only(part, f"{TWO_LINKS[:start]}{GANTRY}\n{TWO_LINKS[end:]}")
+
+
 @pytest.mark.parametrize("folded", [False, True], ids=["no hinge", "a hinge that may stand anywhere"])
 def test_joint_values_are_asked_of_an_arm_whose_first_joint_cannot_be_wrong(
     folded: bool, tmp_path: Path
@@ -216,8 +222,7 @@ def test_joint_values_are_asked_of_an_arm_whose_first_joint_cannot_be_wrong(
             f"{JOINTS_OF}[30, 180]\n", TWO_LINKS.replace('"L2"', '"L1"').replace("L2.value = 0.3", "")
         )
     else:
-        start, end = TWO_LINKS.index("rows = ["), TWO_LINKS.index("[[parts]]")
-        text = asking_only(f"{JOINTS_OF}[0.2, 0.3]\n", f"{TWO_LINKS[:start]}{GANTRY}\n{TWO_LINKS[end:]}")
+        text = of_a_gantry(f"{JOINTS_OF}[0.2, 0.3]\n")
     found = check(load_exercise(folder(tmp_path, text, statement="An arm.")), 1)
     assert found.failures == []
 
@@ -233,3 +238,14 @@ def test_a_part_that_no_answer_can_be_right_for_is_refused(part: str, code: str,
     with pytest.raises(DefinitionError) as refused:
         load_exercise(folder(tmp_path, asking_only(part)))
     assert [fault.code for fault in refused.value.faults] == [code]
+
+
+def test_an_arm_that_reaches_everything_is_asked_for_no_pose_out_of_reach(tmp_path: Path) -> None:
+    """Students who were to find that there is no solution would have found one."""
+    out = 'cases = ["reached", "out_of_reach"]\n'
+    with pytest.raises(DefinitionError) as refused:
+        load_exercise(folder(tmp_path, of_a_gantry(f"{JOINTS_OF}[0.2, 0.3]\n{out}"), statement="An arm."))
+    told = [(fault.code, fault.where[-3:]) for fault in refused.value.faults]
+    assert told == [("pose_within_reach", ("parts", 0, "cases"))]
+    short = folder(tmp_path, asking_only(f"{JOINTS_OF}[30, 45]\n{out}"), name="short")
+    assert load_exercise(short).part("inverse_kinematics") is not None

@@ -17,7 +17,7 @@ from typing import ClassVar
 from exercises.definition import Exercise
 from exercises.draws import Picker
 from exercises.grading import BaseRule, Feedback, Finding, HelpLevel, ToolRule, accept
-from exercises.instance import Instance
+from exercises.instance import Instance, generate
 from exercises.parts import definition_keys as defined
 from exercises.parts.cells.number_cells import on_paper, read_numbers_of
 from exercises.parts.context import Context
@@ -88,13 +88,18 @@ class InverseKinematicsType(PartType[InverseKinematicsPart, JointAnswerCells, Jo
         return {"joints": defined.usual_joints(robot)}
 
     def inconsistencies(self, part: InverseKinematicsPart, exercise: Exercise) -> Iterator[Fault]:
-        """Yield a fault where students choose the frames in which the pose would have to be given."""
+        """Yield what the policy does not fix of the pose, and a pose out of reach of an arm that has none."""
         policy = exercise.policy
         free = policy.base is not BaseRule.FRAME or policy.tool is not ToolRule.FRAME
         if exercise.part(TABLE) is not None and free:
             yield Fault.at("pose_frames_free", "kind")
         if part.reach is ArmReach.AXIS:
             yield Fault.at("exercise_value_unknown", "reach", key="reach", known="pose, position")
+        elif PoseCase.OUT_OF_REACH in part.cases:
+            far = replace(part, cases=(PoseCase.OUT_OF_REACH,))
+            asked = question_of(far, generate(replace(exercise, parts=(far,))))
+            if asked.expected is not JointClaim.OUT_OF_REACH:
+                yield Fault.at("pose_within_reach", "cases")
 
     def draw(self, part: InverseKinematicsPart, exercise: Exercise, picker: Picker) -> DrawnPose:
         """Return the student's joint values, and what becomes of their pose."""

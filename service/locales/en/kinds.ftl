@@ -190,6 +190,7 @@ feedback-joints_combination_wrong = Combination { $row } does not stay the same 
 feedback-joints_combination_zero = Combination { $row } is 0 whatever the joints do, so it says nothing.
 feedback-joints_combination_loose = Combination { $row } stays the same along the solutions, but that is not enough: other joint values with the same combination do not reach the pose.
 error-pose_frames_free = The pose is given in frame 0 and for the last frame: the policy has to fix both, base = "frame" and tool = "frame".
+error-pose_within_reach = This arm reaches poses however far away, as prismatic joints have no limits here: leave out_of_reach out of cases.
 error-joint_row_length = A row holds one value for each joint: { $expected } are needed, and { $given } were given.
 error-joint_rows_empty = Give the joint values that reach the pose.
 

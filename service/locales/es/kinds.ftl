@@ -190,6 +190,7 @@ feedback-joints_combination_wrong = La combinación { $row } no permanece igual 
 feedback-joints_combination_zero = La combinación { $row } vale 0 hagan lo que hagan las articulaciones, y no dice nada.
 feedback-joints_combination_loose = La combinación { $row } permanece igual en las soluciones, pero eso no basta: otros valores articulares con la misma combinación no alcanzan la pose.
 error-pose_frames_free = La pose se da en el sistema 0 y para el último: las reglas deben fijar ambos, base = "frame" y tool = "frame".
+error-pose_within_reach = Este brazo alcanza poses por lejanas que estén, pues aquí las articulaciones prismáticas no tienen límites: quite out_of_reach de cases.
 error-joint_row_length = Una fila contiene un valor por articulación: se necesitan { $expected } y se dieron { $given }.
 error-joint_rows_empty = Dé los valores articulares que alcanzan la pose.
 

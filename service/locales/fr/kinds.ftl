@@ -190,6 +190,7 @@ feedback-joints_combination_wrong = La combinaison { $row } ne reste pas constan
 feedback-joints_combination_zero = La combinaison { $row } vaut 0 quoi que fassent les articulations : elle ne dit rien.
 feedback-joints_combination_loose = La combinaison { $row } reste constante le long des solutions, mais cela ne suffit pas : d’autres valeurs articulaires de même combinaison n’atteignent pas la pose.
 error-pose_frames_free = La pose est donnée dans le repère 0 et pour le dernier : les règles doivent fixer les deux, base = "frame" et tool = "frame".
+error-pose_within_reach = Ce bras atteint des poses aussi éloignées que l’on veut, car les articulations prismatiques n’ont pas de limites ici : retirez out_of_reach de cases.
 error-joint_row_length = Une ligne contient une valeur par articulation : il en faut { $expected }, et { $given } ont été données.
 error-joint_rows_empty = Donnez les valeurs articulaires qui atteignent la pose.
 

@@ -190,6 +190,7 @@ feedback-joints_combination_wrong = A combinação { $row } não permanece igual
 feedback-joints_combination_zero = A combinação { $row } vale 0 façam as juntas o que fizerem, e não diz nada.
 feedback-joints_combination_loose = A combinação { $row } permanece igual nas soluções, mas isso não basta: outros valores das juntas com a mesma combinação não alcançam a pose.
 error-pose_frames_free = A pose é dada no referencial 0 e para o último: as regras têm de fixar os dois, base = "frame" e tool = "frame".
+error-pose_within_reach = Este braço alcança poses por mais distantes que estejam, pois aqui as juntas prismáticas não têm limites: retire out_of_reach de cases.
 error-joint_row_length = Uma linha contém um valor por junta: são necessários { $expected }, e foram dados { $given }.
 error-joint_rows_empty = Dê os valores das juntas que alcançam a pose.
 

@@ -191,6 +191,7 @@ feedback-joints_combination_wrong = Combinația { $row } nu rămâne neschimbat�
 feedback-joints_combination_zero = Combinația { $row } este 0 orice ar face cuplele și nu spune nimic.
 feedback-joints_combination_loose = Combinația { $row } rămâne neschimbată de-a lungul soluțiilor, dar nu este destul: alte valori ale cuplelor cu aceeași combinație nu ating situarea.
 error-pose_frames_free = Situarea este dată în sistemul 0 și pentru ultimul: regulile trebuie să le fixeze pe amândouă, base = "frame" și tool = "frame".
+error-pose_within_reach = Acest braț atinge situări oricât de îndepărtate, fiindcă aici cuplele de translație nu au limite: scoateți out_of_reach din cases.
 error-joint_row_length = Un rând conține câte o valoare pentru fiecare cuplă: trebuie { $expected }, s-au dat { $given }.
 error-joint_rows_empty = Dați valorile cuplelor care ating situarea.
 
