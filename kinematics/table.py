@@ -15,8 +15,7 @@ from enum import StrEnum
 from functools import cached_property
 from typing import Generic, TypeAlias, TypeVar
 
-from kinematics.errors import Fault, ParameterError
-from kinematics.expressions import Expression, evaluate, parameters_in
+from kinematics.expressions import Expression, evaluate_each, parameters_in
 
 Entry = TypeVar("Entry", float, Expression)
 
@@ -157,19 +156,9 @@ def bind(table: SymbolicTable, parameters: Mapping[str, float] | None = None) ->
         ParameterError: a parameter has no value, or a cell has no finite value; all faults at once, each
             at ("parameters", name) or at ("rows", i, cell).
     """
-    faults: dict[tuple[str | int, ...], Fault] = {}
-    rows: list[NumericRow] = []
-    for i, row in enumerate(table.rows):
-        values = {}
-        for cell in CELLS:
-            try:
-                values[cell] = evaluate(getattr(row, cell), parameters)
-            except ParameterError as error:
-                for fault in error.faults:
-                    placed = fault if fault.where else fault.within("rows", i, cell)
-                    faults[placed.where] = placed
-                values[cell] = 0.0
-        rows.append(DHRow(joint=row.joint, sign=row.sign, **values))
-    if faults:
-        raise ParameterError(faults.values())
+    cells = ((("rows", i, cell), getattr(row, cell)) for i, row in enumerate(table.rows) for cell in CELLS)
+    values = iter(evaluate_each(cells, parameters))
+    rows = (
+        DHRow(joint=row.joint, sign=row.sign, **dict(zip(CELLS, values, strict=False))) for row in table.rows
+    )
     return DHTable(convention=table.convention, rows=tuple(rows))

@@ -8,8 +8,8 @@ from typing import Generic, TypeAlias, TypeVar
 
 import numpy as np
 
-from kinematics.errors import DescriptionError, Fault, ParameterError
-from kinematics.expressions import Expression, evaluate
+from kinematics.errors import DescriptionError, Fault
+from kinematics.expressions import Expression, evaluate_each
 
 Entry = TypeVar("Entry")
 
@@ -56,23 +56,13 @@ def bind_links(links: Sequence[SymbolicBody], parameters: Mapping[str, float]) -
         ParameterError: a parameter has no value, or an entry has none that is finite; all faults at once,
             each at ("parameters", name) or ("links", i, …).
     """
-    faults: dict[tuple[str | int, ...], Fault] = {}
+    entries = ((("links", i, *at), entry) for i, link in enumerate(links) for at, entry in link.entries())
+    values = evaluate_each(entries, parameters)
     found = []
-    for number, link in enumerate(links):
-        values = []
-        for where, entry in link.entries():
-            try:
-                values.append(evaluate(entry, parameters))
-            except ParameterError as error:
-                values.append(0.0)
-                for fault in error.faults:
-                    placed = fault if fault.where else fault.within("links", number, *where)
-                    faults[placed.where] = placed
-        m, x, y, z, *rest = values
-        rows = tuple((rest[i], rest[i + 1], rest[i + 2]) for i in (0, 3, 6))
+    for i in range(0, len(values), 13):
+        m, x, y, z, *rest = values[i : i + 13]
+        rows = tuple((rest[k], rest[k + 1], rest[k + 2]) for k in (0, 3, 6))
         found.append(RigidBody(mass=m, centre=(x, y, z), inertia=rows))
-    if faults:
-        raise ParameterError(faults.values())
     return tuple(found)
 
 

@@ -34,7 +34,7 @@ from kinematics.expressions.trees import (
     terms_of,
     with_parts,
 )
-from kinematics.expressions.values import evaluate, joint_variables_in, parameters_in, walk
+from kinematics.expressions.values import evaluate, evaluate_each, joint_variables_in, parameters_in, walk
 
 __all__ = [
     "MINUS_ONE",
@@ -54,6 +54,7 @@ __all__ = [
     "add",
     "call",
     "evaluate",
+    "evaluate_each",
     "joint_variables_in",
     "multiply",
     "negate",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 
 from kinematics.angles import cos_sin
@@ -68,6 +68,29 @@ def evaluate(
     if isinstance(value, complex) or not math.isfinite(value):
         raise ParameterError(Fault.at("value_undefined"))
     return value
+
+
+def evaluate_each(
+    entries: Iterable[tuple[tuple[str | int, ...], Expression]], parameters: Mapping[str, float] | None
+) -> list[float]:
+    """Return the values of expressions, each given with its place.
+
+    Raises:
+        ParameterError: a parameter has no value, at ("parameters", name), or an expression has none, at its
+            place; all faults at once.
+    """
+    values: list[float] = []
+    faults: dict[tuple[str | int, ...], Fault] = {}
+    for place, expression in entries:
+        try:
+            values.append(evaluate(expression, parameters))
+        except ParameterError as error:
+            for fault in error.faults:
+                placed = fault if fault.where else fault.within(*place)
+                faults[placed.where] = placed
+    if faults:
+        raise ParameterError(faults.values())
+    return values
 
 
 def parameters_in(expression: Expression) -> frozenset[str]:

@@ -5,18 +5,18 @@ Nothing here goes through a DH table, so the two derivations of a robot can be h
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from kinematics.errors import Fault, JointValueError, ParameterError
-from kinematics.expressions import evaluate
+from kinematics.errors import Fault, JointValueError
+from kinematics.expressions import Expression, evaluate, evaluate_each
 from kinematics.joint_values import one_configuration
 from kinematics.poses import transform_from_xyzabc
 from kinematics.scm.chain import ChainRow, Entry, Placement, ScmChain
-from kinematics.se3 import Transform, cross_arrays, skew
+from kinematics.se3 import Place, Transform, cross_arrays, skew
 from kinematics.table import JointType
 
 _ENTRIES = tuple(Entry)
@@ -80,15 +80,10 @@ def check_values(chain: ScmChain, parameters: Mapping[str, float]) -> None:
         ParameterError: a parameter has no value, or an entry none that is finite, at ("joints", i, entry),
             ("final", entry) or ("tool", entry).
     """
+    placements: list[tuple[Placement, Place]]
     placements = [(row.constant, ("joints", i)) for i, row in enumerate(chain.rows)]
-    faults: list[Fault] = []
-    for placement, where in (*placements, (chain.final, ("final",)), (chain.tool, ("tool",))):
-        try:
-            _numbers(placement, parameters, where)
-        except ParameterError as error:
-            faults.extend(error.faults)
-    if faults:
-        raise ParameterError(faults)
+    placements += [(chain.final, ("final",)), (chain.tool, ("tool",))]
+    evaluate_each((entry for each in placements for entry in _entries(*each)), parameters)
 
 
 def jacobian_base_by_inspection(
@@ -193,13 +188,9 @@ def _placement(placement: Placement, values: Mapping[str, float], name: str) -> 
     return transform_from_xyzabc(_numbers(placement, values, (name,)))
 
 
-def _numbers(placement: Placement, values: Mapping[str, float], where: tuple[str | int, ...]) -> list[float]:
-    numbers, faults = [], []
-    for entry in _ENTRIES:
-        try:
-            numbers.append(evaluate(placement.entry(entry), values))
-        except ParameterError as error:
-            faults += [f if f.where else f.within(*where, entry.value) for f in error.faults]
-    if faults:
-        raise ParameterError(faults)
-    return numbers
+def _numbers(placement: Placement, values: Mapping[str, float], where: Place) -> list[float]:
+    return evaluate_each(_entries(placement, where), values)
+
+
+def _entries(placement: Placement, where: Place) -> Iterator[tuple[Place, Expression]]:
+    return (((*where, entry.value), placement.entry(entry)) for entry in _ENTRIES)
