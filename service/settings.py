@@ -2,26 +2,29 @@
 
 from __future__ import annotations
 
-import os
-import re
 from enum import StrEnum
-from ipaddress import ip_network
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal, Self
 
-from pydantic import (
-    Field,
-    NonNegativeInt,
-    PositiveFloat,
-    PositiveInt,
-    SecretStr,
-    ValidationInfo,
-    field_validator,
-    model_validator,
-)
-from pydantic_settings import BaseSettings, NoDecode, SettingsConfigDict
+from pydantic import Field, NonNegativeInt, PositiveFloat, PositiveInt, SecretStr, model_validator
+from pydantic_settings import BaseSettings, SettingsConfigDict
 
 from service.logs import LogFormat
+from service.setting_types import (
+    Ancestors,
+    CollectorAddress,
+    DatabaseAddress,
+    DataFolder,
+    Folders,
+    Hosts,
+    ListeningAddress,
+    Networks,
+    Origins,
+    Platforms,
+    ProxyPath,
+    PublicAddress,
+    WebForm,
+)
 
 if TYPE_CHECKING:
     from kinematics.cells import Limits
@@ -29,33 +32,6 @@ if TYPE_CHECKING:
 KIB = 1024
 MIB = 1024 * KIB
 
-_PORT = r"(6553[0-5]|655[0-2]\d|65[0-4]\d\d|6[0-4]\d{3}|[1-5]?\d{1,4})"
-_HOST = r"(\*\.)?[A-Za-z0-9-]+(\.[A-Za-z0-9-]+)*"
-_ORIGIN = re.compile(rf"\*|null|https?://({_HOST}|\[[0-9A-Fa-f:.]+\])(:{_PORT})?")
-_ANCESTOR = re.compile(
-    rf"'self'|'none'|\*|https?:|(?!(self|none)$)(https?://)?({_HOST}|\[[0-9A-Fa-f:.]+\])(:({_PORT}|\*))?/?"
-)
-"""A source of a policy; self and none without quotation marks would be hosts of these names."""
-PREFIX = re.compile(r"(/(?!\.{1,2}(/|$))[A-Za-z0-9._~-]+)+")
-"""A path under which a proxy may serve: nothing in it needs an escape, or is resolved by who calls."""
-_NAMED = rf"([A-Za-z0-9_-]+(\.[A-Za-z0-9_-]+)*|\[[0-9A-Fa-f:.]+\])(:{_PORT})?"
-_LISTENING = re.compile(r"[A-Za-z0-9_-]+(\.[A-Za-z0-9_-]+)*|[0-9A-Fa-f:.]*:[0-9A-Fa-f:.]*(%[A-Za-z0-9._-]+)?")
-_CALLED = re.compile(_NAMED)
-_PLATFORM = re.compile(f"https?://{_NAMED}/?")
-_PUBLIC = re.compile(f"https?://{_NAMED}({PREFIX.pattern})?/?")
-_DATABASE = re.compile(r"postgres(ql)?(\+[a-z0-9]+)?://\S*")
-_COLLECTOR = re.compile(r"https?://[^/\s]+\S*")
-_SECRET_ADDRESSES = {
-    "database_url": (_DATABASE, "postgresql://user:password@host/database"),
-    "traces": (_COLLECTOR, "http://collector:4318/v1/traces"),
-}
-_LISTS = {
-    "frame_ancestors": (_ANCESTOR, "'self', 'none' or an origin such as https://a.example"),
-    "cors_origins": (_ORIGIN, "*, null, or an origin such as https://a.example"),
-    "lti_trusted_origins": (_PLATFORM, "an origin such as https://lms.example"),
-    "callback_hosts": (_CALLED, "a host such as lms.example, or lms.example:8443"),
-}
-"""What each entry of these lists must be, as a pattern and in words."""
 LONGEST_DAYS = 36_500
 """A hundred years: what is kept longer is kept for ever."""
 
@@ -68,7 +44,6 @@ MOST_WORKERS = 1024
 LONGEST_NUMBER = 1000
 """Digits: a few milliseconds to read, and less than Python converts at all (4300)."""
 Seconds = Annotated[float, Field(gt=0, le=LONGEST_SECONDS)]
-Names = Annotated[tuple[str, ...], NoDecode]
 
 
 class Publishers(StrEnum):
@@ -94,13 +69,13 @@ class Settings(BaseSettings):
 
     model_config = SettingsConfigDict(env_prefix="FRAMEWISE_", frozen=True, extra="forbid")
 
-    host: str = Field("127.0.0.1", description="address that the server listens on")
+    host: ListeningAddress = Field("127.0.0.1", description="address that the server listens on")
     port: int = Field(8000, ge=0, le=65535, description="port that the server listens on; 0 takes a free one")
     workers: int = Field(1, gt=0, le=MOST_WORKERS, description="server processes, at most 1024")
     access_log: bool = Field(False, description="log a line for each request")
     log_format: LogFormat = Field(LogFormat.TEXT, description="how the log is written: text, or json")
     metrics: Literal["on", "off"] = Field("on", description="serve Prometheus metrics at /metrics")
-    traces: str = Field(
+    traces: CollectorAddress = Field(
         "", description="OpenTelemetry collector (OTLP over HTTP) for traces; needs the extra telemetry"
     )
     shutdown_seconds: int = Field(
@@ -116,17 +91,17 @@ class Settings(BaseSettings):
         description="time a connection may be idle before the server closes it [s]; longer than a proxy "
         "keeps its own (nginx and AWS: 60 s), or a request may meet a connection that is being closed",
     )
-    prefix: str = Field("", description="path under which a reverse proxy serves this, such as /dh")
-    trusted_proxies: Names = Field(
+    prefix: ProxyPath = Field("", description="path under which a reverse proxy serves this, such as /dh")
+    trusted_proxies: Networks = Field(
         ("127.0.0.1",),
         description="addresses and networks (CIDR) whose X-Forwarded-Proto, -For and -Prefix headers are "
         "believed; * for all: of several addresses in -For the first is believed, whoever wrote it",
     )
-    frame_ancestors: Names = Field(
+    frame_ancestors: Ancestors = Field(
         ("'self'",), description="origins that may show the pages in a frame (CSP frame-ancestors)"
     )
-    cors_origins: Names = Field((), description="origins whose pages may call the API from a browser")
-    static_directory: Path | None = Field(None, description="folder of the web form; none: the packaged one")
+    cors_origins: Origins = Field((), description="origins whose pages may call the API from a browser")
+    static_directory: WebForm = Field(None, description="folder of the web form; none: the packaged one")
 
     body_limit: PositiveInt = Field(1 * MIB, description="largest request body [byte]")
     batch_body_limit: PositiveInt = Field(
@@ -180,15 +155,15 @@ class Settings(BaseSettings):
     storage: Literal["on", "off"] = Field(
         "on", description="store courses and attempts; off: serve only what needs no storage"
     )
-    data_folder: Path = Field(Path("data"), description="folder of the SQLite file")
-    database_url: str = Field(
+    data_folder: DataFolder = Field(Path("data"), description="folder of the SQLite file")
+    database_url: DatabaseAddress = Field(
         "", description="PostgreSQL instead of SQLite: postgresql://user:password@host/database"
     )
-    public_url: str = Field(
+    public_url: PublicAddress = Field(
         "",
         description="address under which browsers and platforms reach the service; none: that of the request",
     )
-    lti_trusted_origins: Names = Field(
+    lti_trusted_origins: Platforms = Field(
         (), description="origins of platforms that may be called although they are not public or not https"
     )
     people_days: int = Field(
@@ -207,7 +182,7 @@ class Settings(BaseSettings):
         description="who may publish exercises: anyone; staff of a course, and keys with the scope publish; "
         "key, such keys alone; nobody",
     )
-    exercise_folders: Annotated[tuple[Path, ...], NoDecode] = Field(
+    exercise_folders: Folders = Field(
         (), description="folders with your own exercises, which override packaged ones of the same id"
     )
     grading_threads: int = Field(
@@ -240,7 +215,7 @@ class Settings(BaseSettings):
         description="cost of the calls of one key, person of a course or address in a minute; a pose is 1; "
         "0: no limit",
     )
-    callback_hosts: Names = Field(
+    callback_hosts: Hosts = Field(
         (), description="hosts (host or host:port) to which feedback requested for later may be sent"
     )
 
@@ -253,74 +228,6 @@ class Settings(BaseSettings):
         """
         framed = set(self.frame_ancestors) - {"'self'", "'none'"}
         return tuple(dict.fromkeys((*self.cors_origins, *(("null",) if framed else ()))))
-
-    @field_validator("exercise_folders", "trusted_proxies", *_LISTS, mode="before")
-    @classmethod
-    def _split(cls, value: object) -> object:
-        return tuple(value.replace(",", " ").split()) if isinstance(value, str) else value
-
-    @field_validator("data_folder", mode="before")
-    @classmethod
-    def _named_folder(cls, value: object) -> object:
-        if value == "":
-            raise ValueError("a folder is needed, such as data")
-        return value
-
-    @field_validator("host")
-    @classmethod
-    def _listened(cls, value: str) -> str:
-        return _matching(_LISTENING, value, "an address or a name, such as 127.0.0.1; 0.0.0.0 for all")
-
-    @field_validator("prefix")
-    @classmethod
-    def _a_path(cls, value: str) -> str:
-        trimmed = value.strip("/")
-        if not trimmed:
-            return ""
-        return _matching(PREFIX, f"/{trimmed}", "a path of letters, digits and . _ ~ -, such as /dh")
-
-    @field_validator("trusted_proxies")
-    @classmethod
-    def _addresses(cls, value: tuple[str, ...]) -> tuple[str, ...]:
-        if "*" in value:
-            if len(value) > 1:
-                raise ValueError("* stands for every address, so it stands alone")
-            return value
-        for entry in value:
-            ip_network(entry)  # says what is wrong, such as bits outside the mask
-        return value
-
-    @field_validator(*_LISTS)
-    @classmethod
-    def _each_matching(cls, value: tuple[str, ...], info: ValidationInfo) -> tuple[str, ...]:
-        pattern, wanted = _LISTS[str(info.field_name)]
-        for one in value:
-            _matching(pattern, one, wanted)
-        if "'none'" in value and len(value) > 1:  # only an ancestor may be none
-            raise ValueError("'none' stands alone")
-        return value
-
-    @field_validator("database_url", "traces")
-    @classmethod
-    def _with_a_password(cls, value: str, info: ValidationInfo) -> str:
-        """Refuse what is no address without repeating it: a password may stand in it."""
-        pattern, example = _SECRET_ADDRESSES[str(info.field_name)]
-        if value and not pattern.fullmatch(value):
-            raise ValueError(f"this is not an address such as {example}")
-        return value
-
-    @field_validator("public_url")
-    @classmethod
-    def _an_address(cls, value: str) -> str:
-        return _matching(_PUBLIC, value, "an address such as https://a.example/dh") if value else ""
-
-    @field_validator("static_directory")
-    @classmethod
-    def _a_folder(cls, value: Path | None) -> Path | None:
-        if value is not None and not (value / "js").is_dir():
-            shown = os.fsencode(value).decode(errors="replace")
-            raise ValueError(f"{shown} is no folder of the web form: it has no folder js")
-        return value
 
     @model_validator(mode="after")
     def _limits_agree(self) -> Self:
@@ -349,9 +256,3 @@ class Settings(BaseSettings):
             smallest=self.number_smallest,
             largest=self.number_largest,
         )
-
-
-def _matching(pattern: re.Pattern[str], value: str, wanted: str) -> str:
-    if not pattern.fullmatch(value):
-        raise ValueError(f"{value!r} is not {wanted}")
-    return value

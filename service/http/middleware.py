@@ -28,7 +28,8 @@ from service.http.shortages import shortage
 from service.http.uploads import HELD, Upload, may_be_under_way
 from service.logs import log_access
 from service.metrics import UNMATCHED
-from service.settings import PREFIX, Settings
+from service.setting_types import PREFIX
+from service.settings import Settings
 from service.work.fair_queue import current_client, proven
 
 ROUTE = "route_template"
