@@ -44,12 +44,7 @@ Kept = TypeVar("Kept")
 
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Length:
-    """How many entries a sequence in an answer may have; stands in `Annotated[...]`.
-
-    Attributes:
-        least: fewest entries.
-        most: most entries.
-    """
+    """How many entries a sequence in an answer may have; stands in `Annotated[...]`."""
 
     least: int = 0
     most: int = 64

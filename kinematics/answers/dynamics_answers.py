@@ -16,16 +16,20 @@ from __future__ import annotations
 import math
 import random
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
-from enum import StrEnum
 from fractions import Fraction
-from functools import cached_property, lru_cache
 
 import numpy as np
 
-from kinematics.answers.left_open import EXACT, Rounded, left_open
+from kinematics.answers.dynamics_verdicts import (
+    DynamicsMistake,
+    DynamicsQuestion,
+    DynamicsVerdict,
+    EquationsAnswer,
+    derived,
+)
+from kinematics.answers.left_open import EXACT, left_open
 from kinematics.cells.substitution import substitute
-from kinematics.dynamics import Derivation, RigidBody, SymbolicBody, rate_name
+from kinematics.dynamics import RigidBody, rate_name
 from kinematics.errors import FormSizeError
 from kinematics.expressions import (
     ONE,
@@ -42,7 +46,6 @@ from kinematics.expressions.arrays import values_at
 from kinematics.expressions.values import holds_decimals
 from kinematics.se3 import Floats
 from kinematics.symbolic import Matrix, ProofStatus, compare
-from kinematics.table import SymbolicTable
 
 Pair = tuple[Expression, Expression]
 POINTS = 8
@@ -52,92 +55,6 @@ PRODUCTS = 100_000
 HALF = Number(Fraction(1, 2))
 TOLERANCE = 0.005
 """Of an entry that is not proved, as a share of its size: two decimals and a half."""
-
-
-class DynamicsMistake(StrEnum):
-    """What a wrong answer looks like.
-
-    ASYMMETRIC: M is not symmetric. POINT_MASSES: M without the links' own moments of inertia. GRAVITY_SIGN: g
-    pulls the other way. VELOCITY_SIGN: C q̇ has the other sign. COUPLING_ONCE: products q̇_j q̇_k of two joints
-    count once, not twice. MASS_RATE: Ṁ q̇ is taken for C q̇: the gradient of the kinetic energy is missing.
-    """
-
-    ASYMMETRIC = "asymmetric"
-    POINT_MASSES = "point_masses"
-    GRAVITY_SIGN = "gravity_sign"
-    VELOCITY_SIGN = "velocity_sign"
-    COUPLING_ONCE = "coupling_once"
-    MASS_RATE = "mass_rate"
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class DynamicsQuestion:
-    """A robot with weights.
-
-    Attributes:
-        table: its table.
-        links: what moves with frame 1 … N.
-        gravity: acceleration of free fall in frame 0.
-        values: of every name in these.
-    """
-
-    table: SymbolicTable
-    links: tuple[SymbolicBody, ...]
-    gravity: tuple[Expression, Expression, Expression]
-    values: Mapping[str, float]
-
-    @cached_property
-    def equations(self) -> Derivation:
-        """M, C q̇, g and Ṁ in closed form."""
-        return _derived(self.table, self.links, self.gravity)
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class EquationsAnswer:
-    """Equations of motion as functions of q1 … qn and dq1 … dqn; None of what was not answered.
-
-    Attributes:
-        mass: n×n, M.
-        coriolis: n×n, some C.
-        velocity: n, C q̇.
-        gravity: n, g.
-        rounded: of entries with names and decimals. Where nothing is said of an entry, the tolerance holds
-            alone.
-    """
-
-    mass: Matrix | None = None
-    coriolis: Matrix | None = None
-    velocity: tuple[Expression, ...] | None = None
-    gravity: tuple[Expression, ...] | None = None
-    rounded: Rounded = field(default_factory=dict)
-
-
-@dataclass(frozen=True, kw_only=True, eq=False)
-class DynamicsVerdict:
-    """What is said of an answer; None of what was not answered.
-
-    Attributes:
-        mass: n×n which entries of M are right.
-        velocity: which rows of C q̇ are right, of C and of C q̇ itself where both were given.
-        skew: whether Ṁ − 2C is skew-symmetric, M being the robot's; None without C.
-        gravity: which entries of g are right.
-        proof: PROVED: all of it is equal as functions; UNDECIDED: some was compared at samples only; REFUTED:
-            some differs.
-        mistakes: what wrong parts look like.
-    """
-
-    mass: tuple[tuple[bool, ...], ...] | None
-    velocity: tuple[bool, ...] | None
-    skew: bool | None
-    gravity: tuple[bool, ...] | None
-    proof: ProofStatus
-    mistakes: tuple[DynamicsMistake, ...]
-
-    @property
-    def right(self) -> bool:
-        """Everything that was answered is right, whether or not Ṁ − 2C is skew-symmetric."""
-        rows = (*(self.mass or ()), self.velocity or (), self.gravity or ())
-        return all(all(row) for row in rows)
 
 
 @np.errstate(all="ignore")
@@ -298,9 +215,6 @@ class _EntryJudge:
         return np.array([self._random.uniform(-3.0, 3.0) for _ in range(POINTS)])
 
 
-_derived = lru_cache(maxsize=64)(Derivation)
-
-
 def _proved(given: Expression, ours: Expression) -> bool:
     try:
         return compare(given, ours, limit=PRODUCTS) is ProofStatus.PROVED
@@ -332,7 +246,7 @@ def _mistakes_of_mass(judge: _EntryJudge, question: DynamicsQuestion, given: Mat
     points = tuple(
         RigidBody(mass=link.mass, centre=link.centre, inertia=((ZERO,) * 3,) * 3) for link in question.links
     )
-    bare = _derived(question.table, points, question.gravity).mass
+    bare = derived(question.table, points, question.gravity).mass
     flat = [entry for row in given for entry in row]
     if judge.agrees(flat, [entry for row in bare for entry in row]):
         found.append(DynamicsMistake.POINT_MASSES)

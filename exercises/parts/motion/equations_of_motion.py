@@ -28,12 +28,12 @@ from exercises.parts.protocol import PartType, Reading, RobotFacts
 from exercises.parts.report import Credit, Disclosure, Fact, PartReport, fact, judged, share_earned, told_from
 from exercises.parts.task import FieldShape, FormField, GivenNumbers, PartTask
 from exercises.reading import Reader
-from kinematics.answers.dynamics_answers import (
+from kinematics.answers.dynamics_answers import judge_dynamics
+from kinematics.answers.dynamics_verdicts import (
     DynamicsMistake,
     DynamicsQuestion,
     DynamicsVerdict,
     EquationsAnswer,
-    judge_dynamics,
 )
 from kinematics.cells import Cell, LengthUnit, ReadTable
 from kinematics.dynamics import rate_name

@@ -9,7 +9,7 @@ from typing import Annotated, Any
 from exercises.parts.cells.exactness import roundings
 from exercises.parts.cells.matrix_cells import read_row
 from exercises.parts.protocol import Length, Reading
-from kinematics.answers.dynamics_answers import EquationsAnswer
+from kinematics.answers.dynamics_verdicts import EquationsAnswer
 from kinematics.cells import Cell
 from kinematics.dynamics import rate_name
 from kinematics.expressions import Expression

@@ -8,13 +8,8 @@ from typing import Annotated, Any
 
 from pydantic import Field
 
-from kinematics.answers.dynamics_answers import (
-    TOLERANCE,
-    DynamicsMistake,
-    DynamicsQuestion,
-    EquationsAnswer,
-    judge_dynamics,
-)
+from kinematics.answers.dynamics_answers import TOLERANCE, judge_dynamics
+from kinematics.answers.dynamics_verdicts import DynamicsMistake, DynamicsQuestion, EquationsAnswer
 from kinematics.answers.left_open import Rounded
 from kinematics.cells import ReadTable
 from kinematics.dynamics import rate_name

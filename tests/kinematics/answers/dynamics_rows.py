@@ -14,7 +14,8 @@ from functools import cache
 import sympy
 
 from exercises.parts.cells.matrix_cells import read_functions
-from kinematics.answers.dynamics_answers import DynamicsQuestion, EquationsAnswer, judge_dynamics
+from kinematics.answers.dynamics_answers import judge_dynamics
+from kinematics.answers.dynamics_verdicts import DynamicsQuestion, EquationsAnswer
 from kinematics.cells import AngleUnit
 from kinematics.expressions import Expression
 from kinematics.table import JointType

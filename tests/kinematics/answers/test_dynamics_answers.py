@@ -6,7 +6,8 @@ from dataclasses import replace
 
 import pytest
 
-from kinematics.answers.dynamics_answers import DynamicsMistake, EquationsAnswer, judge_dynamics
+from kinematics.answers.dynamics_answers import judge_dynamics
+from kinematics.answers.dynamics_verdicts import DynamicsMistake, EquationsAnswer
 from kinematics.symbolic import ProofStatus
 from tests.kinematics.answers.dynamics_rows import campaign, question, read
 
