@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import base64
 import json
+import re
 from typing import Any
 
 import pytest
@@ -86,10 +87,13 @@ def test_figure_row_and_robot_are_in_sight_while_typing(open_page: OpenPage, wid
 def test_a_cell_and_what_it_is_drawn_as_light_each_other(open_page: OpenPage) -> None:
     page = open_page("/exercises/puma560")
     put_table(page, PUMA)
-    expect(page.locator("#own")).to_contain_text("Drawn from your table")
+    expect(page.locator("#announcer")).to_contain_text("Drawn from your table")
+    page.evaluate("document.getElementById('announcer').textContent = ''")
     cell(page, 2, "a").focus()
     expect(cell(page, 2, "a")).to_have_class("lit")
     expect(page.locator(".film-text")).to_have_text("Row 3, 2 of 4: move along x₂ by a = 0.4318 m.")
+    expect(page.locator("#own").get_by_role("status").filter(has_text=re.compile("."))).to_have_count(0)
+    expect(page.locator("#announcer")).to_be_empty()
     items = "document.querySelector('#own robot-scene').overlay.items"
     assert page.evaluate(f"{items}.filter((item) => item.tone === 'lit').length") > 0
     page.evaluate(
@@ -110,6 +114,7 @@ def test_a_row_is_gone_through_step_by_step_and_back(open_page: OpenPage) -> Non
     for wanted in ("2 of 4: move along x₁ by a = 0.4 m.", "3 of 4: turn about z₂", "4 of 4: move along z₂"):
         page.get_by_role("button", name="One step forward").click()
         expect(text).to_contain_text(wanted)
+        expect(page.locator("#announcer")).to_contain_text(wanted)
     ends = page.evaluate(
         """async () => {
           const base = new URL(document.documentElement.dataset.assets, location.href).href;

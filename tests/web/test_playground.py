@@ -590,6 +590,7 @@ def test_a_trajectory_with_its_plot_its_path_and_its_numbers(open_page: OpenPage
     page.get_by_role("slider", name="Instant", exact=True).fill("60")
     # the last posture of the catalogue's PUMA bends joint 3 to -180°
     expect(page.locator("joint-sliders .joint-number input").nth(2)).to_have_value("-180")
+    expect(page.locator("[data-end=end] .hint")).to_contain_text("away from singularities")
     assert before != "-180"
     tool = page.locator(".tool", has_text="Polynomial").or_(page.locator(".tool", has_text="quintic")).first
     tool.locator("summary", has_text="The same in numbers").click()

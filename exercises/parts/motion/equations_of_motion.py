@@ -23,7 +23,13 @@ from exercises.parts.context import Context
 from exercises.parts.definition_keys import TOLERANCE, DefinitionKey, KeyShape, Start, choices, joint_names
 from exercises.parts.given_table import given_table
 from exercises.parts.motion.motion_cells import MotionCells, read_motion
-from exercises.parts.motion.weighed_links import given_links, read_links, read_three, read_weights
+from exercises.parts.motion.weighed_links import (
+    given_links,
+    read_links,
+    read_three,
+    read_weights,
+    units_of_names,
+)
 from exercises.parts.protocol import PartType, Reading, RobotFacts
 from exercises.parts.report import Credit, Disclosure, Fact, PartReport, fact, judged, share_earned, told_from
 from exercises.parts.task import FieldShape, FormField, GivenNumbers, PartTask
@@ -168,7 +174,9 @@ class MotionType(PartType[MotionPart, MotionCells, EquationsAnswer]):
         )
         if weights:
             values = tuple(float(value) for value in weights.values())
-            numbers.append(GivenNumbers(name="weights", labels=tuple(weights), rows=(values,)))
+            units = units_of_names(part.links, part.gravity, unit)
+            labels = tuple(f"{name} [{units[name]}]" if name in units else name for name in weights)
+            numbers.append(GivenNumbers(name="weights", labels=labels, rows=(values,)))
         return PartTask(
             message="task-equations-of-motion",
             values={"unit": unit, "skew": "yes" if MotionAsk.SKEW in part.ask else "no"},

@@ -56,6 +56,18 @@ def given_links(links: Sequence[RawBody], unit: str) -> GivenNumbers:
     )
 
 
+def units_of_names(links: Sequence[RawBody], gravity: Sequence[Cell], unit: str) -> dict[str, str]:
+    """Return the unit of each name that stands alone for one kind: mass, length, moment or acceleration."""
+    places = [(cell, f"{unit}/s²") for cell in gravity]
+    for link in links:
+        places += [(link.mass, "kg"), *((cell, unit) for cell in link.centre)]
+        places += [(cell, f"kg {unit}²") for row in link.inertia for cell in row]
+    found: dict[str, set[str]] = {}
+    for cell, measured in places:
+        found.setdefault(str(cell).lstrip("+- "), set()).add(measured)
+    return {name: units.pop() for name, units in found.items() if len(units) == 1}
+
+
 def _cell(reader: Reader, key: str) -> Cell:
     value = reader.values.get(key) if reader.given(key) else 0
     if isinstance(value, bool) or not isinstance(value, int | float | str):

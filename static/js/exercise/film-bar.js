@@ -1,6 +1,7 @@
 /**
  * The film of a row, over the student's robot: how its four numbers carry frame i−1 into frame i, forwards and
- * backwards, step by step. Where motion is unwelcome it goes on in stills.
+ * backwards, step by step. Where motion is unwelcome it goes on in stills. What is asked of it is read out; where it only
+ * follows the cursor it is silent, because the cell is read out already.
  */
 
 import { announce, el, fill, icon, iconButton } from "../dom.js";
@@ -33,8 +34,11 @@ export class FilmBar {
     this.units = units;
     this.light = light;
     this.button = el("button", { type: "button", class: "icon quiet", onclick: () => this.#toggle() });
-    this.text = el("p", { class: "film-text", role: "status" });
-    const row = (/** @type {number} */ by) => () => this.show(this.#row + by);
+    this.text = el("p", { class: "film-text" });
+    const row = (/** @type {number} */ by) => () => {
+      this.show(this.#row + by);
+      announce(this.text.textContent);
+    };
     this.rows = [
       iconButton("up", t("form-film-row-before"), row(-1)),
       iconButton("down", t("form-film-row-after"), row(1)),
@@ -85,11 +89,14 @@ export class FilmBar {
 
   /** One step on or back. @param {1 | -1} by */
   step(by) {
-    if (this.#row < 0) return this.show(0);
-    this.pause();
-    const at = by > 0 ? Math.floor(this.#phase) + 1 : Math.ceil(this.#phase) - 1;
-    this.#phase = Math.max(0, Math.min(4, at));
-    this.#draw();
+    if (this.#row < 0) this.show(0);
+    else {
+      this.pause();
+      const at = by > 0 ? Math.floor(this.#phase) + 1 : Math.ceil(this.#phase) - 1;
+      this.#phase = Math.max(0, Math.min(4, at));
+      this.#draw();
+    }
+    announce(this.text.textContent);
   }
 
   /** No film: the robot alone. */
@@ -147,7 +154,9 @@ export class FilmBar {
     const step = steps[Math.max(0, Math.ceil(this.#phase) - 1)];
     this.light(this.#row, this.#phase > 0 ? step.cell : "");
     const text = this.#sentence(step);
-    if (this.text.textContent !== text) this.text.textContent = text;
+    if (this.text.textContent === text) return;
+    this.text.textContent = text;
+    if (this.#running) announce(text);
   }
 
   /** What happens in a step. @param {Step} step */

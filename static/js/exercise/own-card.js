@@ -1,6 +1,6 @@
 /** The student's own robot: scene, joints, values of parameters, matrices. Nothing here knows the key. */
 
-import { el, fill, uniqueId } from "../dom.js";
+import { announce, el, fill, uniqueId } from "../dom.js";
 import { named, t } from "../i18n.js";
 import { resetButton } from "../joint-sliders.js";
 import { numberIn, plain } from "../numbers.js";
@@ -13,6 +13,7 @@ import { convertedValues } from "../units.js";
 export class OwnCard {
   empty = 0;
   waiting = "";
+  isWhole = false;
   shownNames = "";
 
   /**
@@ -36,7 +37,7 @@ export class OwnCard {
     this.sliders = el("joint-sliders");
     this.matrices = el("matrix-panel");
     this.matrices.api = api;
-    this.status = el("p", { class: "hint own-status", role: "status", text: t("form-own-empty") });
+    this.status = el("p", { class: "hint own-status", text: t("form-own-empty") });
     this.fields = el("div", { class: "parameter-fields" });
     this.parameters = el(
       "div",
@@ -140,6 +141,8 @@ export class OwnCard {
     this.matrices.table = whole ? this.robot.subject?.table : null;
     const shown = rows.length ? t("form-own-rows", { rows: rows.length }) : t("form-own-empty");
     this.status.textContent = whole ? t("form-own-shown", { joints: joints.length }) : `${shown} ${this.waiting}`;
+    if (whole && !this.isWhole) announce(this.status.textContent);
+    this.isWhole = whole;
     this.#dim(false);
   }
 

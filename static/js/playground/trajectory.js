@@ -8,6 +8,8 @@ import { pathModel } from "../scene/figures.js";
 import { asked, sameRobot, Tool } from "./tool.js";
 
 const QUANTITIES = ["positions", "velocities", "accelerations"];
+/** Letters that fit into a choice on a phone; what is longer stands below it, too. */
+const SHORT = 30;
 const SCALINGS = ["quintic", "cubic"];
 const SAMPLES = 61;
 /** Every so many instants a row of the table. */
@@ -184,6 +186,7 @@ class Plan {
         el("option", { value: "now", text: t("playground-trajectory-now") }),
         options.map(({ name }, i) => el("option", { value: i, selected: i === chosen, text: name })),
       ),
+      (options[chosen]?.name.length ?? 0) > SHORT && el("p", { class: "hint", text: options[chosen].name }),
     );
   }
 }

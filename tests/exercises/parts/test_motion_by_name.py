@@ -14,6 +14,9 @@ from exercises.grader import grade
 from exercises.instance import generate
 from exercises.loader import load_exercise
 from exercises.parts.motion.motion_cells import MotionCells
+from exercises.parts.motion.weighed_links import units_of_names
+from exercises.parts.registry import part_type
+from kinematics.dynamics.reading import RawBody
 from tests.exercises.answering import part
 from tests.exercises.folders import folder
 from tests.exercises.packaged import exercise
@@ -155,3 +158,12 @@ def test_the_equations_of_a_single_joint_are_matrices_of_one_entry(
     answer = MotionCells(mass=((mass,),), coriolis=((0,),), gravity=("m1*g*L1*cos(q1)",))
     found = grade(instance, parse(instance, RawAnswer(equations_of_motion=answer)))
     assert part(found, "equations_of_motion").score == pytest.approx(score)
+
+
+def test_the_symbols_of_what_links_weigh_are_given_with_their_units() -> None:
+    instance = generate(exercise("twolink-dynamics"))
+    told = part_type("equations_of_motion").task(instance.exercise.part("equations_of_motion"), instance)
+    (given,) = (numbers.labels for numbers in told.numbers if numbers.name == "weights")
+    assert given == ("m1 [kg]", "m2 [kg]", "r1 [m]", "r2 [m]", "I1 [kg m²]", "I2 [kg m²]", "g [m/s²]")
+    entry = RawBody(mass="k", centre=("m*2", 0, 0), inertia=((0, 0, 0), (0, 0, 0), (0, 0, "k")))
+    assert "k" not in units_of_names([entry], (0, 0, 0), "mm")  # a mass and a moment by one name
