@@ -384,6 +384,17 @@ def test_a_sheet_says_everything_that_is_asked_in_black(open_page: OpenPage) -> 
     expect(page.locator("#sharing")).to_be_hidden()
     assert page.locator(".scroller").first.evaluate("at => getComputedStyle(at).overflowX") == "visible"
     assert page.locator("#figure-drawing").evaluate("({ height }) => height") < 400
+    expect(page.locator("#own-card")).to_be_hidden()
+    columns = "at => getComputedStyle(at).gridTemplateColumns.split(' ').length"
+    assert page.locator(".matrix-list").evaluate(columns) == 2
+    page.emulate_media(media="screen")
+    page.locator("#part-link_matrices > summary").click()
+    page.locator("#part-link_matrices td input").first.fill("cos(q1)*cos(q2)*cos(q3)")
+    put_table(page, PUMA)
+    expect(page.locator("#own")).to_contain_text("Drawn from your table")
+    page.emulate_media(media="print")
+    assert page.locator(".matrix-list").evaluate(columns) == 1
+    expect(page.locator("#own-card")).to_be_visible()
 
 
 def test_a_lost_context_falls_back_to_svg(open_page: OpenPage) -> None:

@@ -102,6 +102,9 @@ export class AnswerCard {
   }
 
   showProgress() {
+    this.parts.forEach((/** @type {any} */ { field }, /** @type {number} */ i) =>
+      this.sections[i].classList.toggle("blank", !field.touched),
+    );
     this.progress.show(this.states);
   }
 

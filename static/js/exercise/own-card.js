@@ -28,6 +28,7 @@ export class OwnCard {
     { api, given = { parameters: {}, kinds: [], units: { angle: "deg", length: "m" } }, light = () => {} },
   ) {
     this.place = place;
+    place.classList.add("blank");
     this.robot = robot;
     robot.parameters = given.parameters;
     this.units = given.units;
@@ -139,6 +140,7 @@ export class OwnCard {
     this.film.take(robot);
     this.jointCard.hidden = joints.length === 0;
     this.matrices.table = whole ? this.robot.subject?.table : null;
+    this.place.classList.toggle("blank", rows.length === 0);
     const shown = rows.length ? t("form-own-rows", { rows: rows.length }) : t("form-own-empty");
     this.status.textContent = whole ? t("form-own-shown", { joints: joints.length }) : `${shown} ${this.waiting}`;
     if (whole && !this.isWhole) announce(this.status.textContent);

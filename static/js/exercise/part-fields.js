@@ -202,7 +202,7 @@ export class MatrixListField {
   constructor() {
     /** @type {MatrixField[]} */
     this.fields = [];
-    this.element = el("div", { class: "stack" });
+    this.element = el("div", { class: "stack matrix-list" });
   }
 
   /** @param {number} count */
