@@ -49,7 +49,8 @@ class RotationMistake(StrEnum):
     SOLUTION_MISSING: one triple of two. SOLUTION_TWICE: the same triple again. FAMILY_MISSING: single triples
     for a locked rotation. COMBINATION: its sum for the difference, or the reverse. NOT_LOCKED: a family for a
     rotation that has two triples. QUADRANT: an angle is off by half a turn, as atan gives it for atan2.
-    ANGLE_SIGN: an angle, or what is fixed of a family, has the wrong sign.
+    ANGLE_SIGN: an angle, or what is fixed of a family, has the wrong sign. ROUNDED: a matrix with too few
+    decimals.
     """
 
     TRANSPOSED = "transposed"
@@ -67,6 +68,7 @@ class RotationMistake(StrEnum):
     NOT_LOCKED = "not_locked"
     QUADRANT = "quadrant"
     ANGLE_SIGN = "angle_sign"
+    ROUNDED = "rounded"
     UNIT_COLUMNS = RotationProperty.UNIT_COLUMNS.value
     PERPENDICULAR_COLUMNS = RotationProperty.PERPENDICULAR_COLUMNS.value
     RIGHT_HANDED = RotationProperty.RIGHT_HANDED.value
@@ -116,6 +118,8 @@ def judge_matrix(
     """
     if _same(expected, given, tolerance):
         return RIGHT
+    if any(_is_rounded(expected, given, decimals) for decimals in (1, 2)):
+        return _wrong(RotationMistake.ROUNDED)
     failed = failed_properties(given, 3.0 * tolerance)
     if failed:
         return _wrong(*(RotationMistake(found.value) for found in failed))
@@ -124,6 +128,12 @@ def judge_matrix(
         return _same(other, given, tolerance)
 
     return _wrong(*_slips(expected, looks_like, built))
+
+
+def _is_rounded(expected: Matrix3, given: Matrix3, decimals: int) -> bool:
+    """Whether every entry is that of the rotation with so many decimals."""
+    typed = all(entry == round(entry, decimals) for row in given for entry in row)
+    return typed and _same(expected, given, 0.501 * 10.0**-decimals)
 
 
 def judge_quaternion(

@@ -55,6 +55,23 @@ def test_a_time_is_told_as_the_language_writes_it(
     assert told in (sentence(language, code, {parameter: "2026-11-22T18:00:00+02:00"}) or "")
 
 
+@pytest.mark.parametrize("language", languages())
+@pytest.mark.parametrize(
+    ("code", "none", "some"),
+    [
+        ("task-orientation", {"ask": "none"}, {"ask": "every"}),
+        ("task-singularities", {"lost": "no"}, {"lost": "yes"}),
+    ],
+)
+def test_a_task_that_asks_for_nothing_more_ends_in_no_blank(
+    language: str, code: str, none: dict[str, str], some: dict[str, str]
+) -> None:
+    given = {"given": "matrix", "asked_axes": "Z", "asked_turning": "fixed", "motion": "twist", "unit": "m"}
+    alone, more = (sentence(language, code, {**given, **asked}) or "" for asked in (none, some))
+    assert alone[-1] in ".?"
+    assert more.startswith(f"{alone} ")
+
+
 def test_portuguese_counts_as_in_portugal() -> None:
     """In Brazil none is told as one is, and thousands have a point."""
     assert sentence("pt", "author-points-total", {"points": 0}) == "No total: 0 pontos."

@@ -35,12 +35,12 @@ task-orientation =
            *[current] current
         } axes { $axes }, in this order.
        *[other] The orientation of a frame is given.
-    } Write it in the notations below. { $ask ->
-        [every] Of the angles about the { $asked_turning ->
+    } Write it in the notations below.{ $ask ->
+        [every] {" "}Of the angles about the { $asked_turning ->
             [fixed] fixed
            *[current] current
         } axes { $asked_axes } give every triple: both, or at gimbal lock the middle angle and the combination of the other two that is fixed.
-        [one] Of the angles about the { $asked_turning ->
+        [one] {" "}Of the angles about the { $asked_turning ->
             [fixed] fixed
            *[current] current
         } axes { $asked_axes } one triple is enough.
@@ -79,6 +79,7 @@ feedback-rotation_combination = The other combination is fixed: take the differe
 feedback-rotation_not_locked = This is not gimbal lock: exactly two triples have this orientation.
 feedback-rotation_quadrant = An angle lies in the wrong quadrant, half a turn away: take atan2 instead of atan.
 feedback-rotation_angle_sign = An angle, or a combination of angles, has the wrong sign.
+feedback-rotation_rounded = The entries are rounded too much: work with more decimals.
 feedback-rotation_unit_columns = This is not a rotation: a column is not of length 1.
 feedback-rotation_perpendicular_columns = This is not a rotation: two columns are not at right angles.
 feedback-rotation_right_handed = This is not a rotation but a reflection: its determinant is −1.

@@ -5,8 +5,8 @@ task-singularities =
     The table of the robot is given. In which configurations does the arm lose a motion, that is, { $motion ->
         [translation] where does the Jacobian of the last origin’s velocity have less than its usual rank?
        *[twist] where does the Jacobian have less than its usual rank?
-    } Write one condition in each row: a function that vanishes there (sin(q3)) or an equation (q3 = 0, π). Only the set of configurations counts, however you write it. { $lost ->
-        [yes] For the given configuration, write a vector λ ≠ 0 in the axes of frame 0 with λ · J q̇ = 0 whatever the joints do, at the last origin, lengths in { $unit }: the motion that is lost.
+    } Write one condition in each row: a function that vanishes there (sin(q3)) or an equation (q3 = 0, π). Only the set of configurations counts, however you write it.{ $lost ->
+        [yes] {" "}For the given configuration, write a vector λ ≠ 0 in the axes of frame 0 with λ · J q̇ = 0 whatever the joints do, at the last origin, lengths in { $unit }: the motion that is lost.
        *[no] {""}
     }
 

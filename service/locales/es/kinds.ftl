@@ -35,12 +35,12 @@ task-orientation =
            *[current] móviles
         } { $axes }, en este orden.
        *[other] Se da la orientación de un sistema de referencia.
-    } Escríbala en las notaciones de abajo. { $ask ->
-        [every] De los ángulos alrededor de los ejes { $asked_turning ->
+    } Escríbala en las notaciones de abajo.{ $ask ->
+        [every] {" "}De los ángulos alrededor de los ejes { $asked_turning ->
             [fixed] fijos
            *[current] móviles
         } { $asked_axes } se piden todas las ternas: las dos o, en el bloqueo del cardán, el ángulo intermedio y lo que queda determinado de los otros dos.
-        [one] De los ángulos alrededor de los ejes { $asked_turning ->
+        [one] {" "}De los ángulos alrededor de los ejes { $asked_turning ->
             [fixed] fijos
            *[current] móviles
         } { $asked_axes } basta una terna.
@@ -79,6 +79,7 @@ feedback-rotation_combination = La combinación determinada es la otra: la difer
 feedback-rotation_not_locked = No hay bloqueo del cardán: exactamente dos ternas tienen esta orientación.
 feedback-rotation_quadrant = Un ángulo está en el cuadrante equivocado, a media vuelta: use atan2 en lugar de atan.
 feedback-rotation_angle_sign = Un ángulo, o una combinación de ángulos, tiene el signo equivocado.
+feedback-rotation_rounded = Los elementos están demasiado redondeados: calcule con más decimales.
 feedback-rotation_unit_columns = Esto no es una rotación: una columna no tiene longitud 1.
 feedback-rotation_perpendicular_columns = Esto no es una rotación: dos columnas no son perpendiculares.
 feedback-rotation_right_handed = Esto no es una rotación sino una reflexión: su determinante es −1.

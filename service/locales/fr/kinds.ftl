@@ -35,12 +35,12 @@ task-orientation =
            *[current] courants
         } { $axes }, dans cet ordre.
        *[other] L’orientation d’un repère est donnée.
-    } Écrivez-la dans les notations ci-dessous. { $ask ->
-        [every] Pour les angles autour des axes { $asked_turning ->
+    } Écrivez-la dans les notations ci-dessous.{ $ask ->
+        [every] {" "}Pour les angles autour des axes { $asked_turning ->
             [fixed] fixes
            *[current] courants
         } { $asked_axes }, tous les triplets sont demandés : les deux ou, en cas de blocage de cardan, l’angle du milieu et ce qui est fixé des deux autres.
-        [one] Pour les angles autour des axes { $asked_turning ->
+        [one] {" "}Pour les angles autour des axes { $asked_turning ->
             [fixed] fixes
            *[current] courants
         } { $asked_axes }, un triplet suffit.
@@ -79,6 +79,7 @@ feedback-rotation_combination = C’est l’autre combinaison qui est fixée : 
 feedback-rotation_not_locked = Il n’y a pas de blocage de cardan : deux triplets exactement ont cette orientation.
 feedback-rotation_quadrant = Un angle est dans le mauvais quadrant, à un demi-tour : prenez atan2 au lieu de atan.
 feedback-rotation_angle_sign = Un angle, ou une combinaison d’angles, a le mauvais signe.
+feedback-rotation_rounded = Les éléments sont trop arrondis : calculez avec plus de décimales.
 feedback-rotation_unit_columns = Ce n’est pas une rotation : une colonne n’est pas de longueur 1.
 feedback-rotation_perpendicular_columns = Ce n’est pas une rotation : deux colonnes ne sont pas perpendiculaires.
 feedback-rotation_right_handed = Ce n’est pas une rotation mais une réflexion : son déterminant est −1.

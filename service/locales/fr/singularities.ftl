@@ -5,8 +5,8 @@ task-singularities =
     Le tableau du robot est donné. Dans quelles configurations le bras perd-il un mouvement : { $motion ->
         [translation] où le rang de la jacobienne de la vitesse de la dernière origine est-il inférieur à son rang ordinaire ?
        *[twist] où le rang de la jacobienne est-il inférieur à son rang ordinaire ?
-    } Écrivez une condition par ligne : une fonction qui s’y annule (sin(q3)) ou une équation (q3 = 0, π). C’est l’ensemble qui compte, quelle que soit l’écriture. { $lost ->
-        [yes] Pour la configuration donnée, écrivez un vecteur λ ≠ 0 dans les axes du repère 0 avec λ · J q̇ = 0 quoi que fassent les articulations, à la dernière origine, longueurs en { $unit } : le mouvement perdu.
+    } Écrivez une condition par ligne : une fonction qui s’y annule (sin(q3)) ou une équation (q3 = 0, π). C’est l’ensemble qui compte, quelle que soit l’écriture.{ $lost ->
+        [yes] {" "}Pour la configuration donnée, écrivez un vecteur λ ≠ 0 dans les axes du repère 0 avec λ · J q̇ = 0 quoi que fassent les articulations, à la dernière origine, longueurs en { $unit } : le mouvement perdu.
        *[no] {""}
     }
 

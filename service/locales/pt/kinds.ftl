@@ -35,12 +35,12 @@ task-orientation =
            *[current] correntes
         } { $axes }, nesta ordem.
        *[other] É dada a orientação de um referencial.
-    } Escreva-a nas notações indicadas abaixo. { $ask ->
-        [every] Dos ângulos em torno dos eixos { $asked_turning ->
+    } Escreva-a nas notações indicadas abaixo.{ $ask ->
+        [every] {" "}Dos ângulos em torno dos eixos { $asked_turning ->
             [fixed] fixos
            *[current] correntes
         } { $asked_axes } pedem-se todos os ternos: os dois ou, no bloqueio de cardan, o ângulo do meio e o que fica determinado dos outros dois.
-        [one] Dos ângulos em torno dos eixos { $asked_turning ->
+        [one] {" "}Dos ângulos em torno dos eixos { $asked_turning ->
             [fixed] fixos
            *[current] correntes
         } { $asked_axes } basta um terno.
@@ -79,6 +79,7 @@ feedback-rotation_combination = É a outra combinação que fica determinada: a 
 feedback-rotation_not_locked = Não há bloqueio de cardan: exatamente dois ternos têm esta orientação.
 feedback-rotation_quadrant = Um ângulo está no quadrante errado, a meia volta: use atan2 em vez de atan.
 feedback-rotation_angle_sign = Um ângulo, ou uma combinação de ângulos, tem o sinal errado.
+feedback-rotation_rounded = Os elementos estão demasiado arredondados: calcule com mais casas decimais.
 feedback-rotation_unit_columns = Isto não é uma rotação: uma coluna não tem comprimento 1.
 feedback-rotation_perpendicular_columns = Isto não é uma rotação: duas colunas não são perpendiculares.
 feedback-rotation_right_handed = Isto não é uma rotação, mas uma reflexão: o seu determinante é −1.

@@ -35,12 +35,12 @@ task-orientation =
            *[current] curente
         } { $axes }, în această ordine.
        *[other] Este dată orientarea unui sistem de coordonate.
-    } Scrieți-o în notațiile de mai jos. { $ask ->
-        [every] Din unghiurile în jurul axelor { $asked_turning ->
+    } Scrieți-o în notațiile de mai jos.{ $ask ->
+        [every] {" "}Din unghiurile în jurul axelor { $asked_turning ->
             [fixed] fixe
            *[current] curente
         } { $asked_axes } se cer toate tripletele: amândouă sau, la blocaj cardanic, unghiul din mijloc și ce este determinat din celelalte două.
-        [one] Din unghiurile în jurul axelor { $asked_turning ->
+        [one] {" "}Din unghiurile în jurul axelor { $asked_turning ->
             [fixed] fixe
            *[current] curente
         } { $asked_axes } ajunge un triplet.
@@ -79,6 +79,7 @@ feedback-rotation_combination = Cealaltă combinație este cea determinată: dif
 feedback-rotation_not_locked = Nu este blocaj cardanic: exact două triplete au această orientare.
 feedback-rotation_quadrant = Un unghi se află în cadranul greșit, la o jumătate de rotație: folosiți atan2 în loc de atan.
 feedback-rotation_angle_sign = Un unghi sau o combinație de unghiuri are semnul greșit.
+feedback-rotation_rounded = Elementele sunt rotunjite prea mult: calculați cu mai multe zecimale.
 feedback-rotation_unit_columns = Aceasta nu este o rotație: o coloană nu are lungimea 1.
 feedback-rotation_perpendicular_columns = Aceasta nu este o rotație: două coloane nu sunt perpendiculare.
 feedback-rotation_right_handed = Aceasta nu este o rotație, ci o reflexie: determinantul este −1.

@@ -35,12 +35,12 @@ task-orientation =
            *[current] поточних
         } осей { $axes } у цьому порядку.
        *[other] Задано орієнтацію системи координат.
-    } Подайте її в наведених нижче записах. { $ask ->
-        [every] Для кутів навколо { $asked_turning ->
+    } Подайте її в наведених нижче записах.{ $ask ->
+        [every] {" "}Для кутів навколо { $asked_turning ->
             [fixed] нерухомих
            *[current] поточних
         } осей { $asked_axes } потрібні всі трійки: обидві або, за складання рамок, середній кут і те, що визначено з двох інших.
-        [one] Для кутів навколо { $asked_turning ->
+        [one] {" "}Для кутів навколо { $asked_turning ->
             [fixed] нерухомих
            *[current] поточних
         } осей { $asked_axes } досить однієї трійки.
@@ -79,6 +79,7 @@ feedback-rotation_combination = Визначено іншу комбінацію
 feedback-rotation_not_locked = Це не складання рамок: цю орієнтацію мають рівно дві трійки.
 feedback-rotation_quadrant = Кут лежить не в тій чверті, на пів оберту: беріть atan2 замість atan.
 feedback-rotation_angle_sign = Кут або комбінація кутів має хибний знак.
+feedback-rotation_rounded = Елементи заокруглено занадто грубо: обчислюйте з більшою кількістю десяткових знаків.
 feedback-rotation_unit_columns = Це не поворот: довжина стовпця не дорівнює 1.
 feedback-rotation_perpendicular_columns = Це не поворот: два стовпці не перпендикулярні.
 feedback-rotation_right_handed = Це не поворот, а відбиття: його визначник −1.

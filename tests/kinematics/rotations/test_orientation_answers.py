@@ -51,6 +51,14 @@ def test_slips_with_a_matrix_are_told() -> None:
     assert judge_matrix(EXPECTED, IDENTITY).mistakes == ()
 
 
+@pytest.mark.parametrize("decimals", [1, 2])
+def test_a_matrix_of_few_decimals_is_rounded_and_not_skew(decimals: int) -> None:
+    rows = [[round(entry, decimals) for entry in row] for row in EXPECTED]
+    assert slip(judge_matrix(EXPECTED, matrix3(rows), tolerance=1e-3)) is RotationMistake.ROUNDED
+    rows[0][0] += 0.1
+    assert judge_matrix(EXPECTED, matrix3(rows)).mistakes[0] is RotationMistake.UNIT_COLUMNS
+
+
 def test_slips_with_a_quaternion_are_told() -> None:
     k, angle = np.array([0.6, 0.0, 0.8]), 1.3
     expected = matrix3(turn(k, angle).tolist())
