@@ -85,6 +85,13 @@ def _twists_swapped(read: ReadTable) -> Iterator[ReadTable]:
             yield _rows(read, (*rows[:i], *both, *rows[i + 2 :]))
 
 
+def _turns_all_reversed(read: ReadTable) -> Iterator[ReadTable]:
+    rows = read.table.rows
+    if sum(row.joint is JointType.REVOLUTE for row in rows) > 1:
+        turns = (replace(row, sign=-row.sign) if row.joint is JointType.REVOLUTE else row for row in rows)
+        yield _rows(read, tuple(turns))
+
+
 def _row_missing(read: ReadTable) -> Iterator[ReadTable]:
     rows = read.table.rows
     for i in range(len(rows)):
@@ -204,6 +211,7 @@ MISTAKES: dict[str, Mistake] = {
     "alpha_value": _each_row(_twist_changed),
     "twists_all_reversed": _twists_all_reversed,
     "twists_swapped": _twists_swapped,
+    "turns_all_reversed": _turns_all_reversed,
     "a_sign": _each_row(lambda row: replace(row, a=negate(row.a))),
     "d_sign": _but_slides(lambda row: replace(row, d=negate(row.d))),
     "a_d_swapped": _but_slides(lambda row: replace(row, a=row.d, d=row.a)),

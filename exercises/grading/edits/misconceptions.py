@@ -38,6 +38,7 @@ from exercises.grading.edits.table_edits import (
     all_in_degrees,
     all_in_other_length_unit,
     all_in_radians,
+    all_turns_turned_round,
     all_twists_turned_round,
     columns_a_row_early,
     columns_a_row_late,
@@ -191,6 +192,9 @@ CATALOGUE: tuple[Misconception, ...] = (
         sizes=NONE,
     ),
     Misconception(code="variable_sign", changes=sign_of_variable, cells=("theta", "d"), sizes=NONE),
+    Misconception(
+        code="turns_all_reversed", changes=all_turns_turned_round, hint="turns_throughout", sizes=NONE
+    ),
     Misconception(code="joint_type", changes=joint_of_other_type, types=True, beforehand=True),
     Misconception(
         code="joint_fixed", changes=joint_left_out, told_as=("joint_fixed", "joint_moving"), counts=True

@@ -5,14 +5,16 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
+from dataclasses import replace
 from functools import lru_cache
 from itertools import combinations
 from operator import neg
 
-from exercises.grading.edits.changes import Change, Extent
+from exercises.grading.edits.changes import Change, Extent, with_rows
 from exercises.grading.edits.work import LENGTHS, Work
 from exercises.grading.judging.typed import ANGLES, SAME, Place, meant_in_radians
 from kinematics.cells import AngleUnit
+from kinematics.equivalence import DirectionRule
 from kinematics.equivalence.batches import CellChange
 from kinematics.errors import ParameterError
 from kinematics.expressions import Expression, evaluate
@@ -107,6 +109,17 @@ def all_twists_turned_round(work: Work) -> Iterator[Change]:
     turned = sum(abs(math.sin(row.alpha)) > work.policy.tolerance.angle for row in work.table.rows)
     if turned > 1:
         yield from _every_cell(work, "twists_all_reversed", ("alpha",), neg)
+
+
+def all_turns_turned_round(work: Work) -> Iterator[Change]:
+    """Count every joint angle the other way, if the figure says which way they count."""
+    turning = sum(row.joint is JointType.REVOLUTE for row in work.table.rows)
+    if work.policy.direction is DirectionRule.FIGURE and turning > 1:
+        rows = [
+            replace(row, sign=-row.sign) if row.joint is JointType.REVOLUTE else row
+            for row in work.table.rows
+        ]
+        yield Change("turns_all_reversed", Extent.TABLE, table=with_rows(work.table, rows))
 
 
 def columns_a_row_late(work: Work) -> Iterator[Change]:

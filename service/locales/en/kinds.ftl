@@ -235,6 +235,7 @@ option-rows_swapped = two rows exchanged
 option-theta_offset = the constant added to the variable θ is wrong
 option-d_offset = the constant added to the variable d is wrong
 option-theta_value = the constant θ has the wrong value
+option-turns_all_reversed = every joint angle counts the wrong way
 option-twists_all_reversed = every α has the wrong sign
 option-twists_early = α alone one row too high
 option-twists_swapped = α of two rows exchanged

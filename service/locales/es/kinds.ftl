@@ -235,6 +235,7 @@ option-rows_swapped = dos filas intercambiadas
 option-theta_offset = la constante sumada a la variable θ es errónea
 option-d_offset = la constante sumada a la variable d es errónea
 option-theta_value = la constante θ tiene un valor erróneo
+option-turns_all_reversed = todos los ángulos articulares cuentan al revés
 option-twists_all_reversed = todas las α tienen el signo equivocado
 option-twists_early = solo α una fila más arriba
 option-twists_swapped = α de dos filas intercambiados

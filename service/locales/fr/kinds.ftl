@@ -235,6 +235,7 @@ option-rows_swapped = deux lignes interverties
 option-theta_offset = la constante ajoutée à la variable θ est fausse
 option-d_offset = la constante ajoutée à la variable d est fausse
 option-theta_value = la constante θ a une valeur fausse
+option-turns_all_reversed = tous les angles articulaires sont comptés à l’envers
 option-twists_all_reversed = tous les α ont le mauvais signe
 option-twists_early = α seul une ligne trop haut
 option-twists_swapped = α de deux lignes intervertis

@@ -235,6 +235,7 @@ option-rows_swapped = duas linhas trocadas
 option-theta_offset = a constante somada à variável θ está errada
 option-d_offset = a constante somada à variável d está errada
 option-theta_value = a constante θ tem um valor errado
+option-turns_all_reversed = todos os ângulos de junta contam ao contrário
 option-twists_all_reversed = todos os α têm o sinal errado
 option-twists_early = só α uma linha acima
 option-twists_swapped = α de duas linhas trocados

@@ -236,6 +236,7 @@ option-rows_swapped = două rânduri inversate
 option-theta_offset = constanta adunată la variabila θ este greșită
 option-d_offset = constanta adunată la variabila d este greșită
 option-theta_value = constanta θ are o valoare greșită
+option-turns_all_reversed = toate unghiurile cuplelor au sensul greșit
 option-twists_all_reversed = toate valorile α au semnul greșit
 option-twists_early = doar α cu un rând prea sus
 option-twists_swapped = α inversat între două rânduri

@@ -235,6 +235,7 @@ option-rows_swapped = переставлено два рядки
 option-theta_offset = стала, додана до змінної θ, неправильна
 option-d_offset = стала, додана до змінної d, неправильна
 option-theta_value = стала θ має неправильне значення
+option-turns_all_reversed = усі кути зчленувань відлічено не в той бік
 option-twists_all_reversed = усі α мають неправильний знак
 option-twists_early = лише α на рядок вище
 option-twists_swapped = α двох рядків поміняно місцями

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from itertools import product
 from random import Random
 
@@ -183,6 +184,17 @@ def test_columns_are_not_exchanged_in_the_row_of_a_wrong_twist_alone() -> None:
     assert [edit.code for repair in exchanged.repairs for edit in repair.edits] == [
         "columns_exchanged", "alpha_value"
     ]  # fmt: skip
+
+
+@pytest.mark.parametrize("name", ["puma560", "stanford", "scara", "twolink"])
+def test_angles_counted_by_the_left_hand_throughout_are_one_slip(name: str) -> None:
+    key = dict(catalogue())[name]
+    rows = tuple(replace(row, sign=-row.sign) if row.joint is R else row for row in key.rows)
+    wrong = DHTable(convention=key.convention, rows=rows)
+    verdict = grade(written(key), written(wrong), STRICT)
+    assert [edit.code for edit in verdict.repairs[0].edits] == ["turns_all_reversed"]
+    assert accused(verdict) == []
+    assert verdict.feedback[-1].code == "turns_throughout"
 
 
 def test_neighbours_in_line_are_exchanged() -> None:
