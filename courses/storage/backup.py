@@ -75,8 +75,8 @@ def _write(store: Store, out: IO[str]) -> int:
         out.write(json.dumps({"format": FORMAT, "revision": revision_in(connection)}) + "\n")
         for table in _TABLES:
             for row in connection.execute(sa.select(table).execution_options(yield_per=_BATCH)):
-                values = {name: _written(value) for name, value in row._mapping.items()}
-                out.write(json.dumps([table.name, values], ensure_ascii=False) + "\n")
+                entry = [table.name, dict(row._mapping)]
+                out.write(json.dumps(entry, ensure_ascii=False, default=datetime.isoformat) + "\n")
                 count += 1
     return count
 
@@ -173,10 +173,6 @@ def _read(table: sa.Table, values: dict[str, Any]) -> dict[str, Any]:
         else value
         for name, value in values.items()
     }
-
-
-def _written(value: Any) -> Any:
-    return value.isoformat() if isinstance(value, datetime) else value
 
 
 def _advance_sequences(connection: sa.Connection) -> None:

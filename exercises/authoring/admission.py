@@ -60,7 +60,10 @@ def policy_admission(exercise: Exercise, values: Mapping[str, float]) -> PolicyA
             accepted = is_accepted(exercise.reference, read, exercise.policy)
             admitted[other] = (changed, accepted)
     verdicts = dict(admitted.values())
-    free = tuple(name for k, name in enumerate(CHOICES) if _is_free(k, verdicts))
+    right = {changed for changed, ok in verdicts.items() if ok}
+    free = tuple(
+        name for k, name in enumerate(CHOICES) if any(_otherwise(k, changed) in right for changed in right)
+    )
     fixed = tuple(
         name
         for k, name in enumerate(CHOICES)
@@ -81,11 +84,6 @@ def textbook_choices(
         found: SymbolicTable = DHTable(convention=Convention.MODIFIED, rows=rows)
         standard = changed[0] is not (table.convention is Convention.STANDARD)
         yield changed, table_in(found, Convention.STANDARD if standard else Convention.MODIFIED)
-
-
-def _is_free(k: int, verdicts: Mapping[tuple[bool, ...], bool]) -> bool:
-    """Return whether two tables that differ in one choice alone are both accepted."""
-    return any(ok and verdicts.get(_otherwise(k, changed), False) for changed, ok in verdicts.items())
 
 
 def _otherwise(k: int, changed: tuple[bool, ...]) -> tuple[bool, ...]:

@@ -67,7 +67,7 @@ def completed(
         frames: (4, 4) poses of frame 0 … N of the reference at the figure's posture.
     """
     points: dict[str, Point] = {**_feet(reference), **specification.points}
-    reach = _reach(reference, values)
+    reach = sum(abs(row.a) + abs(row.d) for row in bind(reference, values).rows) or 1.0
     joints = dict(_bodies(reference, frames, points, reach))
     joints.update(specification.joints)
     chain = specification.links or (_chain(reference, joints),)
@@ -97,10 +97,6 @@ def _feet(table: SymbolicTable) -> dict[str, Point]:
     return {
         f"foot{i}": PointInFrame(frame=i - 1, at=(row.a, ZERO, ZERO)) for i, row in enumerate(table.rows, 1)
     }
-
-
-def _reach(table: SymbolicTable, values: Mapping[str, float]) -> float:
-    return sum(abs(row.a) + abs(row.d) for row in bind(table, values).rows) or 1.0
 
 
 def _chain(table: SymbolicTable, joints: Mapping[int, JointMark]) -> tuple[str, ...]:

@@ -117,7 +117,7 @@ def _of_turns(function: Function, angle: Expression) -> Expression:
 def inverse_trigonometric(function: Function, *arguments: Expression) -> Expression:
     """Return asin, acos, atan or atan2; exact where the angle is a multiple of π/6 or π/4 and provably so."""
     plain = call(function, *arguments)
-    if any(_is_symbolic(argument) for argument in arguments):
+    if any(parameters_in(argument) or joint_variables_in(argument) for argument in arguments):
         return plain
     try:
         steps = Fraction(round(evaluate(plain) / TWELFTH), 12)
@@ -158,7 +158,3 @@ def _proves(function: Function, arguments: tuple[Expression, ...], angle: Expres
     return rational_value(x) is not None and multiply((y, reciprocal(x))) == trigonometric(
         Function.TAN, angle
     )
-
-
-def _is_symbolic(expression: Expression) -> bool:
-    return bool(parameters_in(expression) or joint_variables_in(expression))

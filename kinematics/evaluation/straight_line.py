@@ -152,7 +152,8 @@ def _inputs(tape: Tape, joint_types: Sequence[JointType]) -> ast.stmt:
     n = len(joint_types)
     plain: list[ast.stmt] = [_assign("pairs", ast.Constant(value=None))]
     if n:
-        plain.append(_unpack([f"q{joint}" for joint in range(n)], _load("joints")))
+        names = _names([f"q{joint}" for joint in range(n)])
+        plain.append(ast.Assign(targets=[names], value=_load("joints")))
     for joint, joint_type in enumerate(joint_types):
         q = _load(f"q{joint}")
         if joint_type is JointType.PRISMATIC:
@@ -171,10 +172,6 @@ def _inputs(tape: Tape, joint_types: Sequence[JointType]) -> ast.stmt:
 
 def _names(names: list[str]) -> ast.expr:
     return ast.Tuple(elts=[ast.Name(id=name, ctx=ast.Store()) for name in names], ctx=ast.Store())
-
-
-def _unpack(names: list[str], value: ast.expr) -> ast.Assign:
-    return ast.Assign(targets=[_names(names)], value=value)
 
 
 def _load(name: str) -> ast.Name:

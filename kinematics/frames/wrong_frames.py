@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from kinematics.frames.axes import JointAxis
-from kinematics.frames.rules import ANGLE_TOLERANCE, BINDING, FrameFinding, Severity
+from kinematics.frames.rules import ANGLE_TOLERANCE, BINDING, Severity
 from kinematics.frames.trainer import ChosenFrame, rules_and_table
 from kinematics.se3 import Vector, along, cross, dot, norm, scale, subtract, unit
 from kinematics.table import Convention
@@ -75,13 +75,10 @@ def frame_mistakes(
     chosen = [ChosenFrame(origin=frame.origin, x=frame.x, z=frame.z) for frame in frames]
     broken, _ = rules_and_table(axes, convention, chosen, rounding=rounding)
     return [
-        _named(findings) | _handedness(frame, max(2.0 * rounding, ANGLE_TOLERANCE))
+        frozenset(found.rule.value for found in findings if found.severity is Severity.BROKEN)
+        | _handedness(frame, max(2.0 * rounding, ANGLE_TOLERANCE))
         for frame, findings in zip(frames, broken, strict=False)
     ]
-
-
-def _named(findings: Sequence[FrameFinding]) -> frozenset[str]:
-    return frozenset(found.rule.value for found in findings if found.severity is Severity.BROKEN)
 
 
 def _handedness(frame: DrawnFrame, tolerance: float) -> frozenset[str]:

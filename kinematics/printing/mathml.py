@@ -51,7 +51,8 @@ class MathmlWriter(Typesetter):
 
     def table(self, matrix: Entered) -> str:
         """Return a matrix in square brackets, as one `math` element."""
-        rows = "".join(f"<mtr>{_cells(row)}</mtr>" for row in self.lines(matrix))
+        lines = ("".join(f"<mtd>{cell}</mtd>" for cell in row) for row in self.lines(matrix))
+        rows = "".join(f"<mtr>{line}</mtr>" for line in lines)
         drawn = f"<mrow><mo>[</mo><mtable>{rows}</mtable><mo>]</mo></mrow>"
         meant = self._content.table(matrix)
         return (
@@ -99,7 +100,3 @@ class MathmlWriter(Typesetter):
         for factor in factors[1:]:
             parts += (_DOT if factor.startswith(_WITH_DIGITS) else _TIMES, factor)
         return f"<mrow>{''.join(parts)}</mrow>"
-
-
-def _cells(row: Sequence[str]) -> str:
-    return f"<mtd>{'</mtd><mtd>'.join(row)}</mtd>" if row else ""

@@ -11,7 +11,6 @@ from importlib.util import find_spec
 from typing import TypeAlias
 
 from pydantic import ValidationError
-from pydantic_core import ErrorDetails
 
 from service.http.api_keys import KeyFile
 from service.settings import Settings
@@ -50,7 +49,8 @@ def settings_of_environment() -> Settings:
     except ValidationError as error:
         for fault in error.errors():
             named = [f"{_PREFIX}{str(step).upper()}" for step in fault["loc"][:1]]
-            faults.append("  " + ": ".join((*named, _wanted(fault))))
+            wanted = _WANTED.get(fault["type"], fault["msg"]).format_map(fault.get("ctx", {}))
+            faults.append("  " + ": ".join((*named, wanted)))
     if faults:
         sys.exit("\n".join((_FAULTY, *faults)))
     return settings
@@ -92,10 +92,6 @@ def _can_send_traces() -> bool:
         return find_spec("opentelemetry.exporter.otlp.proto.http") is not None
     except ModuleNotFoundError:
         return False
-
-
-def _wanted(fault: ErrorDetails) -> str:
-    return _WANTED.get(fault["type"], fault["msg"]).format_map(fault.get("ctx", {}))
 
 
 def _nearest(name: str, known: Iterable[str]) -> str:

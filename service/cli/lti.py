@@ -3,6 +3,7 @@
 import argparse
 import json
 import sys
+from dataclasses import fields
 from urllib.parse import urlsplit
 
 from courses.links.course_links import MOST_DIGITS
@@ -118,18 +119,8 @@ def _identifier(text: str) -> str:
 
 
 def _add(options: argparse.Namespace) -> None:
-    asked = Platform(
-        issuer=options.issuer,
-        client_id=options.client_id,
-        name=options.name,
-        authorization_endpoint=options.authorization_endpoint,
-        token_endpoint=options.token_endpoint,
-        token_audience=options.token_audience,
-        jwks_uri=options.jwks_uri,
-        origins=tuple(options.origin),
-        names_shared=options.names_shared,
-        status=PlatformStatus.ACTIVE,
-    )
+    given = {field.name: getattr(options, field.name) for field in fields(Platform) if field.name in options}
+    asked = Platform(**given, origins=tuple(options.origin), status=PlatformStatus.ACTIVE)
     with opened_store() as store:
         stored = add_platform(store, asked, tuple(options.deployment), now())
     sys.stdout.write(f"{stored.id}\n")

@@ -13,7 +13,6 @@ import time
 from collections.abc import Callable, Iterator
 
 from courses.links.course_links import newest_links
-from courses.model import LinkSettings
 from courses.refusals import StorageUnavailableError
 from courses.storage.database import Store
 from exercises.definition import Exercise
@@ -76,14 +75,17 @@ class DrawingAhead(BackgroundThread):
     def _asked(self) -> Iterator[tuple[Exercise, str]]:
         """The exercises that students have values of their own of, with the languages of their pages."""
         for settings in newest_links(self._store, LINKS):
-            if _has_ended(settings) or not settings.per_student or settings.exercise_id is None:
+            closes = settings.policy.closes
+            ended = closes is not None and closes < now()
+            if ended or not settings.per_student or settings.exercise_id is None:
                 continue
             try:
                 exercise = self._library.exercise(settings.exercise_id)
             except ExerciseError:
                 continue
             if exercise.part(FrameMistakeType.kind) is None:  # frames are drawn as well, others for each
-                yield from ((exercise, each) for each in _spoken(settings))
+                spoken = languages() if settings.language is None else (settings.language,)
+                yield from ((exercise, each) for each in spoken)
 
     def _draw(self, exercise: Exercise, language: str) -> bool:
         """Draw an exercise with all sets of values; return whether it came to the end."""
@@ -103,14 +105,6 @@ class DrawingAhead(BackgroundThread):
             return draw_ahead(self._figures, instance, language)
         except (ExerciseError, KinematicsError):  # whoever asks for it is told
             return False
-
-
-def _has_ended(settings: LinkSettings) -> bool:
-    return settings.policy.closes is not None and settings.policy.closes < now()
-
-
-def _spoken(settings: LinkSettings) -> tuple[str, ...]:
-    return tuple(languages()) if settings.language is None else (settings.language,)
 
 
 class ReadingAhead(BackgroundThread):

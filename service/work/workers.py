@@ -120,7 +120,8 @@ class LaneProcesses:
             del shared  # or an error would know itself by this frame
         outcome, value = pickle.loads(reply)  # noqa: S301  from our own process
         if outcome == WorkOutcome.OUT_OF_MEMORY:
-            raise _out_of_memory(self._confinement.memory)
+            megabytes = self._confinement.memory // 1024**2
+            raise RequestError(Fault.at("computation_out_of_memory", megabytes=megabytes))
         if outcome == WorkOutcome.ERROR:
             raise value
         return value
@@ -211,7 +212,3 @@ def _out_of_time(seconds: float) -> RequestError:
 
 def _aborted() -> UnavailableError:
     return UnavailableError(Fault.at("computation_aborted"))
-
-
-def _out_of_memory(limit: int) -> RequestError:
-    return RequestError(Fault.at("computation_out_of_memory", megabytes=limit // 1024**2))

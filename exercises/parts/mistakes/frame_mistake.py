@@ -249,12 +249,9 @@ def frames_shown(instance: Instance) -> tuple[DrawnFrame, ...]:
 
 def _with_frame(cells: FoundFrameMistakeCells, frame: DrawnFrame) -> FoundFrameMistakeCells:
     vectors = (frame.origin, frame.x, frame.y, frame.z)
-    typed: dict[str, Any] = {name: _rounded(vector) for name, vector in zip(MENDED, vectors, strict=True)}
+    rounded = (tuple(round(value, 6) + 0.0 for value in vector) for vector in vectors)
+    typed: dict[str, Any] = dict(zip(MENDED, rounded, strict=True))
     return replace(cells, **typed)
-
-
-def _rounded(vector: Vector) -> tuple[float, ...]:
-    return tuple(round(value, 6) + 0.0 for value in vector)
 
 
 def _text(vector: Vector) -> str:

@@ -33,7 +33,7 @@ from service.http.problems import MethodError, ServiceError
 from service.lti.fetching import http_address, origin_of
 from service.lti.launch import Expected, Launch, read_launch
 from service.lti.launch_errors import LaunchError, LoginError
-from service.lti.login import LOGIN, Login, LoginRequest, login_of, nonce_of, read_login, redirection
+from service.lti.login import LOGIN, LoginRequest, login_of, nonce_of, read_login, redirection
 from service.messages import languages, sentence
 from service.resources import resources_of
 from service.web.launch_page import answered, launch_page, refused, step
@@ -140,7 +140,8 @@ def _launch(request: Request, given: Mapping[str, str]) -> Response:
     met = login_of(courses.store, state, now())
     if met is None:
         raise LaunchError(Fault.at("lti_state_unknown"))
-    known = _is_browser(request.cookies.get(_cookie_name(state), ""), met)
+    browser = request.cookies.get(_cookie_name(state), "")
+    known = hmac.compare_digest(hashed(browser), met.browser_hash)
     frame = met.storage_target or given.get("lti_storage_target")
     if not known and not frame:
         raise LaunchError(Fault.at("lti_browser_unknown"), members={"again": dict(met.again)})
@@ -249,7 +250,3 @@ def _cookie(state: str, value: str, life: int) -> str:
     """The field Set-Cookie: for this host alone, in a partition of the page that frames it."""
     attributes = f"Path=/; Max-Age={life}; Secure; HttpOnly; SameSite=None; Partitioned"
     return f"{_cookie_name(state)}={value}; {attributes}"
-
-
-def _is_browser(value: str, met: Login) -> bool:
-    return hmac.compare_digest(hashed(value), met.browser_hash)

@@ -193,7 +193,8 @@ async def grade_answer(request: ApiRequest) -> Response:
     with answer_refused():
         report = await _judged(request)
     resources_of(request).metrics.graded(correct=report.correct, score=report.score, kept=False)
-    return _answer(encoded(report_body(report, language)), language, JSON)
+    body = encoded(report_body(report, language))
+    return Response(body, media_type=JSON, headers=_headers(language))
 
 
 async def _judged(request: ApiRequest) -> Report:
@@ -247,10 +248,6 @@ def refuse_beyond(attempts: int | None, attempt: int | None) -> None:
 def _text(request: Request, body: bytes, language: str, media_type: str) -> Response:
     """What is read again and again: with a validator, and compressed for who takes it."""
     return text_response(request, body, media_type, _headers(language))
-
-
-def _answer(body: bytes, language: str, media_type: str) -> Response:
-    return Response(body, media_type=media_type, headers=_headers(language))
 
 
 def _headers(language: str) -> dict[str, str]:

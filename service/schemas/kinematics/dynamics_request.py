@@ -130,12 +130,3 @@ class DynamicsBody(RootModel[NumericDynamicsRequest | SymbolicDynamicsRequest]):
 
 class DynamicsReply(RootModel[DynamicsAnswer | SymbolicDynamicsAnswer]):
     """Dynamics in numbers or in closed form."""
-
-
-def _bar(i: int) -> dict[str, Any]:
-    """A link whose centre lies at r before its end, with a moment about it."""
-    return {
-        "mass": f"m{i}",
-        "centre": [f"r{i} - L{i}", 0, 0],
-        "inertia": [[0, 0, 0], [0, 0, 0], [0, 0, f"I{i}"]],
-    }

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction
-from itertools import chain
 from typing import Any
 
 import numpy as np
@@ -18,7 +17,7 @@ from kinematics.errors import DescriptionError, Fault, TableError
 from kinematics.expressions import Expression, Number, evaluate, parameters_in
 from kinematics.inverse.lengths import check_lengths
 from kinematics.printing import Format, Purpose
-from kinematics.table import JointType, SymbolicTable, bind
+from kinematics.table import JointType, bind, table_parameters
 from service.http.problems import located
 from service.schemas.kinematics.dynamics_request import (
     EquationPart,
@@ -182,7 +181,7 @@ def dynamics_task(question: SymbolicDynamicsRequest, settings: Settings) -> Dyna
     links = tuple(_valued(link, values) for link in bodies.links)
     x, y, z = (substitute(entry, values) for entry in bodies.gravity)
     entries = [entry for link in links for _, entry in link.entries()]
-    used = set().union(*map(parameters_in, (*entries, x, y, z, *_cells(table))))
+    used = set(table_parameters(table)).union(*map(parameters_in, (*entries, x, y, z)))
     parameters = [name for name in kinds if name in used]
     return DynamicsTask(
         table=table,
@@ -229,10 +228,6 @@ _PARTS = {
     EquationPart.G: ("gravity", "gravity_torque", "Torques of gravity."),
 }
 """Of each part what it is in a derivation, and the name and the meaning of a function that computes it."""
-
-
-def _cells(table: SymbolicTable) -> list[Expression]:
-    return list(chain.from_iterable((row.theta, row.d, row.a, row.alpha) for row in table.rows))
 
 
 def _valued(link: SymbolicBody, values: Mapping[str, Expression]) -> SymbolicBody:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -13,7 +12,6 @@ from kinematics.poses import pose_notations
 from kinematics.printing import Format, MatrixPrinter, Notation, Purpose
 from kinematics.scm.chain import Placement
 from kinematics.scm.products import (
-    Factor,
     ReadProducts,
     check_rotations,
     compare_matrices,
@@ -59,7 +57,8 @@ def written_products(task: ProductsTask) -> bytes:
         raise ParameterError(Fault.at("value_undefined", "parameters")) from None
     if task.jacobian:
         for i, factors in enumerate(read.products):
-            check_rotations([_with_values(factor, task.values) for factor in factors], i)
+            valued = (f if isinstance(f, Placement) else matrix_with_values(f, task.values) for f in factors)
+            check_rotations(list(valued), i)
     left = {name for matrix in matrices for name in names_left(matrix)[0]}
     parameters = tuple(name for name in read.parameters if name in left)
     printer = MatrixPrinter(
@@ -85,10 +84,6 @@ def written_products(task: ProductsTask) -> bytes:
         products=products,
         equal_to_first=[compare_matrices(matrices[0], matrix).value for matrix in matrices],
     )
-
-
-def _with_values(factor: Factor, values: Mapping[str, Expression]) -> Factor:
-    return factor if isinstance(factor, Placement) else matrix_with_values(factor, values)
 
 
 def _numbers(matrix: Matrix, task: ProductsTask) -> dict[str, Any]:

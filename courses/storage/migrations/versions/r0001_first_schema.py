@@ -10,8 +10,6 @@ from sqlalchemy.types import TypeEngine
 
 revision = "0001"
 down_revision = None
-branch_labels = None
-depends_on = None
 
 _TIME = sa.DateTime(timezone=True)
 _JSON_OR_NULL = sa.JSON(none_as_null=True)
