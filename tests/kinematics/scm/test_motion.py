@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 from kinematics.errors import JointValueError, ParameterError
 from kinematics.scm import (
     RawChain,
+    check_values,
     closed_form_scm,
     forward_kinematics_scm,
     jacobian_base_by_inspection,
@@ -100,6 +101,13 @@ def test_wrong_joint_values_and_parameters_are_refused():
     with pytest.raises(ParameterError) as missing:
         forward_kinematics_scm(chain, [0.0] * 6, {"L0": 1.0})
     assert missing.value.code == "parameter_missing"
+
+
+def test_a_parameter_that_is_missing_in_several_places_is_told_once():
+    chain = chain_of(("L1", "2*L1", "L2", "a1", 0, 0), ("L1", 0, 0, "a2", 0, 0)).chain
+    with pytest.raises(ParameterError) as missing:
+        check_values(chain, {})
+    assert [fault.where for fault in missing.value.faults] == [("parameters", "L1"), ("parameters", "L2")]
 
 
 def test_the_three_products_of_eq_3_6_are_equal():
