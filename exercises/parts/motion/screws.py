@@ -6,7 +6,7 @@ An answer is held to the exercise's policy exactly as a table is (`kinematics.an
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from random import Random
 from typing import Annotated, ClassVar
 
@@ -142,25 +142,26 @@ class ScrewsPart(PartType[Part, ScrewsCells, ByName[ScrewAnswer]]):
 
     def right(self, part: Part, context: Context) -> ScrewsCells:
         """Return the key's screws in space, linear part first."""
-        found = product_of_exponentials(key_numbers(context.instance))
-        rows = np.array([[*screw.linear, *screw.angular] for screw in found.screws])
-        return _cells(ScrewAnswer(screws=rows, home=found.home))
+        return _cells(_key(context))
 
     def wrong(self, part: Part, context: Context, rng: Random) -> Iterator[tuple[str, ScrewsCells]]:
         """Yield body screws called space screws, one ω of another length, and another joint's type."""
-        found = product_of_exponentials(key_numbers(context.instance))
-        rows = np.array([[*screw.linear, *screw.angular] for screw in found.screws])
-        turning = [i for i, row in enumerate(rows) if row[3:].any()]
+        right = _key(context)
+        turning = [i for i, row in enumerate(right.screws) if row[3:].any()]
         if turning:
-            longer = rows.copy()
+            longer = right.screws.copy()
             longer[rng.choice(turning)] *= 2
-            yield "screw_not_unit", _cells(ScrewAnswer(screws=longer, home=found.home))
-        body = rows @ adjoint(inverse_transform(found.home)).T
-        spoilt = judge_screws(
-            key_numbers(context.instance), ScrewAnswer(screws=body, home=found.home), context.policy
-        )
-        if not spoilt.right:
-            yield "screws_wrong", _cells(ScrewAnswer(screws=body, home=found.home))
+            yield "screw_not_unit", _cells(replace(right, screws=longer))
+        body = replace(right, screws=right.screws @ adjoint(inverse_transform(right.home)).T)
+        if not judge_screws(key_numbers(context.instance), body, context.policy).right:
+            yield "screws_wrong", _cells(body)
+
+
+def _key(context: Context) -> ScrewAnswer:
+    """The key's screws in space."""
+    found = product_of_exponentials(key_numbers(context.instance))
+    rows = np.array([[*screw.linear, *screw.angular] for screw in found.screws])
+    return ScrewAnswer(screws=rows, home=found.home)
 
 
 def _lengths(answer: ScrewAnswer) -> list[float]:

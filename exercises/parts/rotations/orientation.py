@@ -204,9 +204,7 @@ class OrientationPartType(PartType[OrientationPart, OrientationCells, Orientatio
         self, part: OrientationPart, context: Context, rng: Random
     ) -> Iterator[tuple[str, OrientationCells]]:
         """Yield one notation transposed, one with a component changed."""
-        instance = context.instance
-        rotation = part.sequence.matrix(instance.drawn[self.kind])
-        right = written_orientation(rotation, part.ask, part.asked_sequence, instance)
+        right = self.right(part, context)
         if right.matrix is not None:
             reflected = tuple((row[0], row[1], -float(row[2])) for row in right.matrix)
             yield "rotation_right_handed", replace(right, matrix=(reflected[0], reflected[1], reflected[2]))
@@ -260,7 +258,7 @@ def _given(part: OrientationPart, instance: Instance, unit: str) -> GivenNumbers
     rotation = part.sequence.matrix(drawn)
     pose = as_transform(rotation)
     if part.given is OrientationNotation.MATRIX:
-        rows: tuple[tuple[float, ...], ...] = tuple(rounded(row) for row in rotation)
+        rows: tuple[tuple[float, ...], ...] = tuple(map(rounded, rotation))
         return GivenNumbers(name="rotation", labels=(), rows=rows)
     if part.given is OrientationNotation.QUATERNION:
         rows = (rounded(quaternion_from_transform(pose)),)
