@@ -129,6 +129,20 @@ def test_undo_and_redo_bring_back_everything(open_page: OpenPage) -> None:
     assert [texts(page, i) for i in range(4)] == before
 
 
+def test_degrees_among_radians_are_asked_about_once_before_they_are_handed_in(open_page: OpenPage) -> None:
+    """With one more mistake in the table, nine cells were told to be wrong, and the unit was not."""
+    page = open_page("/exercises/puma560")
+    choose(page, "angle-unit", "rad")
+    cell(page, 1, "alpha").fill("-90")
+    notice = editor(page).locator(".editor-notice")
+    expect(notice).to_be_empty()
+    cell(page, 1, "a").focus()
+    expect(notice).to_contain_text("90 rad is more than a whole turn")
+    notice.get_by_role("button", name="Read them as degrees").click()
+    expect(notice).to_contain_text("now read as degrees")
+    assert page.evaluate("document.querySelector('dh-table-editor').table.angle_unit") == "deg"
+
+
 def test_a_spreadsheet_is_pasted_into_the_table(open_page: OpenPage) -> None:
     page = open_page("/exercises/puma560")
     choose(page, "convention", "modified")

@@ -74,6 +74,10 @@ form-length-unit = Unidad de las longitudes
 form-unit-now-deg = Los números de las columnas de ángulos se leen ahora en grados.
 form-unit-now-rad = Los números de las columnas de ángulos se leen ahora en radianes.
 form-unit-now-length = Los números de las columnas de longitudes se leen ahora en { $unit }.
+form-unit-doubt-deg = { $value } rad es más de una vuelta. ¿Están estos ángulos en grados?
+form-unit-doubt-rad = { $value }° es un ángulo muy pequeño. ¿Están estos ángulos en radianes?
+form-unit-read-deg = Leerlos en grados
+form-unit-read-rad = Leerlos en radianes
 form-unit-convert = Convertir los números
 form-unit-converted = Números convertidos.
 form-unit-converted-but =
@@ -287,8 +291,8 @@ form-film-forward = Un paso adelante
 form-film-row-before = Fila anterior
 form-film-row-after = Fila siguiente
 form-film-start = Fila { $row }: parte del sistema { $frame }.
-form-film-turn = Fila { $row }, { $number } de 4: giro alrededor de { $axis } de { $letter } = { $value }.
-form-film-slide = Fila { $row }, { $number } de 4: traslación a lo largo de { $axis } de { $letter } = { $value }.
+form-film-turn = Fila { $row }, { $number } de 4: giro de { $letter } = { $value } alrededor de { $axis }.
+form-film-slide = Fila { $row }, { $number } de 4: traslación de { $letter } = { $value } a lo largo de { $axis }.
 form-scene-enlarge = Pantalla completa
 form-scene-record = Guardar como imagen
 form-scene-recorded = Imagen guardada

@@ -74,6 +74,10 @@ form-length-unit = Unité des longueurs
 form-unit-now-deg = Les nombres des colonnes d’angles se lisent maintenant en degrés.
 form-unit-now-rad = Les nombres des colonnes d’angles se lisent maintenant en radians.
 form-unit-now-length = Les nombres des colonnes de longueurs se lisent maintenant en { $unit }.
+form-unit-doubt-deg = { $value } rad, c’est plus d’un tour. Ces angles sont-ils en degrés ?
+form-unit-doubt-rad = { $value }° est un très petit angle. Ces angles sont-ils en radians ?
+form-unit-read-deg = Les lire en degrés
+form-unit-read-rad = Les lire en radians
 form-unit-convert = Convertir les nombres
 form-unit-converted = Nombres convertis.
 form-unit-converted-but =
@@ -287,8 +291,8 @@ form-film-forward = Un pas en avant
 form-film-row-before = Ligne précédente
 form-film-row-after = Ligne suivante
 form-film-start = Ligne { $row } : on part du repère { $frame }.
-form-film-turn = Ligne { $row }, { $number } sur 4 : rotation autour de { $axis } de { $letter } = { $value }.
-form-film-slide = Ligne { $row }, { $number } sur 4 : translation le long de { $axis } de { $letter } = { $value }.
+form-film-turn = Ligne { $row }, { $number } sur 4 : rotation de { $letter } = { $value } autour de { $axis }.
+form-film-slide = Ligne { $row }, { $number } sur 4 : translation de { $letter } = { $value } le long de { $axis }.
 form-scene-enlarge = Plein écran
 form-scene-record = Enregistrer comme image
 form-scene-recorded = Image enregistrée

@@ -74,6 +74,10 @@ form-length-unit = Unidade dos comprimentos
 form-unit-now-deg = Os números das colunas de ângulos leem-se agora em graus.
 form-unit-now-rad = Os números das colunas de ângulos leem-se agora em radianos.
 form-unit-now-length = Os números das colunas de comprimentos leem-se agora em { $unit }.
+form-unit-doubt-deg = { $value } rad é mais de uma volta. Estes ângulos estão em graus?
+form-unit-doubt-rad = { $value }° é um ângulo muito pequeno. Estes ângulos estão em radianos?
+form-unit-read-deg = Lê-los em graus
+form-unit-read-rad = Lê-los em radianos
 form-unit-convert = Converter os números
 form-unit-converted = Números convertidos.
 form-unit-converted-but =
@@ -287,8 +291,8 @@ form-film-forward = Um passo à frente
 form-film-row-before = Linha anterior
 form-film-row-after = Linha seguinte
 form-film-start = Linha { $row }: parte do referencial { $frame }.
-form-film-turn = Linha { $row }, { $number } de 4: rotação em torno de { $axis } de { $letter } = { $value }.
-form-film-slide = Linha { $row }, { $number } de 4: translação ao longo de { $axis } de { $letter } = { $value }.
+form-film-turn = Linha { $row }, { $number } de 4: rotação de { $letter } = { $value } em torno de { $axis }.
+form-film-slide = Linha { $row }, { $number } de 4: translação de { $letter } = { $value } ao longo de { $axis }.
 form-scene-enlarge = Ecrã inteiro
 form-scene-record = Guardar como imagem
 form-scene-recorded = Imagem guardada

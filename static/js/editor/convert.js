@@ -14,9 +14,14 @@ const NUMBER = /^\d+(\.\d*)?$|^\.\d+$/;
 const OWN_UNIT = /pi(?![A-Za-z0-9_])|π|°/iu;
 const PI_FRACTION = /^(?:(\d+)\s*\*?\s*)?(?:pi|π)(?:\s*\/\s*(\d+))?$/i;
 
-/** @param {Table} table @param {"deg" | "rad"} to @returns {Converted} */
-export function convertedAngles(table, to) {
-  const change = to === "rad" ? angleInRadians : angleInDegrees;
+/**
+ * @param {Table} table @param {"deg" | "rad"} to
+ * @param {{keepsPi?: boolean}} [options] whether what is said with π, and means the same in every table, stays
+ * @returns {Converted}
+ */
+export function convertedAngles(table, to, { keepsPi = false } = {}) {
+  const inUnit = to === "rad" ? angleInRadians : angleInDegrees;
+  const change = (/** @type {string} */ term) => (keepsPi && OWN_UNIT.test(term) ? term : inUnit(term));
   return converted({ ...table, angleUnit: to }, ["alpha", "theta"], change);
 }
 
@@ -33,6 +38,25 @@ export function holdsNumbers(table, columns) {
   /** @param {any} options */
   const counts = ({ term }) => !isSymbol(term) && Number(term) !== 0;
   return table.rows.some((row) => cells.some((cell) => termsOf(row[cell])?.some(counts) ?? true));
+}
+
+/**
+ * A number among the angles that is usual in the other unit and hardly ever in the table's: 90 rad, 1.5708°.
+ * @param {Table} table @returns {{text: string, unit: "deg" | "rad"} | null} as it was typed, and that other unit
+ */
+export function doubtfulAngle({ angleUnit, rows }) {
+  const unit = angleUnit === "rad" ? "deg" : "rad";
+  const twelfths = (/** @type {number} */ value) => (value * 12) / Math.PI;
+  /** @param {string} text */
+  const isDoubtful = (text) => {
+    const value = Number(text);
+    if (unit === "deg") return value > 2 * Math.PI;
+    const nearest = Math.round(twelfths(value));
+    return /\.\d\d/.test(text) && nearest > 0 && nearest <= 24 && Math.abs(twelfths(value) - nearest) < 0.02;
+  };
+  const terms = rows.flatMap(({ alpha, theta }) => [alpha, theta].flatMap((text) => termsOf(text) ?? []));
+  const found = terms.map(({ term }) => term).find((term) => NUMBER.test(term) && isDoubtful(term));
+  return found ? { text: found, unit } : null;
 }
 
 /** @param {Table} table @param {("alpha" | "a" | "d" | "theta")[]} columns @param {(term: string) => string | null} change */

@@ -10,7 +10,7 @@
 import { announce, el, fill, uniqueId } from "../dom.js";
 import { language, t } from "../i18n.js";
 import { Bar, editorFoot, symbolBar } from "./bar.js";
-import { convertedAngles, convertedLengths, holdsNumbers } from "./convert.js";
+import { convertedAngles, convertedLengths, doubtfulAngle, holdsNumbers } from "./convert.js";
 import { isTable } from "./cut.js";
 import { Faults, placedFaults } from "./faults.js";
 import { Grid } from "./grid.js";
@@ -42,6 +42,8 @@ export class DhTableEditor extends HTMLElement {
   #bar = /** @type {Bar} */ (/** @type {unknown} */ (null));
   #faults = /** @type {Faults} */ (/** @type {unknown} */ (null));
   #lastInput = /** @type {HTMLInputElement | null} */ (null);
+  /** The unit that was asked about. @type {"deg" | "rad" | null} */
+  #doubted = null;
   /** @type {("standard" | "modified")[]} */
   #allowed = ["standard", "modified"];
 
@@ -252,7 +254,21 @@ export class DhTableEditor extends HTMLElement {
 
   #settle() {
     this.#history.settle();
+    this.#doubt();
     setTimeout(() => this.#placeFaults());
+  }
+
+  /** Asks once, before anything is handed in, whether angles are meant in the unit that they are read in. */
+  #doubt() {
+    const doubtful = doubtfulAngle(this.#table);
+    if (!doubtful || this.#doubted === doubtful.unit) return;
+    this.#doubted = doubtful.unit;
+    const change = () => {
+      this.#change({ ...this.#table, angleUnit: doubtful.unit });
+      this.#say(t(`form-unit-now-${doubtful.unit}`));
+    };
+    const button = el("button", { type: "button", text: t(`form-unit-read-${doubtful.unit}`), onclick: change });
+    this.#say(t(`form-unit-doubt-${doubtful.unit}`, { value: doubtful.text }), [button]);
   }
 
   /** A fault in the cell that is being typed into waits until the cell is left, or the table handed in. */

@@ -246,11 +246,12 @@ function inUnitsOf(rest, units, rows) {
   let left = null;
   /** @param {import("./convert.js").Converted} converted */
   const take = (converted) => {
+    if (converted.left || JSON.stringify(converted.table.rows) !== JSON.stringify(rows))
+      left = (left ?? 0) + converted.left;
     table = converted.table;
-    left = (left ?? 0) + converted.left;
   };
   if (table.angleUnit !== rest.angleUnit && holdsNumbers(rest, ANGLES.cells))
-    take(convertedAngles(table, rest.angleUnit));
+    take(convertedAngles(table, rest.angleUnit, { keepsPi: true }));
   if (table.lengthUnit !== rest.lengthUnit && holdsNumbers(rest, LENGTHS.cells))
     take(convertedLengths(table, table.lengthUnit, rest.lengthUnit));
   return { table, left };

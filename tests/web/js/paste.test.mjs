@@ -256,6 +256,8 @@ test("pasted radians beside rows in degrees are written in degrees; what cannot 
   const pasted = readPasted("Link('d', 0.3, 'alpha', 1.5707963267948966, 'offset', 2*0.5)", COLUMNS.standard);
   const { table: next, left } = withPasted(table, pasted, 1, false, ["standard"]);
   assert.equal(next.angleUnit, "deg");
+  const exact = withPasted(table, readPasted("Link('d', 0, 'alpha', -pi/2)", COLUMNS.standard), 1, false, []);
+  assert.deepEqual([exact.table.rows[1].alpha, exact.table.angleUnit, exact.left], ["-pi/2", "deg", null]);
   assert.deepEqual([next.rows[1].alpha, next.rows[1].d, next.rows[1].theta, left], ["90", "0.3", "θ1+2*0.5", 1]);
 });
 

@@ -124,6 +124,21 @@ test("lengths are written in another unit, parameters stay", () => {
   );
 });
 
+test("an angle that is usual in the other unit is doubted, whatever sum it is in", () => {
+  const doubted = (angleUnit, alpha) => {
+    const table = model.newTable("standard", 1, { angleUnit });
+    return convert.doubtfulAngle(model.setCell(table, 0, "alpha", alpha));
+  };
+  assert.deepEqual(doubted("rad", "-90"), { text: "90", unit: "deg" });
+  assert.deepEqual(doubted("rad", "q + 45"), { text: "45", unit: "deg" });
+  assert.deepEqual(doubted("deg", "-1.5708"), { text: "1.5708", unit: "rad" });
+  assert.deepEqual(doubted("deg", "0.785"), { text: "0.785", unit: "rad" });
+  for (const text of ["", "0", "-90", "pi/2", "1", "1.5", "2.25", "a1", "atan2(1.57, 1)"])
+    assert.equal(doubted("deg", text), null, text);
+  for (const text of ["0", "-1.5708", "pi/2", "90°", "2*pi", "6.28", "b90"])
+    assert.equal(doubted("rad", text), null, text);
+});
+
 test("undo and redo step over runs of typing", () => {
   const start = model.newTable("modified", 1);
   const history = new model.History(start);
