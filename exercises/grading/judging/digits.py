@@ -29,6 +29,8 @@ PER_CENT = 0.01
 """The share of itself by which a length or an angle may be off, whatever its digits."""
 CACHED_TABLES = 64
 """Tables at hand: each is asked for when it is judged, when edits are tried on it and when it is scored."""
+FINEST = 1e-15
+"""[rad], or a share of the longest entry: finer digits are lost among the errors of the arithmetic."""
 SECOND_ORDER = 1.25
 """What the digits do at first order, and room for what they do beyond it."""
 
@@ -187,8 +189,13 @@ def _largest(invariants: Invariants, reference: Reference, steps: Mapping[Place,
 def measured_as_typed(
     invariants: Invariants, table: NumericTable, steps: Mapping[Place, float], policy: Policy
 ) -> Floats:
-    """(q, 1 + 2·steps) invariants of a table as it stands, and with each decimal half a unit up and down."""
-    return _measured_as_typed(invariants.shapes, table, tuple(steps.items()), fixing_frames(policy))
+    """(q, 1 + 2·steps) invariants of a table as it stands, and with each decimal half a unit up and down.
+
+    Digits that are finer than the arithmetic are left out.
+    """
+    longest = FINEST * max(max(abs(row.a), abs(row.d)) for row in table.rows) if steps else 0.0
+    seen = tuple(one for one in steps.items() if one[1] > (FINEST if one[0][1] in ANGLES else longest))
+    return _measured_as_typed(invariants.shapes, table, seen, fixing_frames(policy))
 
 
 @lru_cache(maxsize=256)

@@ -10,11 +10,15 @@ import pytest
 
 from exercises.grading import BaseRule, Policy, ToolRule, grade
 from exercises.grading.judging.certificate_report import in_unit
+from exercises.grading.judging.comparison import comparisons
+from exercises.grading.judging.digits import measured_as_typed
 from exercises.grading.judging.typed import COARSEST_ANGLE, half_steps, meant
 from exercises.instance import generate
 from exercises.written_table import written_table
 from kinematics.catalogue import robots
 from kinematics.cells import AngleUnit, ReadTable, read_table
+from kinematics.equivalence.invariants import invariants_of
+from kinematics.equivalence.reference import prepared
 from kinematics.expressions import ZERO, Number, Parameter, add, pi_times
 from kinematics.table import DHRow, JointType
 from tests.exercises.grading.test_grade import KEY, PUMA, USUAL, VALUES, Rows, codes, numbers, with_cells
@@ -380,3 +384,15 @@ def test_an_offset_is_in_the_unit_of_its_joint() -> None:
     assert in_unit(math.pi, turning, AngleUnit.DEG) == 180.0
     assert in_unit(math.pi, turning, AngleUnit.RAD) == math.pi
     assert in_unit(0.3, sliding, AngleUnit.DEG) == in_unit(0.3, sliding, AngleUnit.RAD) == 0.3
+
+
+@pytest.mark.parametrize(("length", "angle"), [(0.123, 0.7), (123.4567, 0.71)])
+def test_digits_that_the_arithmetic_does_not_keep_are_not_tried(length: float, angle: float) -> None:
+    for more, tried in ((0.0, True), (math.pi * 1e-4, False)):
+        rows: Rows = [(angle + more, length + more, 0, "q1"), (0, length + more, 0, "q2")]
+        table = read("modified", rows)
+        (way,) = comparisons(table, table, None)
+        invariants = invariants_of(prepared(way.references[0]), Policy(tool=ToolRule.POINT))
+        found = measured_as_typed(invariants, way.meant[0], way.steps, Policy())
+        assert way.steps
+        assert (found.shape[1] > 1) is tried
