@@ -102,25 +102,35 @@ class Facts:
 
         Args:
             axes: its joint axes between base and tool, as those of the key.
-            found: (q, 1) its invariants, if they are known; of an answer with the key's number of joints.
+            found: (q, 1) its invariants, if they are known; of an answer with one joint more or less than the
+                key (q, 2), its links as many places behind the key's as `alignments` says, the fewest first.
         """
         compared = self._compared(axes, found)
-        least = self._least(compared.fits, compared.has, compared.unseen)
-        return float((least + np.maximum(self.to_earn - least, 0.0) * (1.0 - compared.kept)).min())
+        return float(self._least(compared).min())
 
-    def at_least_wrong(self, found: Floats) -> Floats:
-        """(k,) the least that facts can weigh which answers do not have, from their invariants (q, k)."""
+    def at_least_wrong(self, found: Floats, types: Sequence[Sequence[bool]]) -> Floats:
+        """(k,) the least that `wrong` can be of answers with the key's number of joints.
+
+        Args:
+            found: (q, k) their invariants.
+            types: of each which of its axes are prismatic.
+        """
         fits = self.invariants.fits(found)
-        return self._least(fits, np.logical_or(fits[0], fits[1]))
+        ours = [axis.prismatic for axis in self.axes]
+        other = [tuple(i for i, one in enumerate(theirs) if one is not ours[i]) for theirs in types]
+        seen = {joints: self._seen_but_for(joints) for joints in set(other)}
+        kept, unseen = zip(*(seen[joints] for joints in other), strict=True)
+        return self._least(_Compared(np.array(kept), fits, np.logical_or(*fits), np.hstack(unseen)))
 
-    def _least(
-        self, fits: NDArray[np.bool_], has: NDArray[np.bool_], unseen: NDArray[np.bool_] | None = None
-    ) -> Floats:
+    def _least(self, compared: _Compared) -> Floats:
+        """(k,) the least weight over the directions of all axes, with what the joints take."""
+        kept, fits, has, unseen = compared
         worth = np.where(has, self.sign, 1.0) * self.worth[:, None]
         costs = np.where(fits & has, 0.0, worth)
         if unseen is not None:
             costs = np.where(unseen, self.earned[:, None], costs)
-        return least_cost(self.invariants.shapes, len(self.axes), costs, self.fixed)
+        least = least_cost(self.invariants.shapes, len(self.axes), costs, self.fixed)
+        return np.asarray(least + np.maximum(self.to_earn - least, 0.0) * (1.0 - kept), dtype=np.float64)
 
     def shared(self, axes: Sequence[Axis], found: Floats | None = None) -> NDArray[np.bool_]:
         """(q,) which invariants an answer has, but for signs.
@@ -143,7 +153,7 @@ class Facts:
             [axes[i - by] if 0 <= i - by < len(axes) else own for i, own in enumerate(self.axes)]
             for by in shifts
         ]
-        fits = self.invariants.fits(self.invariants.measured(axis_batch(besides)))
+        fits = self.invariants.fits(self.invariants.measured(axis_batch(besides)) if found is None else found)
         either = np.logical_or(fits[0], fits[1])
         for q, k in np.argwhere(either).tolist():
             either[q, k] = self._means(self.invariants.shapes[q], besides[k])
@@ -169,19 +179,24 @@ class Facts:
             found = self.invariants.measured(axis_batch([axes]))
         fits = self.invariants.fits(found)
         has = np.logical_or(fits[0], fits[1])
-        kept, unseen = 1.0, np.zeros_like(has)
+        kept, unseen = self._seen_but_for(others)
         if others:
             has &= self._has(self.invariants.measured(axis_batch([_moved(axes, others)])))
+        if others or not has[self.invariants.arrays.twists[:, 0]].all():
+            for q in np.flatnonzero(has[:, 0]).tolist():
+                has[q] = self._is_defined(self.invariants.shapes[q], axes)
+        return _Compared(np.array([kept]), fits, has & ~unseen, unseen)
+
+    def _seen_but_for(self, others: Sequence[int]) -> tuple[float, NDArray[np.bool_]]:
+        """What joints of another type leave of what is right, and (q, 1) which invariants nobody can see."""
+        kept, unseen = 1.0, np.zeros((len(self.invariants.shapes), 1), dtype=np.bool_)
         for joint in others:
             changed = self._changed_by_type(joint)
             hidden = float((self.earned * changed[:, 0]).sum())
             if hidden < self.to_earn:
                 kept *= min((1.0 - self.type) * self.to_earn / (self.to_earn - hidden), 1.0)
             unseen |= changed
-        if others or not has[self.invariants.arrays.twists[:, 0]].all():
-            for q in np.flatnonzero(has[:, 0]).tolist():
-                has[q] = self._is_defined(self.invariants.shapes[q], axes)
-        return _Compared(np.array([kept]), fits, has & ~unseen, unseen)
+        return kept, unseen
 
     def _changed_by_type(self, joint: int) -> NDArray[np.bool_]:
         """(q, 1) which invariants of the key change as a joint moves, if it is of the other type."""

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from operator import itemgetter
 
 import numpy as np
 
@@ -133,15 +132,21 @@ def _lost_beside_a_slip(work: Work, weights: Weights, standard: Standard, most: 
     if not undone:
         return most
     least = at_least_lost([other for *_, other in undone], standard)
-    found = []
-    for (cost, rules, other), at_least in zip(undone, least, strict=True):
-        if cost + rules + at_least < most and wrong_of(other, standard) < standard.of_zeros - SAME:
-            beside = rules + wrong_of(other, standard) - shared_across_prismatic(other, standard)
+    bounds = [cost + rules + at_least for (cost, rules, _), at_least in zip(undone, least, strict=True)]
+    found: list[tuple[float, int]] = []
+    for k in sorted(range(len(undone)), key=bounds.__getitem__):
+        if bounds[k] >= most or (found and bounds[k] > min(found)[0] + SAME):
+            break
+        cost, rules, other = undone[k]
+        if (wrong := wrong_of(other, standard)) < standard.of_zeros - SAME:
+            beside = rules + wrong - shared_across_prismatic(other, standard)
             all_lost = _with_lines(cost + max(weights.sign, beside), other, weights, standard.nothing)
-            found.append((all_lost, cost + rules + CELL, other))
+            found.append((all_lost, k))
     if not found:
         return most
-    off, with_a_cell, other = min(found, key=itemgetter(0))
+    off, k = min(found)
+    cost, rules, other = undone[k]
+    with_a_cell = cost + rules + CELL
     return min(most, with_a_cell if off > with_a_cell and _has_one_other_twist(other) else off)
 
 
@@ -169,9 +174,9 @@ def _size_across_prismatic(work: Work, standard: Standard, slip: Change) -> floa
 
 def _has_one_other_twist(work: Work) -> bool:
     """Whether the key is the answer's robot if one of its twists is another."""
-    table, answer = work.reference.table, chain_of_table(work.table)
     if not work.has_the_joints():
         return False
+    table, answer = work.reference.table, chain_of_table(work.table)
     ours, theirs = (_cosines(chain.axes) for chain in (work.reference.chain, answer))
     other = np.flatnonzero(np.abs(np.abs(ours) - np.abs(theirs)) > work.policy.tolerance.angle)
     if len(other) != 1:

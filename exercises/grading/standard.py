@@ -10,6 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from exercises.grading.across_prismatic import across_prismatic
+from exercises.grading.edits.joint_places import from_both_ends
 from exercises.grading.edits.work import Work
 from exercises.grading.facts import Facts, Weights, fixed_ends
 from exercises.grading.judging.digits import fixing_frames, measured_as_typed, tightened
@@ -22,6 +23,7 @@ from kinematics.equivalence.invariants import axes_of
 from kinematics.equivalence.reference import Reference
 from kinematics.equivalence.row_measures import measured_of_tables
 from kinematics.se3 import ORIGIN, Z_AXIS
+from kinematics.table import JointType
 
 OF_A_TYPE = 2.0
 """How often the weight of a joint its type counts: an arm with another joint there is another kind of arm."""
@@ -89,23 +91,25 @@ def wrong_of(work: Work, standard: Standard) -> float:
         is_answer = work.table is work.comparison.meant[work.draw]  # of which it is known with each digit off
         steps = work.comparison.steps if is_answer else NOTHING_TYPED
         found = measured_as_typed(facts.invariants, work.table, steps, work.policy)[:, :1]
+    elif abs(work.excess) == 1:
+        counted = from_both_ends(facts.invariants.shapes, (work.table,), work.excess, work.policy)
+        found = counted[:, :: -work.excess]  # by growing shift
     return facts.wrong(axes, found)
 
 
 def at_least_lost(works: Sequence[Work], standard: Standard) -> list[float]:
     """Return for tables with as many joints as the key the least that the facts weigh which they have wrong.
 
-    What is wrong across one group of prismatic joints counts as no more than one; where joints are of another
-    type, it is not known.
+    What is wrong across one group of prismatic joints counts as no more than one.
     """
     facts = replace(standard.facts, invariants=works[0].facts)
     policy = works[0].policy
     tables = [work.table for work in works]
     shapes, variations = facts.invariants.shapes, [(k, ()) for k in range(len(tables))]
-    least = facts.at_least_wrong(measured_of_tables(shapes, tables, variations, fixing_frames(policy)))
+    types = [[False, *(j is JointType.PRISMATIC for j in table.joint_types), False] for table in tables]
+    least = facts.at_least_wrong(measured_of_tables(shapes, tables, variations, fixing_frames(policy)), types)
     spare = max((float(facts.worth[of_gap].sum()) for of_gap in across_prismatic(facts)), default=0.0)
-    alike = np.array([work.has_the_joints() for work in works])
-    found: list[float] = np.where(alike, least - max(spare - CELL, 0.0), 0.0).tolist()
+    found: list[float] = (least - max(spare - CELL, 0.0)).tolist()
     return found
 
 

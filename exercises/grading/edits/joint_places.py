@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
 
 from exercises.grading.edits.work import FAR, Work
+from kinematics.equivalence import Policy
 from kinematics.equivalence.batches import AxisBatch, axes_of_tables
+from kinematics.equivalence.measures import Shape, measured
 from kinematics.equivalence.meter import per_batch
+from kinematics.table import NumericTable
 
 
 def joint_places(works: Sequence[Work]) -> list[tuple[int, int]]:
@@ -30,14 +34,25 @@ def joint_places(works: Sequence[Work]) -> list[tuple[int, int]]:
     invariants = work.invariants
     rows = max(len(work.table.rows) for work in works)
     work.meter.charge(per_batch(2 * len(works), rows, len(invariants.shapes)))
-    tables = [work.table for work in works]
-    axes = axes_of_tables(tables, [(number, ()) for number in range(len(works))], work.policy)
-    failing = invariants.strains(invariants.measured(_counted_from_both_ends(axes, excess))) > 1.0
+    tables = tuple(work.table for work in works)
+    failing = invariants.strains(from_both_ends(invariants.shapes, tables, excess, work.policy)) > 1.0
     first, last = invariants.spans
     before, behind = failing[:, : len(works)], failing[:, len(works) :]
     ends = np.where(before, last, FAR).min(axis=0, initial=FAR)
     starts = np.where(behind, first + (excess > 0), 0).max(axis=0, initial=0)
     return list(zip(starts.tolist(), ends.tolist(), strict=True))
+
+
+@lru_cache(maxsize=32)
+def from_both_ends(
+    shapes: tuple[Shape, ...], tables: tuple[NumericTable, ...], excess: int, policy: Policy
+) -> NDArray[np.float64]:
+    """(q, 2k) the key's invariants in tables with one joint more or less: from the base, then from the tool.
+
+    Remembered, for what is left of the answer is seen in the same numbers.
+    """
+    axes = axes_of_tables(tables, [(number, ()) for number in range(len(tables))], policy)
+    return measured(shapes, _counted_from_both_ends(axes, excess))
 
 
 def _counted_from_both_ends(axes: AxisBatch, excess: int) -> AxisBatch:

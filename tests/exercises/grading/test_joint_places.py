@@ -11,7 +11,11 @@ from exercises.grading import BaseRule, Policy, ToolRule, grade
 from exercises.grading.edits.joint_places import joint_places
 from exercises.grading.edits.work import Work
 from exercises.grading.explanation import work_on
+from exercises.grading.facts import Weights
 from exercises.grading.judging.comparison import comparisons
+from exercises.grading.standard import standard_of, wrong_of
+from kinematics.chain import chain_of_table
+from kinematics.equivalence.invariants import axes_of
 from kinematics.table import DHRow, DHTable, JointType, NumericTable
 from tests.exercises.grading.campaign import drawn_by_hand
 from tests.exercises.grading.written import written
@@ -48,6 +52,18 @@ def test_the_place_of_the_joint_is_among_those_that_may_be(name: str, key: Numer
         assert start <= joint <= end
         ((start, end),) = joint_places([work(key, with_more(table, row))])
         assert start <= joint <= end
+
+
+@pytest.mark.parametrize(("name", "key"), SIX, ids=[name for name, _ in SIX])
+def test_what_is_lost_is_seen_as_it_is_counted_from_both_ends(name: str, key: NumericTable) -> None:
+    table = drawn_by_hand(key, Random(name))
+    assert table is not None
+    for row in table.joint_rows:
+        for answer in (work(key, without(table, row)), work(key, with_more(table, row))):
+            standard = standard_of(answer.reference, answer.policy, Weights())
+            facts = replace(standard.facts, invariants=answer.facts)
+            by_axes = facts.wrong(axes_of(chain_of_table(answer.table), answer.policy))
+            assert wrong_of(answer, standard) == pytest.approx(by_axes, abs=1e-12)
 
 
 @pytest.mark.parametrize("name", ["irb140", "kr100p", "kr2150k", "lrmate200id"])

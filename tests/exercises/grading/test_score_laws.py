@@ -12,6 +12,10 @@ from hypothesis import strategies as st
 
 from exercises.grading import BaseRule, DirectionRule, Policy, ToolRule, ZeroRule, grade
 from exercises.grading.alignments import MOST_ALIGNMENTS, NOT_THERE, alignments
+from exercises.grading.explanation import work_on
+from exercises.grading.facts import Weights
+from exercises.grading.judging.comparison import comparisons
+from exercises.grading.standard import at_least_lost, shared_across_prismatic, standard_of, wrong_of
 from kinematics.table import NumericTable
 from tests.exercises.grading.campaign import redrawn, spoiled_tables
 from tests.exercises.grading.written import Cell, read, written
@@ -163,3 +167,21 @@ def test_beside_a_wrong_line_no_mistake_raises_the_mark(
     axis = Policy(tool=ToolRule.AXIS)
     marks = [_marked(LINE, *mistakes[:k], policy=axis) for k in range(len(mistakes) + 1)]
     assert marks == sorted(marks, reverse=True)
+
+
+@pytest.mark.parametrize(("name", "key"), references()[::12], ids=[name for name, _ in references()[::12]])
+def test_no_less_is_lost_than_is_seen_at_once_of_many_answers(name: str, key: NumericTable) -> None:
+    """Among them such with a joint of another type: of these, too, it is seen that something is lost."""
+    rng, policy = Random(name), Policy(tool=ToolRule.FREE)
+    answers = [table for _ in range(3) for table in spoiled_tables(key, rng, cells=3, types=True)]
+    works = []
+    for answer in (written(table) for table in answers):
+        (way,) = comparisons(written(key), answer, None)
+        works.append(work_on(way, (written(key), answer), policy))
+    standard = standard_of(works[0].reference, policy, Weights())
+    least = at_least_lost(works, standard)
+    for work, at_least in zip(works, least, strict=True):
+        assert at_least <= wrong_of(work, standard) - shared_across_prismatic(work, standard) + 1e-9
+    others = [at_least for work, at_least in zip(works, least, strict=True) if not work.has_the_joints()]
+    prismatic = any(axis.prismatic for axis in standard.facts.axes)
+    assert prismatic or not standard.of_zeros or not others or max(others) > 0.0
