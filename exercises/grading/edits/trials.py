@@ -138,8 +138,9 @@ def _batches(
     fits = _fits(works)
     made = [
         (number, change)
-        for number, work in enumerate(works)
-        for change in _wanted(replace(work, fits=fits[number], reach=reaches[number]), catalogue)
+        for number, (work, (start, end)) in enumerate(zip(works, reaches, strict=True))
+        if start <= end or not work.excess  # nowhere else is there a joint to put in or take out
+        for change in _wanted(replace(work, fits=fits[number], reach=(start, end)), catalogue)
     ]
     while made:
         if sieves:

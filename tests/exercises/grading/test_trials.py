@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import replace
 
 import pytest
 
 from exercises.grading import Policy, ToolRule, ZeroRule
 from exercises.grading.edits.changes import Change, Extent, TableSlip
-from exercises.grading.edits.trials import UNCHANGED, Trial, _Batch, _fits, finishing_reaches
-from exercises.grading.edits.work import ANYTHING, EVERYWHERE, _alike
+from exercises.grading.edits.trials import UNCHANGED, Trial, _Batch, _fits, finishing, finishing_reaches
+from exercises.grading.edits.work import ANYTHING, EVERYWHERE, Work, _alike
 from exercises.grading.explanation import work_on
 from exercises.grading.judging.comparison import comparisons
 from kinematics.table import NumericTable
@@ -18,7 +19,8 @@ from tests.exercises.grading.test_edits_tried import ARM, CHANGES, FIXED, Rows, 
 from tests.exercises.grading.test_grade import with_cells
 from tests.exercises.grading.written import read
 
-SHORT = read("standard", [ARM[0], ("pi/6", 0, "q2", 0.3), ARM[3]])
+SHORT_ROWS = [ARM[0], ("pi/6", 0, "q2", 0.3), ARM[3]]
+SHORT = read("standard", SHORT_ROWS)
 """The arm without its second row."""
 
 
@@ -39,6 +41,19 @@ def test_a_joint_that_is_missing_is_sought_where_nothing_is_known_yet() -> None:
     assert found[0] != EVERYWHERE
     assert found[0][0] <= 2 <= found[0][1]
     assert found[1:] == [known, EVERYWHERE]
+
+
+def test_no_edit_is_asked_for_where_the_missing_joint_has_no_place() -> None:
+    """But a table that has the key's joints may be wrong throughout, wherever that shows."""
+    asked: list[Work] = []
+
+    def nothing(work: Work) -> Iterator[Change]:
+        asked.append(work)
+        return iter(())
+
+    short, right = (replace(work(read("standard", rows)), reach=(3, 2)) for rows in (SHORT_ROWS, ARM))
+    assert finishing([short, right], nothing) == [[], []]
+    assert [one.table for one in asked] == [right.table]
 
 
 def test_after_a_length_no_angle_is_solved_for() -> None:
