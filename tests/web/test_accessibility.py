@@ -96,6 +96,13 @@ def test_no_violation_in_another_language_on_a_phone(
     assert_accessible(page)
 
 
+def test_a_violation_is_told_with_its_element(open_page: OpenPage, assert_accessible: Check) -> None:
+    page = open_page("/version", lang=None, ready=False)
+    page.set_content("<html lang=en><title>Page</title><main><h1>Page</h1><button></button></main>")
+    with pytest.raises(AssertionError, match=r"button-name: .*<button></button>"):
+        assert_accessible(page)
+
+
 PAGES = ("/", "/exercises/puma560", "/playground", "/trainer/puma560", "/lesson")
 WIDTHS = (320, 390, 640, 768, 1280, 1920)
 """640 is 1280 at 200 % zoom."""
