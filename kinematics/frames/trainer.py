@@ -150,7 +150,7 @@ def check_frames(
         for i in range(len(frames))
     )
     rows = robot.rows(sound)
-    table, frame_0 = robot.table(sound), sound[0]
+    table, frame_0 = robot.table(rows, sound[0]), sound[0]
     if table is None or frame_0 is None:
         return JudgedFrames(frames=judged, rows=rows, table=None, base=None, tool=None)
     T_w_0, T_n_tool = matrix(frame_0), np.eye(4)
@@ -175,7 +175,8 @@ def rules_and_table(
     lines, _ = straighten(read_axes(axes), PARALLEL_TOLERANCE)
     robot = _Robot(lines, convention, robot_size(lines, None, None))
     frames, _, broken = robot.against_rules(_read_frames(chosen, len(lines)), rounding)
-    return broken, robot.table(_sound(frames, broken))
+    sound = _sound(frames, broken)
+    return broken, robot.table(robot.rows(sound), sound[0])
 
 
 class _Robot(NamedTuple):
@@ -214,11 +215,10 @@ class _Robot(NamedTuple):
     def rows(self, sound: Sequence[Pose | None]) -> tuple[NumericRow | None, ...]:
         return tuple(self._row(i, sound) for i in range(1, len(sound)))
 
-    def table(self, sound: Sequence[Pose | None]) -> NumericTable | None:
+    def table(self, rows: Sequence[NumericRow | None], frame_0: Pose | None) -> NumericTable | None:
         """The table, once every row and frame 0 are there."""
-        rows = self.rows(sound)
         whole = tuple(row for row in rows if row is not None)
-        if len(whole) < len(rows) or sound[0] is None:
+        if len(whole) < len(rows) or frame_0 is None:
             return None
         return DHTable(convention=self.convention, rows=whole)
 
