@@ -183,7 +183,7 @@ def _reference(reader: Reader, robot: str | None) -> tuple[ReadTable | None, Map
 def robot_facts(reference: ReadTable, robot: str | None) -> RobotFacts:
     """Return what the definitions of an exercise's parts are read beside: its key and its robot."""
     return RobotFacts(
-        joint_types=reference.table.joint_types,
+        row_types=tuple(row.joint for row in reference.table.rows),
         degrees=reference.angle_unit is AngleUnit.DEG,
         limits=catalogue.robot(robot).limits if robot else None,
     )

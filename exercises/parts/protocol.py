@@ -55,14 +55,19 @@ class RobotFacts:
     """What a part's definition is read beside.
 
     Attributes:
-        joint_types: types of the robot's joints.
+        row_types: what varies in each row of the robot's table.
         degrees: the exercise gives angles in degrees.
         limits: of the catalogue robot's joints, if they are known.
     """
 
-    joint_types: tuple[JointType, ...]
+    row_types: tuple[JointType, ...]
     degrees: bool
     limits: Sequence[tuple[float, float]] | None
+
+    @property
+    def joint_types(self) -> tuple[JointType, ...]:
+        """Types of the robot's joints: of the rows that are not fixed."""
+        return tuple(kind for kind in self.row_types if kind is not JointType.FIXED)
 
 
 class RawAnswer:

@@ -48,6 +48,7 @@ from kinematics.dynamics.reading import RawBody, ReadBodies, read_bodies
 from kinematics.errors import Fault, KinematicsError
 from kinematics.expressions import ZERO
 from kinematics.symbolic import Matrix
+from kinematics.table import JointType
 
 MOST_OF_WRONG = 0.8
 """Of a matrix with a wrong entry no more than this is earned, however many entries are right."""
@@ -121,8 +122,9 @@ class MotionType(PartType[MotionPart, MotionCells, EquationsAnswer]):
         """Return a mass and a moment of inertia about z for each joint, in names, under gravity."""
         numbers = range(1, len(robot.joint_types) + 1)
         masses, moments = {f"m{i}": {"value": 1} for i in numbers}, {f"I{i}": {"value": 0.1} for i in numbers}
+        moved = ({"mass": m, "moments": [0, 0, j]} for m, j in zip(masses, moments, strict=True))
         return {
-            "links": [{"mass": m, "moments": [0, 0, j]} for m, j in zip(masses, moments, strict=True)],
+            "links": [{"mass": 0} if kind is JointType.FIXED else next(moved) for kind in robot.row_types],
             "gravity": [0, 0, "-g"],
             "weights": {**masses, **moments, "g": {"value": 9.81}},
         }

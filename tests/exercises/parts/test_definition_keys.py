@@ -13,9 +13,9 @@ from kinematics.errors import Fault
 from kinematics.table import JointType
 
 ROBOTS = {
-    "an elbow arm": RobotFacts(joint_types=(JointType.REVOLUTE,) * 3, degrees=True, limits=None),
+    "an elbow arm": RobotFacts(row_types=(JointType.REVOLUTE,) * 3, degrees=True, limits=None),
     "a slider beside a turn": RobotFacts(
-        joint_types=(JointType.REVOLUTE, JointType.PRISMATIC), degrees=False, limits=None
+        row_types=(JointType.REVOLUTE, JointType.PRISMATIC), degrees=False, limits=None
     ),
 }
 

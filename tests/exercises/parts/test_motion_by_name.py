@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from fractions import Fraction
 from importlib import import_module
 from pathlib import Path
 from typing import Any
@@ -12,10 +13,11 @@ import pytest
 from exercises.answers import RawAnswer, parse
 from exercises.grader import grade
 from exercises.instance import generate
-from exercises.loader import load_exercise
+from exercises.loader import load_exercise, robot_facts
 from exercises.parts.motion.motion_cells import MotionCells
 from exercises.parts.motion.weighed_links import units_of_names
 from exercises.parts.registry import part_type
+from exercises.reading import Reader
 from kinematics.dynamics.reading import RawBody
 from tests.exercises.answering import part
 from tests.exercises.folders import folder
@@ -167,3 +169,12 @@ def test_the_symbols_of_what_links_weigh_are_given_with_their_units() -> None:
     assert given == ("m1 [kg]", "m2 [kg]", "r1 [m]", "r2 [m]", "I1 [kg m²]", "I2 [kg m²]", "g [m/s²]")
     entry = RawBody(mass="k", centre=("m*2", 0, 0), inertia=((0, 0, 0), (0, 0, 0), (0, 0, "k")))
     assert "k" not in units_of_names([entry], (0, 0, 0), "mm")  # a mass and a moment by one name
+
+
+@pytest.mark.parametrize("name", ["twolink", "scara", "stanford"])
+def test_equations_of_motion_begin_with_a_link_for_each_row(name: str) -> None:
+    """Beside a fixed row, as of a planar arm's tip, the authors' page began with a fault: 3 links, not 2."""
+    asked, judge = exercise(name), part_type("equations_of_motion")
+    robot = robot_facts(asked.reference, asked.robot)
+    begun = judge.define(Reader(judge.start(robot), ("parts", 0), []), Fraction(10), robot)
+    assert list(judge.inconsistencies(begun, asked)) == []
