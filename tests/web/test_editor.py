@@ -138,6 +138,8 @@ def test_degrees_among_radians_are_asked_about_once_before_they_are_handed_in(op
     expect(notice).to_be_empty()
     cell(page, 1, "a").focus()
     expect(notice).to_contain_text("90 rad is more than a whole turn")
+    page.set_viewport_size({"width": 320, "height": 800})
+    assert notice.locator(".grow").evaluate("({ clientWidth }) => clientWidth") > 150
     notice.get_by_role("button", name="Read them as degrees").click()
     expect(notice).to_contain_text("now read as degrees")
     assert page.evaluate("document.querySelector('dh-table-editor').table.angle_unit") == "deg"
