@@ -76,6 +76,11 @@ class Arm:
         return np.where(self.revolute, 1.0, self.sliding)
 
     @cached_property
+    def sliding_joints(self) -> tuple[int, ...]:
+        """Which joints slide, from 0: in most arms none."""
+        return tuple(np.flatnonzero(~self.revolute).tolist())
+
+    @cached_property
     def link_basis(self) -> Array:
         """(n, 3, 16) matrices with J_i(q) K_i = c·B_0 + s·B_1 + B_2; (c, s) = (cos q, sin q), or (q, 0)."""
         turn_cos = np.diag([1.0, 1.0, 0.0, 0.0])
@@ -101,10 +106,11 @@ class Arm:
         """
         m, n = q.shape
         weights = np.empty((n, m, 3))
-        columns = q.T
-        weights[:, :, 0] = np.where(self.revolute[:, None], np.cos(columns), columns)
-        weights[:, :, 1] = np.where(self.revolute[:, None], np.sin(columns), 0.0)
+        np.cos(q.T, out=weights[:, :, 0])
+        np.sin(q.T, out=weights[:, :, 1])
         weights[:, :, 2] = 1.0
+        for i in self.sliding_joints:
+            weights[i, :, 0], weights[i, :, 1] = q[:, i], 0.0
         links = (weights @ self.link_basis).reshape(n, m, 4, 4)
         frames = np.empty((n + 1, m, 4, 4))
         frames[0] = self.constants[0]
@@ -124,9 +130,10 @@ class Arm:
         axes = frames[:-1, :, :3, 2]
         arms = frames[-1, :, :3, 3] - frames[:-1, :, :3, 3]
         J = np.empty((frames.shape[1], 6, self.n_joints))
-        turns = self.revolute[:, None, None]
-        J[:, :3] = (np.where(turns, cross_arrays(axes, arms), axes) / self.size).transpose(1, 2, 0)
-        J[:, 3:] = np.where(turns, axes, 0.0).transpose(1, 2, 0)
+        np.divide(cross_arrays(axes, arms).transpose(1, 2, 0), self.size, out=J[:, :3])
+        J[:, 3:] = axes.transpose(1, 2, 0)
+        for i in self.sliding_joints:
+            J[:, :3, i], J[:, 3:, i] = axes[i] / self.size, 0.0
         if self.reach is ArmReach.POSITION:
             J[:, 3:] = 0.0
         elif self.reach is ArmReach.AXIS:

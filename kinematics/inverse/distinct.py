@@ -24,25 +24,35 @@ def differences(q: Array, other: Array, arm: Arm) -> Array:
     return shorter_way((q - other) / arm.units, arm.revolute)
 
 
-def shorter_way(way: Array, revolute: NDArray[np.bool_]) -> Array:
+def shorter_way(way: Array, revolute: NDArray[np.bool_] | np.bool_) -> Array:
     """Return joint differences, (…, n), turns on the circle: in [-π, π)."""
-    return np.where(revolute, (way + np.pi) % (2.0 * np.pi) - np.pi, way)
+    turns = np.floor(way * (0.5 / np.pi) + 0.5)
+    turns *= 2.0 * np.pi * revolute
+    return np.asarray(np.subtract(way, turns, out=turns))
+
+
+def apart(arm: Arm, joints: Array, others: Array) -> Array:
+    """Return the largest joint differences, (m, k), of (m, n) configurations from (k, n) others.
+
+    One joint at a time: on what is m·k·n large this takes a third of the time of `differences`.
+    """
+    farthest = np.zeros((len(joints), len(others)))
+    for q, other, turns in zip((joints / arm.units).T, (others / arm.units).T, arm.revolute, strict=True):
+        way = np.subtract.outer(q, other)
+        np.maximum(farthest, np.abs(shorter_way(way, turns)), out=farthest)
+    return farthest
 
 
 def distinct(arm: Arm, target: Array, joints: Array) -> Array:
     """Return the distinct configurations, each at its first occurrence."""
     if len(joints) < 2:
         return joints
-    apart = differences(joints[:, None], joints[None], arm)
-    distance = np.abs(apart).max(axis=2)
-    kept: list[int] = []
-    for i in range(len(joints)):
-        near = [k for k in kept if distance[i, k] <= DOUBLE_ROOT]
-        if any(distance[i, k] <= SAME for k in near):
-            continue
-        if near and _between(arm, target, joints[i], joints[near]).any():
-            continue
-        kept.append(i)
+    distance = np.tril(apart(arm, joints, joints)) + np.triu(np.full((len(joints), len(joints)), np.inf))
+    kept = np.ones(len(joints), dtype=bool)
+    for i in np.flatnonzero(distance.min(axis=1) <= DOUBLE_ROOT).tolist():
+        near = np.flatnonzero(kept & (distance[i] <= DOUBLE_ROOT))
+        same = bool((distance[i, near] <= SAME).any())
+        kept[i] = not (same or _between(arm, target, joints[i], joints[near]).any())
     return joints[kept]
 
 

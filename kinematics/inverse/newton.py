@@ -48,9 +48,10 @@ def polish(arm: Arm, targets: Array, joints: Array) -> Array:
     the way to the solution is long and bent: the first step along it loses what the next one brings back.
     So a step is not refused for being worse.
     """
-    x = joints / arm.units
-    best, least = x, np.full(len(x), np.inf)
-    last, idle = least, np.zeros(len(x), dtype=int)
+    best = x = joints / arm.units
+    least = last = np.full(len(x), np.inf)
+    idle, alive = np.zeros(len(x), dtype=int), np.arange(len(x))
+    found = best.copy()
     for _ in range(NEWTON_STEPS):
         frames = arm.frames(x * arm.units)
         e = errors_of(arm, frames[-1], targets)
@@ -59,15 +60,21 @@ def polish(arm: Arm, targets: Array, joints: Array) -> Array:
         returning = (least > SIX_LINKS**2) & (cost < 0.25 * last)
         last, idle = cost, np.where((cost < 0.25 * least) | returning, 0, idle + 1)
         best, least = np.where(better[:, None], x, best), np.where(better, cost, least)
-        if (idle >= IDLE_STEPS).all() or cost.max(initial=0.0) <= EXACT**2:
+        found[alive] = best
+        going = (idle < IDLE_STEPS) & (cost > EXACT**2)
+        if not going.all():
+            x, e, best, least, last = x[going], e[going], best[going], least[going], last[going]
+            frames, idle, alive, cost = frames[:, going], idle[going], alive[going], cost[going]
+            targets = targets[going] if targets.ndim > 2 else targets
+        if not len(alive):
             break
         J = arm.jacobians(frames) * arm.units
         U, values, Vt = np.linalg.svd(J, full_matrices=False)
         filtered = values / (values * values + np.maximum(cost, LEAST_DAMPING)[:, None])
-        step = np.einsum("mkn,mk,mik,mi->mn", Vt, filtered, U, e)
+        step = ((filtered * (e[:, None] @ U)[:, 0])[:, None] @ Vt)[:, 0]
         length = np.linalg.norm(step, axis=1)
         x = x + step * np.minimum(1.0, LONGEST_STEP / np.maximum(length, 1e-300))[:, None]
-    return np.asarray(best * arm.units)
+    return np.asarray(found * arm.units)
 
 
 def farthest_off(arm: Arm, tolerance: float) -> float:

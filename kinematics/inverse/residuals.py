@@ -111,12 +111,11 @@ def error_vectors(poses: Array, target: Array, size: float) -> Array:
     sine = 0.5 * np.sqrt((w * w).sum(axis=1))
     cosine = 0.5 * (Q[:, 0, 0] + Q[:, 1, 1] + Q[:, 2, 2] - 1.0)
     angle = np.arctan2(sine, cosine)
-    half = (sine < _NO_AXIS) & (cosine < 0.0)
-    if half.any():
-        axes = _axes_of_half_turns(Q[half], w[half])
-    w *= np.where(sine > 1e-12, 0.5 * angle / np.maximum(sine, 1e-12), 0.5)[:, None]
-    if half.any():
-        w[half] = angle[half, None] * axes
+    turned = w.copy() if (cosine < 0.0).any() else w
+    w *= (0.5 * angle / np.maximum(sine, 1e-300))[:, None]
+    if turned is not w:
+        half = (sine < _NO_AXIS) & (cosine < 0.0)
+        w[half] = angle[half, None] * _axes_of_half_turns(Q[half], turned[half])
     return errors
 
 

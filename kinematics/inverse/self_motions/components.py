@@ -68,11 +68,11 @@ class _Sorter:
         self.ways: list[FamilyPath] = []
 
     def sorted(self, joints: Array) -> list[Component]:
-        left = list(joints if self.arm.redundancy < 2 else joints[:MOST_MEMBERS])
+        left = joints if self.arm.redundancy < 2 else joints[:MOST_MEMBERS]
         found: list[Component] = []
         followed = 0
-        while left:
-            q, *left = left
+        while len(left):
+            q, left = left[0], left[1:]
             J = self.follower.jacobian(q / self.arm.units)
             null = null_space(J, self.lost)
             if followed < self.most and not self.follower.is_spent:
@@ -82,16 +82,18 @@ class _Sorter:
             followed += sum(bool(one.paths) for one in new)
             left = self.members.outside(left, new)
             found += new
-            left += self.members.outside(self._behind_gaps(new), found)
+            if behind := self._behind_gaps(new):
+                left = np.concatenate((left, self.members.outside(np.array(behind), found)))
         return self._whole(found)
 
     def _whole(self, found: list[Component]) -> list[Component]:
         """Components without families that are parts of others."""
-        kept = list(found)
-        for one in found:
-            if any(other is not one and self.members.is_part(one, other) for other in kept):
-                kept = [other for other in kept if other is not one]
-        return kept
+        kept = dict(enumerate(found))
+        lines = [k for k, one in kept.items() if one.dimension == 1 and one.paths]
+        for k in lines:
+            if any(i != k and i in kept and self.members.is_part(found[k], found[i]) for i in lines):
+                del kept[k]
+        return list(kept.values())
 
     def _behind_gaps(self, components: Sequence[Component]) -> list[Array]:
         """Members of families that lie on the ways of others, behind gaps in which the target is lost."""

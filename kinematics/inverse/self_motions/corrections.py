@@ -16,6 +16,10 @@ EXACT = 1e-14
 UNSEEN = 1e-7
 """Part of the largest singular value up to which a correction takes others for zero."""
 
+PLAIN, RIDGE = 1e8, 1e-15
+"""Condition of normal equations up to which their steps are as good as any: the next step mends what 1e-8 of
+one is off. A ridge, a part of their trace, keeps those that are singular from being refused."""
+
 LEVEL = 1e-9
 """Error vectors of this size or less are not corrected by shorter steps: near rounding none is better."""
 
@@ -37,19 +41,14 @@ def corrected_across(arm: Arm, target: Array, x: Array, across: Array) -> tuple[
     square = (e * e).sum(axis=1)
     going = np.ones(len(x), dtype=bool)
     for _ in range(ROUNDS):
-        U, values, Vt = np.linalg.svd(J @ across, full_matrices=False)
-        counts = values > UNSEEN * values[:, :1]
-        inverse = np.where(counts, 1.0 / np.where(counts, values, 1.0), 0.0)
-        seen = (U.transpose(0, 2, 1) @ e[:, :, None])[:, :, 0]
-        step = (across @ (Vt.transpose(0, 2, 1) @ (inverse * seen)[:, :, None]))[:, :, 0]
+        step = _steps(J @ across, across, e)
         tried = x + step
         new_e, new_J = errors_and_jacobians(arm, tried, target)
         new_square = (new_e * new_e).sum(axis=1)
         worse = np.flatnonzero(going & (new_square >= square) & (square > LEVEL**2))
         if len(worse):
-            damped = values[worse] / (values[worse] ** 2 + np.sqrt(square[worse])[:, None])
-            back = (Vt[worse].transpose(0, 2, 1) @ (damped * seen[worse])[:, :, None])[:, :, 0]
-            step[worse] = ((across[worse] if across.ndim > 2 else across) @ back[:, :, None])[:, :, 0]
+            some = across[worse] if across.ndim > 2 else across
+            step[worse] = _by_singular_values(J[worse] @ some, some, e[worse], damped=True)
             tried[worse] = x[worse] + step[worse]
             new_e[worse], new_J[worse] = errors_and_jacobians(arm, tried[worse], target)
             new_square = (new_e * new_e).sum(axis=1)
@@ -60,3 +59,34 @@ def corrected_across(arm: Arm, target: Array, x: Array, across: Array) -> tuple[
         if not going.any():
             break
     return x, e, J
+
+
+def _steps(A: Array, across: Array, e: Array) -> Array:
+    """Gauss–Newton steps, (m, n), by normal equations where these are well conditioned.
+
+    They take a quarter of the time of singular values. AᵀA knows nothing of what a projection leaves out,
+    so that is added: it changes no step.
+    """
+    G = A.transpose(0, 2, 1) @ A + (np.eye(A.shape[2]) - across.swapaxes(-1, -2) @ across)
+    diagonal = np.einsum("mii->mi", G)
+    trace = diagonal.sum(axis=1)
+    diagonal += RIDGE * trace[:, None]
+    inverse = np.linalg.inv(G)
+    step = (across @ (inverse @ (A.transpose(0, 2, 1) @ e[:, :, None])))[:, :, 0]
+    unclear = np.flatnonzero(~(trace * np.abs(inverse).max(axis=(1, 2), initial=0.0) < PLAIN))
+    if len(unclear):
+        some = across[unclear] if across.ndim > 2 else across
+        step[unclear] = _by_singular_values(A[unclear], some, e[unclear], damped=False)
+    return step
+
+
+def _by_singular_values(A: Array, across: Array, e: Array, damped: bool) -> Array:
+    """The same where values may be zero; damped by the errors' size, or as far as they count."""
+    U, values, Vt = np.linalg.svd(A, full_matrices=False)
+    if damped:
+        inverse = values / (values**2 + np.linalg.norm(e, axis=1)[:, None])
+    else:
+        counts = values > UNSEEN * values[:, :1]
+        inverse = np.where(counts, 1.0 / np.where(counts, values, 1.0), 0.0)
+    seen = (U.transpose(0, 2, 1) @ e[:, :, None])[:, :, 0]
+    return np.asarray((across @ (Vt.transpose(0, 2, 1) @ (inverse * seen)[:, :, None]))[:, :, 0])

@@ -193,7 +193,10 @@ class Follower:
 
 
 def nearest_on(arm: Arm, path: FamilyPath, q: Array) -> tuple[Array, Array]:
-    """Return the way from a path's nearest chord to a configuration, and that chord; both in units."""
+    """Return the way from a path's nearest chord to a configuration, and that chord; both in units.
+
+    Of several configurations, (m, n), it returns (m, n) of each.
+    """
     points = path.points / arm.units
     way = np.diff(points, axis=0)
     if path.closed:
@@ -201,12 +204,12 @@ def nearest_on(arm: Arm, path: FamilyPath, q: Array) -> tuple[Array, Array]:
     start = points[: len(way)] if len(way) else points
     way = way if len(way) else np.zeros_like(points)
     # Each joint by the turn that is nearest to the middle of the chord.
-    off = shorter_way(q / arm.units - start - 0.5 * way, arm.revolute) + 0.5 * way
+    off = shorter_way((q / arm.units)[..., None, :] - start - 0.5 * way, arm.revolute) + 0.5 * way
     square = np.maximum((way * way).sum(axis=1), 1e-300)
-    part = np.clip((off * way).sum(axis=1) / square, 0.0, 1.0)
-    off = off - part[:, None] * way
-    k = int((off * off).sum(axis=1).argmin())
-    return off[k], way[k]
+    part = np.clip((off * way).sum(axis=-1) / square, 0.0, 1.0)
+    off -= part[..., None] * way
+    k = (off * off).sum(axis=-1).argmin(axis=-1)
+    return np.take_along_axis(off, k[..., None, None], axis=-2)[..., 0, :], way[k]
 
 
 def pivots_of(directions: Array) -> Sequence[int]:

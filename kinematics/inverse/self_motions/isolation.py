@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.inverse.arm import Arm, Array
-from kinematics.inverse.distinct import SAME, differences
+from kinematics.inverse.distinct import SAME, apart, differences
 from kinematics.inverse.residuals import are_solutions, errors_of
 from kinematics.inverse.self_motions.corrections import corrected
 from kinematics.inverse.self_motions.families import LOST, Follower, weighing_alike
@@ -50,10 +50,10 @@ def told_apart(arm: Arm, target: Array, joints: Array, tolerance: float) -> tupl
     J = arm.jacobians(frames) * arm.units
     least = np.linalg.svd(J, compute_uv=False)[:, arm.generic_rank - 1]
     delicate = (least <= MERGING * math.sqrt(tolerance)) | (arm.redundancy > 0)
-    apart = np.abs(differences(joints[:, None], joints[None], arm)).max(axis=2)
-    np.fill_diagonal(apart, np.inf)
+    between = apart(arm, joints, joints)
+    np.fill_diagonal(between, np.inf)
     if not arm.redundancy and float(least.min()) > lost_value(tolerance):
-        delicate &= apart.min(axis=1) <= fold_length(tolerance)
+        delicate &= between.min(axis=1) <= fold_length(tolerance)
     order = np.argsort(errors, kind="stable").tolist()
     if not arm.redundancy and delicate.any():
         some = [i for i in order if delicate[i]]
@@ -63,7 +63,7 @@ def told_apart(arm: Arm, target: Array, joints: Array, tolerance: float) -> tupl
             delicate[:] = False
     alone: list[int] = []
     for i in order:
-        if not delicate[i] and all(apart[i, k] > SAME for k in alone):
+        if not delicate[i] and all(between[i, k] > SAME for k in alone):
             alone.append(i)
     return alone, [i for i in order if delicate[i]]
 

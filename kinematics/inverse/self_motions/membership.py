@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from kinematics.inverse.arm import Arm, Array
 from kinematics.inverse.distinct import SAME, differences, shorter_way
+from kinematics.inverse.residuals import are_solutions
 from kinematics.inverse.self_motions.families import FamilyPath, Follower, nearest_on
 from kinematics.inverse.self_motions.isolation import ACROSS_A_FOLD, fold_length, lost_value
 from kinematics.inverse.self_motions.walks import leads
@@ -63,25 +64,24 @@ class Membership:
     def is_part(self, family: Component, other: Component) -> bool:
         """Return whether the paths of a family lie on those of another, as far as some of their points tell.
 
-        One that was followed from one side may have ended where it crosses others; the way from another
-        member leads across, and all along it.
+        Both have been followed. One that was followed from one side may have ended where it crosses others;
+        the way from another member leads across, and all along it.
         """
-        if family.dimension != 1 or other.dimension != 1 or not (family.paths and other.paths):
-            return False
         points = [path.points[:: max(len(path.points) // STATIONS, 1)] for path in family.paths]
         ends = [path.points[-1:] for path in family.paths]
-        return all(any(self._on(path, q) for path in other.paths) for q in np.concatenate(points + ends))
+        joints = np.concatenate(points + ends)
+        return bool(np.any([self._on(path, joints) for path in other.paths], axis=0).all())
 
-    def outside(self, joints: Sequence[Array], components: Sequence[Component]) -> list[Array]:
-        """Return those solutions that belong to none of the components."""
-        left = np.array(joints)
+    def outside(self, joints: Array, components: Sequence[Component]) -> Array:
+        """Return those of (m, n) solutions that belong to none of the components."""
+        left = joints
         for one in components:
             inside = self._within_each(one, left) if len(left) else np.empty(0, dtype=bool)
             new, left = left[inside], left[~inside]
             while one.dimension > 1 and len(new) and len(left):
                 inside = self._led(left, self._nearest(new, left))
                 new, left = left[inside], left[~inside]
-        return list(left)
+        return left
 
     def _nearest(self, members: Array, joints: Array) -> Array:
         """(k, m, n) the members of a family, in units, that are nearest to each of (m, n) solutions."""
@@ -94,8 +94,8 @@ class Membership:
         apart = differences(joints, component.joints, self._arm)
         farthest = np.abs(apart).max(axis=1)
         inside = farthest <= SAME
-        for i in np.flatnonzero(~inside).tolist():
-            inside[i] = any(self._on(path, joints[i]) for path in component.paths)
+        for path in component.paths:
+            inside[~inside] = self._on(path, joints[~inside])
         x = component.joints / self._arm.units
         near = np.flatnonzero(~inside & (farthest <= self._long))
         if self._arm.redundancy and not component.dimension:
@@ -145,7 +145,7 @@ class Membership:
         x = joints / self._arm.units
         places = [np.broadcast_to(component.joints / self._arm.units, x.shape)]
         for path in component.paths:
-            places.append(x - [nearest_on(self._arm, path, q)[0] for q in joints])
+            places.append(x - nearest_on(self._arm, path, joints)[0])
             if component.dimension > 1:
                 points = path.points[:: max(len(path.points) // STATIONS, 1)] / self._arm.units
                 places += [np.broadcast_to(point, x.shape) for point in points]
@@ -159,16 +159,20 @@ class Membership:
         arrived = leads(self._follower, x, places.reshape(x.shape), self._lost)
         return np.asarray(arrived.reshape(places.shape[:2]).any(axis=0))
 
-    def _on(self, path: FamilyPath, q: Array) -> bool:
-        """Whether a solution is on a path: its nearest chord, corrected, leads to it."""
-        off, chord = nearest_on(self._arm, path, q)
-        distance, length = float(np.linalg.norm(off)), float(np.linalg.norm(chord))
-        if distance <= self._beside or length == 0.0:
-            return distance <= self._beside
-        if distance > CHORD:
-            return False
-        x = q / self._arm.units
-        corrected, e, _ = self._follower.corrected(x - off, (chord / length)[None])
-        if self._follower.reached(e) and float(np.linalg.norm(corrected - x)) <= self._beside:
-            return True
-        return self._follower.joined(x, x - off)
+    def _on(self, path: FamilyPath, joints: Array) -> NDArray[np.bool_]:
+        """Which of (m, n) solutions are on a path: their nearest chords, corrected, lead to them."""
+        off, chord = nearest_on(self._arm, path, joints)
+        distance, length = np.linalg.norm(off, axis=1), np.linalg.norm(chord, axis=1)
+        on = distance <= self._beside
+        near = np.flatnonzero(~on & (length > 0.0) & (distance <= CHORD))
+        if not len(near):
+            return np.asarray(on)
+        x = joints[near] / self._arm.units
+        start = x - off[near]
+        corrected, e, _ = self._follower.corrected_all(start, (chord / length[:, None])[near][:, None])
+        beside = np.linalg.norm(corrected - x, axis=1) <= self._beside
+        on[near] = beside & are_solutions(e, self._follower.arm, self._follower.tolerance)
+        left = ~on[near]
+        if left.any():
+            on[near[left]] = self._follower.joined_each(x[left], start[left])
+        return np.asarray(on)

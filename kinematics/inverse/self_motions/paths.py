@@ -91,11 +91,18 @@ def _take_steps(follower: Follower, ways: list[_OneWay]) -> None:
     """Take the next step of each way, all that may be in the same array operations."""
     tried = [way.next_steps() for way in ways]
     counts = [len(steps) for steps in tried]
-    starts = [way.x + steps[:, None] * way.direction for way, steps in zip(ways, tried, strict=True)]
-    across = np.repeat([way.across() for way in ways], counts, axis=0)
-    found, e, J = corrected_across(follower.arm, follower.target, np.concatenate(starts), across)
-    off = np.linalg.norm(found - np.concatenate(starts), axis=1)
-    kept = are_solutions(e, follower.arm, follower.tolerance) & (off <= np.concatenate(tried))
+    all_steps = np.concatenate(tried)[:, None]
+    aims = np.repeat([way.x for way in ways], counts, axis=0)
+    aims += all_steps * np.repeat([way.direction for way in ways], counts, axis=0)
+    across = [way.across() for way in ways]
+    bends = np.repeat(
+        [free @ (way.curvature @ free) for way, free in zip(ways, across, strict=True)], counts, axis=0
+    )
+    found, e, J = corrected_across(
+        follower.arm, follower.target, aims + 0.5 * all_steps**2 * bends, np.repeat(across, counts, axis=0)
+    )
+    off = np.linalg.norm(found - aims, axis=1)
+    kept = are_solutions(e, follower.arm, follower.tolerance) & (off <= all_steps[:, 0])
     ends = np.cumsum(counts)
     for way, steps, end, count in zip(ways, tried, ends.tolist(), counts, strict=True):
         rows = slice(end - count, end)
@@ -108,6 +115,7 @@ class _OneWay:
     Attributes:
         x: (n,) where it has come to, in units.
         direction: (n,) unit direction in which it goes on.
+        curvature: (n,) how the direction turned in the last step, per length; corrections start from there.
         points: where it has been since its start.
         goes: whether it goes on.
         closed: whether it has come back to its start.
@@ -119,6 +127,7 @@ class _OneWay:
         self.x, self.direction = start, direction
         self.points: list[Array] = []
         self.goes, self.closed, self.spent = True, False, 0
+        self.curvature = np.zeros(len(start))
         self._directions: list[Array] = []
         self._step, self._last, self._gone = FIRST_STEP, FIRST_STEP, 0.0
         self._steps, self._halved = 0, 0
@@ -182,6 +191,7 @@ class _OneWay:
         if self._gone > 2.0 * math.pi and self._was_there(new, turned, h):
             self.goes = False
             return True
+        self.curvature = (turned - self.direction) / h if bend <= 3.0 * STRAIGHT else np.zeros(len(new))
         self.x, self.direction, self._second = new, turned, second
         self.points.append(new)
         self._directions.append(turned)

@@ -9,7 +9,9 @@ from kinematics.inverse.goals import read_goal
 from kinematics.inverse.results import Isolation, UnreachableReason
 from kinematics.inverse.search import MOST_STARTS
 from kinematics.inverse.self_motions import corrections, families, paths, walks
-from kinematics.inverse.self_motions.families import Follower
+from kinematics.inverse.self_motions.families import Follower, null_space
+from kinematics.inverse.self_motions.membership import Component, Membership
+from kinematics.inverse.self_motions.paths import path_through
 from kinematics.inverse.self_motions.walks import leads
 from kinematics.table import Convention
 from tests.kinematics.inverse.models import MODELS
@@ -110,3 +112,64 @@ def test_of_no_pairs_none_is_led():
     goal = read_goal(end_pose(solver.table, np.zeros(6)), None, where=())
     nothing = np.empty((0, 6))
     assert not len(leads(Follower(solver.arm, goal.pose, goal.tolerance), nothing, nothing, 1e-6))
+
+
+def followed():
+    """A Panda's follower at a pose, a solution, and the path of its family."""
+    q = np.array([0.3, -0.7, 0.5, -1.1, 0.2, 0.9, 0.4])
+    arm = solver_of(MODELS["panda"]).arm
+    follower = Follower(arm, end_pose(MODELS["panda"], q), 1e-9)
+    (direction,) = null_space(follower.jacobian(q / arm.units), 1e-6)
+    return follower, q, path_through(follower, q / arm.units, direction)
+
+
+def test_many_solutions_are_looked_for_on_a_path_together(monkeypatch):
+    follower, q, path = followed()
+    one = Component(q, (path,), 1)
+    rng = np.random.default_rng(3)
+    beside = path.points[1:-1] + 0.01 * rng.normal(size=path.points[1:-1].shape)
+    between = 0.5 * (path.points[1:] + path.points[:-1])[4:]
+    asked = np.concatenate((beside, between))
+    members = Membership(follower.arm, follower, follower.tolerance)
+    calls = counted(monkeypatch)
+    left = members.outside(asked, [one])
+    assert len(calls) <= 3
+    assert [members.within(one, joints) for joints in asked] == [
+        joints.tolist() not in left.tolist() for joints in asked
+    ]
+    assert any(members.within(one, joints) for joints in between)
+
+
+def test_corrections_of_a_bent_path_start_where_it_bends(monkeypatch):
+    calls = []
+    evaluate = corrections.errors_and_jacobians
+
+    def evaluated(arm, x, target):
+        calls.append(len(x))
+        return evaluate(arm, x, target)
+
+    monkeypatch.setattr(corrections, "errors_and_jacobians", evaluated)
+    steps = counted(monkeypatch)
+    _, _, path = followed()
+    assert len(path.points) > 50
+    assert len(calls) <= 3.6 * len(steps)
+
+
+def test_what_has_arrived_is_not_polished_on(monkeypatch):
+    calls = []
+    errors = newton.errors_of
+
+    def counted_errors(arm, poses, target):
+        calls.append(len(poses))
+        return errors(arm, poses, target)
+
+    monkeypatch.setattr(newton, "errors_of", counted_errors)
+    q = np.array([0.3, -0.7, 1.2, 0.5, 0.9, -1.4])
+    arm, target = solver_of(PUMA560).arm, end_pose(PUMA560, q)
+    starts = np.array([q + 1e-6, q + 0.1, -q])
+    alone = [newton.polish(arm, target, start[None])[0] for start in starts]
+    rows = sum(calls)
+    calls.clear()
+    together = newton.polish(arm, target, starts)
+    assert sum(calls) == rows
+    assert together == pytest.approx(np.array(alone), abs=1e-14)
