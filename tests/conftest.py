@@ -49,8 +49,9 @@ def folders_in_memory(folder: str = "/dev/shm") -> None:
 
 folders_in_memory()
 
-LONG = ("web", "lti", "service")
-"""Folders that start first, so that no worker is left with a long file at the end."""
+LONG = ("web", "lti", "service", "fuzz", "kinematics", "mued")
+"""Folders that start first, so that no worker is left with a long file at the end: the last files of the
+others take a few seconds each."""
 
 
 def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:

@@ -27,14 +27,22 @@ patient = httpx.Client(timeout=120, headers={"Connection": "close"})
 """Machines that run tests may be busy."""
 
 COMMAND = [sys.executable, "-m", "service", "--port", "0"]
+HASTY = [
+    *(sys.executable, "-c"),
+    "from service.cli import serve; serve._ENDING_SECONDS = 3; from service.__main__ import main; main()",
+    *("--port", "0"),
+]
+"""Ends a process that does not end by itself nine seconds sooner."""
 
 
 @contextmanager
-def server(log: list[str] | None = None, **environment: str) -> Iterator[tuple[subprocess.Popen[str], str]]:
+def server(
+    log: list[str] | None = None, command: list[str] = COMMAND, **environment: str
+) -> Iterator[tuple[subprocess.Popen[str], str]]:
     """Start a server; what it logs from then on is added to `log` when it has ended."""
     log = [] if log is None else log
     process = subprocess.Popen(
-        COMMAND,
+        command,
         cwd=ROOT,
         env={**os.environ, **environment},
         stdout=subprocess.DEVNULL,
@@ -148,7 +156,7 @@ def test_who_comes_after_the_signal_is_refused_also_by_several_processes() -> No
 
 def test_a_process_that_stands_still_does_not_keep_several_alive() -> None:
     """The end was waited for without end, and the signal not heard for as long as a minute."""
-    with server(FRAMEWISE_SHUTDOWN_SECONDS="1", FRAMEWISE_WORKERS="2") as (process, _):
+    with server(command=HASTY, FRAMEWISE_SHUTDOWN_SECONDS="1", FRAMEWISE_WORKERS="2") as (process, _):
         children = Path(f"/proc/{process.pid}/task/{process.pid}/children").read_text().split()
         serving = [
             int(each) for each in children if b"spawn_main" in Path(f"/proc/{each}/cmdline").read_bytes()
