@@ -18,7 +18,7 @@ from itertools import combinations
 import numpy as np
 
 from kinematics.inverse.arm import Array
-from kinematics.inverse.distinct import differences
+from kinematics.inverse.distinct import shorter_way
 from kinematics.inverse.self_motions.families import FamilyPath, Follower, nearest_on
 
 NEAR_A_CROSSING = 0.5
@@ -139,7 +139,7 @@ def is_beside(follower: Follower, path: FamilyPath, x: Array, distance: float) -
 
 def _crossings(follower: Follower, path: FamilyPath) -> Iterator[tuple[Array, Array]]:
     """Where the second singular value is least along a path, in units, and the path's direction there."""
-    x, values = path.points / follower.arm.units, path.second
+    x, values = _with_middles(follower, path)
     last = len(x) - 1
     tried = 0
     for k in range(len(x)):
@@ -153,11 +153,25 @@ def _crossings(follower: Follower, path: FamilyPath) -> Iterator[tuple[Array, Ar
         if before in sides and values[before] == values[k]:
             continue
         tried += 1
-        ways = [differences(path.points[i], path.points[k], follower.arm) for i in sides]
+        ways = [shorter_way(x[i] - x[k], follower.arm.revolute) for i in sides]
         found = _least(follower, x[k], ways[0], ways[-1] if len(ways) > 1 else np.zeros_like(ways[0]))
         if found is not None:
             way = ways[-1] - (ways[0] if len(ways) > 1 else 0.0)
             yield found, way / max(float(np.linalg.norm(way)), 1e-300)
+
+
+def _with_middles(follower: Follower, path: FamilyPath) -> tuple[Array, Array]:
+    """A path's points, in units, and their second singular values, with a point between every two.
+
+    Two crossings within two steps of the path would else look like one.
+    """
+    x = path.points / follower.arm.units
+    ends = np.concatenate((x[1:], x[:1])) if path.closed else x[1:]
+    ways = shorter_way(ends - x[: len(ends)], follower.arm.revolute)
+    units = ways / np.maximum(np.linalg.norm(ways, axis=1), 1e-300)[:, None]
+    middles, _, _ = follower.corrected_all(x[: len(ends)] + 0.5 * ways, units[:, None])
+    between = np.arange(1, len(ends) + 1)
+    return np.insert(x, between, middles, axis=0), np.insert(path.second, between, follower.second(middles))
 
 
 def _least(follower: Follower, x: Array, back: Array, ahead: Array) -> Array | None:

@@ -148,6 +148,21 @@ def test_families_leave_where_the_jacobian_stays_blind():
     assert max(abs(float(direction @ wrist)) for direction in free) > 0.999
 
 
+@pytest.mark.parametrize("fourth", [0.3, -2.2])
+@pytest.mark.parametrize("second", [-1.1, -2.0, 1.1, 1.9])
+def test_two_crossings_half_a_radian_apart_on_one_family(second, fourth):
+    """A Stanford arm drawn in, its wrist in line: joints 2 and 5 turn together, or 4 and 6, each in two ways.
+
+    Those of the second kind cross the first where the wrist is in line, near to where joint 2 stands upright.
+    """
+    q = [-1.1, second, 0.0, fourth, 0.0, 0.3]
+    _, _, answer = asked("catalogue stanford", q)
+    assert answer.status is IKStatus.SINGULAR
+    at_rest = [np.ptp(np.array(s.family.members), axis=0)[1] < 1e-3 for s in answer.solutions]
+    assert sorted(at_rest) == [False, False, True, True]
+    assert any(abs(s.joints[1] - second) < 1e-3 for s in answer.solutions)
+
+
 @pytest.mark.parametrize("seed", [0, 2])
 def test_a_stretched_elbow_of_seven_joints_is_found_with_the_wrist_either_way(seed):
     """A Gen3 at the end of its reach: its offsets leave each family a point, all but level along q_3."""
