@@ -16,9 +16,9 @@ EXACT = 1e-14
 UNSEEN = 1e-7
 """Part of the largest singular value up to which a correction takes others for zero."""
 
-PLAIN, RIDGE = 1e8, 1e-15
+PLAIN, RIDGE = 1e8, 1e-14
 """Condition of normal equations up to which their steps are as good as any: the next step mends what 1e-8 of
-one is off. A ridge, a part of their trace, keeps those that are singular from being refused."""
+one is off. A ridge, a part of their trace, keeps most that are singular from being refused."""
 
 LEVEL = 1e-9
 """Error vectors of this size or less are not corrected by shorter steps: near rounding none is better."""
@@ -71,7 +71,10 @@ def _steps(A: Array, across: Array, e: Array) -> Array:
     diagonal = np.einsum("mii->mi", G)
     trace = diagonal.sum(axis=1)
     diagonal += RIDGE * trace[:, None]
-    inverse = np.linalg.inv(G)
+    try:
+        inverse = np.linalg.inv(G)
+    except np.linalg.LinAlgError:  # one is singular to the last digit, as where no joint moves the hand
+        return _by_singular_values(A, across, e, damped=False)
     step = (across @ (inverse @ (A.transpose(0, 2, 1) @ e[:, :, None])))[:, :, 0]
     unclear = np.flatnonzero(~(trace * np.abs(inverse).max(axis=(1, 2), initial=0.0) < PLAIN))
     if len(unclear):
