@@ -87,12 +87,17 @@ def test_figure_row_and_robot_are_in_sight_while_typing(open_page: OpenPage, wid
 def test_a_cell_and_what_it_is_drawn_as_light_each_other(open_page: OpenPage) -> None:
     page = open_page("/exercises/puma560")
     put_table(page, PUMA)
-    expect(page.locator("#announcer")).to_contain_text("Drawn from your table")
+    told = page.locator("#own .own-told")
+    expect(told).to_contain_text("Drawn from your table")
+    watch = "told => new MutationObserver(() => (told.changed = true)).observe(told, { childList: true })"
+    told.evaluate(watch)
     page.evaluate("document.getElementById('announcer').textContent = ''")
     cell(page, 2, "a").focus()
     expect(cell(page, 2, "a")).to_have_class("lit")
     expect(page.locator(".film-text")).to_have_text("Row 3, 2 of 4: move along x₂ by a = 0.4318 m.")
-    expect(page.locator("#own").get_by_role("status").filter(has_text=re.compile("."))).to_have_count(0)
+    others = page.locator("#own [role=status]:not(.own-told)").filter(has_text=re.compile("."))
+    expect(others).to_have_count(0)
+    assert not told.evaluate("told => told.changed")
     expect(page.locator("#announcer")).to_be_empty()
     items = "document.querySelector('#own robot-scene').overlay.items"
     assert page.evaluate(f"{items}.filter((item) => item.tone === 'lit').length") > 0

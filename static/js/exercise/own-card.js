@@ -1,6 +1,6 @@
 /** The student's own robot: scene, joints, values of parameters, matrices. Nothing here knows the key. */
 
-import { announce, el, fill, uniqueId } from "../dom.js";
+import { el, fill, uniqueId } from "../dom.js";
 import { named, t } from "../i18n.js";
 import { resetButton } from "../joint-sliders.js";
 import { numberIn, plain } from "../numbers.js";
@@ -13,7 +13,6 @@ import { convertedValues } from "../units.js";
 export class OwnCard {
   empty = 0;
   waiting = "";
-  isWhole = false;
   shownNames = "";
 
   /**
@@ -39,6 +38,8 @@ export class OwnCard {
     this.matrices = el("matrix-panel");
     this.matrices.api = api;
     this.status = el("p", { class: "hint own-status", text: t("form-own-empty") });
+    /** Read out, beside what else is: a warning that is announced at the same time stays. */
+    this.told = el("p", { class: "visually-hidden own-told", role: "status" });
     this.fields = el("div", { class: "parameter-fields" });
     this.parameters = el(
       "div",
@@ -60,7 +61,7 @@ export class OwnCard {
       this.withheld,
       this.matrices,
     );
-    fill(place, this.scene, this.film.element, this.status, this.jointCard, this.parameters, this.panel);
+    fill(place, this.scene, this.film.element, this.status, this.told, this.jointCard, this.parameters, this.panel);
     this.#listen();
   }
 
@@ -143,8 +144,8 @@ export class OwnCard {
     this.place.classList.toggle("blank", rows.length === 0);
     const shown = rows.length ? t("form-own-rows", { rows: rows.length }) : t("form-own-empty");
     this.status.textContent = whole ? t("form-own-shown", { joints: joints.length }) : `${shown} ${this.waiting}`;
-    if (whole && !this.isWhole) announce(this.status.textContent);
-    this.isWhole = whole;
+    if (!whole) this.told.textContent = "";
+    else if (!this.told.textContent) this.told.textContent = this.status.textContent;
     this.#dim(false);
   }
 
