@@ -20,6 +20,11 @@ export class Problem extends Error {
       ? body.errors
       : [{ code: this.code, pointer: "", detail: this.message, params: {} }];
   }
+
+  /** Whether it is the service that cannot answer now: the same call may be right later. */
+  get passing() {
+    return this.status >= 500 || this.status === TOO_MANY;
+  }
 }
 
 /** The service could not be reached. */
@@ -32,6 +37,7 @@ class Unreachable extends Error {
 }
 
 const BUSY = 503;
+const TOO_MANY = 429;
 /** The field of a ticket that says when an answer came which could not be taken just then. */
 const ARRIVAL = "Framewise-Arrival";
 /** Seconds that a page waits by itself. */
@@ -162,7 +168,7 @@ export class Latest {
 
 /**
  * Runs calls one after another, and of those that come while one is under way only the last: while a slider
- * is dragged, answers keep coming and the final one is for the final value.
+ * is dragged, answers keep coming and the final one is for the final value. An error counts if it is the last call's.
  */
 export class Throttled {
   /** @type {(() => Promise<void>) | null} */
@@ -183,7 +189,11 @@ export class Throttled {
       while (this.#next) {
         const current = this.#next;
         this.#next = null;
-        await current();
+        try {
+          await current();
+        } catch (error) {
+          if (!this.#next) throw error;
+        }
         if (this.#next) await new Promise((resolve) => setTimeout(resolve, this.pause));
       }
     } finally {

@@ -11,7 +11,8 @@
  *
  * Events: `typed` (a new table is being looked at), `reading` (what was understood, and the faults), `parameters`
  * (the names that the table uses, and which of them have no value), `robot` (a scene model and joints to move),
- * `poses` (matrices at the joints' present values), `failure` (the service could not be reached; it is asked again until it can).
+ * `poses` (matrices at the joints' present values), `failure` (the service could not be reached or was busy; it is
+ * asked again until it answers).
  */
 
 import { Problem, Throttled } from "./api.js";
@@ -144,7 +145,7 @@ export class LiveRobot extends EventTarget {
   #draw(state, reading) {
     if (reading.rows.length === 0) return;
     const { subject, ...robot } = modelled(state, reading, this.options);
-    const values = this.#values(state, robot.joints);
+    const values = this.#values(robot.joints);
     this.#drawn = { subject: { ...subject, joints: values }, robot: { ...robot, values }, state };
     this.#tell("robot", this.#drawn.robot);
     this.#pose();
@@ -152,10 +153,11 @@ export class LiveRobot extends EventTarget {
 
   /**
    * Where the joints of a robot stand at first: as asked for, else where they stood, as far as they may.
-   * @param {State} state @param {JointRange[]} joints
+   * @param {JointRange[]} joints
    */
-  #values(state, joints) {
-    if (state.joints) return joints.map((_, i) => (state.joints?.length === joints.length ? state.joints[i] : 0));
+  #values(joints) {
+    const asked = this.#pending;
+    if (asked) return joints.map((_, i) => (asked.length === joints.length ? asked[i] : 0));
     const before = this.#drawn?.subject;
     return joints.map((joint, i) => clamped(joint, before?.types[i] === joint.type ? before.joints[i] : 0));
   }
@@ -181,8 +183,10 @@ export class LiveRobot extends EventTarget {
   /** @param {unknown} error */
   #fail(error) {
     if (error instanceof Error && error.name === "AbortError") return;
-    if (error instanceof Problem) this.#tell("reading", { whole: false, rows: [], faults: error.faults });
-    else {
+    if (error instanceof Problem && !error.passing) {
+      this.#tell("reading", { whole: false, rows: [], faults: error.faults });
+    } else {
+      this.#answered = null;
       this.#tell("failure", error);
       this.later();
     }

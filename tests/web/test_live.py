@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from playwright.sync_api import CDPSession, Page, expect
+from playwright.sync_api import CDPSession, Page, Route, expect
 
 from tests.web.answers import PUMA_VALUES
 from tests.web.conftest import OpenPage, Watch
@@ -38,6 +38,8 @@ def delay(page: Page, call: str, *milliseconds: int) -> None:
 
 
 def open_matrices(page: Page) -> None:
+    """Once the robot is drawn: until then what is above the matrices grows, and a click may miss them."""
+    expect(page.locator("#own .own-status")).to_contain_text("Drawn from your table")
     page.locator("#own details > summary").last.click()
     expect(page.locator("matrix-panel .matrix-block")).not_to_have_count(0)
 
@@ -153,6 +155,35 @@ def test_matrices_in_symbols_and_their_sources(open_page: OpenPage) -> None:
         first.get_by_role("button", name=label, exact=True).click()
         expect(page.locator("#announcer")).to_have_text(f"Copied as {label}")
         assert part in page.evaluate("navigator.clipboard.readText()")
+
+
+@pytest.mark.parametrize("status", [None, 429, 503])
+def test_matrices_are_asked_again_until_they_come(
+    open_page: OpenPage, watch: Watch, status: int | None
+) -> None:
+    """The service is away or busy, and the robot stays where it was brought to."""
+    for passing in ("ERR_FAILED", "429", "503"):
+        watch.allow(passing)
+    page = open_page(ASKS_FOR_NO_MATRICES)
+    put_table(page, TWO_LINKS)
+    failed: list[str] = []
+
+    def fail_first(route: Route) -> None:
+        failed.append(route.request.url)
+        if len(failed) > 1:
+            route.continue_()
+        elif status is None:
+            route.abort()
+        else:
+            route.fulfill(status=status, json={"title": "Busy", "code": "busy"})
+
+    page.route("**/forward-kinematics", fail_first)
+    page.get_by_label("q1 in °").fill("60")
+    open_matrices(page)
+    expect(page.locator("matrix-panel .bracketed mn").first).to_have_text("0.5")
+    expect(page.locator("#own .own-status")).to_contain_text("Drawn from your table")
+    expect(page.get_by_label("q1 in °")).to_have_value("60")
+    assert len(failed) == 2
 
 
 def transferred(page: Page, session: CDPSession) -> dict[str, int]:

@@ -56,3 +56,12 @@ test("a failing call does not stop the next one", async () => {
   await throttled.run(async () => void (ran = true));
   assert.ok(ran);
 });
+
+test("the call that waits is made although the one before it fails", async () => {
+  const throttled = new Throttled(0);
+  let ran = false;
+  const running = throttled.run(() => later(5).then(() => Promise.reject(new Error("no"))));
+  throttled.run(async () => void (ran = true));
+  await running;
+  assert.ok(ran);
+});
