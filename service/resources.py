@@ -63,8 +63,8 @@ class Resources:
 
     def __init__(self, settings: Settings) -> None:
         self.settings = settings
-        self.limiters = limiters(settings)
         self.turns = FairQueue(slots=TURNS, capacity=settings.grading_queue, timeout=settings.queue_seconds)
+        self.limiters = limiters(settings, self.turns)
         self.under_way = 0
         self.courses = (
             CourseResources(settings, self._waiting_answers, lambda: self.under_way > MANY_REQUESTS)
@@ -109,8 +109,9 @@ class Resources:
         return {name: (queue.running, queue.waiting) for name, queue in queues.items()}
 
     def is_busy(self) -> bool:
-        """Return whether anything is done or waits in threads."""
-        return any(limiter.queue.running for limiter in self.limiters.values())
+        """Return whether anything is done in threads, or a request has its turn in the event loop."""
+        queues = (self.turns, *(limiter.queue for limiter in self.limiters.values()))
+        return any(queue.running for queue in queues)
 
     def help_now(self, asked: HelpLevel | None) -> HelpLevel | None:
         """Return how much a wrong answer may be told now; its score is the same however long the lane is."""

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import asyncio
 import time
 from collections import OrderedDict
 from collections.abc import Callable, Hashable
@@ -24,6 +23,9 @@ TRIED = 3
 """So many times work of a kind is done in a thread before it is known how long it takes."""
 FADING = 0.9
 """What a kind of work took at the most counts so much less each time."""
+DRAWN_WITHIN = 300.0
+"""Time that a request may wait for a drawing [s]: about as long as browsers do, which do not ask again for a
+picture that was refused."""
 _Result = TypeVar("_Result")
 
 
@@ -38,13 +40,16 @@ class WorkKind(StrEnum):
 
 
 class Limiter:
-    """Lets so many tasks run at a time, and so many wait."""
+    """Lets so many tasks run at a time, and so many wait; what is light takes its turn in the event loop."""
 
-    def __init__(self, *, threads: int, capacity: int, timeout: float) -> None:
+    def __init__(
+        self, *, threads: int, capacity: int, timeout: float, turns: FairQueue | None = None
+    ) -> None:
         self._threads = ThreadPoolExecutor(threads, thread_name_prefix="limited")
         self._done: OrderedDict[Hashable, None] = OrderedDict()
         self._kinds: OrderedDict[Hashable, tuple[int, float]] = OrderedDict()
         self.queue = FairQueue(slots=threads, capacity=capacity, timeout=timeout)
+        self._turns = turns or self.queue
 
     async def acquire(self) -> ThreadSlot:
         """Wait for a slot, and take it until it is released.
@@ -73,8 +78,7 @@ class Limiter:
             question: what the work follows from.
             work: what is to be done; it waits for nothing but the processor.
             kind: of work that takes about as long whatever it follows from; once it has been seen to take
-                little, it is done at once the first time too, one piece between two looks of the event loop
-                at its connections.
+                little, it is done at once the first time too, in turn with other requests in the event loop.
 
         Raises:
             BusyError: as in `run`.
@@ -93,11 +97,8 @@ class Limiter:
         if times < TRIED or most > LIGHT:
             result, seconds = await self.run(lambda: _timed(work))
         else:
-            slot = await self.acquire()
-            try:
-                result, seconds = _timed(work)
-            finally:
-                asyncio.get_running_loop().call_soon(slot.release)
+            await self._turns.turn()
+            result, seconds = _timed(work)
         times, most = self._kinds.pop(kind, (0, 0.0))
         self._kinds[kind] = times + 1, max(seconds, FADING * most)
         while len(self._kinds) > DONE:
@@ -137,16 +138,13 @@ class ThreadSlot:
         self._slot.release()
 
 
-def limiters(settings: Settings) -> dict[WorkKind, Limiter]:
-    """Return the limiters of an application."""
-    threads = {
-        WorkKind.BATCH: (settings.batch_threads, settings.batch_queue),
-        WorkKind.GRADING: (settings.grading_threads, settings.grading_queue),
-        WorkKind.DRAWING: (1, settings.grading_queue),
-        WorkKind.READING: (1, settings.grading_queue),
-        WorkKind.COURSES: (COURSE_THREADS, settings.grading_queue),
-    }
+def limiters(settings: Settings, turns: FairQueue | None = None) -> dict[WorkKind, Limiter]:
+    """Return the limiters of an application, whose event loop does light work in such turns."""
+    queue, wait = settings.grading_queue, settings.queue_seconds
     return {
-        kind: Limiter(threads=count, capacity=capacity, timeout=settings.queue_seconds)
-        for kind, (count, capacity) in threads.items()
+        WorkKind.BATCH: Limiter(threads=settings.batch_threads, capacity=settings.batch_queue, timeout=wait),
+        WorkKind.GRADING: Limiter(threads=settings.grading_threads, capacity=queue, timeout=wait),
+        WorkKind.DRAWING: Limiter(threads=1, capacity=queue, timeout=max(wait, DRAWN_WITHIN), turns=turns),
+        WorkKind.READING: Limiter(threads=1, capacity=queue, timeout=wait),
+        WorkKind.COURSES: Limiter(threads=COURSE_THREADS, capacity=queue, timeout=wait),
     }

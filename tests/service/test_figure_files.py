@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import threading
+import time
 import zlib
 from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 from unittest.mock import patch
 
 import httpx
@@ -19,12 +23,15 @@ from exercises.library import packaged
 from service.settings import Settings
 from service.wire import answer_cache
 from service.wire.exercises import figure_files
+from service.work import limiters
 from service.work.shared_answers import SharedAnswers
 from service.work.workers import Workers
 from tests.live_service import running
 from tests.lti.classes import eventually
 
 API = "/api/v1"
+SOON = 0.2
+"""Time after which a request that waits for its turn is refused [s]."""
 
 
 @dataclass
@@ -77,6 +84,40 @@ def test_the_page_loads_the_figure_from_that_address(client: httpx.Client) -> No
     page = client.get("/exercises/scara?seed=ada&lang=fr").text
     assert f'src="../api/v1/{told.partition("?")[0]}?' in page
     assert client.get(f"/exercises/scara?seed={'x' * 300}").status_code == 200
+
+
+def test_who_opens_an_exercise_is_not_refused_while_figures_are_drawn(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Pages stood behind the figures of others, and all were refused who had waited for long."""
+    monkeypatch.setattr(limiters, "LIGHT", float("inf"))
+    drawn, draw = threading.Event(), figure_files.figure_drawing
+
+    def slowly(*what: Any) -> Any:
+        drawn.wait()
+        return draw(*what)
+
+    def asked(path: str) -> int:
+        return client.get(path).status_code
+
+    with (
+        running(Settings(storage="off", queue_seconds=SOON)) as origin,
+        httpx.Client(base_url=origin, trust_env=False, timeout=120) as client,
+        ThreadPoolExecutor() as threads,
+    ):
+        opened = ["/exercises/puma560?seed={}", f"{API}/exercises/puma560?seed={{}}"]
+        for seed in range(limiters.TRIED):
+            assert [asked(path.format(seed)) for path in opened] == [200, 200]
+        monkeypatch.setattr(figure_files, "figure_drawing", slowly)
+        try:
+            pictures = [
+                threads.submit(asked, f"{API}/exercises/puma560/figure.svg?seed={seed}") for seed in range(3)
+            ]
+            time.sleep(3 * SOON)
+            assert [asked(path.format("late")) for path in opened] == [200, 200]
+        finally:
+            drawn.set()
+        assert [picture.result() for picture in pictures] == [200, 200, 200]
 
 
 def test_an_address_that_is_no_longer_leads_to_the_one_that_is(client: httpx.Client) -> None:
