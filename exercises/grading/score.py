@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from exercises.grading.edits.changes import Change, Extent, with_joints_mended
+from exercises.grading.edits.changes import Change, Extent, with_joints_mended, with_row
 from exercises.grading.edits.misconceptions import CATALOGUE
 from exercises.grading.edits.repairs import Repaired
 from exercises.grading.edits.table_edits import hides_an_entry
@@ -64,6 +64,8 @@ def score_of(decision: Decision, repairs: Sequence[Repaired], work: Work, weight
     if lacks_precision(decision):
         return _share_left(weights.sign, nothing)
     slip = repairs[0].changes[0] if repairs and len(repairs[0].changes) == 1 else None
+    if slip is not None and _is_in_one_row(slip, work, _without(slip, work), standard):
+        slip = None
     throughout = slip is not None and slip.row is None and not hides_an_entry(work, slip)
     singles = [repair.changes for repair in repairs if len(repair.changes) == 1]
     if slip is not None and all(_is_nothing_beside_a_row(work, change, standard) for change in singles):
@@ -128,26 +130,40 @@ def _lost_beside_a_slip(work: Work, weights: Weights, standard: Standard, most: 
         rules = _lost_by_rules(other, weights)
         as_many = other.has_the_joints() or other.table.joint_types == work.table.joint_types
         if cost + rules < most and not other.excess and as_many:
-            undone.append((cost, rules, other))
+            undone.append((cost, rules, other, change))
     if not undone:
         return most
-    least = at_least_lost([other for *_, other in undone], standard)
-    bounds = [cost + rules + at_least for (cost, rules, _), at_least in zip(undone, least, strict=True)]
+    least = at_least_lost([other for *_, other, _ in undone], standard)
+    bounds = [cost + rules + at_least for (cost, rules, *_), at_least in zip(undone, least, strict=True)]
     found: list[tuple[float, int]] = []
     for k in sorted(range(len(undone)), key=bounds.__getitem__):
         if bounds[k] >= most or (found and bounds[k] > min(found)[0] + SAME):
             break
-        cost, rules, other = undone[k]
-        if (wrong := wrong_of(other, standard)) < standard.of_zeros - SAME:
+        cost, rules, other, change = undone[k]
+        wrong = wrong_of(other, standard)
+        if wrong < standard.of_zeros - SAME and not _is_in_one_row(change, work, other, standard):
             beside = rules + wrong - shared_across_prismatic(other, standard)
             all_lost = _with_lines(cost + max(weights.sign, beside), other, weights, standard.nothing)
             found.append((all_lost, k))
     if not found:
         return most
     off, k = min(found)
-    cost, rules, other = undone[k]
+    cost, rules, other, _ = undone[k]
     with_a_cell = cost + rules + CELL
     return min(most, with_a_cell if off > with_a_cell and _has_one_other_twist(other) else off)
+
+
+def _is_in_one_row(change: Change, work: Work, undone: Work, standard: Standard) -> bool:
+    """Whether an exchange of rows mends no more than what it changes in one of them: it is no exchange.
+
+    Else a cell that no fact asks for would raise the mark where it happens to hold what another one lacks.
+    """
+    rows = {row for row, _ in change.places}
+    if change.extent is not Extent.ROW or len(rows) < 2:
+        return False
+    halves = [with_row(work.table, row, undone.table.rows[row]) for row in rows]
+    mended = wrong_of(undone, standard) + SAME
+    return any(wrong_of(replace(work, table=half), standard) <= mended for half in halves)
 
 
 def _is_of_length_or_turn(change: Change) -> bool:
@@ -208,9 +224,7 @@ def _cosines(axes: Sequence[Axis]) -> Floats:
 
 
 def _twisted(table: NumericTable, row: int, alpha: float) -> NumericTable:
-    rows = list(table.rows)
-    rows[row] = replace(rows[row], alpha=alpha)
-    return replace(table, rows=tuple(rows))
+    return with_row(table, row, replace(table.rows[row], alpha=alpha))
 
 
 def _has_no_more_than_zeros(work: Work, standard: Standard) -> bool:

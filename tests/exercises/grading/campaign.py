@@ -3,18 +3,28 @@
 from __future__ import annotations
 
 import logging
+import math
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import replace
+from functools import cache
 from random import Random
 
 from exercises.grading import Policy, Repair, ToolRule, grade
+from exercises.grading.edits.changes import Extent
+from exercises.grading.edits.misconceptions import CATALOGUE
+from exercises.grading.explanation import work_on
+from exercises.grading.facts import Weights
+from exercises.grading.judging.comparison import comparisons
+from exercises.grading.standard import standard_of, wrong_of
+from kinematics.cells import ReadTable
 from kinematics.equivalence.reference import prepared
 from kinematics.table import DHRow, DHTable, JointType, NumericTable
 from tests.exercises.grading.written import written
-from tests.kinematics.equivalence.campaign import TABLES_PER_BLOCK, Outcome, references
+from tests.kinematics.equivalence.campaign import TABLES_PER_BLOCK, Outcome, catalogue, references
 from tests.kinematics.equivalence.generators import random_valid_table
 from tests.kinematics.equivalence.mutations import Mutation, mutations
+from tests.kinematics.equivalence.tables import changed
 
 MISTAKES_PER_TABLE = 10
 LONGEST = 4.0
@@ -165,12 +175,7 @@ def _some_cells(table: NumericTable, rng: Random, *, types: bool) -> list[tuple[
 
     Of two wrong types it may be that two rows are exchanged, one slip.
     """
-    cells = [
-        (i, cell)
-        for i, row in enumerate(table.rows)
-        for cell in ("alpha", "a", "d")
-        if cell != "d" or row.joint is JointType.REVOLUTE
-    ]
+    cells = _cells(table)
     joints = [(i, "joint") for i, row in enumerate(table.rows) if row.joint in _OTHER_TYPE]
     chosen = rng.sample(cells, min(MOST_WRONG, len(cells)))
     if types:
@@ -200,3 +205,77 @@ def _spoiled(table: NumericTable, cell: tuple[int, str], rng: Random) -> Numeric
     value = getattr(table.rows[row], name) + scale * rng.choice((-1, 1)) * rng.uniform(0.2, 0.7)
     rows[row] = replace(rows[row], **{name: value})
     return DHTable(convention=table.convention, rows=tuple(rows))
+
+
+def repeated_entries(block: int, tables: int = TABLES_PER_BLOCK) -> Outcome:
+    """Two wrong cells, then others that no fact asks for: these change no mark, whatever stands in them.
+
+    All hold what stands elsewhere in the table, so that rows and columns look exchanged. Failures are marks
+    that change; where another slip throughout the table leaves more right, such a cell may show it.
+    """
+    rng = Random(f"repeated {block}")
+    known = catalogue()
+    outcome = Outcome()
+    while outcome.tables < tables:
+        name, reference = rng.choice(known)
+        policy = Policy(tool=rng.choice((ToolRule.FREE, ToolRule.AXIS, ToolRule.POINT)))
+        free = _cells_not_asked_for(reference, policy)
+        asked = [cell for cell in _cells(reference) if cell not in free]
+        if len(asked) < 2 or not free:
+            continue
+        outcome.tables += 1
+        key, wrong, marks = written(reference), reference, []
+        places = [*rng.sample(asked, 2), *rng.sample(sorted(free), min(2, len(free)))]
+        for row, cell in places:
+            wrong = changed(wrong, row + 1, **{cell: _from_elsewhere(reference, cell, rng)})
+            marks.append(grade(key, written(wrong), policy).score)
+        shown = [(row + 1, cell, getattr(wrong.rows[row], cell)) for row, cell in places]
+        outcome.kinds[policy.tool.value] += 1
+        if len(set(marks[1:])) > 1 and 1.0 not in marks and not _shows_a_slip_throughout(key, wrong, policy):
+            outcome.failures.append(f"{marks[1:]} for {name}, {policy.tool.value}, block {block}: {shown}")
+    return outcome
+
+
+def _cells(table: NumericTable) -> list[tuple[int, str]]:
+    """The cells of a table on which a robot's facts may depend."""
+    return [
+        (i, cell)
+        for i, row in enumerate(table.rows)
+        for cell in ("alpha", "a", "d")
+        if cell != "d" or row.joint is JointType.REVOLUTE
+    ]
+
+
+@cache
+def _cells_not_asked_for(key: NumericTable, policy: Policy) -> frozenset[tuple[int, str]]:
+    """The cells of a key that may be anything."""
+    size = prepared(key).size
+    others = {
+        (row, cell): changed(key, row + 1, **{cell: getattr(key.rows[row], cell) + 0.4 * scale})
+        for row, cell in _cells(key)
+        for scale in (1.0 if cell == "alpha" else size,)
+    }
+    return frozenset(
+        place for place, other in others.items() if grade(written(key), written(other), policy).correct
+    )
+
+
+def _from_elsewhere(key: NumericTable, cell: str, rng: Random) -> float:
+    """An entry of the column, or a length of the other one; or a zero, a right angle or a half turn."""
+    if cell == "alpha":
+        return rng.choice([0.0, math.pi / 2, -math.pi / 2, math.pi, *(row.alpha for row in key.rows)])
+    return rng.choice([0.0, *(length for row in key.rows for length in (row.a, row.d))])
+
+
+def _shows_a_slip_throughout(key: ReadTable, wrong: NumericTable, policy: Policy) -> bool:
+    """Whether a table has more right with a slip undone that is throughout it, at any mark."""
+    answer = written(wrong)
+    (way,) = comparisons(key, answer, None)
+    work = work_on(way, (key, answer), policy)
+    standard = standard_of(work.reference, policy, Weights())
+    return any(
+        wrong_of(replace(work, table=change.of(wrong)), standard) < wrong_of(work, standard)
+        for entry in CATALOGUE
+        for change in (entry.changes(work) if entry.beforehand else ())
+        if change.extent is Extent.TABLE
+    )

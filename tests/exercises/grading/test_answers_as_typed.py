@@ -13,7 +13,7 @@ from tests.exercises.grading.answers_campaign import (
     rounded_answers,
     wrong_names,
 )
-from tests.exercises.grading.campaign import score_chains
+from tests.exercises.grading.campaign import repeated_entries, score_chains
 from tests.exercises.grading.test_grade import KEY, PUMA, USUAL, VALUES, Rows, with_cells
 from tests.exercises.grading.written import read
 
@@ -45,6 +45,11 @@ def test_a_lost_explanation_is_a_failure_of_the_campaign(monkeypatch: pytest.Mon
 
 def test_the_score_never_rises_with_one_more_mistake() -> None:
     outcome = score_chains(0, 3)
+    assert outcome.failures == []
+
+
+def test_cells_that_no_fact_asks_for_change_no_mark() -> None:
+    outcome = repeated_entries(0, 5)
     assert outcome.failures == []
 
 

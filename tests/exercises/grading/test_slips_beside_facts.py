@@ -11,7 +11,7 @@ from exercises.grading.edits.changes import Change, Extent, with_joints_mended
 from kinematics.table import Convention, DHRow, JointType, NumericTable
 from tests.exercises.grading.written import written
 from tests.kinematics.equivalence.campaign import catalogue, references
-from tests.kinematics.equivalence.tables import PUMA, R, changed, standard
+from tests.kinematics.equivalence.tables import HALF, PUMA, R, changed, standard
 
 FREE = Policy(tool=ToolRule.FREE)
 RX90 = dict(catalogue())["rx90"]
@@ -111,3 +111,24 @@ def test_what_is_put_right_stands_in_the_rows_of_the_answer() -> None:
     longer = with_joints_mended(table, (Change("row_missing", Extent.ROW, 1),), (wanted[1],) * 4)
     assert longer.rows[1] == DHRow(joint=JointType.PRISMATIC, theta=0.0, d=0.0, a=0.0, alpha=0.0)
     assert [row.a for row in longer.rows] == [0.1, 0.0, 0.2, 0.3]
+
+
+KR2150K = dict(catalogue())["kr2150k"]
+
+
+@pytest.mark.parametrize(
+    ("key", "wrong", "cell"),
+    [
+        (PUMA, changed(changed(PUMA, 2, alpha=1.1), 5, alpha=0.0), (6, "alpha", -HALF)),
+        (RX90, changed(RX90, 3, alpha=-HALF, a=0.0), (1, "a", RX90.rows[2].a)),
+        (KR2150K, changed(KR2150K, 5, alpha=2 * HALF, a=0.4), (1, "alpha", -HALF)),
+    ],
+    ids=["puma", "rx90", "kr2150k"],
+)
+def test_a_cell_that_no_fact_asks_for_makes_no_exchange_of_two_rows(
+    key: NumericTable, wrong: NumericTable, cell: tuple[int, str, float]
+) -> None:
+    """What such a cell holds neither mends the other row nor needs to be mended."""
+    row, name, value = cell
+    assert judged(key, changed(key, row, **{name: value})).correct
+    assert judged(key, changed(wrong, row, **{name: value})).score == judged(key, wrong).score

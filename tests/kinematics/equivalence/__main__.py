@@ -21,7 +21,7 @@ from tests.exercises.grading.answers_campaign import (  # noqa: E402
     rounded_answers,
     wrong_names,
 )
-from tests.exercises.grading.campaign import mended_tables, score_chains  # noqa: E402
+from tests.exercises.grading.campaign import mended_tables, repeated_entries, score_chains  # noqa: E402
 from tests.kinematics.equivalence.campaign import (  # noqa: E402
     TABLES_PER_BLOCK,
     Outcome,
@@ -41,6 +41,7 @@ CAMPAIGNS: dict[str, tuple[Callable[[int], Outcome], int]] = {
     "names": (wrong_names, 100_000),
     "hostile": (hostile_answers, 20_000),
     "chains": (score_chains, 10_000),
+    "repeated": (repeated_entries, 10_000),
     "accused": (accused_rows, 5_000),
 }
 LARGEST_RESIDUAL = 1e-9
@@ -111,7 +112,7 @@ def summary(name: str, total: Outcome) -> str:
             f"{total.tables} tables with a wrong name, {len(total.failures)} failures; {total.accepted} more "
             f"were right in spite of it, of whose certificates {total.confirmed} stand"
         )
-    if name in ("chains", "accused"):
+    if name in ("chains", "repeated", "accused"):
         return f"{total.tables} tables, {total.right_row} in the right row, {len(total.failures)} failures"
     if name == "hostile":
         return f"{total.tables} tables, at most {total.residual:.2f} s, {len(total.failures)} failures"
