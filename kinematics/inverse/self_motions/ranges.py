@@ -54,8 +54,11 @@ def families_within(
     path = component.paths[0]
     if not box.limited:
         return [(wrapped[0], _told_freely(arm, follower, path, box, wrapped[0]))]
-    parts = _parts_within(arm, follower, path, box)
-    return [_with_member(arm, follower, box, points, closed, wrapped[0]) for points, closed in parts]
+    # A member beyond the limits was put on them, where it misses the target; each part has one of its own.
+    return [
+        _with_member(arm, follower, box, points, closed, wrapped[0] if fits[0] else points[len(points) // 2])
+        for points, closed in _parts_within(arm, follower, path, box)
+    ]
 
 
 def _part_with(

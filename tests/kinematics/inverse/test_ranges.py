@@ -62,6 +62,18 @@ def test_a_wrist_in_line_is_cut_by_the_joint_that_is_limited_alone(wide):
     keep(PUMA560, target, cut.solutions, [None, None, None, (-1.0, 1.5), None, wide], exact=1e-10)
 
 
+@pytest.mark.parametrize("side", [1.0, -1.0])
+def test_a_member_just_beyond_a_limit_is_not_told_at_the_limit(side):
+    """A part of a family has a member that reaches the target, also where another lies close to its end."""
+    target = end_pose(PUMA560, WRIST_IN_LINE)
+    (member,) = (s.joints[3] for s in inverse_kinematics(PUMA560, target).solutions if s.family)
+    narrow = sorted((member + 0.03 * side, member + side))
+    limits = [None, None, None, tuple(narrow), None, None]
+    answer = inverse_kinematics(PUMA560, target, limits=limits)
+    assert any(solution.family for solution in answer.solutions)
+    keep(PUMA560, target, answer.solutions, limits, exact=1e-10)
+
+
 def test_a_part_that_leads_farther_than_a_range_is_wide_is_cut_there():
     """Three links that hold a point: the first turns by more than its range while the last keeps its own."""
     table = MODELS["four links"]
