@@ -277,7 +277,8 @@ def _in_the_same_triple(
 ) -> tuple[Floats, Floats]:
     """Return the values of an analytic Jacobian's entries where rates are small enough to be compared.
 
-    Which of the two triples is meant may change from one configuration to the next.
+    Which of the two triples is meant, the one that more entries agree with, may change from one
+    configuration to the next.
     """
     n = robot.table.n_joints
     rates = np.abs(expected[3 * n :])
@@ -285,8 +286,11 @@ def _in_the_same_triple(
     usable = usable if usable.any() else np.all(np.isfinite(expected), axis=0)
     actual, expected = actual[:, usable], expected[:, usable]
     middle = slice(MIDDLE * n, (MIDDLE + 1) * n)
-    other = (np.abs(actual[middle] + expected[middle]) <= limit[middle]).all(axis=0)
-    expected[middle] *= np.where(other, -1.0, 1.0)
+    ours, other = (
+        (np.abs(actual[middle] - theirs) <= limit[middle]).sum(axis=0)
+        for theirs in (expected[middle], -expected[middle])
+    )
+    expected[middle] *= np.where(other > ours, -1.0, 1.0)
     return actual, expected
 
 

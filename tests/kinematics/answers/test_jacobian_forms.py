@@ -179,3 +179,21 @@ def test_long_entries_that_no_proof_multiplies_out_are_compared() -> None:
     assert judge_jacobian_form(arm, form, BASE, 1e-6).right
     form[0][0] = multiply((form[0][0], number("1.01")))
     assert np.argwhere(~judge_jacobian_form(arm, form, BASE, 1e-6).entries).tolist() == [[0, 0]]
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_one_wrong_entry_beside_the_other_triple_is_one_wrong_entry(sign: int) -> None:
+    """The row of the middle angle may have either sign, and what is wrong in it is told entry by entry."""
+    arm, zyz = robot("stanford"), EulerSequence(axes="ZYZ")
+    rates = [list(row) for row in jacobian_form(arm.table, BASE, zyz)]
+    if sign < 0:
+        rates[4] = [negate(entry) for entry in rates[4]]
+    rates[4][1] = add((rates[4][1], number(Fraction(1, 2))))
+    right = np.array(judge_jacobian_form(arm, rates, BASE, 1e-3, zyz).entries)
+    assert np.argwhere(~right).tolist() == [[4, 1]]
+    joints = [0.3, 0.8, 0.4, -0.6, 1.1, 0.2]
+    given = analytic_jacobian(arm.chain, np.array(joints), zyz)
+    given[4] *= sign
+    given[4, 1] += 0.5
+    verdict = judge_jacobian(arm.chain, joints, given, BASE, 1e-3, zyz)
+    assert np.argwhere(~verdict.entries).tolist() == [[4, 1]]
