@@ -25,7 +25,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinematics.inverse.arm import Arm, Array
-from kinematics.se3 import cross_arrays, inverse_transform, skew
+from kinematics.inverse.methods.trigonometric import rotations
+from kinematics.se3 import cross_arrays, inverse_transform
 
 NEARLY_REAL = 0.05
 """Imaginary part of an angle up to which it is tried: two solutions that meet leave the real line
@@ -144,7 +145,7 @@ def _solutions(z: Array, p: Array, moved: Array, left: Array) -> Array | None:
     q[:, 2:5] = middle
     rest = np.broadcast_to(moved[:3, :3], (len(q), 3, 3))
     for i in range(5):
-        rest = _rotations(z[i], -q[:, i]) @ rest
+        rest = rotations(z[i], -q[:, i]) @ rest
     across = np.linalg.svd(z[5][None])[2][1]
     turned = rest @ across
     q[:, 5] = np.arctan2(turned @ cross_arrays(z[5], across), turned @ across)
@@ -156,7 +157,7 @@ def _off(z: Array, p: Array, q: Array, moved: Array) -> Array:
     E = np.broadcast_to(np.eye(4), (len(q), 4, 4))
     for i in range(6):
         step = np.zeros((len(q), 4, 4))
-        step[:, :3, :3], step[:, 3, 3] = _rotations(z[i], q[:, i]), 1.0
+        step[:, :3, :3], step[:, 3, 3] = rotations(z[i], q[:, i]), 1.0
         step[:, :3, 3] = p[i] - step[:, :3, :3] @ p[i]
         E = E @ step
     return np.asarray(np.abs(E - moved).max(axis=(1, 2)))
@@ -268,14 +269,8 @@ def _waves(q: Array) -> Array:
     return np.stack((np.ones_like(q), np.cos(q), np.sin(q)), axis=-1)
 
 
-def _rotations(z: Array, q: Array) -> Array:
-    """(m, 3, 3) turns about an axis."""
-    K = skew(z)
-    return np.asarray(np.eye(3) + np.sin(q)[:, None, None] * K + (1.0 - np.cos(q))[:, None, None] * (K @ K))
-
-
 def _displacement(z: Array, p: Array, q: float) -> Array:
     E = np.eye(4)
-    E[:3, :3] = _rotations(z, np.array([q]))[0]
+    E[:3, :3] = rotations(z, q)
     E[:3, 3] = p - E[:3, :3] @ p
     return E

@@ -23,7 +23,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from kinematics.inverse.arm import Arm, Array
-from kinematics.inverse.methods.trigonometric import linear_roots, quadratic_roots, sampled_roots
+from kinematics.inverse.methods.trigonometric import linear_roots, quadratic_roots, rotations, sampled_roots
 from kinematics.inverse.methods.wrist import ALMOST
 from kinematics.se3 import cross_arrays, inverse_transform
 
@@ -87,13 +87,13 @@ class ParallelArm:
             return None
         found = []
         for q1 in firsts:
-            v = R.T @ _rotated(z[0], q1, h)
+            v = R.T @ rotations(z[0], q1) @ h
             fifths = _turns_to(h, z[4], z[5], v)
             if fifths is None:  # axes 5 and 6 are parallel, and h is level with them: only the height tells
                 height = seen_level[0] * math.cos(q1) + seen_level[1] * math.sin(q1) + seen_level[2]
                 fifths = linear_roots(level[0], level[1], height - level[2])
             for q5 in fifths or ():
-                before = _rotated(z[4], -q5, h)
+                before = rotations(z[4], -q5) @ h
                 sixths = [angle_about(z[5], v, before)]
                 if float(np.linalg.norm(cross_arrays(before, z[5]))) <= LEVEL:
                     sixths += self._at_the_reach(R, t, q1, q5)
@@ -132,24 +132,24 @@ class ParallelArm:
             rise = math.sqrt(max(1.0 - float(u @ u), 0.0)) * z[4] if flat else np.zeros(3)
             for up in (u + rise, u - rise) if flat else (u,):
                 q6 = angle_about(z[5], v, up)
-                before = _rotated(z[4], q5, _rotated(z[5], q6, v))
+                before = rotations(z[4], q5) @ rotations(z[5], q6) @ v
                 found.append(([], [angle_about(z[3], before, h), q5, q6]))
         return found
 
     def _rows(self, q5: float) -> Array:
         """(3, 3): what u is measured with, R_5ᵀ z_4, E_5⁻¹ p_4 - p_6 and z_6."""
         z, p = self.z, self.p
-        lever = _rotated(z[4], -q5, p[3] - p[4]) + p[4] - p[5]
-        return np.array((_rotated(z[4], -q5, z[3]), lever, z[5]))
+        back = rotations(z[4], -q5)
+        return np.array((back @ z[3], back @ (p[3] - p[4]) + p[4] - p[5], z[5]))
 
     def _left_over(self, R: Array, t: Array, before: list[float], after: list[float]) -> tuple[Array, Array]:
         """The planar motion (E_before)⁻¹ T' (E_after)⁻¹, as rotation and translation."""
         for i, q in reversed(list(enumerate(after, 6 - len(after)))):
-            R = R @ _rotation(self.z[i], -q)
+            R = R @ rotations(self.z[i], -q)
             # T' E⁻¹ x = R (E x) with E x = Q x + p − Q p; only what moves the origin is left to add.
-            t = t + R @ _rotation(self.z[i], q) @ self.p[i] - R @ self.p[i]
+            t = t + R @ rotations(self.z[i], q) @ self.p[i] - R @ self.p[i]
         for i, q in enumerate(before):
-            Q = _rotation(self.z[i], -q)
+            Q = rotations(self.z[i], -q)
             R, t = Q @ R, Q @ (t - self.p[i]) + self.p[i]
         return R, t
 
@@ -286,13 +286,3 @@ def angle_about(z: Array, u: Array, v: Array) -> float:
     """Return the angle about an axis from u to v."""
     u, v = u - (u @ z) * z, v - (v @ z) * z
     return math.atan2(float(z @ cross_arrays(u, v)), float(u @ v))
-
-
-def _rotated(z: Array, q: float, v: Array) -> Array:
-    """A vector turned about an axis."""
-    c, s = math.cos(q), math.sin(q)
-    return np.asarray(c * v + s * cross_arrays(z, v) + (1.0 - c) * (z @ v) * z)
-
-
-def _rotation(z: Array, q: float) -> Array:
-    return np.stack([_rotated(z, q, e) for e in np.eye(3)], axis=1)

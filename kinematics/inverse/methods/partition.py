@@ -17,7 +17,8 @@ import numpy as np
 
 from kinematics.inverse.arm import Arm, Array
 from kinematics.inverse.methods.position import DegenerateError, Joint, place_points
-from kinematics.se3 import cross_arrays, inverse_transform, skew
+from kinematics.inverse.methods.trigonometric import rotations
+from kinematics.se3 import cross_arrays, inverse_transform
 
 LONGEST_HEAD = 3
 LONGEST_TAIL = 3
@@ -64,7 +65,7 @@ class PartitionedArm:
         for q in heads:
             R = moved[:3, :3]
             for joint, value in zip(self.head, q, strict=True):
-                R = _rotation(joint, value).T @ R
+                R = rotations(joint.axis, -value) @ R if joint.revolute else R
             found.extend([*q, *revolute] for revolute in _tail_turns(self.tail, R))
         return np.array(found, dtype=np.float64).reshape(len(found), len(self.head) + len(self.tail))
 
@@ -133,16 +134,16 @@ def _tail_turns(tail: Sequence[Joint], R: Array) -> list[list[float]]:
         return [[_last_turn(axes[0], R)]]
     if len(axes) == 2:
         q4 = _turn(axes[0], axes[1], R @ axes[1])
-        return [[q4, _last_turn(axes[1], _rotation(tail[0], q4).T @ R)]]
+        return [[q4, _last_turn(axes[1], rotations(axes[0], q4).T @ R)]]
     z4, z5, z6 = axes
     along = (z4 @ z5) * (z5 @ z6)
     middle = np.arctan2(float(z4 @ cross_arrays(z5, z6)), float(z4 @ z6 - along))
     half = _half_turn(_angle(z4, z5), _angle(z5, z6), _angle(z4, R @ z6))
     found = []
     for q5 in (float(middle - half), float(middle + half)):
-        R5 = _rotation(tail[1], q5)
+        R5 = rotations(z5, q5)
         q4 = _turn(z4, R5 @ z6, R @ z6)
-        found.append([q4, q5, _last_turn(z6, R5.T @ _rotation(tail[0], q4).T @ R)])
+        found.append([q4, q5, _last_turn(z6, R5.T @ rotations(axes[0], q4).T @ R)])
     return found
 
 
@@ -174,13 +175,6 @@ def _turn(axis: Array, u: Array, v: Array) -> float:
     if np.linalg.norm(u) < _ALONG or np.linalg.norm(v) < _ALONG:
         return 0.0
     return float(np.arctan2(axis @ cross_arrays(u, v), u @ v))
-
-
-def _rotation(joint: Joint, q: float) -> Array:
-    if not joint.revolute:
-        return np.eye(3)
-    K = skew(joint.axis)
-    return np.asarray(np.eye(3) + np.sin(q) * K + (1.0 - np.cos(q)) * (K @ K))
 
 
 def _parallel(u: Array, v: Array) -> bool:

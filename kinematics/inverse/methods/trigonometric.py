@@ -1,4 +1,4 @@
-"""Equations in the cosine and sine of one angle."""
+"""Turns by one angle, and equations in its cosine and sine."""
 
 from __future__ import annotations
 
@@ -7,6 +7,8 @@ from collections.abc import Callable
 
 import numpy as np
 from numpy.typing import NDArray
+
+from kinematics.se3 import skew
 
 NEARLY_REAL = 3e-2
 """Roots e^{iq} whose modulus is this near to 1 are tried: rounding of 1e-15 moves a double root by its square
@@ -20,6 +22,13 @@ LEAST_PARTED = 1e-8
 
 NOTHING = 1e-13
 """Coefficients this small beside the largest are what rounding leaves of zero."""
+
+
+def rotations(axis: NDArray[np.float64], q: float | NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the turns about a unit axis, (…, 3, 3) of angles (…); Rodrigues' formula."""
+    K = skew(axis)
+    turns = np.asarray(q)[..., None, None]
+    return np.asarray(np.eye(3) + np.sin(turns) * K + (1.0 - np.cos(turns)) * (K @ K))
 
 
 def linear_roots(c: float, s: float, k: float, parted: float = ONE_ROOT) -> tuple[float, ...] | None:
