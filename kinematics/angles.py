@@ -7,8 +7,6 @@ for one configuration and for many. There are 82 such doubles, each within 8.3e-
 it counts; neighbouring doubles are not changed.
 """
 
-from __future__ import annotations
-
 import math
 from fractions import Fraction
 

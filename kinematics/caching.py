@@ -4,8 +4,6 @@ A cache that is bounded in number alone holds a thousand times more once somebod
 longest that is allowed.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from functools import lru_cache, update_wrapper
 from typing import Generic, ParamSpec, TypeVar

@@ -9,8 +9,6 @@ its source. A chain can carry frames that move with the links.
 Source: R. W. Brockett (1984); R. M. Murray, Z. Li, S. S. Sastry (1994), section 3.2.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, reduce

@@ -12,8 +12,6 @@ every frame but the shifted ones keeps its joint variable and its zero, and entr
 symbols stay symbols.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 from typing import Any, Generic
 

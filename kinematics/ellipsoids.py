@@ -1,7 +1,5 @@
 """Velocity ellipsoids: where the tool moves easily, and which motions a configuration does not have."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -8,8 +8,6 @@ d_2 grows without bound where α_1 is small. There Z_1 X_1 Z_2 X_2 Z_3 shifts fi
 a row more and no length beyond that of p.
 """
 
-from __future__ import annotations
-
 import math
 from typing import NamedTuple
 

@@ -1,7 +1,5 @@
 """Forward kinematics: joint values to the poses of every frame."""
 
-from __future__ import annotations
-
 from numpy.typing import ArrayLike
 
 from kinematics.evaluation.plan import EvaluationPlan, Floats, Quantity, plan_of

@@ -1,7 +1,5 @@
 """Geometric Jacobians: from joint rates to the velocity of the tool; rank, singularity, manipulability."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from enum import StrEnum
 from typing import TypeAlias

@@ -1,7 +1,5 @@
 """Joint values as callers give them: one configuration, or a batch of them."""
 
-from __future__ import annotations
-
 from math import isfinite
 from typing import TypeAlias
 

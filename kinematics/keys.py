@@ -1,7 +1,5 @@
 """Keys of a TOML file: every fault is kept, with the path of its key, and reported at once."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from enum import StrEnum

@@ -4,8 +4,6 @@ Every function takes (…, 4, 4) transforms and keeps their leading axes; conven
 gimbal lock, half turns and the identity are those of the function for one pose.
 """
 
-from __future__ import annotations
-
 from typing import TypeAlias
 
 import numpy as np

@@ -15,8 +15,6 @@ Where a notation is ambiguous the choice is stated at the function that makes it
 pose and computes on plain floats; `kinematics.pose_batches` does the same for arrays of poses.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from typing import NamedTuple

@@ -5,8 +5,6 @@
 All vectors are in the axes of the base, v and f at the origin of the end frame.
 """
 
-from __future__ import annotations
-
 import numpy as np
 from numpy.typing import ArrayLike
 

@@ -13,8 +13,6 @@ Source: R. W. Brockett (1984); R. M. Murray, Z. Li, S. S. Sastry, A Mathematical
 Manipulation (1994), section 3.2.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 from typing import NamedTuple

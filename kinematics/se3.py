@@ -11,8 +11,6 @@ Notations of a pose (roll, pitch, yaw; quaternions; X Y Z A B C) are in `kinemat
 exponentials in `kinematics.screws`.
 """
 
-from __future__ import annotations
-
 import math
 from typing import Any, TypeAlias, TypeVar
 

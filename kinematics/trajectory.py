@@ -1,7 +1,5 @@
 """Joint trajectories from rest to rest: one polynomial of time for all joints."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from enum import StrEnum
 

@@ -13,8 +13,6 @@ Source: seed 002, comparison of the conventions on branches; W. Khalil, J. F. Kl
 notation for open and closed-loop robots, IEEE ICRA (1986) 1174.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 

@@ -1,7 +1,5 @@
 """How axes lie to each other: by angles and distances, which no choice of frames changes."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Sequence
 from itertools import pairwise

@@ -11,8 +11,6 @@ proved, such as numbers in the place of names, is compared at configurations tha
 at the robot's values, and with other values for the names that the entry itself holds.
 """
 
-from __future__ import annotations
-
 import math
 import random
 from collections.abc import Mapping, Sequence

@@ -1,7 +1,5 @@
 """A robot with weights, equations of motion that somebody wrote about it, and what is said of them."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum

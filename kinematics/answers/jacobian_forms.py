@@ -9,8 +9,6 @@ rounded on paper, roots of lengths, rates of angles) is compared at configuratio
 the answer is written: they are drawn from it; and, if it names every length, with other lengths, too.
 """
 
-from __future__ import annotations
-
 import random
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass

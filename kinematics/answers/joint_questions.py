@@ -1,7 +1,5 @@
 """A pose and all that reaches it: what an answer in joint values is judged by."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """One row of joint values: does it reach the pose, as which solution, and what slip explains it if not?"""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import replace

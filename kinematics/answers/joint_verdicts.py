@@ -1,7 +1,5 @@
 """What is said of joint values, and what an answer says: claims, rows, branches and slips."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import StrEnum

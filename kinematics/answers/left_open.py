@@ -1,7 +1,5 @@
 """By how much decimals may move an entry: what was rounded is known no better than it was typed."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from typing import Any, TypeAlias
 

@@ -3,8 +3,6 @@
 Source: Y. Nakamura, Advanced Robotics, ch. 4.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

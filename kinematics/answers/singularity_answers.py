@@ -11,8 +11,6 @@ through the joint space, and they vanish at points of a family, found in the sam
 Source: J. J. Craig, Introduction to Robotics, sec. 5.8; Y. Nakamura, Advanced Robotics, ch. 4.
 """
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass, replace

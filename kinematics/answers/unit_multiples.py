@@ -6,8 +6,6 @@ product of given ones, and its degrees say how often each of them is a factor; f
 polynomials are compared in their canonical forms, each factor once.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import lru_cache

@@ -1,7 +1,5 @@
 """The robots of the source documents: one TOML file each, with source, figures and a reference pose."""
 
-from __future__ import annotations
-
 from functools import cache
 from importlib.resources import files
 

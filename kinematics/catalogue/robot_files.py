@@ -1,7 +1,5 @@
 """A catalogue file to a robot: every fault at once, each with the file and the path of the key."""
 
-from __future__ import annotations
-
 import tomllib
 from functools import partial
 from typing import Any, ClassVar

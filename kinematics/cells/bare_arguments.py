@@ -5,8 +5,6 @@ ambiguous: sin θ1 L1, sin θ1/2 and sin θ1² are left as they are, and refused
 of a fraction without braces is one digit or π each.
 """
 
-from __future__ import annotations
-
 from lark import Token
 
 _PRINTED = {"sin", "cos", "tan"}

@@ -1,7 +1,5 @@
 """From a read table to numbers, and from one length unit to another."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 from dataclasses import replace

@@ -5,8 +5,6 @@ signs for degrees. `translated` maps each of them to the one character that mean
 columns stay those of the text as typed.
 """
 
-from __future__ import annotations
-
 import re
 import unicodedata
 

@@ -1,7 +1,5 @@
 """Exact values of numbers, sines and angles, as far as a square root reaches."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 from functools import lru_cache
 

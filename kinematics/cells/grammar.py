@@ -11,8 +11,6 @@ tree while it reads; sums and products come out flat.
     marked   = atom ["°"]
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from fractions import Fraction
 from functools import cache

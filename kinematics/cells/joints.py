@@ -4,8 +4,6 @@ Variables are numbered by joint, q1 … qn, fixed rows not counted; a table numb
 understood too. In a `d` cell, `d_i` is the variable of a prismatic row i and a parameter everywhere else.
 """
 
-from __future__ import annotations
-
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum

@@ -1,7 +1,5 @@
 """How large a cell and a table may be."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 from fractions import Fraction

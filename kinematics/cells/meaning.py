@@ -7,8 +7,6 @@ a half turn. A number times an angle is an angle; a product of two angles is ref
 is a number.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field

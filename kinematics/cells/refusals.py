@@ -1,7 +1,5 @@
 """Why a cell or a table is refused."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 
 from kinematics.cells.limits import Limits

@@ -1,7 +1,5 @@
 """A cell in another unit of length, exact."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from fractions import Fraction
 

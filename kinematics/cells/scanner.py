@@ -4,8 +4,6 @@ Every token knows its column, counted from 1 in the text as typed. What people p
 Greek letters, subscripts, superscripts, a little LaTeX. The grammar proper is in `grammar`.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable
 from functools import lru_cache

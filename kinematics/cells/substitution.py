@@ -1,7 +1,5 @@
 """Numbers, names and expressions in the place of parameters."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 
 from kinematics.cells.exact import absolute, inverse_trigonometric, raised, trigonometric

@@ -1,7 +1,5 @@
 """What somebody may have meant who typed a name that does not exist."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Collection
 

@@ -4,8 +4,6 @@ Every node knows the column at which it begins (1-based, in characters of the ce
 it is nested. The tree says what was written; what it means depends on where it stands (`meaning`).
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass
 from fractions import Fraction

@@ -1,7 +1,5 @@
 """From a DH table as handed in to exact entries."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator, Sequence
 from decimal import Decimal

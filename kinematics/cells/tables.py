@@ -1,7 +1,5 @@
 """A DH table as it is handed in, and as it is read."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from numbers import Integral, Rational, Real

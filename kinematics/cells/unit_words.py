@@ -1,7 +1,5 @@
 """Units written behind a value, in the languages of the pages and in Russian: 90 grados, q1 градусів."""
 
-from __future__ import annotations
-
 import re
 
 from kinematics.cells.characters import LOOKALIKES

@@ -1,7 +1,5 @@
 """Units that a DH table is written in, and kinds of parameter."""
 
-from __future__ import annotations
-
 import math
 from enum import StrEnum
 from fractions import Fraction

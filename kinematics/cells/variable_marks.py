@@ -4,8 +4,6 @@ An asterisk marks what varies in many textbooks, (t) what depends on time, and p
 parentheses. All of them are the variable itself.
 """
 
-from __future__ import annotations
-
 import re
 
 from lark import Token

@@ -4,8 +4,6 @@ In a revolute row θ_i = ±q_i + offset, in a prismatic row d_i = ±q_i + offset
 table: were a variable scaled, squared or shared, the row would no longer be one motion of one joint.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass

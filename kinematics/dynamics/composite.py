@@ -17,8 +17,6 @@ Source: M. W. Walker, D. E. Orin, J. Dyn. Sys. Meas. Control 104 (1982), the com
 R. Featherstone, Rigid Body Dynamics Algorithms (2008), section 6.2.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from fractions import Fraction

@@ -5,8 +5,6 @@ denominator that all functions of a table share. A real element of the ring take
 exponential is combined with its conjugate.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from functools import lru_cache

@@ -1,7 +1,5 @@
 """What a link weighs: mass, centre of mass and inertia, in numbers or as expressions."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Generic, TypeAlias, TypeVar

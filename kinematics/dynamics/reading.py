@@ -1,7 +1,5 @@
 """Links as handed in: cells with numbers, names and expressions, read into exact bodies in SI units."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction

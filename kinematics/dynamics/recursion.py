@@ -17,8 +17,6 @@ Rigid Body Dynamics Algorithms (2008), chapters 5 and 6; S. Echeandia, P. M. Wen
 Dyn. 16 (2021), for C made of Christoffel symbols.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property

@@ -6,8 +6,6 @@ arrays would travel to memory and back at every operation. Registers share buffe
 longer needed.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from functools import lru_cache
 from typing import Any, NamedTuple, TypeAlias

@@ -5,8 +5,6 @@ a straight-line function; batches are recorded at once. A plan hangs on the tabl
 equal tables share it, so a caller who reads the same table again and again need not keep the object.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from enum import StrEnum
 from functools import cached_property, lru_cache

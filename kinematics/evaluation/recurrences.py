@@ -5,8 +5,6 @@ and on the symbols of `kinematics.evaluation.tape`, which record it once so that
 thousands. The formulas are therefore written once, and know neither arrays nor compilation.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import chain as concatenated

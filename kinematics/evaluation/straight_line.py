@@ -7,8 +7,6 @@ enumeration, and every number is handed over as a default argument. No character
 gets in. See docs/decisions/recorded-computations.md.
 """
 
-from __future__ import annotations
-
 import ast
 import math
 import sys

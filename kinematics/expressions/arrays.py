@@ -1,7 +1,5 @@
 """What an expression is worth at many points at once."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any

@@ -1,7 +1,5 @@
 """What an expression is worth, and what stands in it."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction

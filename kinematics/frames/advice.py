@@ -1,7 +1,5 @@
 """What would make a table simpler, of frames that break no rule."""
 
-from __future__ import annotations
-
 import math
 
 from kinematics.frames.axes import Pose

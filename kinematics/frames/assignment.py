@@ -6,8 +6,6 @@ in where frame i sits (modified: where normal i leaves axis i; standard: where i
 what the first and the last frame leave free.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import StrEnum

@@ -1,7 +1,5 @@
 """What frame assignment starts from: the joint axes of a robot at its zero position, and its size."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass

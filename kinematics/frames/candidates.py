@@ -4,8 +4,6 @@ They come from the axes near a frame, in the order of the axes: feet of common n
 and the points that were given; directions of the axes, of their common normals and of the coordinate axes.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from enum import StrEnum

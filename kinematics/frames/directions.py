@@ -8,8 +8,6 @@ Makers often let x point back along a normal, and write a negative length, where
 joint; and some books say which of the two cross products x is. Both can be asked for.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from enum import StrEnum
 

@@ -6,8 +6,6 @@ modified table x_0 crosses axis 1 at right angles, and z_N is axis N with the or
 has its z on its axis, the other has its x across it.
 """
 
-from __future__ import annotations
-
 from kinematics.frames.axes import AxisLine, Pose
 from kinematics.frames.normals import EXACT_ANGLE, EXACT_LENGTH
 from kinematics.se3 import Vector, along, cross, dot, foot, norm, subtract

@@ -4,8 +4,6 @@ Geometry in floating point leaves 1.5707963267948963 where a right angle was mea
 where 0.4318 was. Entries that differ from such a value by no more than rounding are that value.
 """
 
-from __future__ import annotations
-
 import math
 from fractions import Fraction
 

@@ -4,8 +4,6 @@ The common normal of parallel axes may slide along them. It is put where d vanis
 before it, as far as there is one; otherwise level with the origin after it.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 from kinematics.frames.axes import AxisLine

@@ -1,7 +1,5 @@
 """How two axes lie relative to each other, and their common normal."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from enum import StrEnum
 

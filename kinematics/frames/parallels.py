@@ -5,8 +5,6 @@ common normal exists and is useless: with a tilt of 0.0007 rad it lies hundreds 
 origins and the d of the table. Denavit–Hartenberg rows have four numbers, a tilt needs a fifth (Hayati's β).
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import StrEnum

@@ -5,8 +5,6 @@ origin on the next axis, so that a_i and d_{i+1} vanish; after the last revolute
 before it, so that a and d vanish up to the end.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 from kinematics.frames.axes import AxisLine

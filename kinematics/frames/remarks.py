@@ -1,7 +1,5 @@
 """What a caller should know about an assignment that succeeded."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 from kinematics.errors import Fault

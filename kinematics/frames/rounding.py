@@ -4,8 +4,6 @@ The rules of `rules` are exact. On paper 0.7071 stands for √2/2 and 0.432 for 
 obeys a rule is meant if it is no farther away than the tolerance.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import replace
 

@@ -5,8 +5,6 @@ origin stands on that axis, and its x crosses the neighbouring axis at right ang
 documents ask for makes the table simpler, not truer: see `advice`.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum

@@ -1,7 +1,5 @@
 """A student's frames against the rules, and the table that follows from them."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import NamedTuple

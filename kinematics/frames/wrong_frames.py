@@ -4,8 +4,6 @@ Frames are wrong where a rule of their convention is broken, or where y is not z
 mends them: the frame as it was, or any other that the convention allows there.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace

@@ -10,8 +10,6 @@ determined, and one of both angles may be chosen.
 Source: R. P. Paul, Robot manipulators (1981) §3.4.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction

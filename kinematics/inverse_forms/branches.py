@@ -1,7 +1,5 @@
 """The numbers of a solution in symbols: one choice of signs after another."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import product
 

@@ -1,7 +1,5 @@
 """What the equations are made of: roots, quotients, angles by atan2; and radicands below zero."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from fractions import Fraction
 from functools import partial

@@ -1,7 +1,5 @@
 """The equations of an arm for the pose of its tool in the world."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import replace
 from itertools import chain

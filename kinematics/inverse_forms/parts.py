@@ -1,7 +1,5 @@
 """How an arm whose axes are at right angles is taken apart."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise

@@ -7,8 +7,6 @@ Source: for two revolute joints, J. J. Craig, Introduction to robotics, 3rd ed. 
 R. P. Paul, Robot manipulators (1981) §3.4 for a cos + b sin = d.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TypeAlias

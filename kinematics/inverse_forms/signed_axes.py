@@ -8,8 +8,6 @@ between the two is turned back: Trans(v) Rot_z(β) = Rot_z(β) Trans(Rot_z(-β) 
 Tables that a program computed have twists such as 1.2e-16 and offsets such as 5.5e-17: rounding, not an arm.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace

@@ -1,7 +1,5 @@
 """The equations of a singular case: one joint is chosen, and what it leaves follows."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import replace
 

@@ -1,7 +1,5 @@
 """Content MathML: what an expression means, whatever it is drawn like."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from fractions import Fraction
 from xml.sax.saxutils import escape

@@ -3,8 +3,6 @@
 What stands in parentheses more than once gets a name, so that each line fits a page; nothing else is renamed.
 """
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from itertools import chain, count

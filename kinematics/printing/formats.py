@@ -1,7 +1,5 @@
 """One matrix in every format."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Hashable, Iterable, Sequence
 from dataclasses import replace
 from enum import StrEnum

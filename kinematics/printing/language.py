@@ -1,7 +1,5 @@
 """A programming language: a printer of SymPy's that knows the names in one function."""
 
-from __future__ import annotations
-
 import re
 from abc import abstractmethod
 from collections.abc import Callable, Iterable

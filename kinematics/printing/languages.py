@@ -5,8 +5,6 @@ be one of `EquationFormat`. All of them stand in this one file, however long it 
 compared. Importing it imports SymPy.
 """
 
-from __future__ import annotations
-
 import keyword
 from typing import Any, ClassVar
 

@@ -1,7 +1,5 @@
 r"""LaTeX: c_{1}\left(a_{2}c_{2}+a_{3}c_{23}\right)-d_{3}s_{1}."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Sequence
 from fractions import Fraction

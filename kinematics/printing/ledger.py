@@ -5,8 +5,6 @@ kept under its number, so matrices that share their entries, as all matrices of 
 the time that what is new in each of them takes.
 """
 
-from __future__ import annotations
-
 from collections.abc import Hashable, Iterable, Sequence
 from fractions import Fraction
 from functools import lru_cache

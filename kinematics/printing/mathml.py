@@ -6,8 +6,6 @@ carry the invisible operators U+2062 and U+2061, so that a reader says "c 1 time
 run of letters. The content markup never abbreviates: where c23 is drawn it says cos(q2 + q3).
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from fractions import Fraction
 from xml.sax.saxutils import escape

@@ -5,8 +5,6 @@ where nothing else can be meant: its angle is a sum or difference of joint varia
 table has the same name.
 """
 
-from __future__ import annotations
-
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from enum import StrEnum

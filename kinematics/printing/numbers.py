@@ -1,7 +1,5 @@
 """How an exact number is written."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 from functools import lru_cache
 

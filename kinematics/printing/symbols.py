@@ -1,7 +1,5 @@
 """The parts of a parameter's name."""
 
-from __future__ import annotations
-
 import re
 from typing import NamedTuple
 

@@ -1,7 +1,5 @@
 """DH tables as a notebook shows them: HTML with MathML, and LaTeX."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from xml.sax.saxutils import escape
 

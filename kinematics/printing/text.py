@@ -1,7 +1,5 @@
 """Infix text that the cell grammar reads back: a2*c2 + a3*c23."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from fractions import Fraction
 

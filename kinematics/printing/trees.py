@@ -1,7 +1,5 @@
 """Expression trees as plain data, for JSON."""
 
-from __future__ import annotations
-
 from typing import Any, TypeAlias
 
 from kinematics.expressions import Call, JointVariable, Number, Parameter, Pi, Power, Product, Sum

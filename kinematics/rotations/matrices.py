@@ -1,7 +1,5 @@
 """3×3 rotation matrices as plain floats, and how far two of them are apart."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from functools import reduce

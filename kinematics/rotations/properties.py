@@ -5,8 +5,6 @@
 A matrix may fail several; each that fails is a true reason.
 """
 
-from __future__ import annotations
-
 import math
 from enum import StrEnum
 from itertools import combinations

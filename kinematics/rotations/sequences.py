@@ -16,8 +16,6 @@ Source: J. J. Craig, Introduction to Robotics, sec. 2.8 and appendix B; M. D. Sh
 representations, J. Astronautical Sciences 41 (1993) 439, sec. on Euler angles.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass

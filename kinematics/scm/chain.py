@@ -9,8 +9,6 @@ Exactly one of a joint row's six entries holds the joint variable. What follows 
 Transformation and, behind it, the tool.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from enum import StrEnum
 

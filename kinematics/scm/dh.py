@@ -6,8 +6,6 @@ common normals are coordinate directions too, and every α and θ is a multiple 
 lengths are symbols.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import TypeAlias

@@ -9,8 +9,6 @@ Entries are moved, never computed: symbols stay symbols. Such a chain turns abou
 zero, so it need not pass `verify`.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 

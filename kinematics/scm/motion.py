@@ -3,8 +3,6 @@
 Nothing here goes through a DH table, so the two derivations of a robot can be held against each other.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 

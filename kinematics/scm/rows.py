@@ -1,7 +1,5 @@
 """Elementary motions as rows of a modified DH table, and joining rows to as few as possible."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from dataclasses import replace
 from fractions import Fraction

@@ -1,7 +1,5 @@
 """Random configurations of a chain: the toolbox's QRAND."""
 
-from __future__ import annotations
-
 import math
 import sys
 from collections.abc import Mapping, Sequence

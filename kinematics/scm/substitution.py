@@ -1,7 +1,5 @@
 """Values in the place of a chain's parameters: the toolbox's S2D for chains that stay symbolic."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import replace
 

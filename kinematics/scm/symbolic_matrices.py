@@ -1,7 +1,5 @@
 """The matrices of an SCM chain in closed form."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 from typing import TypeAlias
 

@@ -5,8 +5,6 @@ elementary motion becomes a row or a part of one, so chains that turn by constan
 table too. It has more rows than needed, but it moves as the chain does.
 """
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 from kinematics.expressions import ZERO, Expression, negate

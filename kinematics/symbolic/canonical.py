@@ -1,7 +1,5 @@
 """One normal form for every function, and equality of functions as equality of normal forms."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from enum import StrEnum
 from fractions import Fraction

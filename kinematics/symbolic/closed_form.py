@@ -1,7 +1,5 @@
 """The matrices of a DH table as a lecturer writes them."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property

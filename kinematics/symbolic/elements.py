@@ -1,7 +1,5 @@
 """The elements of the ring: symbols, monomials, and forms."""
 
-from __future__ import annotations
-
 from collections.abc import Hashable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction

@@ -1,7 +1,5 @@
 """Numbers from outside as exact entries."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from fractions import Fraction
 

@@ -1,7 +1,5 @@
 """From expression trees to forms: sines and cosines become exponentials, roots of numbers roots of unity."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import cache

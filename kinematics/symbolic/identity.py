@@ -1,7 +1,5 @@
 """Exact proof that two DH tables describe the same robot, for given joint signs, offsets and end frames."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache

@@ -4,8 +4,6 @@ The lowest bits hold the 24th roots of unity; above them every symbol, and every
 has a place of its own. Adding two keys adds all exponents at once.
 """
 
-from __future__ import annotations
-
 from bisect import bisect_right
 from collections.abc import Mapping
 from dataclasses import dataclass, field

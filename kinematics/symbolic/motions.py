@@ -1,7 +1,5 @@
 """A DH table as a product of elementary motions about and along x and z, with exact amounts."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 from kinematics.dh import CELL_MOTIONS, MOTIONS, MotionKind

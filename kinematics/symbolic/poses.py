@@ -1,7 +1,5 @@
 """Rigid motions with entries in the ring."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 

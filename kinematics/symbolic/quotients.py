@@ -3,8 +3,6 @@
 Where both sides exist, N/D and N'/D' are one function just if N D' and N' D are.
 """
 
-from __future__ import annotations
-
 import math
 from fractions import Fraction
 from itertools import chain as in_turn

@@ -12,8 +12,6 @@ exponents of a term are packed into the bits of one integer, its key.
 Keys mean something only within one `Ring`. `Ring.terms` writes a form without reference to the ring.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from fractions import Fraction

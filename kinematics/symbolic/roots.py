@@ -10,8 +10,6 @@ Source: W. Bosma, Canonical bases for cyclotomic fields, AAECC 1 (1990), 125-134
 property.
 """
 
-from __future__ import annotations
-
 from fractions import Fraction
 from functools import lru_cache
 from math import isqrt

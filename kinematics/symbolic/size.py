@@ -1,7 +1,5 @@
 """How large an expression is, and its nodes in an order in which they can be worked through."""
 
-from __future__ import annotations
-
 from collections.abc import Container, Iterable, Sequence
 
 from kinematics.errors import Fault, FormSizeError

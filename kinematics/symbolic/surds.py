@@ -1,7 +1,5 @@
 """Square roots and reciprocals of algebraic numbers, as forms."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 from itertools import product
 from math import gcd, lcm

@@ -1,7 +1,5 @@
 """The terms of nested sums: a rational number times factors, which are known by numbers."""
 
-from __future__ import annotations
-
 from enum import IntEnum, auto
 from fractions import Fraction
 from typing import TypeAlias

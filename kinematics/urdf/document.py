@@ -6,8 +6,6 @@ read; inertias, meshes, transmissions and the rest are passed over. A default na
 <robot>, as Drake's descriptions have it) is that of the format: what is in it is read as if it had none.
 """
 
-from __future__ import annotations
-
 import math
 import re
 from dataclasses import dataclass

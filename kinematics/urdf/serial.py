@@ -3,8 +3,6 @@
 The chain may climb from the base link to a link that carries both ends, and go down to the tip from there.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import NamedTuple
 

@@ -1,7 +1,5 @@
 """A URDF chain to a DH table: its joint axes at zero, and frames assigned to them."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass, fields
 

@@ -11,8 +11,6 @@ Source: D. G. Luenberger, Y. Ye, Linear and nonlinear programming, 3rd ed. (2008
 and §15.5 (Newton's steps for constrained problems).
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 

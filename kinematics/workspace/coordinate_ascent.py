@@ -6,8 +6,6 @@ form. Sweeps through the joints from the tip to the base, from many starts, lead
 steps in all joints at once make the last digits right.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import product

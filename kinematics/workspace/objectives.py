@@ -1,7 +1,5 @@
 """What is to be made as great as possible: a quadratic function of a place."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 

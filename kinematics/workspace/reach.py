@@ -1,7 +1,5 @@
 """Radii, box and points of a robot's workspace."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 

@@ -1,7 +1,5 @@
 """The ranges of the joints, and configurations spread evenly over them."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from kinematics.errors import Fault, JointValueError
