@@ -1,7 +1,5 @@
 """What an exercise lets its students use and be told: switches, the help ladder, attempts."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import StrEnum

@@ -1,7 +1,5 @@
 """Other tables of the same robot, beside a right one, to compare: nothing here knows a key."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from random import Random

@@ -1,7 +1,5 @@
 """`parse`: what a student handed in, read or refused. What is refused is not graded and costs no attempt."""
 
-from __future__ import annotations
-
 from types import MappingProxyType
 from typing import Any
 

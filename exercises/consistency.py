@@ -1,7 +1,5 @@
 """What must hold between the pieces of a definition: figure and robot, statements and names, points."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from exercises.definition import Exercise

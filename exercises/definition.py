@@ -1,7 +1,5 @@
 """What an exercise is: frozen records, as `loader` reads them from a folder."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction

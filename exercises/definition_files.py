@@ -1,7 +1,5 @@
 """The files of an exercise: exercise.toml and statement.<language>.md, as bytes and as what they hold."""
 
-from __future__ import annotations
-
 import re
 import tomllib
 from collections.abc import Mapping

@@ -10,8 +10,6 @@ Nothing of the key's own frames is told: only where the answer's robot stands be
 shows.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass

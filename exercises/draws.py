@@ -4,8 +4,6 @@ A value follows from names (the exercise's id, the seed, the value's name) by a 
 the same values in every process, on every machine and in every later version.
 """
 
-from __future__ import annotations
-
 import hashlib
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass

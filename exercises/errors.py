@@ -8,8 +8,6 @@
 An error carries one or more faults, as in `kinematics.errors`. A wrong answer is a result, never an error.
 """
 
-from __future__ import annotations
-
 from kinematics.errors import FaultyError
 
 

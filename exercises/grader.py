@@ -1,7 +1,5 @@
 """`grade`: an answer judged, part by part."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 

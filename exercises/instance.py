@@ -1,7 +1,5 @@
 """`generate`: an exercise with one student's values."""
 
-from __future__ import annotations
-
 from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction

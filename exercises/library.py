@@ -1,7 +1,5 @@
 """The exercises of some folders and of the package: which there are, and each read once."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from functools import cache
 from importlib.resources import files

@@ -1,7 +1,5 @@
 """From a folder to an exercise: exercise.toml and statement.<language>.md, every fault at once."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import fields, replace
 from fractions import Fraction

@@ -4,8 +4,6 @@ A name that is neither is refused with the nearest one that is known, and costs 
 said of what a student meant by it.
 """
 
-from __future__ import annotations
-
 from collections.abc import Collection
 from dataclasses import replace
 from functools import lru_cache

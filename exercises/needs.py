@@ -4,8 +4,6 @@ A dimension is needed if the key with another value of it is a wrong answer. The
 may lie anywhere is not: a student may put frame 0 wherever the height vanishes.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction

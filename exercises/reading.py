@@ -1,7 +1,5 @@
 """Reading a definition's keys: lengths, directions and names beside what every file of keys holds."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from fractions import Fraction
 from typing import ClassVar

@@ -1,7 +1,5 @@
 """DH tables in a definition's file: the key, and samples for the exercise's own tests."""
 
-from __future__ import annotations
-
 from enum import StrEnum
 
 from exercises.definition import Sample

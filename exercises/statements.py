@@ -4,8 +4,6 @@ Paragraphs, `-` and `1.` lists, `## headings`, *emphasis*, **strong emphasis** a
 name of a dimension or a point (*L1*, *P*) makes it a variable, its digits an index. Everything else is text.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator
 from html import escape

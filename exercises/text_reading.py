@@ -1,7 +1,5 @@
 """What a lecturer writes for students: titles, statements and remarks, in one language or more."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Mapping
 from types import MappingProxyType

@@ -1,7 +1,5 @@
 """A table as it would be typed."""
 
-from __future__ import annotations
-
 from exercises.grading.judging.exact_text import angle_text, expression_text
 from kinematics.cells import AngleUnit, RawRow, RawTable, ReadTable
 from kinematics.expressions import ZERO

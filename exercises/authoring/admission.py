@@ -6,8 +6,6 @@ would, in every combination; those that differ are judged by the checker itself.
 axes, and where the common normal of parallel axes is drawn, is free under every policy, and is not counted.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction

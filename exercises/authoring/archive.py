@@ -5,8 +5,6 @@ exercise can hold, and no more of it is unpacked than such a file can be long, w
 its size.
 """
 
-from __future__ import annotations
-
 import io
 import re
 import stat

@@ -7,8 +7,6 @@ axis's point. A direction is [x, y, z], or {parallel}, {opposite}: that of an ea
 lengths.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from fractions import Fraction

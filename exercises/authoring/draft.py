@@ -1,7 +1,5 @@
 """A draft: an exercise as its author holds it, in plain data, and as the files of a folder."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass

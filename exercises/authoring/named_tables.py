@@ -1,7 +1,5 @@
 """A DH table whose lengths have names and values, from one in numbers."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass

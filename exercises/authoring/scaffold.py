@@ -1,7 +1,5 @@
 """The folder of a new exercise: it loads and passes its own tests, and is meant to be gone on from."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 from pathlib import Path

@@ -1,7 +1,5 @@
 """What an exercise is started from, in one form: a DH table whose lengths have names and values."""
 
-from __future__ import annotations
-
 import json
 import tomllib
 from collections.abc import Mapping, Sequence

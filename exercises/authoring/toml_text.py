@@ -5,8 +5,6 @@ table of tables is written where people read it best: dimensions and their like 
 points on a line each, parts under headings of their own.
 """
 
-from __future__ import annotations
-
 import json
 import re
 from collections.abc import Iterator, Mapping

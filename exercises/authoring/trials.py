@@ -1,7 +1,5 @@
 """What is tried with a draft, as one call each: plain data in and out, for a process of its own."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from typing import Any
 

@@ -4,8 +4,6 @@ A body is convex, so the ray from a point of the paper towards the eye leaves it
 that ray and deeper is hidden by the body.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

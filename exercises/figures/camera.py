@@ -1,7 +1,5 @@
 """From space to paper: parallel projection."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass, replace

@@ -4,8 +4,6 @@ It says what the figure shows: where each joint's axis runs and how long the nam
 axes lie to one another is left to the reader, as in the figure.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass

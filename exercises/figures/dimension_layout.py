@@ -1,7 +1,5 @@
 """Where the dimensions of a drawing stand, and where else they may."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 from exercises.figures.camera import Array

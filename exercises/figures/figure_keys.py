@@ -1,7 +1,5 @@
 """The [figure] of a definition, from its file."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 

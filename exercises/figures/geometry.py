@@ -1,7 +1,5 @@
 """The scene in space: what a specification makes of a reference."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """The points of a figure: names resolved to places in space, and every fault on the way."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from functools import cached_property, lru_cache
 

@@ -1,7 +1,5 @@
 """Shapes of a figure besides bodies and links: axes, arrows of positive sense, gripper, ground, frames."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import NamedTuple
 

@@ -4,8 +4,6 @@ Links run along the table's own common normals: O_{i-1} → foot → O_i. Bodies
 would stand in one another (a wrist) move apart along their axes.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction

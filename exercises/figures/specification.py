@@ -1,7 +1,5 @@
 """What a definition says of its figure."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import TypeAlias

@@ -1,7 +1,5 @@
 """Lines in space that pass behind, through or in front of bodies."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

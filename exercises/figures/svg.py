@@ -6,8 +6,6 @@ may set both. As a file of its own (`<img>`) it follows the reader's light or da
 attributes alone give a readable black and white figure where style sheets are not allowed.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache

@@ -1,7 +1,5 @@
 """What the parts of one answer are judged by: the key, the student's own table, values, tolerance."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field

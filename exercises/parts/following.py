@@ -3,8 +3,6 @@
 An error is marked once. But from a table of zeros every matrix is a turn about z, and none is an achievement.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 

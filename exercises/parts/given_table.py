@@ -1,7 +1,5 @@
 """The key as a task shows it, where the table is given and something else is asked."""
 
-from __future__ import annotations
-
 from exercises.instance import Instance
 from exercises.parts.task import GivenNumbers
 from exercises.written_table import written_table

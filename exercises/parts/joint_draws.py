@@ -1,7 +1,5 @@
 """Joint values that are drawn for a student, and the key's frames at them."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import StrEnum

@@ -1,7 +1,5 @@
 """What a part asks, as a page shows it: the task, the numbers that it is about, the fields of its form."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum

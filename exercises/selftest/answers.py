@@ -1,7 +1,5 @@
 """A table and all that follows from it, as a student would hand it in; and handing it in."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from random import Random
 from types import MappingProxyType

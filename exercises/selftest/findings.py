@@ -1,7 +1,5 @@
 """What a self-test found: counts, failures and warnings, as codes and values."""
 
-from __future__ import annotations
-
 from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass, field

@@ -1,7 +1,5 @@
 """What students will hand in and be told, for the author to look at."""
 
-from __future__ import annotations
-
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from random import Random

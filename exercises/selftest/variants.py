@@ -5,8 +5,6 @@ all dimensions. The rules are written for modified tables, Rot_x(α) Trans_x(a) 
 row; a standard table is the same product read from another place in the row. Nothing here uses the grader.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from fractions import Fraction

@@ -1,7 +1,5 @@
 """Matrices of numbers against each other, cell by cell, and what a wrong one looks like."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from typing import TypeAlias

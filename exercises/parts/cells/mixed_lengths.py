@@ -5,8 +5,6 @@ those for whose value a number may stand. A matrix in which a length is a number
 values.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Mapping, Sequence
 

@@ -1,7 +1,5 @@
 """Cells that hold a number: an angle, a length or a ratio, in the exercise's dimensions or without them."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from functools import partial

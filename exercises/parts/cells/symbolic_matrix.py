@@ -1,7 +1,5 @@
 """A matrix of expressions, its values, and by how much the decimals in it leave them open."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property

@@ -1,7 +1,5 @@
 """The joint axes of an exercise's figure, and right frames on them, in its coordinates and unit of length."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Sequence
 

@@ -5,8 +5,6 @@ follows from the frames is graded like any other. The facts that earn marks are 
 for each frame its z, its origin and its x.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace

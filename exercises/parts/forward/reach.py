@@ -1,7 +1,5 @@
 """How near to and how far from a place the joints bring a point: the radii of a workspace."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 from functools import lru_cache

@@ -5,8 +5,6 @@ intersect), in words that can be graded. An axis of a prismatic joint has a dire
 one only the angle is judged.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace

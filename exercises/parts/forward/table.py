@@ -1,7 +1,5 @@
 """The DH table: judged by `exercises.grading`, whatever frames it was written in."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from random import Random
 from typing import ClassVar

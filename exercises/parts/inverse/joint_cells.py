@@ -1,7 +1,5 @@
 """Joint values as students write them, right ones in that form, and what a student is told of them."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Annotated

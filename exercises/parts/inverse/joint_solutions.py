@@ -5,8 +5,6 @@ given in the frames that the policy fixes, and the joint values are those of the
 are carried over to the key's by the certificate of the accepted table.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 from dataclasses import replace

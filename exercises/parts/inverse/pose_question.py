@@ -1,7 +1,5 @@
 """The pose whose joint values are asked, and what there is to find."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache

@@ -5,8 +5,6 @@ right: of the same robot, whatever in the second table's frames differs from the
 of another one, a fact of the robot that the diagnosis finds wrong.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from enum import StrEnum

@@ -5,8 +5,6 @@ undo may be mended by any of them. The place is right when it is the planted row
 is the name.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any, ClassVar

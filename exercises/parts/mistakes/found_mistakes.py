@@ -3,8 +3,6 @@
 Each of the three earns a third. Whatever mends is right; a repair that does says where the mistake was.
 """
 
-from __future__ import annotations
-
 from abc import abstractmethod
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass, fields

@@ -4,8 +4,6 @@ Whatever obeys the rules mends it: the frame of the key, or any other that the c
 right if the frame there was mended.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from contextlib import suppress
 from dataclasses import dataclass, replace

@@ -5,8 +5,6 @@ written. A wrong entry is every one that differs from it; a name is right if doi
 is shown.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction

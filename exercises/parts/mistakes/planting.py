@@ -1,7 +1,5 @@
 """Mistakes of the catalogue, planted in a table: which there are, and what a repair of one is called."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace

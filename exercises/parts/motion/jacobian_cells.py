@@ -1,7 +1,5 @@
 """What a Jacobian in numbers and one in closed form share: what is asked, typed, told and marked."""
 
-from __future__ import annotations
-
 from abc import abstractmethod
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace

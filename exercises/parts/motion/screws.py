@@ -3,8 +3,6 @@
 An answer is held to the exercise's policy exactly as a table is (`kinematics.answers.screw_answers`).
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from random import Random

@@ -1,7 +1,5 @@
 """Singularities: where an arm loses a motion, as conditions that count as a set, and which one it loses."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace

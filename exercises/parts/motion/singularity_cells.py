@@ -1,7 +1,5 @@
 """The conditions for a singularity as they are typed, with a motion that is lost, and what they mean."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field, replace
 from typing import Annotated
 

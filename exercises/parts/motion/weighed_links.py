@@ -1,7 +1,5 @@
 """What the links of an arm weigh: as a definition says it, and as a page shows it."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 from exercises.definition import DrawnParameter

@@ -1,7 +1,5 @@
 """Angles and orders of axes that an orientation is drawn from."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from fractions import Fraction
 

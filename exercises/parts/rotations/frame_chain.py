@@ -4,8 +4,6 @@ The frames are those of the key, at joint values that are drawn; what is known a
 them. There is one right matrix: both frames are named.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction

@@ -5,8 +5,6 @@ What is right is decided by meaning (`kinematics.rotations.orientation_answers`)
 asked. Each notation that is asked earns marks of its own.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction

@@ -1,7 +1,5 @@
 """Is a matrix a rotation, and if not, which property fails? Any property that fails is a right reason."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass
 from enum import StrEnum
