@@ -1,7 +1,5 @@
 """Records of a course: who, what is asked of them, what they handed in, and what goes to the gradebook."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from datetime import datetime

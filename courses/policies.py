@@ -3,8 +3,6 @@
 The clock is handed in. Nothing here reads a database.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from datetime import datetime, timedelta

@@ -10,8 +10,6 @@ CourseError
 └── SessionError        nobody is signed in by this token, or not with the role that is needed
 """
 
-from __future__ import annotations
-
 from kinematics.errors import Fault, KinematicsError
 
 

@@ -1,7 +1,5 @@
 """Links of courses, as they are stored; a launch makes them, and staff changes them."""
 
-from __future__ import annotations
-
 from datetime import timedelta
 from typing import Any
 

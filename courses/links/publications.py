@@ -4,8 +4,6 @@ Whoever publishes the same draft twice gets the same address; another draft gets
 attempt was judged by is therefore there as long as the database is.
 """
 
-from __future__ import annotations
-
 import hashlib
 import json
 from collections.abc import Mapping

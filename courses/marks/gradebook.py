@@ -1,7 +1,5 @@
 """The counted score of each student; what the platform has to hear of it is put into the outbox."""
 
-from __future__ import annotations
-
 from collections import defaultdict
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """Attempts with the judgement that counts: that of the last regrading that was applied, else their own."""
 
-from __future__ import annotations
-
 from collections.abc import Collection
 
 import sqlalchemy as sa

@@ -5,8 +5,6 @@ Timestamps of messages rise strictly, in whole seconds, also over restarts: the 
 before its message leaves. A sender leases a row; nobody else sends it until the lease ends.
 """
 
-from __future__ import annotations
-
 import secrets
 from collections.abc import Sequence
 from dataclasses import dataclass, replace

@@ -1,7 +1,5 @@
 """Who administers an installation: whoever may run its command, for the hours of a session in the browser."""
 
-from __future__ import annotations
-
 from datetime import datetime, timedelta
 
 from courses.people.secrets import check_code, issue_code, redeem_code

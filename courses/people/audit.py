@@ -1,7 +1,5 @@
 """The audit log: staff looked at, or changed, what belongs to students."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from datetime import datetime
 from typing import Any

@@ -1,7 +1,5 @@
 """People, courses and links as a launch tells of them."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from datetime import datetime

@@ -1,7 +1,5 @@
 """Platforms that may launch, their invitations, and the keys that this service signs with."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from datetime import datetime, timedelta
 from typing import Any

@@ -1,7 +1,5 @@
 """What people may ask for by law: all about one person, and its erasure; and data that ends with time."""
 
-from __future__ import annotations
-
 from datetime import datetime, timedelta
 from typing import Any
 

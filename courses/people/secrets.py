@@ -1,7 +1,5 @@
 """Secrets of an installation, and what they seal; tokens, codes and nonces: random, stored as hashes only."""
 
-from __future__ import annotations
-
 import base64
 import hashlib
 import hmac

@@ -1,7 +1,5 @@
 """Sessions: who is signed in, by a token, in which course and at which link."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from datetime import datetime, timedelta
 from typing import Any

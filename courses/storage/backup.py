@@ -4,8 +4,6 @@ The file is gzipped JSON lines: the schema's revision first, then one row a line
 transaction, while the service runs.
 """
 
-from __future__ import annotations
-
 import gzip
 import json
 import os

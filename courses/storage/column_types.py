@@ -1,7 +1,5 @@
 """Columns that hold the same in SQLite and in PostgreSQL."""
 
-from __future__ import annotations
-
 from datetime import UTC, datetime
 from typing import Any
 

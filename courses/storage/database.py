@@ -4,8 +4,6 @@ SQLite keeps a file in a data folder (WAL, every commit flushed to the disk); Po
 A transaction that was committed survives the end of the process, however it ends.
 """
 
-from __future__ import annotations
-
 import fcntl
 import logging
 import os

@@ -1,7 +1,5 @@
 """Engines of the databases: how connections are opened and checked, and how transactions begin."""
 
-from __future__ import annotations
-
 import json
 import time
 from pathlib import Path

@@ -5,8 +5,6 @@ still acknowledges what is sent. Nor does silence alone say that it is frozen: t
 take a while. So a second connection asks the server what it is doing.
 """
 
-from __future__ import annotations
-
 import contextlib
 import time
 from typing import Any, TypeVar

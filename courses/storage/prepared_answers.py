@@ -3,8 +3,6 @@
 All processes on one database share them. Nothing here is worth a backup: what is missing is made again.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from datetime import datetime
 

@@ -1,7 +1,5 @@
 """The database: its relations, the same for SQLite and PostgreSQL."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import sqlalchemy as sa

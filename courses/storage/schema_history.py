@@ -1,7 +1,5 @@
 """The history of the schema, applied; loaded only where something is to be applied, since it takes 9 MB."""
 
-from __future__ import annotations
-
 import sqlalchemy as sa
 from alembic.config import Config
 from alembic.runtime.environment import EnvironmentContext

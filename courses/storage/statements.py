@@ -1,7 +1,5 @@
 """Statements that SQLite and PostgreSQL write alike, and SQLAlchemy writes twice."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import fields
 from functools import cache, lru_cache

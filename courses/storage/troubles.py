@@ -4,8 +4,6 @@ Drivers sort their errors by other lines: a server of PostgreSQL that only reads
 or is damaged, and a damaged file of SQLite, are errors of kinds that are otherwise the program's.
 """
 
-from __future__ import annotations
-
 import sqlite3
 
 from sqlalchemy.exc import DatabaseError, DisconnectionError, InterfaceError, OperationalError

@@ -9,8 +9,6 @@ locks beside the file. Who holds the first waits for the second; a process that 
 first one taken, so that two processes alternate however busy they are.
 """
 
-from __future__ import annotations
-
 import fcntl
 import threading
 import time

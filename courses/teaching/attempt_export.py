@@ -1,7 +1,5 @@
 """The attempts of a link's students as they count: what a lecturer takes away as a file."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 

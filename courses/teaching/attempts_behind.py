@@ -1,7 +1,5 @@
 """The attempts behind a number that staff sees: with a code, of a student, a day, a step or a state."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from datetime import UTC, date, datetime, time, timedelta
 from enum import StrEnum

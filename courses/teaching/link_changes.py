@@ -1,7 +1,5 @@
 """What staff changes of a link: its exercise and settings, extra time for a student, release of feedback."""
 
-from __future__ import annotations
-
 from collections.abc import Collection
 from datetime import datetime
 from typing import Any

@@ -6,8 +6,6 @@ students saw: the grade takes the score of the last applied run, and the statist
 the exercise as it is now cannot read keeps what counts.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
 from datetime import datetime

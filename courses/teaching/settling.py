@@ -5,8 +5,6 @@ students are settled at a time; a run notes from which one on it is unsettled, a
 there: the same request sent again, or a process that looks for runs whose request has ended before its time.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping, Sequence
 from datetime import datetime
 from typing import Any

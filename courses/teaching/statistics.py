@@ -1,7 +1,5 @@
 """What a lecturer sees of a class: queries over stored attempts and their codes. Nothing is judged again."""
 
-from __future__ import annotations
-
 from collections import Counter, defaultdict
 from collections.abc import Iterable, Mapping
 from typing import Any

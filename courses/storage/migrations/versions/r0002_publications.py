@@ -1,7 +1,5 @@
 """Published exercises."""
 
-from __future__ import annotations
-
 import sqlalchemy as sa
 from alembic import op
 

@@ -1,7 +1,5 @@
 """Answers that were made before, shared by all processes."""
 
-from __future__ import annotations
-
 import sqlalchemy as sa
 from alembic import op
 

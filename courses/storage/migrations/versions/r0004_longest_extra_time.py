@@ -1,7 +1,5 @@
 """The longest extra time of a link, found without going through all of its students."""
 
-from __future__ import annotations
-
 from alembic import op
 
 revision = "0004"

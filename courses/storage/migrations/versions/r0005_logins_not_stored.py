@@ -1,7 +1,5 @@
 """Logins are carried by the browser: what anybody could fill is no longer there."""
 
-from __future__ import annotations
-
 from alembic import op
 
 revision = "0005"

@@ -1,7 +1,5 @@
 """A regrading that counts is settled for a few students at a time, and notes how far that has come."""
 
-from __future__ import annotations
-
 import sqlalchemy as sa
 from alembic import op
 
