@@ -1,7 +1,5 @@
 """`python -m service`, or `framewise` where it is installed: see `service.cli`."""
 
-from __future__ import annotations
-
 import sys
 from collections.abc import Sequence
 

@@ -1,7 +1,5 @@
 """The application: routes, the one way from an error to a problem document, and the outermost layer."""
 
-from __future__ import annotations
-
 import asyncio
 import functools
 import logging

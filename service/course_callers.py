@@ -1,7 +1,5 @@
 """Who asks something of a course: a signed-in student, or a member of its staff."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from functools import partial
 from typing import Any, TypeVar

@@ -1,7 +1,5 @@
 """What an application with storage has at its disposal: the database, the platforms' keys, their services."""
 
-from __future__ import annotations
-
 import threading
 import time
 from collections.abc import Callable

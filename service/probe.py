@@ -1,7 +1,5 @@
 """Is the server on this machine alive? For a container: standard library only, exit code 0 or 1."""
 
-from __future__ import annotations
-
 import os
 import sys
 import urllib.error

@@ -4,8 +4,6 @@ Two applications in one process have each their own. Routes ask for them as a de
 `resources: AppResources`.
 """
 
-from __future__ import annotations
-
 from typing import Annotated, TypeAlias
 
 from fastapi import Depends, Request

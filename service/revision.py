@@ -1,7 +1,5 @@
 """Which program made an answer: a digest of the sources that figures and closed forms follow from."""
 
-from __future__ import annotations
-
 import hashlib
 from functools import cache
 from pathlib import Path

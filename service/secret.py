@@ -1,7 +1,5 @@
 """The secret of an installation: what its signatures rest on."""
 
-from __future__ import annotations
-
 import logging
 import os
 import secrets

@@ -1,7 +1,5 @@
 """A whole class graded without a server: file by file, on all cores, in the order of the files."""
 
-from __future__ import annotations
-
 import os
 from collections import Counter, OrderedDict, deque
 from collections.abc import Iterable, Iterator

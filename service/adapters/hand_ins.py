@@ -1,7 +1,5 @@
 """What a class handed in: a file, a folder of files, or the archive that an LMS hands out."""
 
-from __future__ import annotations
-
 import re
 import zipfile
 import zlib

@@ -1,7 +1,5 @@
 """The one function that grades an answer for every caller but the page itself, and the names of exercises."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any

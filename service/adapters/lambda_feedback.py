@@ -3,8 +3,6 @@
 What goes wrong is told in the member `error` of a body, as that interface has it.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from typing import Any
 

@@ -1,7 +1,5 @@
 """µEd 0.1.0: a platform's evaluation request as one of our answers, and our judgement as its feedback."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from contextlib import suppress
 from typing import Any

@@ -1,7 +1,5 @@
 """SCORM packages: an exercise that an LMS plays without knowing us (SCORM 1.2 and 2004, 4th edition)."""
 
-from __future__ import annotations
-
 import io
 import json
 import re

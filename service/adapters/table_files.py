@@ -1,7 +1,5 @@
 """DH tables in files that courses use: JSON, CSV, TSV and spreadsheets, as answers to be graded."""
 
-from __future__ import annotations
-
 import codecs
 import csv
 import io

@@ -1,7 +1,5 @@
 """How far out the cells of a workbook stand, read before its sheets are made."""
 
-from __future__ import annotations
-
 import io
 import re
 import zipfile

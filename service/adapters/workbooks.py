@@ -4,8 +4,6 @@ The reader makes every cell of the rectangle about those with something in them.
 two cells of a small file are enough for gigabytes, and it ends its process where there are none left.
 """
 
-from __future__ import annotations
-
 import atexit
 import io
 import os

@@ -1,7 +1,5 @@
 """Files of marks that appear when they are complete: a command that fails leaves what was there."""
 
-from __future__ import annotations
-
 import shutil
 from collections.abc import Iterator
 from contextlib import contextmanager

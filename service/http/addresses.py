@@ -1,7 +1,5 @@
 """Whom an address is counted for."""
 
-from __future__ import annotations
-
 import functools
 from ipaddress import IPv6Address, IPv6Network
 

@@ -1,7 +1,5 @@
 """Keys of programs that call us: a file of digests, scopes and dates."""
 
-from __future__ import annotations
-
 import hashlib
 import json
 import os

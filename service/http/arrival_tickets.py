@@ -6,8 +6,6 @@ secret (HMAC-SHA-256) and bound to the session and to the answer. Sent with the 
 it makes the answer count as of then.
 """
 
-from __future__ import annotations
-
 import hashlib
 import hmac
 import re

@@ -4,8 +4,6 @@ The minute before counts as far as the sliding minute still reaches into it. Tim
 is set forward frees nobody, and one that is set back holds nobody up.
 """
 
-from __future__ import annotations
-
 import math
 import time
 from collections import OrderedDict

@@ -4,8 +4,6 @@ Of two equal keys the quick reader keeps the last, so the value it returns needs
 the text has. Only then is the slow reader asked where.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 from itertools import chain
 from typing import Any

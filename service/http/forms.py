@@ -1,7 +1,5 @@
 """Forms as browsers and platforms post them, and the address that this service is reached under."""
 
-from __future__ import annotations
-
 from urllib.parse import parse_qsl
 
 from starlette.requests import Request

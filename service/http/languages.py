@@ -1,7 +1,5 @@
 """The language of an answer: what the address asks for, or else the header Accept-Language."""
 
-from __future__ import annotations
-
 from typing import Annotated, TypeAlias
 
 from fastapi import Query

@@ -8,8 +8,6 @@ no table from the catalogue, no matrix and no repair from any call. It travels i
 with such a query sets.
 """
 
-from __future__ import annotations
-
 import base64
 import hashlib
 import hmac

@@ -1,7 +1,5 @@
 """Long lists of numbers in a JSON document, read a piece at a time."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from typing import Any
 

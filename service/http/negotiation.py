@@ -1,7 +1,5 @@
 """Content negotiation: which language and which media type a caller prefers (RFC 9110 §12, RFC 4647 §3.4)."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from functools import lru_cache
 

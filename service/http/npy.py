@@ -5,8 +5,6 @@ there before an array is made of them, and objects are never unpickled. Format: 
 1.0 to 3.0.
 """
 
-from __future__ import annotations
-
 import io
 import math
 import sys

@@ -1,7 +1,5 @@
 """A refusal as it is answered: the problem document (RFC 9457) in the caller's language."""
 
-from __future__ import annotations
-
 from starlette.requests import Request
 from starlette.responses import Response
 from starlette.types import Receive, Scope, Send

@@ -1,7 +1,5 @@
 """The problem document (RFC 9457): a refusal, ready to be written in any language."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 

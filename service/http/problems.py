@@ -19,8 +19,6 @@
 Errors of `kinematics` and `exercises` carry faults of the same shape and know no status: this table does.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from enum import StrEnum

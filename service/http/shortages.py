@@ -1,7 +1,5 @@
 """What the machine lacks just now: memory, threads or files. That is no error of a request, and may pass."""
 
-from __future__ import annotations
-
 import errno
 import logging
 

@@ -4,8 +4,6 @@ A server that closes a connection while a body is under way resets it, and the c
 the sentence should be. What is taken in is bounded in size and in time.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 
 import anyio

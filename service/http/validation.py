@@ -1,7 +1,5 @@
 """Pydantic's findings as faults: stable codes, JSON pointers, sentences that say what would be right."""
 
-from __future__ import annotations
-
 import re
 import types
 from collections.abc import Iterable, Sequence

@@ -1,7 +1,5 @@
 """Connections whose every operation ends with the request's time: what drips is given up wherever it is."""
 
-from __future__ import annotations
-
 import ssl
 import threading
 import time

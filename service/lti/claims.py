@@ -1,7 +1,5 @@
 """Names of claims, scopes, media types and roles."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 
 LTI = "https://purl.imsglobal.org/spec/lti/claim/"

@@ -1,7 +1,5 @@
 """The answer to a deep linking request (Deep Linking 2.0 §4.5)."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from datetime import datetime

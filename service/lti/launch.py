@@ -1,7 +1,5 @@
 """A launch message: believed or refused, check by check (Security Framework 1.1 §5.1.3, LTI 1.3)."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field

@@ -5,8 +5,6 @@ LoginError        a login, or a form, that lacks what it needs (400)
 PlatformError     a platform did not answer as its specification says
 """
 
-from __future__ import annotations
-
 from kinematics.errors import Fault, ParamValue
 from service.http.problems import BodyError, RequestError, UnauthorizedError
 

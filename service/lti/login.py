@@ -4,8 +4,6 @@ Anybody may begin a login, so nothing is stored of it: its state carries what th
 by way of the browser and the platform. The nonce is stored once a platform's signature has been verified.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 from datetime import datetime, timedelta

@@ -1,7 +1,5 @@
 """Names and Role Provisioning Services 2.0: who is in a course."""
 
-from __future__ import annotations
-
 import time
 from collections.abc import Mapping
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """Keys of platforms, fetched from the address that was registered and from nowhere else."""
 
-from __future__ import annotations
-
 import re
 import threading
 import time

@@ -1,7 +1,5 @@
 """Dynamic Registration 1.0: the platform's configuration in, this tool's out, a client id back."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any

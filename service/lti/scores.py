@@ -1,7 +1,5 @@
 """Assignment and Grade Services 2.0: scores, results and line items."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 from datetime import UTC, datetime

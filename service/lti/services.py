@@ -1,7 +1,5 @@
 """Calls to a platform's services with an access token (Security Framework 1.1 §4.1)."""
 
-from __future__ import annotations
-
 import threading
 import time
 from collections.abc import Callable, Mapping

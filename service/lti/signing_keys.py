@@ -1,7 +1,5 @@
 """The tool's own keys: RSA of 2048 bits, published before they sign and kept as long as a token may live."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Mapping, Sequence
 from datetime import datetime, timedelta

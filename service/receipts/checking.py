@@ -1,7 +1,5 @@
 """Many receipts verified: what each says, and as marks for a gradebook."""
 
-from __future__ import annotations
-
 import re
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence

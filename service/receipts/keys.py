@@ -1,7 +1,5 @@
 """The keys that sign receipts: one signs, all of them verify."""
 
-from __future__ import annotations
-
 import json
 import os
 import time

@@ -1,7 +1,5 @@
 """A receipt: the facts of a verdict as a compact JWS (RFC 7515), signed with EdDSA (RFC 8037)."""
 
-from __future__ import annotations
-
 import hashlib
 from base64 import urlsafe_b64decode, urlsafe_b64encode
 from collections.abc import Mapping

@@ -1,7 +1,5 @@
 """A receipt as pages to print: points, robot, table, QR code (PDF)."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 

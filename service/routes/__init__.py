@@ -14,8 +14,6 @@ when what is read stands at a place of the body); they become problem documents.
 names a status.
 """
 
-from __future__ import annotations
-
 import importlib
 import pkgutil
 from collections.abc import Iterator

@@ -1,7 +1,5 @@
 """What the API says of itself: the OpenAPI document, and what each refusal means."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import Annotated, TypeVar
 

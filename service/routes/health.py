@@ -1,7 +1,5 @@
 """How the service is: alive, ready, and which version."""
 
-from __future__ import annotations
-
 from typing import Annotated, Literal
 
 from fastapi import APIRouter, Response

@@ -1,7 +1,5 @@
 """What the pages load: the files of the form, and the messages they speak with."""
 
-from __future__ import annotations
-
 from functools import lru_cache
 
 from fastapi import APIRouter, Response

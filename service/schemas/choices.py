@@ -4,8 +4,6 @@ It is said by `not` and `patternProperties` alone: generators of clients leave t
 `allOf` and any `properties` for further shapes. Null counts as left out.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping
 from itertools import combinations
 from typing import Any

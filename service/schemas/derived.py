@@ -5,8 +5,6 @@ A frozen dataclass of `exercises` becomes a pydantic model with the same fields;
 verdicts go out as the records themselves and are documented by it.
 """
 
-from __future__ import annotations
-
 import re
 import types
 from collections.abc import Mapping, Sequence

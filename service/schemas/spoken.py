@@ -1,7 +1,5 @@
 """What is said of an answer, as a code and as a sentence."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping
 from types import MappingProxyType
 

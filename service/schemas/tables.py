@@ -1,7 +1,5 @@
 """The DH table on the wire."""
 
-from __future__ import annotations
-
 from typing import Annotated, Any, Literal, Protocol, TypeAlias
 
 from pydantic import Field, WithJsonSchema

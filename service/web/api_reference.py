@@ -1,7 +1,5 @@
 """The OpenAPI document as one page for people: no script, nothing from elsewhere."""
 
-from __future__ import annotations
-
 import base64
 import hashlib
 import json

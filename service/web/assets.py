@@ -1,7 +1,5 @@
 """Files under `static/`: found once, compressed once, named by a version so that browsers keep them."""
 
-from __future__ import annotations
-
 import gzip
 import hashlib
 import mimetypes

@@ -1,7 +1,5 @@
 """The page between a learning platform and the exercise: what a launch, or a registration, does next."""
 
-from __future__ import annotations
-
 import logging
 from collections.abc import Callable, Mapping
 from dataclasses import replace

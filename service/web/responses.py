@@ -1,7 +1,5 @@
 """Pages as responses: language, content security policy, validators, compression."""
 
-from __future__ import annotations
-
 import gzip
 import hashlib
 from collections.abc import Mapping

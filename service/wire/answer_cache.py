@@ -1,7 +1,5 @@
 """The latest answers by what was asked, bounded by the bytes of both."""
 
-from __future__ import annotations
-
 from collections import OrderedDict
 
 TOTAL_BYTES = 32 * 1024 * 1024

@@ -4,8 +4,6 @@ Methods speak of rows of a DH table. The caller may have sent a table, but also 
 chain or a URDF, and what is too long may be a parameter.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import replace

@@ -4,8 +4,6 @@ What writes JSON doesn't let other threads run meanwhile: a list of a million nu
 keep every other request waiting for a good part of a second.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 from typing import Any
 

@@ -1,7 +1,5 @@
 """What a lecturer set, and one answer graded by it: shared by all hosts."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path

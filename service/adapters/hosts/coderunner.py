@@ -1,7 +1,5 @@
 """Moodle's CodeRunner: the answer on standard input, a template grader's JSON on standard output."""
 
-from __future__ import annotations
-
 import json
 import sys
 from html import escape

@@ -1,7 +1,5 @@
 """Gradescope: /autograder/submission/ in, /autograder/results/results.json out."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 from typing import Any

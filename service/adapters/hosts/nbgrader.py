@@ -4,8 +4,6 @@ In a notebook, the last expression of a test cell is what nbgrader records as pa
 `framewise.check(table, exercise).points_of(5)` says the same without a file.
 """
 
-from __future__ import annotations
-
 import sys
 from pathlib import Path
 

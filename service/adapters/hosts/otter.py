@@ -3,8 +3,6 @@
 In a notebook's tests, `framewise.check(table, exercise)` is asked directly, as docs/lms/examples/otter shows.
 """
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """PrairieLearn's external grader: /grade/data/data.json in, /grade/results/results.json out."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Mapping
 from pathlib import Path

@@ -1,7 +1,5 @@
 """POST /check-dynamics: equations of motion that somebody wrote."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from itertools import chain
 from typing import Annotated, Any

@@ -1,7 +1,5 @@
 """POST /check-inverse-kinematics: joint values that somebody says reach a pose."""
 
-from __future__ import annotations
-
 from contextlib import suppress
 from functools import partial
 from typing import Annotated, NamedTuple

@@ -1,7 +1,5 @@
 """POST /check-jacobian and POST /check-jacobian-form: Jacobians and joint forces that somebody computed."""
 
-from __future__ import annotations
-
 import itertools
 from typing import Annotated
 

@@ -1,7 +1,5 @@
 """POST /check-rotation: an orientation that somebody wrote, in whatever notation."""
 
-from __future__ import annotations
-
 from typing import Annotated, ClassVar
 
 from pydantic import Field

@@ -1,7 +1,5 @@
 """POST /check-screws: products of exponentials that somebody says are a robot."""
 
-from __future__ import annotations
-
 from typing import Annotated
 
 import numpy as np

@@ -1,7 +1,5 @@
 """POST /check-singularities: where an arm is singular, as somebody wrote it."""
 
-from __future__ import annotations
-
 from collections.abc import Collection
 from typing import Annotated, Any
 

@@ -1,7 +1,5 @@
 """What students handed in, as the staff sees it."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from datetime import date
 from typing import TypeVar

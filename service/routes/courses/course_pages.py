@@ -1,7 +1,5 @@
 """The lecturers' pages: the course, and the choice of an exercise for a link."""
 
-from __future__ import annotations
-
 from fastapi import APIRouter, Request, Response
 
 from service.resources import resources_of

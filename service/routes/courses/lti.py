@@ -4,8 +4,6 @@ A launch ends in a redirect whose fragment holds a code; the page's script excha
 token. Fragments are sent to no server and stand in no log.
 """
 
-from __future__ import annotations
-
 import hmac
 from collections.abc import Mapping
 from datetime import timedelta

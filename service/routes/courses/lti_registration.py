@@ -1,7 +1,5 @@
 """What platforms are told of this tool, and their dynamic registration."""
 
-from __future__ import annotations
-
 from dataclasses import asdict
 from functools import partial
 

@@ -1,7 +1,5 @@
 """One person of a course: everything that is stored, and its removal."""
 
-from __future__ import annotations
-
 from fastapi import Response
 
 from courses.people.privacy import erase_person, export_person, person_named

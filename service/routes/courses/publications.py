@@ -1,7 +1,5 @@
 """Publishing exercises: a version is kept for good, for those who may publish here."""
 
-from __future__ import annotations
-
 from functools import partial
 
 from fastapi import Response

@@ -1,7 +1,5 @@
 """POST /compare-tables and POST /other-tables: tables of one robot."""
 
-from __future__ import annotations
-
 from typing import Annotated
 
 import numpy as np

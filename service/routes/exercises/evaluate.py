@@ -1,7 +1,5 @@
 """µEd 0.1.0, POST /evaluate and GET /evaluate/health, and Lambda Feedback's call that came before it."""
 
-from __future__ import annotations
-
 from functools import partial
 from typing import Any
 

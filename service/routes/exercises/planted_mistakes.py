@@ -1,7 +1,5 @@
 """POST /plant-mistake, /plant-matrix-mistake and /plant-frame-mistake: what is right in, one mistake out."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from typing import Annotated, Literal, TypeVar
 

@@ -1,7 +1,5 @@
 """POST /receipts/verify and GET /receipts/keys: what lecturers believe of receipts, and why."""
 
-from __future__ import annotations
-
 import io
 from functools import partial
 from typing import Annotated, Any

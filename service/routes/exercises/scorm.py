@@ -1,7 +1,5 @@
 """SCORM packages of exercises, for courses whose administrator nobody waits for."""
 
-from __future__ import annotations
-
 from typing import Annotated
 from urllib.parse import urlencode
 

@@ -1,7 +1,5 @@
 """POST /exercises/{exercise_id}/links: links that carry a lecturer's settings, signed."""
 
-from __future__ import annotations
-
 import time
 from typing import Annotated
 from urllib.parse import urlencode

@@ -1,7 +1,5 @@
 """What is made of a table while it is being typed: cell by cell, also beside cells that cannot be read."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 from functools import lru_cache, partial

@@ -1,7 +1,5 @@
 """POST /assign-frames and POST /check-frames: from joint axes to frames and a DH table."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from typing import Any
 

@@ -1,7 +1,5 @@
 """From one description of a robot to another."""
 
-from __future__ import annotations
-
 from service.http.calls import CallRouter
 from service.http.routing import OneRobotRoute
 from service.schemas.kinematics.conversion import ConvertAnswer, ConvertRequest

@@ -1,7 +1,5 @@
 """How forces move a robot: numbers at one configuration, and equations of motion in closed form."""
 
-from __future__ import annotations
-
 from functools import partial
 from typing import Any
 

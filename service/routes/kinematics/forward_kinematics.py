@@ -1,7 +1,5 @@
 """POST /forward-kinematics: joint values to poses."""
 
-from __future__ import annotations
-
 from typing import Annotated
 
 import numpy as np

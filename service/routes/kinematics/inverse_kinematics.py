@@ -1,7 +1,5 @@
 """Poses to joint values."""
 
-from __future__ import annotations
-
 from functools import partial
 
 from service.http.calls import CallRouter

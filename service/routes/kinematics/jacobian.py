@@ -1,7 +1,5 @@
 """POST /jacobian: joint rates to the velocity of the tool."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import fields
 from typing import Any, Literal, TypeAlias

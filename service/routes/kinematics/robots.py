@@ -1,7 +1,5 @@
 """GET /robots and GET /robots/{robot_id}: the robot catalogue."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from functools import cache, partial
 from typing import Annotated, Self

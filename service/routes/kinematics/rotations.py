@@ -1,7 +1,5 @@
 """POST /rotations: an orientation in every notation."""
 
-from __future__ import annotations
-
 from typing import Annotated
 
 from pydantic import Field

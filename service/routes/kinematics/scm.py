@@ -1,7 +1,5 @@
 """POST /scm/forward-kinematics, /scm/inverse-transform and /scm/jacobian: the SCM toolbox."""
 
-from __future__ import annotations
-
 from enum import StrEnum
 from functools import partial
 from typing import Annotated, Any, TypeAlias

@@ -1,7 +1,5 @@
 """POST /scm/inverse-kinematics and POST /scm/random-configuration: joint values of SCM chains."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from functools import partial
 from typing import Annotated, Any, TypeAlias

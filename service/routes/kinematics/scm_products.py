@@ -1,7 +1,5 @@
 """POST /scm/products: motions multiplied and compared."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import partial

@@ -1,7 +1,5 @@
 """POST /symbolic: every matrix of a table as a lecturer writes it, and as functions."""
 
-from __future__ import annotations
-
 from fastapi import Response
 from pydantic import Field
 

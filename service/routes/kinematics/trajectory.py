@@ -1,7 +1,5 @@
 """POST /trajectory: from one configuration to another, over time."""
 
-from __future__ import annotations
-
 from typing import Annotated
 
 import numpy as np

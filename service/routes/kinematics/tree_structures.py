@@ -1,7 +1,5 @@
 """POST /trees: arms that branch."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from typing import Annotated
 

@@ -1,7 +1,5 @@
 """Drafts of exercises on the wire."""
 
-from __future__ import annotations
-
 from base64 import b64decode
 from typing import Annotated, Any
 

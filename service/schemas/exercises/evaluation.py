@@ -4,8 +4,6 @@ Platforms leave out what they do not use and add what we do not know: unlike our
 submission's type and content is needed, and unknown members are passed over.
 """
 
-from __future__ import annotations
-
 from enum import StrEnum
 from typing import Any, Literal
 

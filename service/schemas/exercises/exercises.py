@@ -1,7 +1,5 @@
 """Exercises and answers to them on the wire."""
 
-from __future__ import annotations
-
 from typing import Annotated, Any, Literal, TypeAlias
 
 from pydantic import Field, PlainValidator, WithJsonSchema, create_model

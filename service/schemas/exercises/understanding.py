@@ -1,7 +1,5 @@
 """POST /understand on the wire: what is made of a table while it is being typed."""
 
-from __future__ import annotations
-
 from typing import Annotated, Any
 
 from pydantic import Field, WithJsonSchema

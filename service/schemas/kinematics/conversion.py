@@ -1,7 +1,5 @@
 """POST /convert on the wire."""
 
-from __future__ import annotations
-
 from enum import StrEnum
 from typing import Annotated, Any, Self, TypeAlias, TypeGuard
 

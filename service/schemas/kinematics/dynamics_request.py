@@ -1,7 +1,5 @@
 """POST /dynamics on the wire."""
 
-from __future__ import annotations
-
 from enum import StrEnum
 from typing import Annotated, Any, Literal
 

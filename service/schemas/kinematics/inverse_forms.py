@@ -1,7 +1,5 @@
 """POST /inverse-kinematics with "form": "symbolic" on the wire."""
 
-from __future__ import annotations
-
 from typing import Annotated, Any, Literal
 
 from pydantic import ConfigDict, Discriminator, Field, Tag

@@ -1,7 +1,5 @@
 """POST /inverse-kinematics on the wire."""
 
-from __future__ import annotations
-
 from typing import Annotated, Literal, Self
 
 from pydantic import Field, model_validator

@@ -1,7 +1,5 @@
 """Joint axes as callers write them, and the convention of the wanted table."""
 
-from __future__ import annotations
-
 from typing import Annotated, Any, Literal, TypeAlias
 
 from pydantic import Discriminator, Field, Tag

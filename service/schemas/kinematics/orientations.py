@@ -1,7 +1,5 @@
 """Orientations as callers write them: in one of four notations, and by sequences of angles."""
 
-from __future__ import annotations
-
 from typing import Annotated, ClassVar, TypeAlias
 
 from pydantic import AfterValidator, Field

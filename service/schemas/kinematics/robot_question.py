@@ -1,7 +1,5 @@
 """Robots, poses and joint values as callers write them."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Annotated, Any, Literal, Self, TypeAlias
 

@@ -1,7 +1,5 @@
 """The SCM method on the wire: chains of [X Y Z A B C] rows, and which of them a call speaks of."""
 
-from __future__ import annotations
-
 from enum import StrEnum
 from typing import Annotated, Any, Self, TypeAlias
 

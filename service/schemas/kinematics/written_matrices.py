@@ -1,7 +1,5 @@
 """Matrices in closed form on the wire: what every call says that writes them."""
 
-from __future__ import annotations
-
 from typing import Annotated, Any, TypeAlias
 
 from pydantic import ConfigDict, Field

@@ -1,7 +1,5 @@
 """What lecturers read: attempts in a file, and mistakes with an example in words."""
 
-from __future__ import annotations
-
 import csv
 import io
 from collections.abc import Iterable, Iterator, Mapping

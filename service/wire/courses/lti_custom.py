@@ -1,7 +1,5 @@
 """What a deep link carries in its custom parameters, and how a launch becomes an arrival in a course."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Mapping
 from typing import Any

@@ -1,7 +1,5 @@
 """Sessions, attempts and stored reports as JSON."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Drafts as JSON: what is read, shown and refused of them, in the caller's language."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import fields

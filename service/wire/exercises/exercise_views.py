@@ -1,7 +1,5 @@
 """Exercises as JSON and SVG, in the caller's language. The key is never among it."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import fields
 from functools import lru_cache

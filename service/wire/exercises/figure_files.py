@@ -5,8 +5,6 @@ or another version of exercise or program has another one. What an address shows
 What is drawn is shared more widely than that: by all whose figures differ in words alone.
 """
 
-from __future__ import annotations
-
 import hashlib
 import struct
 import zlib

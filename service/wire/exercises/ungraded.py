@@ -1,7 +1,5 @@
 """What cannot be graded is refused, and the refusal says that it cost no attempt."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from contextlib import contextmanager
 

@@ -3,8 +3,6 @@
 The records of `exercises` are written field by field; `service.schemas.derived` documents the same fields.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import fields
 from functools import cache

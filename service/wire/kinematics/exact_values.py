@@ -1,7 +1,5 @@
 """Tables and given values as exact expressions: what closed forms start from."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from fractions import Fraction
 from typing import Any, Protocol

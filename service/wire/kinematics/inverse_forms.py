@@ -1,7 +1,5 @@
 """From a request for inverse kinematics in symbols to the written equations."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from itertools import chain

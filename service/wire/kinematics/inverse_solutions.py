@@ -1,7 +1,5 @@
 """Inverse kinematics between the wire and the domain."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, Protocol, TypeAlias

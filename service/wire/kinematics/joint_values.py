@@ -1,7 +1,5 @@
 """Joint values from the wire: in the request's units, one configuration or a batch, within the limits."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from itertools import islice

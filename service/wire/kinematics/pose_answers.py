@@ -1,7 +1,5 @@
 """Poses as the wire shows them: parts of an answer, for one configuration or for a batch sent in blocks."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """Poses from the wire as 4×4 matrices."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import Any, Protocol, TypeAlias
 

@@ -4,8 +4,6 @@ Clients send the same table again and again: a table and its parameters are read
 looked up by their JSON.
 """
 
-from __future__ import annotations
-
 from collections import OrderedDict
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """A question about a robot at given joint values: all JSON, or joints as npy and the rest in the query."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 from functools import partial

@@ -1,7 +1,5 @@
 """From a request for closed forms to a task for the workers; answers are kept."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from functools import partial
 from typing import Protocol, TypeVar

@@ -1,7 +1,5 @@
 """DH tables and poses as the wire writes them: cells that the grammar reads back to the very same entries."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field

@@ -7,8 +7,6 @@ To add a source, give `service.schemas.kinematics.conversion.ConvertRequest` a f
 reader under that field's name; to add a target, give `Target` a name and `TARGETS` a writer.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 
 from numpy.typing import ArrayLike

@@ -1,7 +1,5 @@
 """DH tables: read from the wire or the catalogue, written in either convention."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import replace
 from functools import reduce

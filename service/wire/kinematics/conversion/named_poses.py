@@ -4,8 +4,6 @@ They are read cell by cell. Where the request gives values they become numbers l
 they stay expressions, and one that is a motion along and about x goes back into the row that it came from.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace

@@ -1,7 +1,5 @@
 """Products of exponentials."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 from kinematics import screws as screws_module

@@ -1,7 +1,5 @@
 """SCM chains: SCM2DH of the toolbox, and the way back."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 from kinematics.cells import ParameterKind, ReadTable, parameter_values

@@ -1,7 +1,5 @@
 """URDF descriptions: one serial chain of them read, tables written."""
 
-from __future__ import annotations
-
 from kinematics.cells import AngleUnit, LengthUnit, ReadTable
 from kinematics.frames.exactness import exact_table
 from kinematics.table import Convention, JointType
