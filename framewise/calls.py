@@ -3,8 +3,6 @@
 Numbers may be NumPy's: a client sends an array as the list that it is.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from typing import Any, TypeAlias
 

@@ -1,7 +1,5 @@
 """The grader without a service: for notebooks and autograders that run where no network is."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 from html import escape

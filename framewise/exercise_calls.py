@@ -1,7 +1,5 @@
 """The calls that judge answers, and those for authors of exercises; both clients send them, too."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from typing import Any, TypeAlias
 

@@ -1,7 +1,5 @@
 """One call of the API, and what sends it, now or later."""
 
-from __future__ import annotations
-
 from abc import ABC, abstractmethod
 from collections.abc import Mapping
 from dataclasses import dataclass, field
