@@ -11,7 +11,7 @@ from fractions import Fraction
 from functools import cached_property
 from typing import TypeVar
 
-from exercises.reading import Reader
+from exercises.reading import KeyShape, Reader
 
 ALIKE = Fraction(1, 100)
 """Sizes that differ by no more than this share pass for each other in an answer in numbers."""
@@ -99,8 +99,16 @@ def pick(values: Sequence[Value], *names: str) -> Value:
     return values[int.from_bytes(digest, "big") % len(values)]
 
 
-def read_draw(reader: Reader, key: str) -> Draw | None:
-    """Return from where values are drawn; None if the key is missing. Faults go to the reader."""
+def read_draw(reader: Reader, key: str, *, of_use: bool = True) -> Draw | None:
+    """Return from where values are drawn; None if the key is missing. Faults go to the reader.
+
+    Args:
+        reader: of the part's entry.
+        key: to read.
+        of_use: something is drawn from it, so authors are offered the key.
+    """
+    if of_use:
+        reader.note(key, KeyShape.DRAW)
     if not reader.given(key):
         return None
     inner = reader.table(key)

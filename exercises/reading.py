@@ -1,12 +1,18 @@
-"""Reading a definition's keys: lengths, directions and names beside what every file of keys holds."""
+"""Reading a definition's keys: lengths, directions and names beside what every file of keys holds.
 
-from collections.abc import Sequence
+A reader notes what the keys may hold that it is asked for: these a page offers on which exercises are made.
+"""
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from enum import StrEnum, auto
 from fractions import Fraction
-from typing import ClassVar
+from typing import Any, ClassVar
 
 from kinematics.cells import AngleUnit, Cell, ParameterKind, canonical_name, read_cell
+from kinematics.errors import Fault
 from kinematics.expressions import ZERO, Expression, joint_variables_in
-from kinematics.keys import LARGEST, KeyFaults, KeyReader, ValueKind, is_number
+from kinematics.keys import LARGEST, MISSING, Choice, KeyFaults, KeyReader, ValueKind, is_number
 
 LONGEST_ECHO = 80
 """Characters of a text that its fault repeats."""
@@ -14,8 +20,55 @@ LARGEST_TOLERANCE = 0.1
 """With more, a tenth of a robot's size or 6° off, an answer would pass that nobody calls right."""
 
 
+class KeyShape(StrEnum):
+    """What the value of a key looks like.
+
+    NUMBER: a number. TEXT: a text. CHOICE: one of some words. CHOICES: some of them. NUMBERS: a number for
+    each label. CELLS: a number or a name for each label. DRAW: from where a student's own value is drawn.
+    POINT: the name of a point of the figure. FRAMES: from a frame to another. FRAME_PAIRS: several of these.
+    RANGES: for each label the least and the greatest value, or none; or the word `catalogue`.
+    BODIES: for each row mass, centre and moments of what moves with it. QUANTITIES: by name a value, and from
+    where a student's own is drawn.
+    """
+
+    NUMBER = auto()
+    TEXT = auto()
+    CHOICE = auto()
+    CHOICES = auto()
+    NUMBERS = auto()
+    CELLS = auto()
+    DRAW = auto()
+    POINT = auto()
+    FRAMES = auto()
+    FRAME_PAIRS = auto()
+    RANGES = auto()
+    BODIES = auto()
+    QUANTITIES = auto()
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class DefinitionKey:
+    """A key of a part's definition.
+
+    Attributes:
+        name: it; what it is called is the message `key-<name>`.
+        shape: what its value looks like.
+        labels: what the entries of a list are called.
+        options: what may be chosen; their names are the messages `choice-<option>`.
+    """
+
+    name: str
+    shape: KeyShape
+    labels: tuple[str, ...] = ()
+    options: tuple[str, ...] = ()
+
+
 class Reader(KeyReader):
-    """A table of keys of an exercise's definition; keys that nobody asks for are faults."""
+    """A table of keys of an exercise's definition; keys that nobody asks for are faults.
+
+    Attributes:
+        noted: what the keys may hold that were asked for, as far as it was noted.
+    """
 
     codes: ClassVar[KeyFaults] = KeyFaults(
         missing="exercise_key_missing",
@@ -23,6 +76,27 @@ class Reader(KeyReader):
         mistyped="exercise_value_type",
         unlisted="exercise_value_unknown",
     )
+
+    def __init__(self, values: Mapping[str, Any], where: tuple[str | int, ...], faults: list[Fault]) -> None:
+        super().__init__(values, where, faults)
+        self.noted: dict[str, DefinitionKey] = {}
+
+    def note(
+        self, key: str, shape: KeyShape, labels: Iterable[str] = (), options: Iterable[str] = ()
+    ) -> None:
+        """Note what a key may hold; what was noted of it before stands."""
+        found = DefinitionKey(name=key, shape=shape, labels=tuple(labels), options=tuple(options))
+        self.noted.setdefault(key, found)
+
+    def choice(self, key: str, kind: type[Choice], default: Choice | None = None) -> Choice:
+        """Return one of the values of an enumeration."""
+        self.note(key, KeyShape.CHOICE, options=kind)
+        return super().choice(key, kind, default)
+
+    def choices(self, key: str, kind: type[Choice], default: Any = MISSING) -> tuple[Choice, ...]:
+        """Return a list of values of an enumeration."""
+        self.note(key, KeyShape.CHOICES, options=kind)
+        return super().choices(key, kind, default)
 
     def count(self, key: str) -> int:
         """Return a whole number from 1 on; 1 with a fault where it is something else."""
@@ -37,6 +111,7 @@ class Reader(KeyReader):
 
     def tolerance(self, key: str, usual: float) -> float:
         """Return a tolerance, above 0 and at most 0.1; the usual one where it is missing or none."""
+        self.note(key, KeyShape.NUMBER)
         value = self.number(key, usual)
         if 0.0 < value <= LARGEST_TOLERANCE:
             return value
@@ -107,3 +182,20 @@ class Reader(KeyReader):
         for index in variables:
             self.fault("joint_variable_in_number", *where, name=f"q{index}")
         return ZERO if found is None or variables else found
+
+
+class _EveryKey(dict[str, Any]):
+    """A definition that gives every key, and nothing in any."""
+
+    def __contains__(self, key: object) -> bool:
+        return True
+
+    def __missing__(self, key: str) -> None:
+        return None
+
+
+def keys_read(read: Callable[[Reader], object]) -> tuple[DefinitionKey, ...]:
+    """Return the keys that a function asks a reader for, with what each may hold."""
+    reader = Reader(_EveryKey(), (), [])
+    read(reader)
+    return tuple(reader.noted.values())

@@ -11,7 +11,8 @@ from kinematics.errors import Fault, KinematicsError, ParamValue
 Choice = TypeVar("Choice", bound=StrEnum)
 Read = TypeVar("Read")
 
-_MISSING: Any = object()
+MISSING: Any = object()
+"""Stands for no default: the key must be given."""
 LARGEST = 10**15
 """Most that a number may be in size, as in cells: what is computed of it is finite."""
 
@@ -98,7 +99,7 @@ class KeyReader:
 
         An empty one where there is none, which reports nothing more.
         """
-        value = self.value(key, dict, ValueKind.TABLE, _MISSING if needed else {})
+        value = self.value(key, dict, ValueKind.TABLE, MISSING if needed else {})
         faults = self.faults if isinstance(value, dict) else []
         return type(self)(value if isinstance(value, dict) else {}, (*self.where, key), faults)
 
@@ -110,38 +111,38 @@ class KeyReader:
 
     def entries(self, key: str, *, needed: bool = False) -> Iterator[Self]:
         """Yield the readers of a list of tables."""
-        value = self.value(key, list, ValueKind.TABLES, _MISSING if needed else [])
+        value = self.value(key, list, ValueKind.TABLES, MISSING if needed else [])
         for i, entry in enumerate(value if isinstance(value, list) else []):
             if isinstance(entry, dict):
                 yield type(self)(entry, (*self.where, key, i), self.faults)
             else:
                 self.mistyped(ValueKind.TABLE, key, i)
 
-    def text(self, key: str, default: Any = _MISSING) -> str:
+    def text(self, key: str, default: Any = MISSING) -> str:
         """Return a text; one that must be given is not empty."""
         value = self.value(key, str, ValueKind.TEXT, default)
-        if default is _MISSING and isinstance(value, str) and not value.strip():
+        if default is MISSING and isinstance(value, str) and not value.strip():
             self.mistyped(ValueKind.TEXT, key)
         return value if isinstance(value, str) else ""
 
-    def texts(self, key: str, *, default: Any = _MISSING) -> tuple[str, ...]:
+    def texts(self, key: str, *, default: Any = MISSING) -> tuple[str, ...]:
         """Return a list of texts."""
         value = self.value(key, list, ValueKind.TEXTS, default)
         return self._each(key, value, ValueKind.TEXT, lambda entry: isinstance(entry, str))
 
-    def integer(self, key: str, default: Any = _MISSING) -> int:
+    def integer(self, key: str, default: Any = MISSING) -> int:
         """Return a whole number of at most `LARGEST` in size."""
         value = self.value(key, int, ValueKind.INTEGER, default)
         if isinstance(value, int) and abs(value) > LARGEST:
             self.mistyped(ValueKind.NUMBER, key)
         return value if isinstance(value, int) else 0
 
-    def exact(self, key: str, default: Any = _MISSING) -> Fraction:
+    def exact(self, key: str, default: Any = MISSING) -> Fraction:
         """Return a number, as it is written: 0.1 is a tenth."""
         value = self.value(key, (int, float, Fraction), ValueKind.NUMBER, default)
         return self._fraction(value, key)
 
-    def exacts(self, key: str, default: Any = _MISSING) -> tuple[Fraction, ...]:
+    def exacts(self, key: str, default: Any = MISSING) -> tuple[Fraction, ...]:
         """Return a list of numbers, as they are written."""
         value = self.value(key, list, ValueKind.NUMBERS, default)
         entries = self._each(key, value, ValueKind.NUMBER, is_number)
@@ -154,13 +155,13 @@ class KeyReader:
         self.missing(key)
         return 0
 
-    def number(self, key: str, default: Any = _MISSING) -> float:
+    def number(self, key: str, default: Any = MISSING) -> float:
         """Return a number of at most `LARGEST` in size."""
         return float(self.exact(key, default))
 
     def numbers(self, key: str, length: int) -> tuple[float, ...]:
         """Return a list of `length` finite numbers; zeros where it is something else."""
-        value = self.value(key, list, ValueKind.NUMBERS, _MISSING, count=length)
+        value = self.value(key, list, ValueKind.NUMBERS, MISSING, count=length)
         if are_numbers(value, length):
             return tuple(map(float, value))
         if value is not None:
@@ -170,7 +171,7 @@ class KeyReader:
     def rows(self, key: str, length: int | None, width: int) -> list[list[Any]]:
         """Return a list of lists of `width` entries each, `length` of them where that is given."""
         params: dict[str, ParamValue] = {"width": width, "count": length or 0}
-        value = self.value(key, list, ValueKind.ROWS, _MISSING, **params)
+        value = self.value(key, list, ValueKind.ROWS, MISSING, **params)
         if not isinstance(value, list):
             return []
         if all(isinstance(row, list) and len(row) == width for row in value) and length in {None, len(value)}:
@@ -180,7 +181,7 @@ class KeyReader:
 
     def choice(self, key: str, kind: type[Choice], default: Choice | None = None) -> Choice:
         """Return one of the values of an enumeration."""
-        value = self.value(key, str, ValueKind.TEXT, _MISSING if default is None else default.value)
+        value = self.value(key, str, ValueKind.TEXT, MISSING if default is None else default.value)
         if value is None:
             return default if default is not None else next(iter(kind))
         try:
@@ -189,7 +190,7 @@ class KeyReader:
             self.not_among(kind, key)
             return default if default is not None else next(iter(kind))
 
-    def choices(self, key: str, kind: type[Choice], default: Any = _MISSING) -> tuple[Choice, ...]:
+    def choices(self, key: str, kind: type[Choice], default: Any = MISSING) -> tuple[Choice, ...]:
         """Return a list of values of an enumeration."""
         found = []
         for i, text in enumerate(self.texts(key, default=default)):
@@ -222,16 +223,16 @@ class KeyReader:
         key: str,
         kind: type | tuple[type, ...],
         expected: ValueKind,
-        default: Any = _MISSING,
+        default: Any = MISSING,
         **params: ParamValue,
     ) -> Any:
         """Return a value of the types `kind`.
 
         The default, or None with a fault, where it is something else.
         """
-        absent = None if default is _MISSING else default
+        absent = None if default is MISSING else default
         if not self.given(key):
-            if default is _MISSING:
+            if default is MISSING:
                 self.missing(key)
             return absent
         value = self.values[key]

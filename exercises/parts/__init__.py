@@ -4,7 +4,7 @@ protocol     what a kind is; task, what it asks, as a page shows it
 context      what the parts of an answer are judged by: the key, the student's own table
 samples      points at which functions are compared
 report       what is said of one; following, what it earns after a wrong table
-definition_keys          what its definition may say
+first_values             with what its definition begins
 joint_draws, given_table   joint values that are drawn, tables that are shown
 forward      the table, its drawing, frames and matrices, poses and what is reached
 rotations    orientations, what is a rotation, chains of frames

@@ -11,9 +11,9 @@ import numpy as np
 from exercises.definition import Exercise
 from exercises.draws import Draw, Picker, read_draw
 from exercises.instance import Instance
-from exercises.parts.definition_keys import joint_names
+from exercises.parts.first_values import joint_names
 from exercises.parts.protocol import RobotFacts
-from exercises.reading import Reader
+from exercises.reading import KeyShape, Reader
 from kinematics.chain import chain_of_table, size_of
 from kinematics.forward import forward_kinematics
 from kinematics.se3 import Transform
@@ -76,13 +76,16 @@ def read_joints(
         single: joints may have a draw of their own.
         usual_turns: from where angles are drawn if nothing is said.
     """
-    n = len(robot.joint_types)
-    joints = reader.per_joint("joints", n)
-    turns, slides = read_draw(reader, "turns") or usual_turns, read_draw(reader, "slides")
-    names = joint_names(n)
-    own = {name: read_draw(reader, name) for name in names if single and reader.given(name)}
-    usual = (slides if kind is JointType.PRISMATIC else turns for kind in robot.joint_types)
-    ways = tuple(own.get(name, way) for name, way in zip(names, usual, strict=True))
+    names, kinds = joint_names(len(robot.joint_types)), robot.joint_types
+    reader.note("joints", KeyShape.NUMBERS, names)
+    joints = reader.per_joint("joints", len(names))
+    turns = read_draw(reader, "turns", of_use=JointType.REVOLUTE in kinds) or usual_turns
+    slides = read_draw(reader, "slides", of_use=JointType.PRISMATIC in kinds)
+    own = {name: read_draw(reader, name) for name in names if single}
+    usual = (slides if kind is JointType.PRISMATIC else turns for kind in kinds)
+    ways = tuple(
+        own[name] if single and reader.given(name) else way for name, way in zip(names, usual, strict=True)
+    )
     return JointDraws(usual=joints, ways=ways)
 
 

@@ -20,10 +20,10 @@ from exercises.definition import Exercise, Part
 from exercises.draws import Picker
 from exercises.grading import HelpLevel
 from exercises.names import in_own_names, table_faults, without_aliases
-from exercises.parts.definition_keys import DefinitionKey, Start
+from exercises.parts.first_values import Start
 from exercises.parts.report import Disclosure, PartReport, shown
 from exercises.parts.task import PartTask
-from exercises.reading import Reader
+from exercises.reading import DefinitionKey, Reader, keys_read
 from kinematics.cells import AngleUnit, LengthUnit, Limits, ReadTable, parameters_in_radians
 from kinematics.errors import CellError, Fault, KinematicsError
 from kinematics.expressions import Expression
@@ -240,7 +240,7 @@ class PartType(ABC, Generic[P, Raw, Read]):
 
     def keys(self, robot: RobotFacts) -> tuple[DefinitionKey, ...]:
         """Return what the definition may say beside `kind` and `points`: what `define` reads."""
-        return ()
+        return keys_read(lambda reader: self.define(reader, Fraction(1), robot))
 
     def start(self, robot: RobotFacts) -> Start:
         """Return what a definition must say beside `kind` and `points`, to go on from."""

@@ -33,7 +33,7 @@ from exercises.parts.cells.matrix_cells import CellMatrix, read_numbers
 from exercises.parts.cells.number_cells import on_paper
 from exercises.parts.cells.symbolic_matrix import SymbolicMatrix
 from exercises.parts.context import Context
-from exercises.parts.definition_keys import TOLERANCE, DefinitionKey, Start, joint_keys, usual_joints
+from exercises.parts.first_values import Start, usual_joints
 from exercises.parts.following import ENOUGH
 from exercises.parts.forward.transform import transform_is_robot
 from exercises.parts.joint_draws import JointDraws, in_radians, read_joints, told_units
@@ -106,10 +106,6 @@ class PosePartType(PartType[PosePart, CellMatrix, Matrices]):
         joints = read_joints(reader, robot, single=False, usual_turns=usual)
         tolerance = reader.tolerance("tolerance", 0.005)
         return PosePart(kind=self.kind, points=points, joints=joints, tolerance=tolerance)
-
-    def keys(self, robot: RobotFacts) -> tuple[DefinitionKey, ...]:
-        """Return the keys of the joint values and their draws."""
-        return (*joint_keys(robot, single=False), TOLERANCE)
 
     def start(self, robot: RobotFacts) -> Start:
         """Return joint values to begin with."""

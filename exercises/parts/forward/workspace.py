@@ -21,12 +21,12 @@ from exercises.instance import Instance
 from exercises.names import in_own_names
 from exercises.parts.cells.by_name import ByName, read_by_name
 from exercises.parts.context import Context
-from exercises.parts.definition_keys import TOLERANCE, DefinitionKey, KeyShape, Start, joint_names
+from exercises.parts.first_values import Start, joint_names
 from exercises.parts.forward.reach import Reach, reach
 from exercises.parts.protocol import PartType, Reading, RobotFacts
 from exercises.parts.report import Credit, PartReport, fact, judged, told_from
 from exercises.parts.task import PartTask
-from exercises.reading import Reader
+from exercises.reading import KeyShape, Reader
 from kinematics.cells import AngleUnit, Cell, ParameterKind, read_cell
 from kinematics.chain import chain_of_table
 from kinematics.errors import CellError, Fault, KinematicsError
@@ -125,6 +125,9 @@ class WorkspacePartType(PartType[WorkspacePart, RadiiCells, ByName[Reach]]):
 
     def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> WorkspacePart:
         """Return the part with its point, limits and tolerance."""
+        reader.note("point", KeyShape.POINT)
+        reader.note("from", KeyShape.POINT, options=(AXIS,))
+        reader.note("limits", KeyShape.RANGES, joint_names(len(robot.joint_types)))
         origin = reader.text("from", AXIS)
         return WorkspacePart(
             kind=self.kind,
@@ -133,15 +136,6 @@ class WorkspacePartType(PartType[WorkspacePart, RadiiCells, ByName[Reach]]):
             origin=None if origin == AXIS else origin,
             limits=_limits(reader, len(robot.joint_types), robot.limits),
             tolerance=reader.tolerance("tolerance", 0.01),
-        )
-
-    def keys(self, robot: RobotFacts) -> tuple[DefinitionKey, ...]:
-        """Return the keys of the point, from where it is measured, and the limits."""
-        return (
-            DefinitionKey(name="point", shape=KeyShape.POINT),
-            DefinitionKey(name="from", shape=KeyShape.POINT, options=(AXIS,)),
-            DefinitionKey(name="limits", shape=KeyShape.RANGES, labels=joint_names(len(robot.joint_types))),
-            TOLERANCE,
         )
 
     def start(self, robot: RobotFacts) -> Start:

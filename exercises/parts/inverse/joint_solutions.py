@@ -16,7 +16,7 @@ from exercises.definition import Exercise
 from exercises.draws import Picker
 from exercises.grading import BaseRule, Feedback, Finding, HelpLevel, ToolRule, accept
 from exercises.instance import Instance, generate
-from exercises.parts import definition_keys as defined
+from exercises.parts import first_values as defined
 from exercises.parts.cells.number_cells import on_paper, read_numbers_of
 from exercises.parts.context import Context
 from exercises.parts.given_table import given_table
@@ -32,7 +32,7 @@ from exercises.parts.joint_draws import PoseCase, SolutionsAsked, joint_labels, 
 from exercises.parts.protocol import TABLE, PartType, Reading, RobotFacts
 from exercises.parts.report import Credit, Fact, PartReport, fact, judged, told_from
 from exercises.parts.task import FieldShape, FormField, GivenNumbers, PartTask, choice_field
-from exercises.reading import Reader
+from exercises.reading import KeyShape, Reader
 from kinematics.answers.joint_answers import in_other_frames, judge_joints
 from kinematics.answers.joint_questions import USUAL_TOLERANCE
 from kinematics.answers.joint_verdicts import Branch, JointAnswer, JointClaim, JointMistake
@@ -61,24 +61,17 @@ class InverseKinematicsType(PartType[InverseKinematicsPart, JointAnswerCells, Jo
 
     def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> InverseKinematicsPart:
         """Return the part with its pose and what is asked of it."""
+        joints, cases = read_joints(reader, robot), reader.choices("cases", PoseCase, ())
+        solutions = reader.choice("solutions", SolutionsAsked, SolutionsAsked.ALL)
+        reader.note("reach", KeyShape.CHOICE, options=(ArmReach.POSE, ArmReach.POSITION))
         return InverseKinematicsPart(
             kind=self.kind,
             points=points,
-            joints=read_joints(reader, robot),
-            cases=reader.choices("cases", PoseCase, ()) or (PoseCase.REACHED,),
-            every=reader.choice("solutions", SolutionsAsked, SolutionsAsked.ALL) is SolutionsAsked.ALL,
+            joints=joints,
+            cases=cases or (PoseCase.REACHED,),
+            every=solutions is SolutionsAsked.ALL,
             reach=reader.choice("reach", ArmReach, ArmReach.POSE),
             tolerance=reader.tolerance("tolerance", USUAL_TOLERANCE),
-        )
-
-    def keys(self, robot: RobotFacts) -> tuple[defined.DefinitionKey, ...]:
-        """Return the keys of the joint values, and of what is asked of the pose."""
-        return (
-            *defined.joint_keys(robot),
-            defined.choices("cases", PoseCase),
-            defined.choice("solutions", SolutionsAsked),
-            defined.choice("reach", (ArmReach.POSE, ArmReach.POSITION)),
-            defined.TOLERANCE,
         )
 
     def start(self, robot: RobotFacts) -> defined.Start:

@@ -14,7 +14,6 @@ from exercises.definition import Exercise, Part
 from exercises.grading import Feedback, Finding, HelpLevel
 from exercises.instance import Instance
 from exercises.parts.context import Context
-from exercises.parts.definition_keys import DefinitionKey, choices
 from exercises.parts.mistakes.planting import read_mistakes
 from exercises.parts.protocol import PartType, Raw, Read, Reading, RobotFacts
 from exercises.parts.report import Credit, Disclosure, Fact, PartReport, fact, judged, told_from
@@ -79,10 +78,6 @@ class MistakeType(PartType[M, Raw, Read]):
         """Return the part with the mistakes that may be planted."""
         mistakes = read_mistakes(reader, tuple(self.catalogue))
         return MistakePart(kind=self.kind, points=points, mistakes=mistakes)  # type: ignore[return-value]
-
-    def keys(self, robot: RobotFacts) -> tuple[DefinitionKey, ...]:
-        """Return the keys of the mistakes that may be planted."""
-        return (choices("mistakes", self.catalogue),)
 
     def inconsistencies(self, part: M, exercise: Exercise) -> Iterator[Fault]:
         """Yield a fault where nothing can be planted, or where another part would give the key away."""

@@ -18,7 +18,6 @@ from exercises.instance import Instance
 from exercises.parts.cells.matrix_cells import CellMatrix, read_known_matrix, write_matrix
 from exercises.parts.cells.symbolic_matrix import SymbolicMatrix
 from exercises.parts.context import Context
-from exercises.parts.definition_keys import DefinitionKey, choice
 from exercises.parts.given_table import given_table
 from exercises.parts.mistakes.found_mistakes import FoundStep, MistakePart, MistakeType, MistakeWords
 from exercises.parts.mistakes.planted_matrices import (
@@ -32,7 +31,7 @@ from exercises.parts.mistakes.planting import read_mistakes
 from exercises.parts.protocol import Length, Reading, RobotFacts
 from exercises.parts.report import PartReport
 from exercises.parts.task import FieldShape, FormField, GivenNumbers, PartTask, choice_field
-from exercises.reading import Reader
+from exercises.reading import KeyShape, Reader
 from kinematics.answers.left_open import EXACT, left_open
 from kinematics.cells import Cell
 from kinematics.expressions import parameters_in
@@ -99,12 +98,9 @@ class MatrixMistakeType(MistakeType[MatrixMistakePart, FoundMatrixMistakeCells, 
     def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> MatrixMistakePart:
         """Return the part with the matrix and the mistakes that may be planted."""
         kind = reader.choice("matrix", MatrixKind, MatrixKind.LINK)
+        reader.note("mistakes", KeyShape.CHOICES, options=self.catalogue)
         mistakes = read_mistakes(reader, MATRIX_MISTAKES[kind])
         return MatrixMistakePart(kind=self.kind, points=points, matrix=kind, mistakes=mistakes)
-
-    def keys(self, robot: RobotFacts) -> tuple[DefinitionKey, ...]:
-        """Return the keys of the matrix and of the mistakes that may be planted in it."""
-        return choice("matrix", MatrixKind), *super().keys(robot)
 
     def can_be_planted(self, part: MatrixMistakePart, exercise: Exercise) -> bool:
         """Return whether one of the mistakes changes a matrix of the key."""

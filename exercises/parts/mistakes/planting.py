@@ -11,7 +11,7 @@ import numpy as np
 from exercises.definition import Exercise
 from exercises.draws import Picker
 from exercises.grading import ConventionRule, Policy, is_accepted
-from exercises.reading import Reader
+from exercises.reading import KeyShape, Reader
 from exercises.selftest.mistakes import MISTAKES
 from kinematics.cells import ReadTable
 
@@ -54,6 +54,7 @@ class Planted:
 
 def read_mistakes(reader: Reader, catalogue: Sequence[str]) -> tuple[str, ...]:
     """Return which mistakes of a catalogue a definition lets be planted: all, unless it names some."""
+    reader.note("mistakes", KeyShape.CHOICES, options=catalogue)
     codes = reader.texts("mistakes", default=tuple(catalogue))
     for i, code in enumerate(codes):
         if code not in catalogue:

@@ -20,7 +20,7 @@ from exercises.grading import Feedback, Finding, HelpLevel
 from exercises.instance import Instance
 from exercises.parts.cells.matrix_cells import write_matrix
 from exercises.parts.context import Context
-from exercises.parts.definition_keys import TOLERANCE, DefinitionKey, KeyShape, Start, choices, joint_names
+from exercises.parts.first_values import Start, joint_names
 from exercises.parts.given_table import given_table
 from exercises.parts.motion.motion_cells import MotionCells, read_motion
 from exercises.parts.motion.weighed_links import (
@@ -101,21 +101,11 @@ class MotionType(PartType[MotionPart, MotionCells, EquationsAnswer]):
         return MotionPart(
             kind=self.kind,
             points=points,
-            links=read_links(reader),
-            weights=read_weights(reader),
             ask=reader.choices("ask", MotionAsk, ("mass", "coriolis", "gravity")),
+            links=read_links(reader),
             gravity=read_three(reader, "gravity"),
+            weights=read_weights(reader),
             tolerance=reader.tolerance("tolerance", 0.005),
-        )
-
-    def keys(self, robot: RobotFacts) -> tuple[DefinitionKey, ...]:
-        """Return the keys of what is asked, of the weights of the links, and of their values."""
-        return (
-            choices("ask", MotionAsk),
-            DefinitionKey(name="links", shape=KeyShape.BODIES),
-            DefinitionKey(name="gravity", shape=KeyShape.CELLS, labels=("x", "y", "z")),
-            DefinitionKey(name="weights", shape=KeyShape.QUANTITIES),
-            TOLERANCE,
         )
 
     def start(self, robot: RobotFacts) -> Start:

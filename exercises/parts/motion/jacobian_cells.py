@@ -12,20 +12,12 @@ import numpy as np
 from exercises.definition import Exercise, Part
 from exercises.grading import Feedback, Finding, HelpLevel
 from exercises.parts.context import Context
-from exercises.parts.definition_keys import (
-    TOLERANCE,
-    DefinitionKey,
-    KeyShape,
-    choice,
-    choices,
-    joint_names,
-    sequence_keys,
-)
-from exercises.parts.protocol import TABLE, Length, PartType, Reading, RobotFacts
+from exercises.parts.first_values import joint_names
+from exercises.parts.protocol import TABLE, Length, PartType, Reading
 from exercises.parts.report import Credit, Disclosure, Fact, PartReport, fact, judged, share_earned, told_from
 from exercises.parts.rotations.drawn_orientations import read_sequence
 from exercises.parts.task import FieldShape, FormField, choice_field
-from exercises.reading import Reader
+from exercises.reading import KeyShape, Reader
 from kinematics.answers.form_samples import COMPONENTS
 from kinematics.answers.jacobian_answers import JacobianMistake, JacobianVerdict
 from kinematics.answers.screw_answers import ScrewOrder
@@ -106,11 +98,19 @@ class JacobianMark:
     feedback: tuple[Feedback, ...] = ()
 
 
-def read_angles(reader: Reader) -> EulerSequence | None:
-    """Return the sequence of an analytic Jacobian, from `axes` and `turning`; None if no axes are named."""
-    if not reader.given("axes"):
-        return None
-    return read_sequence(reader, "axes", "turning", EulerSequence(axes="ZYX"))
+def read_terms(reader: Reader, wrench: KeyShape) -> dict[str, Any]:
+    """Return what both kinds of these parts say, by the fields of `JacobianTerms`; `wrench` is read by each.
+
+    No axes of angles are named for a geometric Jacobian.
+    """
+    asked = reader.choices("ask", JacobianAsk, (JacobianAsk.JACOBIAN.value,))
+    frame = reader.choice("frame", JacobianFrame, JacobianFrame.BASE)
+    angles = None
+    if reader.given("axes"):
+        angles = read_sequence(reader, "axes", "turning", EulerSequence(axes="ZYX"))
+    reader.note("wrench", wrench, COMPONENTS)
+    tolerance = reader.tolerance("tolerance", 0.005)
+    return {"ask": tuple(dict.fromkeys(asked)), "frame": frame, "angles": angles, "tolerance": tolerance}
 
 
 def told_question(part: JacobianTerms, *, own: bool) -> dict[str, str]:
@@ -176,17 +176,6 @@ class JacobianType(PartType[Terms, JacobianCells, Answer]):
     raw: ClassVar = JacobianCells
     follows_table = True
     disclosures: ClassVar = DISCLOSURES
-    wrench: ClassVar[KeyShape]
-
-    def keys(self, robot: RobotFacts) -> tuple[DefinitionKey, ...]:
-        """Return the keys of what is asked, the angles and the load."""
-        return (
-            choices("ask", JacobianAsk),
-            choice("frame", JacobianFrame),
-            *sequence_keys("axes", "turning"),
-            DefinitionKey(name="wrench", shape=self.wrench, labels=COMPONENTS),
-            TOLERANCE,
-        )
 
     @abstractmethod
     def marking(self, part: Terms, answer: Answer, context: Context) -> Mark:

@@ -17,7 +17,6 @@ from exercises.instance import Instance
 from exercises.parts.cells.exactness import roundings
 from exercises.parts.cells.matrix_cells import read_row, write_matrix
 from exercises.parts.context import Context
-from exercises.parts.definition_keys import KeyShape
 from exercises.parts.given_table import given_table
 from exercises.parts.motion.jacobian_cells import (
     JacobianAsk,
@@ -31,12 +30,12 @@ from exercises.parts.motion.jacobian_cells import (
     is_well_shaped,
     load_labels,
     matrix_mark,
-    read_angles,
+    read_terms,
     told_question,
 )
 from exercises.parts.protocol import TABLE, Reading, RobotFacts
 from exercises.parts.task import GivenNumbers, PartTask
-from exercises.reading import Reader
+from exercises.reading import KeyShape, Reader
 from kinematics.answers.form_samples import COMPONENTS, FormRobot, loaded_robot
 from kinematics.answers.jacobian_answers import JacobianMistake, JacobianVerdict
 from kinematics.answers.jacobian_forms import force_form, jacobian_form, judge_force_form, judge_jacobian_form
@@ -45,7 +44,6 @@ from kinematics.answers.screw_answers import ScrewOrder
 from kinematics.cells import Cell, ReadTable
 from kinematics.errors import Fault, JointValueError
 from kinematics.expressions import ZERO, Expression, Number, Parameter, parameters_in
-from kinematics.jacobian import JacobianFrame
 from kinematics.keys import ValueKind
 from kinematics.symbolic import Matrix
 
@@ -81,12 +79,11 @@ class JacobianFormType(JacobianType[JacobianFormPart, JacobianForm]):
 
     kind = "jacobian_form"
     meaning = "the Jacobian and the joint forces that hold a wrench, as functions of the joint variables"
-    wrench = KeyShape.CELLS
 
     def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> JacobianFormPart:
         """Return the part with what is asked."""
-        asked = tuple(dict.fromkeys(reader.choices("ask", JacobianAsk, (JacobianAsk.JACOBIAN.value,))))
-        angles = read_angles(reader)
+        terms = read_terms(reader, KeyShape.CELLS)
+        forces = JacobianAsk.FORCES in terms["ask"]
         wrench: list[Expression] = []
         load = reader.values.get("wrench") if reader.given("wrench") else None
         for i, entry in enumerate(load if isinstance(load, list) else ()):
@@ -96,19 +93,11 @@ class JacobianFormType(JacobianType[JacobianFormPart, JacobianForm]):
                 wrench.append(Number(Fraction(repr(entry))))
             else:
                 reader.fault("exercise_value_unknown", "wrench", i, key="wrench", known=", ".join(COMPONENTS))
-        if JacobianAsk.FORCES in asked and len(wrench) != 6:
+        if forces and len(wrench) != 6:
             reader.mistyped(ValueKind.NUMBERS, "wrench", count=6)
-        elif JacobianAsk.FORCES in asked and wrench == [Number(Fraction(0))] * 6:
+        elif forces and wrench == [Number(Fraction(0))] * 6:
             reader.fault("wrench_missing", "wrench")
-        return JacobianFormPart(
-            kind=self.kind,
-            points=points,
-            frame=reader.choice("frame", JacobianFrame, JacobianFrame.BASE),
-            angles=angles,
-            ask=asked,
-            wrench=tuple(wrench),
-            tolerance=reader.tolerance("tolerance", 0.005),
-        )
+        return JacobianFormPart(kind=self.kind, points=points, wrench=tuple(wrench), **terms)
 
     def inconsistencies(self, part: JacobianFormPart, exercise: Exercise) -> Iterator[Fault]:
         """Yield a fault where the angles have rates in no configuration."""

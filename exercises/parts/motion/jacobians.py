@@ -19,13 +19,7 @@ from exercises.draws import Picker
 from exercises.instance import Instance
 from exercises.parts.cells.number_cells import on_paper, read_numbers_of
 from exercises.parts.context import Context
-from exercises.parts.definition_keys import (
-    DefinitionKey,
-    KeyShape,
-    Start,
-    joint_keys,
-    usual_joints,
-)
+from exercises.parts.first_values import Start, usual_joints
 from exercises.parts.forward.value import scaled_chain
 from exercises.parts.given_table import given_table
 from exercises.parts.joint_draws import JointDraws, in_radians, joint_labels, key_numbers, read_joints
@@ -41,12 +35,12 @@ from exercises.parts.motion.jacobian_cells import (
     is_well_shaped,
     load_labels,
     matrix_mark,
-    read_angles,
+    read_terms,
     told_question,
 )
 from exercises.parts.protocol import TABLE, Reading, RobotFacts
 from exercises.parts.task import GivenNumbers, PartTask
-from exercises.reading import Reader
+from exercises.reading import KeyShape, Reader
 from kinematics.answers.jacobian_answers import (
     JacobianMistake,
     JacobianVerdict,
@@ -60,7 +54,6 @@ from kinematics.cells import Cell, parameters_in_radians
 from kinematics.cells.meaning import Position
 from kinematics.chain import Chain, chain_of_table
 from kinematics.errors import Fault, JointValueError
-from kinematics.jacobian import JacobianFrame
 from kinematics.joint_values import wrong_length
 from kinematics.keys import ValueKind
 from kinematics.se3 import Floats
@@ -96,27 +89,22 @@ class JacobianPartType(JacobianType[JacobianPart, JacobianNumbers]):
 
     kind = "jacobian"
     meaning = "the Jacobian in numbers, and the joint forces that hold a wrench"
-    wrench = KeyShape.NUMBERS
 
     def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> JacobianPart:
         """Return the part with its joint values and what is asked."""
         joints = read_joints(reader, robot)
-        asked = tuple(dict.fromkeys(reader.choices("ask", JacobianAsk, (JacobianAsk.JACOBIAN.value,))))
+        terms = read_terms(reader, KeyShape.NUMBERS)
         wrench = reader.exacts("wrench", (0, 0, 0, 0, 0, 0))
-        forces = JacobianAsk.FORCES in asked
         if len(wrench) != 6:
             reader.mistyped(ValueKind.NUMBERS, "wrench", count=6)
-        elif forces and not any(wrench):
+        elif JacobianAsk.FORCES in terms["ask"] and not any(wrench):
             reader.fault("wrench_missing", "wrench")
         return JacobianPart(
             kind=self.kind,
             points=points,
             joints=joints,
-            frame=reader.choice("frame", JacobianFrame, JacobianFrame.BASE),
-            angles=read_angles(reader),
-            ask=asked,
             wrench=tuple(float(value) for value in wrench),
-            tolerance=reader.tolerance("tolerance", 0.005),
+            **terms,
         )
 
     def inconsistencies(self, part: JacobianPart, exercise: Exercise) -> Iterator[Fault]:
@@ -132,10 +120,6 @@ class JacobianPartType(JacobianType[JacobianPart, JacobianNumbers]):
                 jacobian_at(chain, joints, part.frame, part.angles)
                 return
         yield Fault.at("angles_locked", "axes", axes=part.angles.axes)
-
-    def keys(self, robot: RobotFacts) -> tuple[DefinitionKey, ...]:
-        """Return the keys of the joint values beside those of what is asked."""
-        return *joint_keys(robot), *super().keys(robot)
 
     def start(self, robot: RobotFacts) -> Start:
         """Return joint values to begin with."""

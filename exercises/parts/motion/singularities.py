@@ -14,7 +14,7 @@ from exercises.grading.verdict import ParamValue
 from exercises.instance import Instance
 from exercises.parts.cells.number_cells import DECIMALS
 from exercises.parts.context import Context
-from exercises.parts.definition_keys import DefinitionKey, Start, choice, joint_keys
+from exercises.parts.first_values import Start
 from exercises.parts.given_table import given_table
 from exercises.parts.joint_draws import JointDraws, in_radians, joint_labels, read_joints, told_units
 from exercises.parts.motion.singularity_cells import (
@@ -71,13 +71,9 @@ class SingularitiesType(PartType[SingularitiesPart, SingularityCells, Singularit
 
     def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> SingularitiesPart:
         """Return the part with the motion that counts, and the configuration of the lost one."""
-        joints = read_joints(reader, robot) if reader.given("joints") else None
         rows = reader.choice("motion", MotionRows, MotionRows.TWIST)
+        joints = read_joints(reader, robot) if reader.given("joints") else None
         return SingularitiesPart(kind=self.kind, points=points, rows=rows, joints=joints)
-
-    def keys(self, robot: RobotFacts) -> tuple[DefinitionKey, ...]:
-        """Return the keys of the motion that counts, and of the singular configuration."""
-        return choice("motion", MotionRows), *joint_keys(robot)
 
     def start(self, robot: RobotFacts) -> Start:
         """Return the motion of which an arm of so few joints can lose a direction."""

@@ -5,7 +5,7 @@ from collections.abc import Sequence
 from exercises.definition import DrawnParameter
 from exercises.draws import read_draw
 from exercises.parts.task import GivenNumbers
-from exercises.reading import Reader
+from exercises.reading import KeyShape, Reader
 from kinematics.cells import Cell
 from kinematics.dynamics.reading import NOTHING, RawBody
 
@@ -14,6 +14,7 @@ _COLUMNS = ("m [kg]", "x", "y", "z", "Ixx", "Iyy", "Izz")
 
 def read_links(reader: Reader) -> tuple[RawBody, ...]:
     """Return what the links weigh, in cells; faults go to the reader."""
+    reader.note("links", KeyShape.BODIES)
     links = []
     for entry in reader.entries("links", needed=True):
         links.append(
@@ -32,6 +33,7 @@ def read_links(reader: Reader) -> tuple[RawBody, ...]:
 
 def read_weights(reader: Reader) -> tuple[DrawnParameter, ...]:
     """Return the values of the names in these; faults go to the reader."""
+    reader.note("weights", KeyShape.QUANTITIES)
     weights = []
     for name, inner in reader.tables("weights"):
         weights.append(
@@ -76,6 +78,7 @@ def _cell(reader: Reader, key: str) -> Cell:
 
 def read_three(reader: Reader, key: str) -> tuple[Cell, ...]:
     """Return three cells; zeros where they are left out."""
+    reader.note(key, KeyShape.CELLS, ("x", "y", "z"))
     value = reader.values.get(key) if reader.given(key) else NOTHING
     entries = tuple(value) if isinstance(value, list | tuple) else ()
     good = all(isinstance(entry, int | float | str) and not isinstance(entry, bool) for entry in entries)

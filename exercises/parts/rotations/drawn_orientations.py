@@ -5,11 +5,14 @@ from fractions import Fraction
 
 from exercises.definition import Exercise
 from exercises.draws import Draw, Picker
-from exercises.reading import Reader
+from exercises.reading import KeyShape, Reader
 from kinematics.errors import PoseError
 from kinematics.keys import ValueKind
 from kinematics.rotations.matrices import Triple
 from kinematics.rotations.sequences import EulerSequence, Turning
+
+SEQUENCES = ("XYZ", "XZY", "YXZ", "YZX", "ZXY", "ZYX", "XYX", "XZX", "YXY", "YZY", "ZXZ", "ZYZ")
+"""Every order of three axes that describes all orientations."""
 
 
 def drawn_triple(
@@ -26,6 +29,7 @@ def drawn_triple(
 
 def read_triple(reader: Reader) -> tuple[Fraction, ...]:
     """Return the three angles of a definition; faults go to the reader."""
+    reader.note("angles", KeyShape.NUMBERS, ("1", "2", "3"))
     angles = reader.exacts("angles")
     if len(angles) == 3:
         return angles
@@ -35,6 +39,7 @@ def read_triple(reader: Reader) -> tuple[Fraction, ...]:
 
 def read_sequence(reader: Reader, axes: str, turning: str, default: EulerSequence) -> EulerSequence:
     """Return an order of axes from two keys of a definition; faults go to the reader."""
+    reader.note(axes, KeyShape.CHOICE, options=SEQUENCES)
     text = reader.text(axes, default.axes)
     way = reader.choice(turning, Turning, default.turning)
     try:

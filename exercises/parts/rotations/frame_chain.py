@@ -19,19 +19,12 @@ from exercises.parts.cells.comparison import Matrices
 from exercises.parts.cells.matrix_cells import CellMatrix, read_numbers
 from exercises.parts.cells.number_cells import on_paper
 from exercises.parts.context import Context
-from exercises.parts.definition_keys import (
-    TOLERANCE,
-    DefinitionKey,
-    KeyShape,
-    Start,
-    joint_keys,
-    usual_joints,
-)
+from exercises.parts.first_values import Start, usual_joints
 from exercises.parts.joint_draws import JointDraws, key_frames, read_joints
 from exercises.parts.protocol import PartType, Reading, RobotFacts
 from exercises.parts.report import Credit, PartReport, fact, judged, told_from
 from exercises.parts.task import FieldShape, FormField, GivenNumbers, PartTask
-from exercises.reading import Reader
+from exercises.reading import KeyShape, Reader
 from kinematics.errors import Fault
 from kinematics.rotations.frame_chains import ChainFactor, ChainMistake, chain_product, judge_chain
 from kinematics.se3 import inverse_transform
@@ -85,6 +78,8 @@ class FrameChainType(PartType[FrameChainPart, FrameChainCells, ByName[Matrices]]
     def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> FrameChainPart:
         """Return the part with its joint values and frames."""
         joints = read_joints(reader, robot, single=False)
+        reader.note("known", KeyShape.FRAME_PAIRS)
+        reader.note("asked", KeyShape.FRAMES)
         known = tuple(_pair(inner) for inner in reader.entries("known"))
         asked = _pair(reader.table("asked", needed=True))
         path = path_between(known, asked)
@@ -98,15 +93,6 @@ class FrameChainType(PartType[FrameChainPart, FrameChainCells, ByName[Matrices]]
             asked=asked,
             path=path or (),
             tolerance=reader.tolerance("tolerance", 0.005),
-        )
-
-    def keys(self, robot: RobotFacts) -> tuple[DefinitionKey, ...]:
-        """Return the keys of the joint values, the known poses and the one that is asked."""
-        return (
-            *joint_keys(robot, single=False),
-            DefinitionKey(name="known", shape=KeyShape.FRAME_PAIRS),
-            DefinitionKey(name="asked", shape=KeyShape.FRAMES),
-            TOLERANCE,
         )
 
     def start(self, robot: RobotFacts) -> Start:

@@ -16,17 +16,7 @@ from exercises.draws import Draw, Picker, read_draw
 from exercises.grading import Feedback, Finding, HelpLevel
 from exercises.instance import Instance
 from exercises.parts.context import Context
-from exercises.parts.definition_keys import (
-    DEGREES,
-    RADIANS,
-    TOLERANCE,
-    DefinitionKey,
-    KeyShape,
-    Start,
-    choice,
-    choices,
-    sequence_keys,
-)
+from exercises.parts.first_values import DEGREES, RADIANS, Start
 from exercises.parts.protocol import PartType, Reading, RobotFacts
 from exercises.parts.report import Credit, Fact, PartReport, judged, told_from
 from exercises.parts.rotations.drawn_orientations import drawn_triple, read_sequence, read_triple
@@ -96,7 +86,9 @@ class OrientationPartType(PartType[OrientationPart, OrientationCells, Orientatio
 
     def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> OrientationPart:
         """Return the part with its angles and what is asked."""
+        given = reader.choice("given", OrientationNotation, OrientationNotation.ANGLES)
         sequence = read_sequence(reader, "axes", "turning", EulerSequence(axes="ZYX"))
+        angles, turns, middle = read_triple(reader), read_draw(reader, "turns"), read_draw(reader, "middle")
         asked = reader.choices("ask", OrientationNotation)
         if not asked:
             reader.fault("nothing_asked", "ask")
@@ -104,10 +96,10 @@ class OrientationPartType(PartType[OrientationPart, OrientationCells, Orientatio
             kind=self.kind,
             points=points,
             sequence=sequence,
-            angles=read_triple(reader),
-            turns=read_draw(reader, "turns"),
-            middle=read_draw(reader, "middle"),
-            given=reader.choice("given", OrientationNotation, OrientationNotation.ANGLES),
+            angles=angles,
+            turns=turns,
+            middle=middle,
+            given=given,
             ask=_without_repetition(asked),
             asked_sequence=read_sequence(reader, "asked_axes", "asked_turning", sequence),
             tolerance=reader.tolerance("tolerance", USUAL_TOLERANCE),
@@ -118,19 +110,6 @@ class OrientationPartType(PartType[OrientationPart, OrientationCells, Orientatio
         angles = part.given in (OrientationNotation.ANGLES, OrientationNotation.EVERY_TRIPLE)
         shown = OrientationNotation.ANGLES if angles else part.given
         return shown in part.ask and not (angles and part.asked_sequence != part.sequence)
-
-    def keys(self, robot: RobotFacts) -> tuple[DefinitionKey, ...]:
-        """Return the keys of the angles, and of what is given and asked."""
-        return (
-            choice("given", OrientationNotation),
-            *sequence_keys("axes", "turning"),
-            DefinitionKey(name="angles", shape=KeyShape.NUMBERS, labels=("1", "2", "3")),
-            DefinitionKey(name="turns", shape=KeyShape.DRAW),
-            DefinitionKey(name="middle", shape=KeyShape.DRAW),
-            choices("ask", OrientationNotation),
-            *sequence_keys("asked_axes", "asked_turning"),
-            TOLERANCE,
-        )
 
     def start(self, robot: RobotFacts) -> Start:
         """Return an orientation in roll, pitch and yaw, of which the matrix is asked."""

@@ -13,7 +13,7 @@ from exercises.grading import Feedback, HelpLevel
 from exercises.instance import Instance
 from exercises.parts.cells.number_cells import DECIMALS
 from exercises.parts.context import Context
-from exercises.parts.definition_keys import DEGREES, RADIANS, DefinitionKey, KeyShape, Start, sequence_keys
+from exercises.parts.first_values import DEGREES, RADIANS, Start
 from exercises.parts.protocol import PartType, Reading, RobotFacts
 from exercises.parts.report import Credit, PartReport, fact, judged, told_from
 from exercises.parts.rotations.drawn_orientations import drawn_triple, read_sequence, read_triple
@@ -81,14 +81,6 @@ class RotationCheckType(PartType[RotationCheckPart, RotationClaimCells, Rotation
             sequence=read_sequence(reader, "axes", "turning", EulerSequence(axes="ZYX")),
             angles=read_triple(reader),
             turns=read_draw(reader, "turns"),
-        )
-
-    def keys(self, robot: RobotFacts) -> tuple[DefinitionKey, ...]:
-        """Return the keys of the angles of its matrix."""
-        return (
-            *sequence_keys("axes", "turning"),
-            DefinitionKey(name="angles", shape=KeyShape.NUMBERS, labels=("1", "2", "3")),
-            DefinitionKey(name="turns", shape=KeyShape.DRAW),
         )
 
     def start(self, robot: RobotFacts) -> Start:
