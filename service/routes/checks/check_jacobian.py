@@ -1,13 +1,19 @@
 """POST /check-jacobian and POST /check-jacobian-form: Jacobians and joint forces that somebody computed."""
 
 import itertools
-from typing import Annotated
+from collections.abc import Sequence
+from typing import Annotated, Any
 
 import numpy as np
 from pydantic import Field
 
 from kinematics.answers.form_samples import COMPONENTS, loaded_robot
-from kinematics.answers.jacobian_answers import JacobianMistake, judge_forces, judge_jacobian
+from kinematics.answers.jacobian_answers import (
+    JacobianMistake,
+    JacobianVerdict,
+    judge_forces,
+    judge_jacobian,
+)
 from kinematics.answers.jacobian_forms import judge_force_form, judge_jacobian_form
 from kinematics.answers.screw_answers import ScrewOrder
 from kinematics.chain import chain_of_table
@@ -131,28 +137,15 @@ def check_jacobian(body: CheckJacobianRequest, robot: PreparedRobot, language: s
     if body.joint_forces is not None:
         check_count(body.joint_forces, n, ("joint_forces",))
     chain = chain_of_table(robot.table)
-    entries, forces, correct = None, None, True
-    mistakes: list[tuple[str, JacobianMistake, int | None]] = []
+    found, forces, slip = None, None, None
     if body.jacobian is not None:
         given = np.array(body.jacobian, dtype=np.float64)
         if body.order is ScrewOrder.ANGULAR_FIRST:
             given = np.vstack([given[3:], given[:3]])
         found = judge_jacobian(chain, joints, given, body.frame, body.tolerance, angles)
-        entries, correct = found.entries.tolist(), found.right
-        mistakes += [("jacobian", mistake, joint) for mistake, joint in found.mistakes]
     if body.joint_forces is not None and body.wrench is not None:
-        right, mistake = judge_forces(
-            chain, joints, body.wrench, body.joint_forces, body.frame, body.tolerance
-        )
-        forces, correct = list(right), correct and all(right)
-        mistakes += [("forces", mistake, None)] if mistake is not None else []
-    return CheckJacobianAnswer(
-        **robot.units,
-        correct=correct,
-        entries=entries,
-        forces=forces,
-        mistakes=[_told(*entry, language) for entry in mistakes],
-    )
+        forces, slip = judge_forces(chain, joints, body.wrench, body.joint_forces, body.frame, body.tolerance)
+    return CheckJacobianAnswer(**robot.units, **_findings(found, forces, slip, language))
 
 
 @router.judge(
@@ -171,8 +164,7 @@ def check_jacobian_form(
     form = loaded_robot(robot.read.table, form_values(body, robot), robot.read.parameters)
     n = len(robot.joint_units)
     proofs: set[ProofStatus] = set()
-    mistakes: list[tuple[str, JacobianMistake, int | None]] = []
-    entries, forces, correct = None, None, True
+    found, forces, slip = None, None, None
     if body.jacobian is not None:
         rows = [
             read_row(row, n, robot.read, form.values, ("jacobian", i)) for i, row in enumerate(body.jacobian)
@@ -187,26 +179,35 @@ def check_jacobian_form(
         if body.order is ScrewOrder.ANGULAR_FIRST:
             rows = [*rows[3:], *rows[:3]]
         found = judge_jacobian_form(form, rows, body.frame, body.tolerance, angles, rounded)
-        entries, correct = found.entries.tolist(), found.right
         proofs.add(found.proof)
-        mistakes += [("jacobian", mistake, joint) for mistake, joint in found.mistakes]
     if body.joint_forces is not None and body.wrench is not None:
         given = read_row(body.joint_forces, n, robot.read, form.values, ("joint_forces",))
         wrench = read_row(body.wrench, 6, robot.read, form.values, ("wrench",), variables=False)
         rounded = roundings_of(body.joint_forces, given, robot.read, form.values, COMPONENTS)
-        right, proof, mistake = judge_force_form(form, given, wrench, body.frame, body.tolerance, rounded)
-        forces, correct = list(right), correct and all(right)
+        forces, proof, slip = judge_force_form(form, given, wrench, body.frame, body.tolerance, rounded)
         proofs.add(proof)
-        mistakes += [("forces", mistake, None)] if mistake is not None else []
     order = (ProofStatus.REFUTED, ProofStatus.UNDECIDED, ProofStatus.PROVED)
     return CheckJacobianFormAnswer(
         **robot.units,
-        correct=correct,
         proof=next(status for status in order if status in proofs),
-        entries=entries,
-        forces=forces,
-        mistakes=[_told(*entry, language) for entry in mistakes],
+        **_findings(found, forces, slip, language),
     )
+
+
+def _findings(
+    found: JacobianVerdict | None,
+    forces: Sequence[bool] | None,
+    slip: JacobianMistake | None,
+    language: str,
+) -> dict[str, Any]:
+    """Return what is said of a Jacobian and of joint forces, None of what was not given."""
+    mistakes = [_told("jacobian", *told, language) for told in (found.mistakes if found else ())]
+    return {
+        "correct": (found is None or found.right) and all(forces or ()),
+        "entries": None if found is None else found.entries.tolist(),
+        "forces": None if forces is None else list(forces),
+        "mistakes": mistakes if slip is None else [*mistakes, _told("forces", slip, None, language)],
+    }
 
 
 def _meant_angles(body: CheckJacobianRequest | CheckJacobianFormRequest) -> EulerSequence | None:

@@ -29,7 +29,7 @@ from service.wire.json_chunks import member_chunks, written
 from service.wire.kinematics.exact_values import exact_question
 from service.wire.kinematics.pose_matrices import base_and_tool
 from service.wire.kinematics.robot_questions import QuestionReader, ReadQuestion, batch_response
-from service.wire.kinematics.symbolic_forms import FormPart, SymbolicTask, written_jacobians
+from service.wire.kinematics.symbolic_forms import JACOBIANS, FormPart, SymbolicTask, written_jacobians
 from service.wire.kinematics.symbolic_tasks import closed_form
 
 router = api_router("kinematics", route_class=DirectRoute)
@@ -118,7 +118,6 @@ class JacobianReply(RootModel[JacobianAnswer | SymbolicJacobianAnswer]):
 
 
 _READER = QuestionReader(JacobianQuestion, NumericJacobianRequest)
-_NAMES = {JacobianFrame.BASE: "J0", JacobianFrame.END: "Jn"}
 _BLOCK = 512
 """Configurations whose Jacobians are computed and written at a time: a batch stays flat in memory."""
 
@@ -187,7 +186,7 @@ class _Answer:
         self._measure(self._asked.joints)
         answer = {**self._head(), **self._dexterity}
         for frame in self._frames:
-            answer[_NAMES[frame]] = self._jacobians(frame, self._asked.joints)
+            answer[JACOBIANS[frame]] = self._jacobians(frame, self._asked.joints)
         return orjson.dumps(answer, option=orjson.OPT_SERIALIZE_NUMPY)
 
     def prepare(self) -> None:
@@ -203,7 +202,7 @@ class _Answer:
         yield b"{"
         yield from member_chunks({**self._head(), **self._dexterity})
         for frame in self._frames:
-            yield f',"{_NAMES[frame]}":['.encode()
+            yield f',"{JACOBIANS[frame]}":['.encode()
             for start in range(0, len(self._asked.joints), _BLOCK):
                 block = self._jacobians(frame, self._asked.joints[start : start + _BLOCK])
                 yield (b"," if start else b"") + written(block)[1:-1]

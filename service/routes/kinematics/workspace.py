@@ -19,8 +19,8 @@ from service.schemas.choices import forbidding, together
 from service.schemas.kinematics.robot_question import (
     NO_ROBOT,
     JointRanges,
+    PlacedRobotQuestion,
     PoseInput,
-    RobotQuestion,
     domain_limits,
 )
 from service.schemas.tables import Units
@@ -41,7 +41,7 @@ class PlaneModel(Wire):
     normal: Vector3 = Field([0.0, 0.0, 1.0], description="its normal, of any length; z if left out")
 
 
-class WorkspaceRequest(RobotQuestion):
+class WorkspaceRequest(PlacedRobotQuestion):
     """A robot whose reach is asked for."""
 
     model_config = forbidding(*NO_ROBOT, together("quaternion", "axis"))

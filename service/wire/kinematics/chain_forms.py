@@ -7,8 +7,7 @@ from dataclasses import dataclass
 from enum import StrEnum
 from typing import Any
 
-from kinematics.jacobian import JacobianFrame
-from kinematics.printing import Format, MatrixPrinter, Notation, Purpose
+from kinematics.printing import Format, Notation, Purpose
 from kinematics.scm import (
     ReadChain,
     ScmChain,
@@ -20,7 +19,7 @@ from kinematics.scm import (
 from kinematics.scm.products import jacobian_of_product
 from kinematics.symbolic import Matrix
 from service.schemas.tables import units_of
-from service.wire.kinematics.symbolic_forms import Writing
+from service.wire.kinematics.symbolic_forms import JACOBIANS, Writing
 
 DEFAULT_FORMATS = (Format.TEXT, Format.LATEX)
 _QUICK_JOINTS = 8
@@ -78,13 +77,7 @@ def written_chain(task: ChainTask) -> bytes:
     Raises:
         FormSizeError: a matrix has too many operations to be written out, or is nested too deeply for JSON.
     """
-    printer = MatrixPrinter(
-        n_joints=task.chain.n_joints,
-        parameters=task.parameters,
-        variables=task.variables,
-        notation=task.notation,
-    )
-    writing = Writing(printer, task.formats, task.notation)
+    writing = Writing(task.formats, task.notation, task.chain.n_joints, task.parameters, task.variables)
     answer: dict[str, Any] = {}
     for name, found in _matrices(task).items():
         matrices = found if isinstance(found, list) else [found]
@@ -98,15 +91,12 @@ def _matrices(task: ChainTask) -> dict[str, Matrix | list[Matrix]]:
     if task.wanted is Wanted.INVERSE_TRANSFORM:
         return {"transform": inverse_closed_form_scm(chain)}
     if task.wanted is Wanted.INSPECTED_JACOBIANS:
-        return {
-            "J0": jacobian_closed_form_scm(chain, JacobianFrame.BASE),
-            "Jn": jacobian_closed_form_scm(chain, JacobianFrame.END),
-        }
+        return {name: jacobian_closed_form_scm(chain, frame) for frame, name in JACOBIANS.items()}
     form = closed_form_scm(chain)
     if task.wanted is Wanted.DIFFERENTIATED_JACOBIANS:
         return {
-            "J0": jacobian_of_product(form.transform, chain.n_joints, JacobianFrame.BASE),
-            "Jn": jacobian_of_product(form.transform, chain.n_joints, JacobianFrame.END),
+            name: jacobian_of_product(form.transform, chain.n_joints, frame)
+            for frame, name in JACOBIANS.items()
         }
     return {
         "transform": form.transform,

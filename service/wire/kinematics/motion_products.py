@@ -7,9 +7,8 @@ from typing import Any
 
 from kinematics.errors import Fault, ParameterError, PoseError
 from kinematics.expressions import Expression
-from kinematics.jacobian import JacobianFrame
 from kinematics.poses import pose_notations
-from kinematics.printing import Format, MatrixPrinter, Notation, Purpose
+from kinematics.printing import Format, Notation, Purpose
 from kinematics.scm.chain import Placement
 from kinematics.scm.products import (
     ReadProducts,
@@ -24,7 +23,7 @@ from kinematics.scm.products import (
 from kinematics.se3 import check_transform
 from kinematics.symbolic import Matrix
 from service.schemas.tables import units_of
-from service.wire.kinematics.symbolic_forms import Writing
+from service.wire.kinematics.symbolic_forms import JACOBIANS, Writing
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -61,10 +60,7 @@ def written_products(task: ProductsTask) -> bytes:
             check_rotations(list(valued), i)
     left = {name for matrix in matrices for name in names_left(matrix)[0]}
     parameters = tuple(name for name in read.parameters if name in left)
-    printer = MatrixPrinter(
-        n_joints=read.n_joints, parameters=parameters, variables=read.variables, notation=task.notation
-    )
-    writing = Writing(printer, task.formats, task.notation)
+    writing = Writing(task.formats, task.notation, read.n_joints, parameters, read.variables)
 
     def write(matrix: Matrix, name: str, meaning: str) -> dict[str, Any]:
         return writing.matrix(matrix, Purpose(name=name, meaning=meaning))
@@ -73,7 +69,7 @@ def written_products(task: ProductsTask) -> bytes:
     for i, matrix in enumerate(matrices, start=1):
         product: dict[str, Any] = {"transform": write(matrix, f"product_{i}", f"Product {i} of motions.")}
         if task.jacobian:
-            for name, frame in (("J0", JacobianFrame.BASE), ("Jn", JacobianFrame.END)):
+            for frame, name in JACOBIANS.items():
                 J = jacobian_of_product(matrix, read.n_joints, frame)
                 product[name] = write(J, f"{name}_{i}", f"Jacobian {name} of product {i}, linear rows first.")
         products.append(product | _numbers(matrix, task))

@@ -1,7 +1,7 @@
 """Poses from the wire as 4×4 matrices."""
 
 from collections.abc import Sequence
-from typing import Any, Protocol, TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 
@@ -10,26 +10,12 @@ from kinematics.inverse.lengths import is_long, too_long
 from kinematics.poses import transform_from_quaternion, transform_from_xyzabc
 from kinematics.se3 import perpendicular, unit
 from service.http.problems import located
-from service.schemas.kinematics.robot_question import PlacedPose, PoseInput
+from service.schemas.kinematics.robot_question import PlacedPose, PlacedRobotQuestion, PoseInput
 
 Matrix: TypeAlias = Any
 
 
-class BetweenPoses(Protocol):
-    """A question with a base and a tool."""
-
-    @property
-    def base(self) -> PoseInput | None:
-        """What stands before the robot."""
-        ...
-
-    @property
-    def tool(self) -> PoseInput | None:
-        """What stands behind it."""
-        ...
-
-
-def base_and_tool(question: BetweenPoses, angle: float) -> tuple[Matrix | None, Matrix | None]:
+def base_and_tool(question: PlacedRobotQuestion, angle: float) -> tuple[Matrix | None, Matrix | None]:
     """Return both poses of a question as matrices, None where none is given; see `pose_matrix`."""
     base, tool = question.base, question.tool
     return (

@@ -22,6 +22,8 @@ from kinematics.symbolic.size import bottom_up
 from kinematics.table import CELLS, SymbolicTable, table_parameters
 
 AnyFormat = TypeVar("AnyFormat")
+JACOBIANS = {JacobianFrame.BASE: "J0", JacobianFrame.END: "Jn"}
+"""What Jacobians are called, by the frame in whose axes they are."""
 QUICK_COST = 300.0
 QUICK_NODES = 500
 """Terms that a product may have and nodes that the cells may have to be answered at once; what is larger is
@@ -60,13 +62,7 @@ class FormTask(Generic[AnyFormat]):
 
     def writing(self: FormTask[Format], parameters: tuple[str, ...]) -> Writing:
         """Return what writes its matrices, whose functions take these parameters."""
-        printer = MatrixPrinter(
-            n_joints=self.table.n_joints,
-            parameters=parameters,
-            variables=self.variables,
-            notation=self.notation,
-        )
-        return Writing(printer, self.formats, self.notation)
+        return Writing(self.formats, self.notation, self.table.n_joints, parameters, self.variables)
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -97,8 +93,18 @@ class SymbolicTask(FormTask[Format]):
 class Writing:
     """What writes the matrices of one answer."""
 
-    def __init__(self, printer: MatrixPrinter, formats: Sequence[Format], notation: Notation) -> None:
-        self._printer, self._formats, self._notation = printer, formats, notation
+    def __init__(
+        self,
+        formats: Sequence[Format],
+        notation: Notation,
+        n_joints: int,
+        parameters: Sequence[str],
+        variables: Sequence[str],
+    ) -> None:
+        self._printer = MatrixPrinter(
+            n_joints=n_joints, parameters=parameters, variables=variables, notation=notation
+        )
+        self._formats, self._notation = formats, notation
         self._written: list[Matrix] = []
 
     def matrix(self, matrix: Matrix, purpose: Purpose) -> dict[str, Any]:
@@ -176,10 +182,10 @@ def _parts(task: SymbolicTask, write: Any) -> dict[str, Any]:
     if FormPart.JACOBIAN in task.parts:
         axes = {JacobianFrame.BASE: world, JacobianFrame.END: end}
         answer["jacobian"] = {
-            _JACOBIANS[frame]: write(
+            JACOBIANS[frame]: write(
                 workings.jacobian(frame),
                 Purpose(
-                    name=_JACOBIANS[frame],
+                    name=JACOBIANS[frame],
                     meaning=f"Jacobian of {end}, in the axes of {axes[frame]}, linear rows first.",
                     result="J",
                 ),
@@ -195,6 +201,3 @@ def _parts(task: SymbolicTask, write: Any) -> dict[str, Any]:
         )
         answer["analytic"] = None if analytic is None else write(analytic, purpose)
     return answer
-
-
-_JACOBIANS = {JacobianFrame.BASE: "J0", JacobianFrame.END: "Jn"}
