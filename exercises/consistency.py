@@ -61,5 +61,8 @@ def _alias_faults(exercise: Exercise) -> Iterator[Fault]:
 def _part_faults(exercise: Exercise) -> Iterator[Fault]:
     """Yield what parts ask for and the exercise lacks."""
     for i, part in enumerate(exercise.parts):
-        for fault in part_type(part.kind).inconsistencies(part, exercise):
+        kind = part_type(part.kind)
+        if any(exercise.part(other) is not None for other in kind.gives_away):
+            yield Fault.at("key_given_away", FILE, "parts", i, "kind")
+        for fault in kind.inconsistencies(part, exercise):
             yield fault.within(FILE, "parts", i)

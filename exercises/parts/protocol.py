@@ -218,6 +218,7 @@ class PartType(ABC, Generic[P, Raw, Read]):
         meaning: what an answer says, for the documentation of the API.
         given: the record that `task` shows beside its sentence, if there is one.
         follows_table: an answer that follows from the student's own wrong table earns its marks.
+        gives_away: kinds that cannot be asked beside it, because it shows their answer.
         disclosures: by feedback code from which help level on it is told; what is not listed always is.
     """
 
@@ -226,6 +227,7 @@ class PartType(ABC, Generic[P, Raw, Read]):
     meaning: ClassVar[str]
     given: ClassVar[type | None] = None
     follows_table: ClassVar[bool] = False
+    gives_away: ClassVar[tuple[str, ...]] = ()
     disclosures: ClassVar[Mapping[str, Disclosure]] = MappingProxyType({})
 
     def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> P:
@@ -249,11 +251,6 @@ class PartType(ABC, Generic[P, Raw, Read]):
     def inconsistencies(self, part: P, exercise: Exercise) -> Iterable[Fault]:
         """Return what does not fit the rest of the exercise; places inside the part's entry."""
         return ()
-
-    def given_away(self, exercise: Exercise, *others: str) -> Iterator[Fault]:
-        """Yield a fault where the key, which this part shows, is asked for by the table or by other parts."""
-        if any(exercise.part(kind) is not None for kind in (TABLE, *others)):
-            yield Fault.at("key_given_away", "kind")
 
     def shows_answer(self, part: P) -> bool:
         """Return whether the task shows what it asks for."""

@@ -17,7 +17,7 @@ from playwright.sync_api import Locator, Page, expect
 from exercises.authoring.draft import ExerciseDraft, draft_of_files, exercise_of_draft
 from exercises.library import packaged
 from exercises.parts.registry import part_types
-from tests.web.conftest import OpenPage
+from tests.web.conftest import OpenPage, Watch
 
 PATIENCE = 120_000
 GUIDE = (Path(__file__).parents[2] / "docs" / "authoring.md").read_text(encoding="utf-8")
@@ -172,7 +172,7 @@ def test_every_kind_of_part_is_made_in_the_page(open_page: OpenPage) -> None:
             # both at once: on a busy machine the page may ask for a preview of the two parts in between
             page.evaluate(
                 "kinds => kinds.forEach(kind => document.querySelector(kind).click())",
-                [f"#author-parts [data-part={kind}]" for kind in (kind, last)],
+                [f"#author-parts [data-part={kind}]" for kind in (last, kind)],
             )
         with page.expect_response("**/author/preview", timeout=PATIENCE) as caught:
             page.locator("[data-path='definition/title/en']").fill(f"Only {kind}")
@@ -180,6 +180,39 @@ def test_every_kind_of_part_is_made_in_the_page(open_page: OpenPage) -> None:
         kept = definition(page)
         assert [part["kind"] for part in kept["definition"]["parts"]] == [kind]
         last = kind
+
+
+def test_a_kind_that_shows_the_answer_to_another_is_not_ticked_beside_it(
+    open_page: OpenPage, watch: Watch
+) -> None:
+    """It was ticked, and then refused by a fault that named neither."""
+    watch.allow("author/preview")  # of an exercise that asks nothing, between the two
+    page = opened(open_page, started())
+    table, tables = (
+        page.locator(f"#author-parts [data-part={kind}]") for kind in ("table", "compare_tables")
+    )
+    expect(tables).to_be_disabled(timeout=PATIENCE)
+    expect(tables).to_have_accessible_description(re.compile("DH table"))
+    table.uncheck()
+    tables.check()
+    expect(table).to_be_disabled()
+    tables.uncheck()
+    expect(table).to_be_enabled()
+
+
+def test_a_box_that_brings_fields_keeps_the_focus(open_page: OpenPage) -> None:
+    """The card was built anew around whoever ticked a box by keyboard, and the focus was lost."""
+    page = opened(open_page, started())
+    expect(page.locator("#author-parts [data-part=transform]")).to_be_attached(timeout=PATIENCE)
+    for box in (
+        page.locator("#author-parts [data-part=transform]"),
+        page.locator("#author-values").get_by_label("drawn per student").last,
+        page.get_by_label("more with every attempt"),
+        page.get_by_label("mark the last origin as P"),
+    ):
+        box.press("Space")
+        expect(box).to_be_checked()
+        expect(box).to_be_focused()
 
 
 def test_weights_needs_rungs_and_samples_are_set_in_the_page(open_page: OpenPage) -> None:

@@ -19,13 +19,12 @@ from exercises.instance import Instance
 from exercises.parts.context import Context
 from exercises.parts.given_table import given_table
 from exercises.parts.mistakes.planting import FACTS, PLANTABLE, plantable
-from exercises.parts.protocol import PartType, Reading
+from exercises.parts.protocol import TABLE, PartType, Reading
 from exercises.parts.report import Credit, PartReport, fact, judged, told_from
 from exercises.parts.task import PartTask, choice_field
 from exercises.selftest.variants import some_lengths, variant
 from kinematics.cells import ReadTable
 from kinematics.equivalence.decision import mechanism_only
-from kinematics.errors import Fault
 
 VARIANTS = 64
 """Other frames of one key that are drawn from: more than a class has seats in a row."""
@@ -82,15 +81,12 @@ class CompareTablesType(PartType[Part, ComparisonCells, ComparisonCells]):
     """Two tables beside each other."""
 
     kind = "compare_tables"
+    gives_away: ClassVar = (TABLE,)
     raw: ClassVar = ComparisonCells
     meaning = "whether two tables are the same robot, and why"
     disclosures: ClassVar = told_from(
         HelpLevel.ROW, "tables_same", "tables_different", "tables_reason_wrong", "tables_reason_missing"
     )
-
-    def inconsistencies(self, part: Part, exercise: Exercise) -> Iterator[Fault]:
-        """Return a fault where the key would be given away."""
-        return self.given_away(exercise)
 
     def draw(self, part: Part, exercise: Exercise, picker: Picker) -> ReadTable:
         """Return the student's second table."""

@@ -15,7 +15,7 @@ from exercises.grading import Feedback, Finding, HelpLevel
 from exercises.instance import Instance
 from exercises.parts.context import Context
 from exercises.parts.mistakes.planting import read_mistakes
-from exercises.parts.protocol import PartType, Raw, Read, Reading, RobotFacts
+from exercises.parts.protocol import TABLE, PartType, Raw, Read, Reading, RobotFacts
 from exercises.parts.report import Credit, Disclosure, Fact, PartReport, fact, judged, told_from
 from exercises.parts.task import FormField, choice_field
 from exercises.reading import Reader
@@ -70,6 +70,7 @@ class MistakeType(PartType[M, Raw, Read]):
         fields: of the answer, for place, name and repair.
     """
 
+    gives_away: ClassVar[tuple[str, ...]] = (TABLE,)
     catalogue: ClassVar[Collection[str]]
     words: ClassVar[MistakeWords]
     fields: ClassVar[tuple[str, str, str]]
@@ -80,10 +81,9 @@ class MistakeType(PartType[M, Raw, Read]):
         return MistakePart(kind=self.kind, points=points, mistakes=mistakes)  # type: ignore[return-value]
 
     def inconsistencies(self, part: M, exercise: Exercise) -> Iterator[Fault]:
-        """Yield a fault where nothing can be planted, or where another part would give the key away."""
+        """Yield a fault where nothing can be planted."""
         if not self.can_be_planted(part, exercise):
             yield Fault.at("no_mistake_does_harm", "mistakes")
-        yield from self.given_away(exercise)
 
     def can_be_planted(self, part: M, exercise: Exercise) -> bool:
         """Return whether some mistake of the part does harm in the exercise."""

@@ -30,7 +30,7 @@ from exercises.parts.mistakes.found_mistakes import (
     MistakeWords,
     is_blank,
 )
-from exercises.parts.protocol import Length, Reading
+from exercises.parts.protocol import TABLE, Length, Reading
 from exercises.parts.report import PartReport
 from exercises.parts.task import FieldShape, FormField, GivenNumbers, PartTask, choice_field
 from kinematics.cells import Cell
@@ -93,10 +93,10 @@ class FrameMistakeType(MistakeType[MistakePart, FoundFrameMistakeCells, ByName[F
     disclosures: ClassVar = words.told()
     fields: ClassVar = ("wrong_frame", "mistake", "mended_origin")
     catalogue: ClassVar = FRAME_MISTAKES
+    gives_away: ClassVar = (TABLE, "frames")
 
     def inconsistencies(self, part: MistakePart, exercise: Exercise) -> Iterator[Fault]:
-        """Yield faults: frames give the table away, and some robots cannot show some mistakes."""
-        yield from self.given_away(exercise, "frames")
+        """Yield a fault where the robot cannot show any of the mistakes."""
         # a figure that cannot be drawn has faults of its own
         with suppress(DefinitionError):
             able = _ways(generate(exercise))

@@ -208,6 +208,7 @@ author-dimension-moved = { $name } moved.
 author-dimension-free = { $name } is placed automatically again.
 author-draw-without = without
 author-part-keys = { $part }: what is given and asked
+author-part-not-beside = Not together with “{ $part }”: one shows the answer to the other.
 author-needs = Needed in every right answer
 author-needs-hint = The rules have to ensure it: fix the base or the tool, otherwise a choice of frames can leave the dimension out.
 author-rungs = Told at most

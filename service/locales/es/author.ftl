@@ -208,6 +208,7 @@ author-dimension-moved = { $name } desplazada.
 author-dimension-free = { $name } se coloca de nuevo automáticamente.
 author-draw-without = sin
 author-part-keys = { $part }: qué se da y qué se pide
+author-part-not-beside = No junto con «{ $part }»: una parte muestra la respuesta de la otra.
 author-needs = Necesarias en toda respuesta correcta
 author-needs-hint = Las reglas deben garantizarlo: fije la base o la herramienta; si no, una elección de sistemas la deja fuera.
 author-rungs = Lo más que se dice

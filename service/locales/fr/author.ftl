@@ -208,6 +208,7 @@ author-dimension-moved = { $name } déplacée.
 author-dimension-free = { $name } est de nouveau placée automatiquement.
 author-draw-without = sans
 author-part-keys = { $part } : ce qui est donné et demandé
+author-part-not-beside = Pas avec « { $part } » : une partie montre la réponse de l’autre.
 author-needs = Nécessaires dans toute réponse juste
 author-needs-hint = Les règles doivent y veiller : fixez la base ou l’outil, sinon un choix de repères fait disparaître la cote.
 author-rungs = Ce qui est dit au plus

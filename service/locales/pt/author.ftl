@@ -208,6 +208,7 @@ author-dimension-moved = { $name } deslocada.
 author-dimension-free = { $name } volta a ser colocada automaticamente.
 author-draw-without = sem
 author-part-keys = { $part }: o que é dado e pedido
+author-part-not-beside = Não em conjunto com «{ $part }»: uma parte mostra a resposta da outra.
 author-needs = Necessárias em todas as respostas certas
 author-needs-hint = As regras têm de o garantir: fixe a base ou a ferramenta; senão, uma escolha de referenciais deixa a cota de fora.
 author-rungs = O máximo que se diz

@@ -259,6 +259,7 @@ author-dimension-moved = { $name } mutată.
 author-dimension-free = { $name } este așezată din nou automat.
 author-draw-without = fără
 author-part-keys = { $part }: ce se dă și ce se cere
+author-part-not-beside = Nu împreună cu „{ $part }”: o parte arată răspunsul celeilalte.
 author-needs = Necesare în orice răspuns corect
 author-needs-hint = Regulile trebuie să asigure aceasta: fixați baza sau scula, altfel o alegere de sisteme lasă cota pe dinafară.
 author-rungs = Cel mult se spune

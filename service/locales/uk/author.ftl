@@ -238,6 +238,7 @@ author-dimension-moved = { $name } переміщено.
 author-dimension-free = { $name } знову розміщено автоматично.
 author-draw-without = крім
 author-part-keys = { $part }: що дано і що запитується
+author-part-not-beside = Не разом із «{ $part }»: одна частина показує відповідь на іншу.
 author-needs = Потрібні в кожній правильній відповіді
 author-needs-hint = Про це мають подбати правила: зафіксуйте основу або інструмент, інакше вибір систем лишає розмір осторонь.
 author-rungs = Найбільше, що кажуть

@@ -162,7 +162,8 @@ class PreviewAnswer(Wire):
         "the units of the SVG, and in which directions (`ways`) and how far (`distances`) they may be moved"
     )
     kinds: list[dict[str, Any]] = Field(
-        description="the kinds of part: with what a definition begins, and what else it may say"
+        description="the kinds of part: with what a definition begins, what else it may say, and which other "
+        "kinds cannot be asked beside it, because it shows their answer (`gives_away`)"
     )
 
 

@@ -123,6 +123,7 @@ def _kind(kind: str, robot: RobotFacts, language: str) -> dict[str, Any]:
     return {
         "kind": kind,
         "label": sentence(language, f"form-part-{kind.replace('_', '-')}") or kind,
+        "gives_away": part.gives_away,
         "start": part.start(robot),
         "keys": [
             {

@@ -1,8 +1,8 @@
 /** What is asked and what it is worth; what a table is held to; values drawn per student; help. */
 
-import { el, fill } from "../dom.js";
+import { el, fill, uniqueId } from "../dom.js";
 import { t } from "../i18n.js";
-import { choiceField, field, numberField, numberInput, part, tick } from "./fields.js";
+import { choiceField, field, numberField, numberInput, part, refill, tick } from "./fields.js";
 import { markEnd } from "./figure-form.js";
 import { choicesField, group, keyField, numbersField, wordsField } from "./shapes.js";
 
@@ -39,20 +39,34 @@ export function partsSection(store) {
 
   function build() {
     const asked = parts();
+    const isAsked = (/** @type {any} */ { kind }) => asked.some((/** @type {any} */ entry) => entry.kind === kind);
     built = JSON.stringify([kinds, points, asked.map((/** @type {any} */ { kind }) => kind)]);
-    fill(
+    refill(
       element,
       kinds.map((kind) => {
         const i = asked.findIndex((/** @type {any} */ entry) => entry.kind === kind.kind);
         const path = ["definition", "parts", i];
         const worth = { "aria-label": t("author-points-of", { part: kind.label }) };
+        const given = i < 0 ? kinds.find((other) => isAsked(other) && givesAway(kind, other)) : null;
+        const why =
+          given &&
+          el("span", {
+            class: "hint",
+            id: uniqueId("author"),
+            text: t("author-part-not-beside", { part: given.label }),
+          });
         return el(
           "div",
           { class: "stack" },
           el(
             "div",
             { class: "row author-part" },
-            tick(kind.label, i >= 0, (on) => ask(kind, on), { dataset: { part: kind.kind } }),
+            tick(kind.label, i >= 0, (on) => ask(kind, on), {
+              dataset: { part: kind.kind },
+              disabled: Boolean(why),
+              "aria-describedby": why?.id,
+            }),
+            why,
             i < 0 ? null : numberInput(store, [...path, "points"], worth),
             i < 0 ? null : el("span", { class: "hint", text: t("author-points") }),
           ),
@@ -94,6 +108,11 @@ export function partsSection(store) {
   };
 }
 
+/** Whether one of two kinds shows the answer to the other. @param {any} one @param {any} other @returns {boolean} */
+function givesAway(one, other) {
+  return one.gives_away.includes(other.kind) || other.gives_away.includes(one.kind);
+}
+
 /** @type {Record<string, {usual: string, values: string[]}>} */
 const RULES = {
   convention: { usual: "any", values: ["any", "standard", "modified"] },
@@ -109,7 +128,7 @@ export function policySection(store) {
   const meaning = el("p", { class: "author-meaning", role: "status" });
   const rules = el("ul", {});
   function build() {
-    fill(
+    refill(
       fields,
       Object.entries(RULES).map(([name, { usual, values }]) =>
         choiceField(
@@ -147,7 +166,7 @@ export function valuesSection(store) {
   function build() {
     const names = Object.keys(store.at(["definition", "parameters"]) ?? {});
     const own = Boolean(store.at(["definition", "reference"]));
-    fill(
+    refill(
       element,
       names.length
         ? el("p", { class: "hint", text: t("author-values-hint") })
@@ -210,7 +229,7 @@ export function helpSection(store) {
   function build() {
     const options = LEVELS.map((value) => ({ value, label: t(`form-help-${value}`) }));
     const ladder = store.at(["definition", "help", "ladder"]);
-    fill(
+    refill(
       element,
       choiceField(store, t("author-help-most"), ["definition", "help", "most"], options, "repair"),
       tick(t("author-help-ladder"), Boolean(ladder), (on) => {

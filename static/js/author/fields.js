@@ -1,6 +1,6 @@
 /** Fields that show and change a place of the draft. */
 
-import { el, uniqueId } from "../dom.js";
+import { el, fill, uniqueId } from "../dom.js";
 import { t } from "../i18n.js";
 
 /**
@@ -85,4 +85,25 @@ export function tick(label, checked, onchange, more = {}) {
 /** A heading inside a card, with a hint below it. @param {string} id of the message; its hint is `<id>-hint` @param {boolean} [hint] */
 export function part(id, hint = false) {
   return [el("h3", { text: t(id) }), hint ? el("p", { class: "hint", text: t(`${id}-hint`) }) : null];
+}
+
+/**
+ * Fills a place anew. Whoever was at one of its controls goes on, as far as in a text, at the one that takes its
+ * place, or at the last one.
+ * @param {Element} place @param {...import("../dom.js").Child} children
+ */
+export function refill(place, ...children) {
+  const all = () => /** @type {HTMLInputElement[]} */ ([...place.querySelectorAll("input, select, textarea, button")]);
+  const name = (/** @type {HTMLInputElement} */ { dataset, ariaLabel, labels, textContent }) =>
+    dataset.path ?? dataset.part ?? ariaLabel ?? labels?.[0]?.textContent ?? textContent;
+  const before = all().find((control) => control === document.activeElement);
+  const called = before && name(before);
+  const same = () => all().filter((control) => name(control) === called);
+  const number = before ? same().indexOf(before) : 0;
+  const [start, end] = [before?.selectionStart ?? null, before?.selectionEnd ?? null];
+  fill(place, ...children);
+  if (!before || before.isConnected) return;
+  const after = same()[number] ?? same().at(-1) ?? all().at(-1);
+  after?.focus({ preventScroll: true });
+  if (start !== null && after?.type === before.type) after.setSelectionRange(start, end);
 }

@@ -1,8 +1,8 @@
 /** How the figure is drawn: from where it is seen, in which posture, what is marked, and all that a definition may nudge. */
 
-import { el, fill, iconButton } from "../dom.js";
+import { el, iconButton } from "../dom.js";
 import { named, t } from "../i18n.js";
-import { field, numberField, part, textField, tick } from "./fields.js";
+import { field, numberField, part, refill, textField, tick } from "./fields.js";
 import { entriesField, group, listField, numbersField, wordsField } from "./shapes.js";
 
 /** @typedef {import("./draft-store.js").DraftStore} DraftStore */
@@ -21,7 +21,7 @@ export function figureSection(store) {
 
   function build() {
     const names = Object.keys(store.at(["definition", "parameters"]) ?? {});
-    fill(
+    refill(
       element,
       el(
         "div",

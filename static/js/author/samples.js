@@ -1,9 +1,9 @@
 /** Answers with the judgement that is expected of them: part of the exercise's own tests. */
 
-import { el, fill } from "../dom.js";
+import { el } from "../dom.js";
 import { rowsTable } from "../editor/rows-table.js";
 import { t } from "../i18n.js";
-import { choiceField, part, textField } from "./fields.js";
+import { choiceField, part, refill, textField } from "./fields.js";
 import { entriesField, wordsField } from "./shapes.js";
 
 const PATH = ["definition", "tests", "samples"];
@@ -20,7 +20,7 @@ export function samplesSection(store) {
     el("div", { dataset: { path: path.join("/"), whole: "" } }, rowsTable(sample)),
   ];
   const build = () =>
-    fill(
+    refill(
       element,
       ...part("author-samples", true),
       entriesField(store, t("author-sample"), PATH, fields, () => ({

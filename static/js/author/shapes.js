@@ -1,8 +1,8 @@
 /** Fields of the shapes that a definition's values have: numbers by name, words, draws, pairs of frames, ranges. */
 
-import { el, fill, iconButton } from "../dom.js";
+import { el, iconButton } from "../dom.js";
 import { named, t } from "../i18n.js";
-import { field, numberField, numberOf, textField, tick } from "./fields.js";
+import { field, numberField, numberOf, refill, textField, tick } from "./fields.js";
 
 /**
  * @typedef {import("./draft-store.js").DraftStore} DraftStore
@@ -78,7 +78,7 @@ function drawField(store, label, path, usual) {
       store.set(path, on ? usual : undefined);
       build();
     });
-    fill(place, switched, draw ? drawFields(store, path) : null);
+    refill(place, switched, draw ? drawFields(store, path) : null);
   };
   build();
   return place;
@@ -124,7 +124,7 @@ export function entriesField(store, label, path, fields, fresh, nameOf = (number
   const remove = (/** @type {number} */ i) => () =>
     become(entries().filter((/** @type {any} */ _, /** @type {number} */ k) => k !== i));
   const build = () =>
-    fill(
+    refill(
       place,
       entries().map((/** @type {any} */ entry, /** @type {number} */ i) =>
         group(nameOf(i + 1), [
@@ -224,7 +224,7 @@ function quantitiesField(store, label, path) {
   const place = el("div", { class: "stack" });
   const name = el("input", { type: "text", size: "5", autocomplete: "off", "aria-label": t("author-quantity-name") });
   const build = () =>
-    fill(
+    refill(
       place,
       ...Object.keys(store.at(path) ?? {}).map((quantity) =>
         group(quantity, [

@@ -7,7 +7,7 @@ import { language, t } from "../i18n.js";
 import { pageAddress, root } from "../page.js";
 import { problemNotice } from "../problem.js";
 import { linkTo } from "./draft-store.js";
-import { field, textField } from "./fields.js";
+import { field, refill, textField } from "./fields.js";
 
 /** @param {import("../api.js").Api} api @param {import("./draft-store.js").DraftStore} store */
 export function takeAlong(api, store) {
@@ -68,7 +68,7 @@ export function takeAlong(api, store) {
   );
   return {
     element,
-    fill: () => fill(name, textField(store, t("author-id"), ["id"], { spellcheck: "false", maxlength: "48" })),
+    fill: () => refill(name, textField(store, t("author-id"), ["id"], { spellcheck: "false", maxlength: "48" })),
     show: () => undefined,
   };
 }

@@ -2,7 +2,7 @@
 
 import { el, fill, segmented } from "../dom.js";
 import { language, t } from "../i18n.js";
-import { field, numberField, textField } from "./fields.js";
+import { field, numberField, refill, textField } from "./fields.js";
 
 const LANGUAGES = { en: "English", ro: "Română", pt: "Português", fr: "Français", uk: "Українська", es: "Español" };
 
@@ -22,7 +22,7 @@ export function textsSection(store) {
       dataset: { path: `statements/${shown}` },
       oninput: (event) => store.set(["statements", shown], event.target.value.trim() ? event.target.value : undefined),
     });
-    fill(
+    refill(
       body,
       textField(store, t("author-title-of"), ["definition", "title", shown], { lang: shown, maxlength: "200" }),
       field(t("author-statement"), area, t("author-statement-hint")),

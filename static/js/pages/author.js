@@ -86,7 +86,7 @@ class AuthorPage {
     this.undo?.toggleAttribute("disabled", !this.store.canUndo);
     this.redo?.toggleAttribute("disabled", !this.store.canRedo);
     if (!draft) return;
-    if (whole) keepingFocus(() => Object.values(this.sections).forEach((section) => section.fill()));
+    if (whole) Object.values(this.sections).forEach((section) => section.fill());
     $("author-saved").textContent = t("author-saved");
     this.selfTest.outdated();
     this.look();
@@ -169,18 +169,6 @@ function refusal(faults) {
     return el("li", {}, el("a", { href: `#${field.id}`, onclick: follow, text }));
   };
   return el("div", { class: "notice notice-problem", role: "alert" }, el("ul", {}, faults.map(line)));
-}
-
-/** Builds fields anew; whoever was typing in one goes on in its successor. @param {() => void} build */
-function keepingFocus(build) {
-  const before = /** @type {HTMLInputElement | null} */ (document.activeElement);
-  const path = before?.dataset?.path;
-  const [start, end] = [before?.selectionStart ?? null, before?.selectionEnd ?? null];
-  build();
-  if (!path || before?.isConnected) return;
-  const after = /** @type {HTMLInputElement | null} */ (document.querySelector(`[data-path="${CSS.escape(path)}"]`));
-  after?.focus({ preventScroll: true });
-  if (after?.setSelectionRange && start !== null) after.setSelectionRange(start, end);
 }
 
 /** @param {any} view */
