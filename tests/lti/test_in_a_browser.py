@@ -6,6 +6,7 @@ import json
 import os
 import re
 from collections.abc import Callable, Iterator
+from datetime import UTC, datetime, timedelta
 from urllib.parse import urlencode, urljoin, urlsplit
 
 import pytest
@@ -107,7 +108,11 @@ def test_a_withheld_score_is_not_shown_as_none(page: Page, service: str, browser
 def test_what_was_typed_last_is_there_whatever_the_browser(
     page: Page, lms: Lms, service: str, another_browser: Callable[[], Browser]
 ) -> None:
-    """At home stood what had been typed there before what was typed elsewhere; practice stood in an exam."""
+    """At home stood what had been typed there before what was typed elsewhere; practice stood in an exam.
+
+    The clock at home is an hour fast.
+    """
+    page.clock.install(time=now() + timedelta(hours=1))
     link = {"context": "drafts", "custom": CUSTOM}
 
     def first_cell(resource: str) -> Locator:
@@ -159,18 +164,29 @@ def test_help_that_rises_starts_anew_for_each_student_at_a_shared_computer(page:
 def test_a_page_that_stays_open_says_when_attempts_open_and_close(
     page: Page, service: str, browser: Browser
 ) -> None:
-    """Whoever waited read "Opens", and whoever went on writing "Closes", until the next attempt."""
+    """Whoever waited read "Opens", and whoever went on writing "Closes", until the next attempt.
+
+    The computer's clock is a day slow.
+    """
+    at = datetime(2098, 12, 31, 11, 59, tzinfo=UTC)
+
+    def told_then(route: Route) -> None:
+        route.fulfill(json={**route.fetch().json(), "now": at.isoformat()})
+
+    page.route("**/api/v1/session", told_then)
     told = {"opens": "2098-12-31T12:00:00Z", "closes": "2099-01-01T12:00:00Z"}
     link = hint(resource="exam", custom={"exercise": "puma560", "settings": json.dumps(told)})
     launched = browser.post(browser.authorized(browser.login("emil", link)))
-    page.clock.install(time="2098-12-31T11:59:00Z")
+    page.clock.install(time=at - timedelta(days=1))
     page.goto(urljoin(service, launched.headers["location"]))
     page.wait_for_selector("html[data-ready=true]")
     banner = page.locator(".session-banner")
     expect(banner).to_contain_text("Opens: 31 Dec 2098, 12:00")
+    at += timedelta(minutes=2)
     page.clock.fast_forward("02:00")
     expect(banner).not_to_contain_text("Opens:")
     page.evaluate("document.querySelector('.session-banner .warn')?.remove()")
+    at += timedelta(days=1)
     page.clock.fast_forward("24:00:00")
     expect(banner.locator(".badge.warn")).to_be_visible()
 

@@ -55,6 +55,7 @@ def session_view(session: CourseSession, standing: StudentStanding, version: str
         "attempts": [attempt_entry(attempt, shown) for attempt in standing.latest],
         "draft": None if draft is None else {"state": draft.state, "at": draft.at.isoformat()},
         "return_url": session.return_url,
+        "now": at.isoformat(),
         "expires_in": int(SESSION.total_seconds()),
     }
 

@@ -101,6 +101,10 @@ export function notOpened(error) {
 export class CourseSession {
   #api;
   #store;
+  /** @type {any} */
+  #told;
+  /** Milliseconds that this computer's clock is behind the service's. */
+  #behind = 0;
   /** @param {import("../api.js").Api} api @param {any} told what the service says of the session */
   constructor(api, told) {
     this.#api = api;
@@ -117,10 +121,24 @@ export class CourseSession {
     this.#awaitChange();
   }
 
+  get told() {
+    return this.#told;
+  }
+
+  set told(told) {
+    this.#told = told;
+    this.#behind = Date.parse(told.now) - Date.now();
+  }
+
+  /** What time it is at the service. */
+  get #now() {
+    return Date.now() + this.#behind;
+  }
+
   /** Has the service keep what is typed, soon; until it has, this browser knows of it. @param {unknown} state */
   draft(state) {
     this.typed = state;
-    keep(this.#unsent, Date.now());
+    keep(this.#unsent, this.#now);
     this.#store(state);
   }
 
@@ -155,7 +173,7 @@ export class CourseSession {
   /** When attempts open or close while the page is open, the banner says so. */
   #awaitChange() {
     const { opens, closes } = this.told;
-    const waits = [opens, closes].map((time) => Date.parse(time) - Date.now()).filter((wait) => wait > 0);
+    const waits = [opens, closes].map((time) => Date.parse(time) - this.#now).filter((wait) => wait > 0);
     if (waits.length === 0) return;
     setTimeout(
       async () => {
@@ -264,7 +282,7 @@ export class CourseSession {
       refusal,
       return_url: back,
     } = this.told;
-    const isBefore = (/** @type {string | null} */ time) => time !== null && new Date() < new Date(time);
+    const isBefore = (/** @type {string | null} */ time) => time !== null && this.#now < Date.parse(time);
     const facts = [
       el("span", {
         text: signedIn(this.told),
