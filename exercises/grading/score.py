@@ -80,8 +80,7 @@ def score_of(decision: Decision, repairs: Sequence[Repaired], work: Work, weight
         elif slip is not None:
             off = min(off, max(CELL, wrong_of(work, standard) - shared_across_prismatic(work, standard)))
         elif work.excess:
-            pairs = [repair.changes for repair in repairs if _is_something(work, repair.changes, standard)]
-            off = min([off, *(sum(_cost(change, weights, nothing) for change in pair) for pair in pairs)])
+            off = _cost_of_a_pair(work, repairs, weights, standard, off)
         if off > CELL and _has_one_other_twist(work):
             off = CELL
     if not decision.same_robot:
@@ -114,32 +113,45 @@ def _cost(change: Change, weights: Weights, nothing: float) -> float:
     return min(weights.row if change.extent is Extent.ROW else weights.table, nothing / 2.0)
 
 
+def _cost_of_a_pair(
+    work: Work, repairs: Sequence[Repaired], weights: Weights, standard: Standard, most: float
+) -> float:
+    """What is lost, if less than so much, by edits that mend an answer with joints too many or too few."""
+    nothing = standard.nothing
+    costs = [sum(_cost(change, weights, nothing) for change in repair.changes) for repair in repairs]
+    for cost, repair in sorted(zip(costs, repairs, strict=True), key=lambda pair: pair[0]):
+        if cost >= most or _is_something(work, repair.changes, standard):
+            return min(cost, most)
+    return most
+
+
 def _lost_beside_a_slip(work: Work, weights: Weights, standard: Standard, most: float) -> float:
     """What is lost, if less than so much, by a slip in a row or throughout the table and the facts beside it.
 
     Such a slip may make all facts wrong, as the wrong convention does, though few of them are mistakes.
     """
-    if most <= min(weights.row, weights.table, standard.nothing / 2.0):
+    if work.excess or most <= min(weights.row, weights.table, standard.nothing / 2.0) + weights.sign:
         return most
     undone = []
     for change in _slips(work):
-        cost = _cost(change, weights, standard.nothing)
-        if cost >= most:
-            continue
-        other = _without(change, work)
-        rules = _lost_by_rules(other, weights)
-        as_many = other.has_the_joints() or other.table.joint_types == work.table.joint_types
-        if cost + rules < most and not other.excess and as_many:
-            undone.append((cost, rules, other, change))
+        table, cost = change.table or work.table, _cost(change, weights, standard.nothing)
+        rules = _lost_by_rules(table, work.policy, weights)
+        as_many = work.has_the_joints(table) or table.joint_types == work.table.joint_types
+        if cost + max(weights.sign, rules) < most and as_many:
+            undone.append((cost, rules, change))
     if not undone:
         return most
-    least = at_least_lost([other for *_, other, _ in undone], standard)
-    bounds = [cost + rules + at_least for (cost, rules, *_), at_least in zip(undone, least, strict=True)]
+    least = at_least_lost(work, [change for *_, change in undone], standard)
+    bounds = [
+        cost + max(weights.sign, rules + at_least)
+        for (cost, rules, _), at_least in zip(undone, least, strict=True)
+    ]
     found: list[tuple[float, int]] = []
     for k in sorted(range(len(undone)), key=bounds.__getitem__):
         if bounds[k] >= most or (found and bounds[k] > min(found)[0] + SAME):
             break
-        cost, rules, other, change = undone[k]
+        cost, rules, change = undone[k]
+        other = _without(change, work)
         wrong = wrong_of(other, standard)
         if wrong < standard.of_zeros - SAME and not _is_in_one_row(change, work, other, standard):
             beside = rules + wrong - shared_across_prismatic(other, standard)
@@ -148,9 +160,10 @@ def _lost_beside_a_slip(work: Work, weights: Weights, standard: Standard, most: 
     if not found:
         return most
     off, k = min(found)
-    cost, rules, other, _ = undone[k]
+    cost, rules, change = undone[k]
     with_a_cell = cost + rules + CELL
-    return min(most, with_a_cell if off > with_a_cell and _has_one_other_twist(other) else off)
+    one_twist = off > with_a_cell and _has_one_other_twist(_without(change, work))
+    return min(most, with_a_cell if one_twist else off)
 
 
 def _is_in_one_row(change: Change, work: Work, undone: Work, standard: Standard) -> bool:
@@ -280,7 +293,7 @@ def lost(decision: Decision, work: Work, weights: Weights) -> float:
         broken = {mismatch.kind for mismatch in decision.mismatches}
         ends = bool(broken & {Kind.BASE, Kind.TOOL})
         return max(wrong, min(weights.rule, standard.nothing / 2.0) * (len(broken & RULES) + ends))
-    return wrong + _lost_by_rules(work, weights)
+    return wrong + _lost_by_rules(work.table, work.policy, weights)
 
 
 def _with_lines(off: float, work: Work, weights: Weights, nothing: float) -> float:
@@ -293,8 +306,6 @@ def _with_lines(off: float, work: Work, weights: Weights, nothing: float) -> flo
     return off + (nothing - off) * min(weights.rule / nothing, 0.5)
 
 
-def _lost_by_rules(work: Work, weights: Weights) -> float:
+def _lost_by_rules(table: NumericTable, policy: Policy, weights: Weights) -> float:
     """What the rules weigh that an answer with another robot is not seen to keep."""
-    policy = work.policy
-    broken = not convention_fits(work.table.convention, policy.convention)
-    return weights.rule * (unconfirmed(policy) + broken)
+    return weights.rule * (unconfirmed(policy) + (not convention_fits(table.convention, policy.convention)))

@@ -10,6 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from exercises.grading.across_prismatic import across_prismatic
+from exercises.grading.edits.changes import Change
 from exercises.grading.edits.joint_places import from_both_ends
 from exercises.grading.edits.work import Work
 from exercises.grading.facts import Facts, Weights, fixed_ends
@@ -97,20 +98,24 @@ def wrong_of(work: Work, standard: Standard) -> float:
     return facts.wrong(axes, found)
 
 
-def at_least_lost(works: Sequence[Work], standard: Standard) -> list[float]:
-    """Return for tables with as many joints as the key the least that the facts weigh which they have wrong.
+def at_least_lost(work: Work, changes: Sequence[Change], standard: Standard) -> list[float]:
+    """Return the least that the facts weigh which a table has wrong after each of some changes.
 
-    What is wrong across one group of prismatic joints counts as no more than one.
+    They leave it as many joints as the key has. What is wrong across one group of prismatic joints counts as
+    no more than one.
     """
-    facts = replace(standard.facts, invariants=works[0].facts)
-    policy = works[0].policy
-    tables = [work.table for work in works]
-    shapes, variations = facts.invariants.shapes, [(k, ()) for k in range(len(tables))]
-    types = [[False, *(j is JointType.PRISMATIC for j in table.joint_types), False] for table in tables]
-    least = facts.at_least_wrong(measured_of_tables(shapes, tables, variations, fixing_frames(policy)), types)
+    facts = replace(standard.facts, invariants=work.facts)
+    tables, variations = [work.table], []
+    for change in changes:
+        tables += () if change.table is None else (change.table,)
+        variations.append((0 if change.table is None else len(tables) - 1, change.cells))
+    joints = [tables[number].joint_types for number, _ in variations]
+    types = [[False, *(joint is JointType.PRISMATIC for joint in each), False] for each in joints]
+    found = measured_of_tables(facts.invariants.shapes, tables, variations, fixing_frames(work.policy))
+    least = facts.at_least_wrong(found, types)
     spare = max((float(facts.worth[of_gap].sum()) for of_gap in across_prismatic(facts)), default=0.0)
-    found: list[float] = (least - max(spare - CELL, 0.0)).tolist()
-    return found
+    lost: list[float] = (least - max(spare - CELL, 0.0)).tolist()
+    return lost
 
 
 def unconfirmed(policy: Policy) -> int:

@@ -50,7 +50,7 @@ from exercises.grading.edits.table_edits import (
     twists_a_row_early,
     twists_a_row_late,
 )
-from exercises.grading.edits.work import Work
+from exercises.grading.edits.work import EXCHANGED, Work
 from exercises.grading.judging.typed import ANGLES
 
 ALL, NONE = frozenset({"alpha", "a", "d"}), frozenset[str]()
@@ -68,7 +68,7 @@ class Misconception:
         hint: what is told of it from the help level `kind` on, where that is not the wrong facts of its row.
         cells: those of a row of which it concerns one by itself.
         counts: undoing it changes how many joints there are.
-        types: it may change of which types they are, in order, if not how many.
+        types: to how many joints it gives another type at the least, if it does, and not how many there are.
         beforehand: it is undone first where it comes together with one that changed their number.
         sizes: the columns in which undoing it may put entries of another size.
     """
@@ -79,7 +79,7 @@ class Misconception:
     hint: str | None = None
     cells: tuple[str, ...] = ()
     counts: bool = False
-    types: bool = False
+    types: int = 0
     beforehand: bool = False
     sizes: frozenset[str] = ALL
 
@@ -195,12 +195,12 @@ CATALOGUE: tuple[Misconception, ...] = (
     Misconception(
         code="turns_all_reversed", changes=all_turns_turned_round, hint="turns_throughout", sizes=NONE
     ),
-    Misconception(code="joint_type", changes=joint_of_other_type, types=True, beforehand=True),
+    Misconception(code="joint_type", changes=joint_of_other_type, types=1, beforehand=True),
     Misconception(
         code="joint_fixed", changes=joint_left_out, told_as=("joint_fixed", "joint_moving"), counts=True
     ),
     Misconception(
-        code="rows_swapped", changes=rows_swapped, hint="rows_out_of_order", types=True, beforehand=True
+        code="rows_swapped", changes=rows_swapped, hint="rows_out_of_order", types=EXCHANGED, beforehand=True
     ),
     Misconception(code="row_missing", changes=row_left_out, hint="row_missing", counts=True),
     Misconception(code="fixed_row_missing", changes=fixed_row_left_out, hint="row_missing", sizes=NONE),

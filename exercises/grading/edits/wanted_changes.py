@@ -11,10 +11,10 @@ from exercises.grading.edits.work import Work
 
 def changes_of(work: Work) -> Iterator[Change]:
     """Every change of the catalogue with which a table may have the key's joints, and which is wanted."""
-    excess, only, lacking, alike = work.excess, work.only, work.lacking, work.has_the_joints()
+    excess, only, lacking, others = work.excess, work.only, work.lacking, work.other_types
     for misconception in CATALOGUE:
         if (
-            (misconception.counts if excess else alike or misconception.types)
+            (misconception.counts if excess else not others or 0 < misconception.types <= others)
             and (only is None or misconception.may_be(only))
             and lacking <= misconception.sizes
         ):

@@ -192,12 +192,16 @@ class Work:
         """Return whether the table, or another, has the key's types of joints in order."""
         return (table or self.table).joint_types == self.reference.table.joint_types
 
+    @property
+    def other_types(self) -> int:
+        """How many joints are of another type than the key's in the same place."""
+        types = zip(self.table.joint_types, self.reference.table.joint_types, strict=False)
+        return sum(ours is not wanted for ours, wanted in types)
+
     @cached_property
     def has_wrong_types_alone(self) -> bool:
         """Whether two joints are of another type, and the facts are right if they are read as the key's."""
-        types = zip(self.table.joint_types, self.reference.table.joint_types, strict=False)
-        others = sum(ours is not wanted for ours, wanted in types)
-        return not self.excess and others == EXCHANGED and self.wrong_facts == 0.0
+        return not self.excess and self.other_types == EXCHANGED and self.wrong_facts == 0.0
 
     @cached_property
     def wrong_facts(self) -> float:

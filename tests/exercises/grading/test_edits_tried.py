@@ -20,7 +20,7 @@ from exercises.grading.judging.comparison import comparisons
 from kinematics.cells import ReadTable
 from kinematics.equivalence.meter import PER_ROW, Meter
 from kinematics.equivalence.search import Effort
-from kinematics.table import NumericTable
+from kinematics.table import JointType, NumericTable
 from tests.exercises.grading.test_grade import KEY as PUMA
 from tests.exercises.grading.test_grade import PUMA as PUMA_ROWS
 from tests.exercises.grading.test_grade import with_cells
@@ -49,6 +49,7 @@ def work(answer: ReadTable, policy: Policy = FIXED, key: ReadTable = KEY) -> Wor
 
 
 ON_WRONG = work(read("standard", WRONG))
+ON_PUMA = work(PUMA, USUAL, PUMA)
 
 
 def test_what_is_not_decided_with_the_work_that_is_left_is_not_right() -> None:
@@ -501,6 +502,14 @@ def test_columns_that_lack_a_size_are_mended_by_what_puts_one_there() -> None:
     assert {"columns_exchanged", "columns_reordered", "convention"} <= codes("a d")
     assert "columns_exchanged" not in codes("alpha a d")
     assert "columns_reordered" in codes("alpha a d")
+
+
+def test_rows_change_places_only_where_two_joints_are_of_another_type() -> None:
+    for others, wanted in ((1, {"joint_type"}), (2, {"joint_type", "rows_swapped"})):
+        joints = [JointType.PRISMATIC if i < others else row.joint for i, row in enumerate(ON_PUMA.table.rows)]
+        rows = (replace(row, joint=joint) for row, joint in zip(ON_PUMA.table.rows, joints, strict=True))
+        other = replace(ON_PUMA, table=replace(ON_PUMA.table, rows=tuple(rows)))
+        assert {change.code for change in changes_of(other)} == wanted
 
 
 def test_of_a_slip_that_is_known_only_that_is_tried() -> None:

@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 
 from exercises.grading import BaseRule, DirectionRule, Policy, ToolRule, ZeroRule, grade
 from exercises.grading.alignments import MOST_ALIGNMENTS, NOT_THERE, alignments
+from exercises.grading.edits.changes import Change, Extent
 from exercises.grading.explanation import work_on
 from exercises.grading.facts import Weights
 from exercises.grading.judging.comparison import comparisons
@@ -179,7 +180,8 @@ def test_no_less_is_lost_than_is_seen_at_once_of_many_answers(name: str, key: Nu
         (way,) = comparisons(written(key), answer, None)
         works.append(work_on(way, (written(key), answer), policy))
     standard = standard_of(works[0].reference, policy, Weights())
-    least = at_least_lost(works, standard)
+    changes = [Change("", Extent.TABLE, table=work.table) for work in works]
+    least = at_least_lost(works[0], changes, standard)
     for work, at_least in zip(works, least, strict=True):
         assert at_least <= wrong_of(work, standard) - shared_across_prismatic(work, standard) + 1e-9
     others = [at_least for work, at_least in zip(works, least, strict=True) if not work.has_the_joints()]
