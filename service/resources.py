@@ -111,9 +111,13 @@ class Resources:
         queues = (self.turns, *(limiter.queue for limiter in self.limiters.values()))
         return any(queue.running for queue in queues)
 
+    def is_crowded(self) -> bool:
+        """Return whether so many answers wait to be judged that less is told of a wrong one."""
+        return self.grading.queue.waiting > self.settings.explained_queue
+
     def help_now(self, asked: HelpLevel | None) -> HelpLevel | None:
         """Return how much a wrong answer may be told now; its score is the same however long the lane is."""
-        if self.grading.queue.waiting <= self.settings.explained_queue:
+        if not self.is_crowded():
             return asked
         return HelpLevel.ROW if asked is None else lowest((asked, HelpLevel.ROW))
 

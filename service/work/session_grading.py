@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import secrets
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime
 from functools import lru_cache
@@ -19,21 +19,22 @@ from courses.model import Attempt, CourseSession, LinkSettings
 from courses.refusals import AttemptError, NoExerciseError
 from courses.storage.column_types import WrittenJson
 from courses.teaching.regrading import Rejudged
-from exercises.access import ExerciseAccess
+from exercises.access import ExerciseAccess, lowest
 from exercises.answers import parse
 from exercises.definition import Exercise
+from exercises.departure import departure_of
 from exercises.errors import ExerciseError, UnknownExerciseError
-from exercises.grader import Report, allowed_help, grade
+from exercises.grader import Report, grade
 from exercises.grading import HelpLevel
-from exercises.instance import cached_instance
+from exercises.instance import Instance, cached_instance
 from exercises.library import Library
-from exercises.parts.protocol import RawAnswer
+from exercises.parts.protocol import Answer, RawAnswer
 from kinematics.cells import Limits
 from kinematics.errors import Fault, KinematicsError
 from service.revision import revision
 from service.schemas.exercises.exercises import AnswerBase, ExerciseAnswer
 from service.wire.courses.session_views import seed_of
-from service.wire.exercises.verdicts import encoded
+from service.wire.exercises.verdicts import encoded, restored
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -48,10 +49,6 @@ class SessionJudgement:
     version: str
 
 
-def _as_asked(level: HelpLevel | None) -> HelpLevel | None:
-    return level
-
-
 @dataclass(frozen=True, kw_only=True, slots=True)
 class Grader:
     """Judges answers to the exercises of links, for students and for statistics.
@@ -60,13 +57,13 @@ class Grader:
         library: the exercises.
         limits: how large an answer may be.
         edition: tells the address of an exercise's content; None where nothing is kept.
-        help_now: how much may be told while so many answers wait.
+        is_crowded: whether so many answers wait that nobody looks where the robot of a wrong one departs.
     """
 
     library: Library
     limits: Limits
     edition: Callable[[Library, str], str] | None = None
-    help_now: Callable[[HelpLevel | None], HelpLevel | None] = _as_asked
+    is_crowded: Callable[[], bool] = bool
 
     def version(self, settings: LinkSettings) -> str:
         """Return what the exercise of a link is now: an address made from its content, else its number.
@@ -99,11 +96,9 @@ class Grader:
         instance = cached_instance(asked, seed)
         answer = parse(instance, wire.raw(), self.limits)
         level = wire.help if settings.help is None else HelpLevel(settings.help)
-        report = kept = grade(instance, answer, self.help_now(level), attempt)
-        if report.help_level is not allowed_help(asked, level, attempt) and not report.correct:
-            kept = grade(instance, answer, level, attempt, drawn=False)
-        stored = analysis = _as_stored(kept)
-        if kept.help_level is not HelpLevel.REPAIR and not report.correct:
+        report = grade(instance, answer, level, attempt, drawn=not self.is_crowded())
+        stored = analysis = _as_stored(report)
+        if report.help_level is not HelpLevel.REPAIR and not report.correct:
             analysis = _as_stored(grade(cached_instance(_open(asked), seed), answer, drawn=False))
         return SessionJudgement(
             found=report,
@@ -113,6 +108,25 @@ class Grader:
             correct=report.correct and not report.missing,
             version=self.version(settings),
         )
+
+    def with_departure(self, attempt: Attempt, settings: LinkSettings) -> Attempt:
+        """Return an attempt that tells where its robot departs, if nobody looked when it was judged."""
+        told = restored(attempt.report)
+        tells = lowest((told.help_level, HelpLevel.KIND)) is HelpLevel.KIND
+        if told.departure is not None or told.verdict is None or told.verdict.correct or not tells:
+            return attempt
+        question = self.question(attempt, settings)
+        if (
+            question is None
+            or self.version(replace(settings, exercise_id=attempt.exercise_id)) != attempt.version
+        ):
+            return attempt
+        instance = cached_instance(question[0], attempt.seed)
+        read = _read_again(instance, attempt.answer, self.limits)
+        if read is None or read.table is None:
+            return attempt
+        departure = departure_of(instance, read.table, told.verdict)
+        return replace(attempt, report={**attempt.report, "departure": departure})
 
     def rejudge(self, attempts: Sequence[Attempt], settings: LinkSettings) -> list[Rejudged]:
         """Judge stored attempts by the exercise as it is now."""
@@ -143,16 +157,10 @@ UNREAD = Rejudged(attempt_id=0, score=None)
 
 @lru_cache(maxsize=4096)
 def _judged_again(limits: Limits, asked: Exercise, seed: str | None, answer: bytes) -> Rejudged:
-    """Many students hand in the same answer: it is judged once, and nothing is drawn or put into words.
-
-    Parts that are no longer asked are left out.
-    """
+    """Many students hand in the same answer: it is judged once, and nothing is drawn or put into words."""
     instance = cached_instance(_open(asked), seed)
-    try:
-        wire: AnswerBase = ExerciseAnswer.model_validate(orjson.loads(answer))
-        raw = RawAnswer(**{part.kind: wire.raw().get(part.kind) for part in asked.parts})
-        read = parse(instance, raw, limits)
-    except (ValidationError, KinematicsError, ExerciseError):
+    read = _read_again(instance, orjson.loads(answer), limits)
+    if read is None:
         return UNREAD
     report = grade(instance, read, drawn=False)
     return Rejudged(
@@ -161,6 +169,16 @@ def _judged_again(limits: Limits, asked: Exercise, seed: str | None, answer: byt
         correct=report.correct and not report.missing,
         path=tuple(path_of_codes(_as_stored(report))),
     )
+
+
+def _read_again(instance: Instance, answer: Mapping[str, Any], limits: Limits) -> Answer | None:
+    """Read a stored answer, without parts that are no longer asked; None where it can't be read any more."""
+    try:
+        wire: AnswerBase = ExerciseAnswer.model_validate(answer)
+        raw = RawAnswer(**{part.kind: wire.raw().get(part.kind) for part in instance.exercise.parts})
+        return parse(instance, raw, limits)
+    except (ValidationError, KinematicsError, ExerciseError):
+        return None
 
 
 @lru_cache(maxsize=256)

@@ -12,7 +12,7 @@ from typing import Any
 from fastapi import Response
 
 from courses.attempts.stored_attempts import attempt_numbered, by_key, shown_now, standing_of
-from courses.model import CourseSession, StudentStanding
+from courses.model import Attempt, CourseSession, StudentStanding
 from courses.people.secrets import redeem_code
 from courses.people.sessions import end_session
 from courses.policies import Shown, counts_from
@@ -153,7 +153,7 @@ async def _judged(request: ApiRequest, begun: datetime) -> Response:
             arrived = counts_from(session.link.settings.policy, session.allowance, first, arrived)
         wire = validated(ExerciseAnswer, typed)
         key = _stored_key(request.headers.get("idempotency-key", ""))
-        grader = replace(grader_of(request), help_now=request.resources.help_now)
+        grader = replace(grader_of(request), is_crowded=request.resources.is_crowded)
         version = seen if isinstance(seen, str) else None
         work = partial(judged_submission, grader, session, wire, typed, key, language, arrived, form, version)
         try:
@@ -190,9 +190,13 @@ async def reopen(request: ApiRequest) -> Response:
     courses, session = await signed_in(request)
     text = request.path_params["number"]
     number = int(text) if text.isdecimal() and len(text) < 9 else 0
-    attempt = await in_thread(request, attempt_numbered, courses.store, session, number)
-    shown = shown_now(session, session.made, now())
-    return json_response(attempt_view(attempt, shown, language))
+    grader, shown = grader_of(request), shown_now(session, session.made, now())
+
+    def work() -> Attempt:
+        attempt = attempt_numbered(courses.store, session, number)
+        return grader.with_departure(attempt, session.link.settings) if shown is Shown.ALL else attempt
+
+    return json_response(attempt_view(await in_thread(request, work), shown, language))
 
 
 @router.put("/session/draft")
