@@ -109,12 +109,15 @@ def _equally_good(singles: Sequence[Change], table: NumericTable, key: NumericTa
     length that was typed is likelier wrong than a zero, where with that the frames are the key's own, and
     where it becomes a length of the key and the zero doesn't. An offset is so only in the key's own table to
     the letter: along parallel axes, what is missing in one row makes it any number in another. A variable was
-    forgotten, rather than a row left out, where there is a row for every joint.
+    forgotten, rather than a row left out, where there is a row for every joint; and a row is not needed,
+    rather than its variable, where the table does without it.
     """
     if singles[0].row is None:
         return ()
     best, is_offset = singles[0], singles[0].cell == "d"
     alike = tuple(change for change in singles if change.extent is best.extent and change.row is not None)
+    not_needed = {change.row for change in alike if change.code == "row_extra"}
+    alike = tuple(one for one in alike if one.code != "joint_moving" or one.row not in not_needed)
     forgotten = tuple(change for change in alike if change.code == "joint_fixed")
     if forgotten and len(table.rows) >= key.n_joints:
         return forgotten

@@ -118,3 +118,14 @@ def test_a_table_without_a_joint_is_told_the_only_one() -> None:
     assert joint_places([work(one, none)]) == [(0, 10**6)]
     verdict = grade(written(one), written(none), FREE)
     assert "joint_fixed" in {edit.code for repair in verdict.repairs for edit in repair.edits}
+
+
+@pytest.mark.parametrize(("name", "row"), [("puma560", 1), ("puma560", 6), ("rx90", 5), ("scara", 2)])
+def test_of_a_row_typed_twice_it_is_told_once_that_it_is_not_needed(name: str, row: int) -> None:
+    """Without its variable it would stand for nothing, too; its type is as right as that of the other one."""
+    key = dict(catalogue())[name]
+    twice = replace(key, rows=(*key.rows[:row], *key.rows[row - 1 :]))
+    told = [(entry.code, entry.row) for entry in grade(written(key), written(twice), FREE).feedback]
+    assert {code for code, at in told if at is not None} == {"row_not_needed"}
+    assert {("row_not_needed", row), ("row_not_needed", row + 1)} <= set(told)
+    assert len(told) == len(set(told))
