@@ -14,7 +14,7 @@ from exercises.instance import Instance
 from exercises.parts.context import Context
 from exercises.parts.following import as_it_follows
 from exercises.parts.registry import part_type
-from exercises.parts.report import Credit, PartReport
+from exercises.parts.report import PLACES, Credit, PartReport
 from kinematics.cells import AngleUnit, LengthUnit
 
 
@@ -103,7 +103,7 @@ def grade(
         verdict=verdict,
         parts=tuple(reports),
         missing=tuple(part.kind for part in exercise.parts if answer.get(part.kind) is None),
-        points=sum(report.points for report in reports),
+        points=round(sum(report.points for report in reports), PLACES),
         max_points=float(exercise.points),
         help_level=level,
         seed=instance.seed,

@@ -7,7 +7,7 @@ import math
 from dataclasses import replace
 
 from exercises.grading import Feedback
-from exercises.parts.report import Credit, PartReport
+from exercises.parts.report import PLACES, Credit, PartReport
 from kinematics.table import JointType, NumericTable
 
 ENOUGH = 0.5
@@ -43,7 +43,7 @@ def as_it_follows(report: PartReport, share: float) -> PartReport:
     return replace(
         report,
         score=report.score * share,
-        points=report.points * share,
+        points=round(report.points * share, PLACES),
         credit=report.credit if share else Credit.NONE,
         feedback=(*kept, Feedback(code="table_says_little")),
     )

@@ -7,6 +7,9 @@ from enum import StrEnum
 from exercises.definition import Part
 from exercises.grading import Feedback, Finding, HelpLevel
 
+PLACES = 6
+"""Decimals of points: what floating-point arithmetic leaves behind them is not shown."""
+
 
 class Credit(StrEnum):
     """What the marks of a part rest on.
@@ -89,7 +92,7 @@ def judged(
         kind=part.kind,
         correct=(score == 1.0 and credit is Credit.KEY) if correct is None else correct,
         score=score,
-        points=points * score,
+        points=round(points * score, PLACES),
         max_points=points,
         credit=credit,
         facts=tuple(facts),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from fractions import Fraction
 from importlib import import_module
 from typing import Any
 
@@ -10,11 +11,13 @@ import pytest
 
 from exercises.access import ExerciseAccess
 from exercises.answers import RawAnswer, parse
+from exercises.definition import Part
 from exercises.errors import AnswerError
 from exercises.grader import Report, allowed_help, grade
 from exercises.grading import HelpLevel
 from exercises.grading.facts import Weights
 from exercises.instance import generate
+from exercises.parts.following import as_it_follows
 from exercises.parts.forward.schematic import AxisRelation, Schematic
 from exercises.parts.forward.workspace import RadiiCells
 from exercises.parts.inverse.joint_cells import JointAnswerCells
@@ -22,6 +25,8 @@ from exercises.parts.mistakes.find_mistake import FoundMistakeCells
 from exercises.parts.mistakes.frame_mistake import FoundFrameMistakeCells
 from exercises.parts.mistakes.matrix_mistake import FoundMatrixMistakeCells
 from exercises.parts.motion.singularity_cells import SingularityCells
+from exercises.parts.report import Credit
+from exercises.parts.report import judged as judged_part
 from kinematics.answers.joint_verdicts import JointClaim
 from kinematics.table import JointType
 from tests.exercises.answering import SCARA, SCARA_MATRICES, SCARA_TRANSFORM, edited, judged, table
@@ -115,6 +120,13 @@ def test_a_column_is_that_of_the_cell_as_typed() -> None:
     assert error.value.faults[0].params["column"] == 17
 
 
+def test_points_are_those_that_are_shown() -> None:
+    """In floating point 35 times 0.89 is 31.150000000000002."""
+    found = judged_part(Part(kind="table", points=Fraction(35)), 0.89, Credit.KEY)
+    assert found.points == 31.15
+    assert as_it_follows(replace(found, points=31.15), 0.7).points == 21.805
+
+
 def test_all_points_add_up() -> None:
     relations = (AxisRelation.PARALLEL, AxisRelation.PARALLEL, AxisRelation.COINCIDENT)
     types = (JointType.REVOLUTE, JointType.REVOLUTE, JointType.PRISMATIC, JointType.REVOLUTE)
@@ -142,8 +154,6 @@ def test_all_points_add_up() -> None:
 @pytest.mark.parametrize("asked", [None, *HelpLevel])
 @pytest.mark.parametrize("allowed", list(HelpLevel))
 def test_help_is_never_more_than_the_exercise_allows(asked: HelpLevel | None, allowed: HelpLevel) -> None:
-    from dataclasses import replace
-
     order = list(HelpLevel)
     given = allowed_help(replace(exercise("scara"), access=ExerciseAccess(ladder=(allowed,))), asked)
     assert order.index(given) == min(order.index(asked or HelpLevel.REPAIR), order.index(allowed))
