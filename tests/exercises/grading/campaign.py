@@ -224,14 +224,15 @@ def repeated_entries(block: int, tables: int = TABLES_PER_BLOCK) -> Outcome:
         if len(asked) < 2 or not free:
             continue
         outcome.tables += 1
-        key, wrong, marks = written(reference), reference, []
+        key, answers, marks = written(reference), [reference], []
         places = [*rng.sample(asked, 2), *rng.sample(sorted(free), min(2, len(free)))]
         for row, cell in places:
-            wrong = changed(wrong, row + 1, **{cell: _from_elsewhere(reference, cell, rng)})
-            marks.append(grade(key, written(wrong), policy).score)
-        shown = [(row + 1, cell, getattr(wrong.rows[row], cell)) for row, cell in places]
+            answers.append(changed(answers[-1], row + 1, **{cell: _from_elsewhere(reference, cell, rng)}))
+            marks.append(grade(key, written(answers[-1]), policy).score)
+        shown = [(row + 1, cell, getattr(answers[-1].rows[row], cell)) for row, cell in places]
         outcome.kinds[policy.tool.value] += 1
-        if len(set(marks[1:])) > 1 and 1.0 not in marks and not _shows_a_slip_throughout(key, wrong, policy):
+        changes = len(set(marks[1:])) > 1 and 1.0 not in marks
+        if changes and not any(_shows_a_slip_throughout(key, answer, policy) for answer in answers[2:]):
             outcome.failures.append(f"{marks[1:]} for {name}, {policy.tool.value}, block {block}: {shown}")
     return outcome
 
