@@ -5,10 +5,11 @@ from dataclasses import dataclass, field
 from datetime import datetime
 from typing import Any
 
+from courses.model import Platform
+from courses.people.platforms import StoredKey
 from courses.people.secrets import new_token
 from service.lti import claims as names
-from service.lti.platform_keys import LtiPlatform
-from service.lti.signing_keys import SigningKey, signed
+from service.lti.signing_keys import signed
 
 LIFE = 300
 """Seconds that a browser has to carry an answer to its platform."""
@@ -52,11 +53,11 @@ def takes_line_items(settings: Mapping[str, Any]) -> bool:
 
 
 def response_token(
-    platform: LtiPlatform,
+    platform: Platform,
     deployment: str,
     settings: Mapping[str, Any],
     items: Sequence[ContentItem],
-    key: SigningKey,
+    key: StoredKey,
     now: datetime,
 ) -> str:
     """Return the signed answer; it is posted as `JWT` to the request's `deep_link_return_url`."""

@@ -9,10 +9,11 @@ from typing import Any
 from joserfc import jws, jwt
 from joserfc.errors import JoseError
 
+from courses.model import Platform
 from kinematics.errors import Fault
 from service.lti import claims as names
 from service.lti.launch_errors import LaunchError, missing_claim, wrong_claim
-from service.lti.platform_keys import LtiPlatform, PlatformKeys
+from service.lti.platform_keys import PlatformKeys
 from service.lti.signing_keys import ALGORITHM
 
 LEEWAY = timedelta(seconds=60)
@@ -68,7 +69,7 @@ class Expected:
         knows_deployment: whether a deployment may launch.
     """
 
-    platform: LtiPlatform
+    platform: Platform
     nonce: str
     target: str
     use_nonce: Callable[[str, datetime, timedelta], bool]
@@ -92,7 +93,7 @@ def read_launch(token: str, expected: Expected, keys: PlatformKeys, now: datetim
     return _message(claims, subject, expected)
 
 
-def _verified(token: str, platform: LtiPlatform, keys: PlatformKeys) -> Mapping[str, Any]:
+def _verified(token: str, platform: Platform, keys: PlatformKeys) -> Mapping[str, Any]:
     """The claims of a token whose signature is the platform's. Its header chooses a key, and nothing else."""
     if len(token) > LONGEST_TOKEN:
         raise LaunchError(Fault.at("lti_token_malformed"))
@@ -141,7 +142,7 @@ def _well_formed(value: Any) -> Any:
     return [_well_formed(each) for each in value] if isinstance(value, list) else value
 
 
-def _check_parties(claims: Mapping[str, Any], platform: LtiPlatform) -> None:
+def _check_parties(claims: Mapping[str, Any], platform: Platform) -> None:
     if claims.get("iss") != platform.issuer:
         raise wrong_claim("iss")
     audience = claims.get("aud")

@@ -9,12 +9,12 @@ from dataclasses import dataclass
 from datetime import datetime, timedelta
 from urllib.parse import urlencode
 
+from courses.model import Platform
 from courses.people.secrets import hashed, sealed, unsealed
 from courses.storage.database import Store
 from kinematics.errors import Fault
 from service.lti.fetching import origin_of
 from service.lti.launch_errors import LoginError
-from service.lti.platform_keys import LtiPlatform
 
 REQUIRED = ("iss", "login_hint", "target_link_uri")
 KNOWN = (*REQUIRED, "lti_message_hint", "lti_deployment_id", "client_id", "lti_storage_target")
@@ -63,7 +63,7 @@ class Login:
 
 
 def redirection(
-    store: Store, platform: LtiPlatform, request: LoginRequest, browser: str, redirect_uri: str, now: datetime
+    store: Store, platform: Platform, request: LoginRequest, browser: str, redirect_uri: str, now: datetime
 ) -> tuple[str, str]:
     """Return the state of a login, and the address where the browser goes with it."""
     state = address = ""
@@ -135,9 +135,7 @@ def read_login(parameters: Mapping[str, str], own_origin: str) -> LoginRequest:
     )
 
 
-def authorization_address(
-    request: LoginRequest, platform: LtiPlatform, *, redirect_uri: str, state: str
-) -> str:
+def authorization_address(request: LoginRequest, platform: Platform, *, redirect_uri: str, state: str) -> str:
     """Return where the browser goes next.
 
     It is the platform's authorization endpoint, with the parameters of §5.1.1.2.

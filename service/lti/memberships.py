@@ -4,9 +4,9 @@ import time
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from courses.model import Platform
 from service.lti import claims as names
 from service.lti.launch_errors import unreachable
-from service.lti.platform_keys import LtiPlatform
 from service.lti.services import Services
 
 PAGES = 200
@@ -24,7 +24,7 @@ class Member:
     is_student: bool
 
 
-def members(services: Services, platform: LtiPlatform, address: str) -> list[Member]:
+def members(services: Services, platform: Platform, address: str) -> list[Member]:
     """Return the active members of a course, from every page.
 
     Raises:

@@ -4,11 +4,12 @@ import re
 import threading
 import time
 from collections.abc import Callable, Mapping
-from typing import Any, Protocol
+from typing import Any
 
 from joserfc.errors import JoseError
 from joserfc.jwk import RSAKey
 
+from courses.model import Platform
 from kinematics.errors import Fault
 from service.lti.fetching import Fetcher
 from service.lti.launch_errors import LaunchError, PlatformError, unreachable
@@ -29,38 +30,6 @@ _NONE: KeySet = ({}, float("-inf"), float("-inf"))
 _MAX_AGE = re.compile(r"max-age=(\d{1,9})")
 
 
-class LtiPlatform(Protocol):
-    """What the protocol needs to know of a platform."""
-
-    @property
-    def id(self) -> int:
-        """Its number here."""
-
-    @property
-    def issuer(self) -> str:
-        """Its identifier."""
-
-    @property
-    def client_id(self) -> str:
-        """What it calls this tool."""
-
-    @property
-    def authorization_endpoint(self) -> str:
-        """Where logins go."""
-
-    @property
-    def token_endpoint(self) -> str:
-        """Where tokens for services come from."""
-
-    @property
-    def token_audience(self) -> str | None:
-        """The audience of token requests, where it is not the endpoint."""
-
-    @property
-    def jwks_uri(self) -> str:
-        """Where its keys are."""
-
-
 class PlatformKeys:
     """Caches the key sets of platforms."""
 
@@ -72,7 +41,7 @@ class PlatformKeys:
         self._asking: dict[str, threading.Lock] = {}
         self._failed: dict[str, tuple[PlatformError, float]] = {}
 
-    def key(self, platform: LtiPlatform, kid: str) -> RSAKey:
+    def key(self, platform: Platform, kid: str) -> RSAKey:
         """Return the platform's key of a name; a name that is not known fetches the set once more.
 
         Raises:

@@ -7,10 +7,10 @@ from enum import StrEnum
 from typing import Any
 from urllib.parse import urlencode, urlsplit, urlunsplit
 
+from courses.model import Platform
 from service.lti import claims as names
 from service.lti.fetching import FetchedAnswer
 from service.lti.launch_errors import PlatformError, unreachable
-from service.lti.platform_keys import LtiPlatform
 from service.lti.services import Services
 
 PAGES = 20
@@ -73,7 +73,7 @@ class DeliveryReport:
 
 
 def post_score(
-    services: Services, platform: LtiPlatform, line_item: str, message: ScoreMessage
+    services: Services, platform: Platform, line_item: str, message: ScoreMessage
 ) -> DeliveryReport:
     """Send a score; whatever happens is a report.
 
@@ -114,7 +114,7 @@ def _is_page(answer: FetchedAnswer) -> bool:
     return answer.is_success and is_html and bool(answer.body.strip())
 
 
-def has_result(services: Services, platform: LtiPlatform, line_item: str, message: ScoreMessage) -> bool:
+def has_result(services: Services, platform: Platform, line_item: str, message: ScoreMessage) -> bool:
     """Return whether the gradebook holds the message's score already.
 
     Raises:
@@ -134,7 +134,7 @@ def has_result(services: Services, platform: LtiPlatform, line_item: str, messag
 
 
 def line_item_for(
-    services: Services, platform: LtiPlatform, line_items: str, *, resource: str, label: str, maximum: float
+    services: Services, platform: Platform, line_items: str, *, resource: str, label: str, maximum: float
 ) -> str:
     """Return the line item of a resource: the one that is there, and a new one only if there is none.
 
@@ -174,7 +174,7 @@ def line_item_for(
 
 
 def _new_line_item(
-    services: Services, platform: LtiPlatform, line_items: str, content: Mapping[str, Any]
+    services: Services, platform: Platform, line_items: str, content: Mapping[str, Any]
 ) -> FetchedAnswer:
     return services.call(
         platform,

@@ -8,11 +8,12 @@ from urllib.parse import urlencode
 
 import orjson
 
+from courses.model import Platform
+from courses.people.platforms import StoredKey
 from courses.people.secrets import new_token
 from service.lti.fetching import FetchedAnswer, Fetcher
 from service.lti.launch_errors import unreachable
-from service.lti.platform_keys import LtiPlatform
-from service.lti.signing_keys import SigningKey, signed
+from service.lti.signing_keys import signed
 
 ASSERTION_LIFE = 60
 """Seconds for which the assertion that asks for a token is valid: it is used at once."""
@@ -25,7 +26,7 @@ _ASSERTION = "urn:ietf:params:oauth:client-assertion-type:jwt-bearer"
 class Services:
     """Calls services; tokens are asked for once and shared."""
 
-    def __init__(self, fetcher: Fetcher, key: Callable[[], SigningKey]) -> None:
+    def __init__(self, fetcher: Fetcher, key: Callable[[], StoredKey]) -> None:
         self._fetcher = fetcher
         self._key = key
         self._lock = threading.Lock()
@@ -34,7 +35,7 @@ class Services:
 
     def call(
         self,
-        platform: LtiPlatform,
+        platform: Platform,
         scope: str,
         method: str,
         address: str,
@@ -61,7 +62,7 @@ class Services:
                 break
         return answer
 
-    def _token(self, platform: LtiPlatform, scope: str, *, renew: bool) -> str:
+    def _token(self, platform: Platform, scope: str, *, renew: bool) -> str:
         key = (platform.id, scope)
         with self._lock:
             asking = self._asking.setdefault(key, threading.Lock())
@@ -72,7 +73,7 @@ class Services:
                 self._tokens[key] = (token, time.monotonic() + max(0.0, life - RENEWED_BEFORE))
             return token
 
-    def _ask(self, platform: LtiPlatform, scope: str) -> tuple[str, float]:
+    def _ask(self, platform: Platform, scope: str) -> tuple[str, float]:
         issued = int(datetime.now(UTC).timestamp())
         assertion = signed(
             {

@@ -4,10 +4,12 @@ import json
 from collections.abc import Mapping, Sequence
 from datetime import datetime, timedelta
 from functools import lru_cache
-from typing import Any, Protocol, TypeVar
+from typing import Any
 
 from joserfc import jwt
 from joserfc.jwk import RSAKey
+
+from courses.people.platforms import StoredKey
 
 ALGORITHM = "RS256"
 PUBLISHED_BEFORE = timedelta(days=2)
@@ -23,32 +25,13 @@ _CACHED_KEYS = 4
 """Private keys in the cache: one signs, and its predecessor did."""
 
 
-class SigningKey(Protocol):
-    """A stored key."""
-
-    @property
-    def kid(self) -> str:
-        """Its name."""
-
-    @property
-    def private(self) -> str:
-        """The private JWK as JSON."""
-
-    @property
-    def signs_from(self) -> datetime:
-        """From when on it signs."""
-
-
-_Key = TypeVar("_Key", bound=SigningKey)
-
-
 def new_private_key() -> tuple[str, str]:
     """Name and private JWK of a new key."""
     key = RSAKey.generate_key(BITS, {"use": "sig", "alg": ALGORITHM}, private=True, auto_kid=True)
     return str(key.kid), json.dumps(key.as_dict(private=True))
 
 
-def key_set(keys: Sequence[SigningKey]) -> dict[str, Any]:
+def key_set(keys: Sequence[StoredKey]) -> dict[str, Any]:
     """Return the public keys (RFC 7517), as they are written in the private ones.
 
     Anybody may ask for them, and to import a private key takes 40 ms: OpenSSL looks whether it is sound.
@@ -57,13 +40,13 @@ def key_set(keys: Sequence[SigningKey]) -> dict[str, Any]:
     return {"keys": [{name: key[name] for name in PUBLIC if name in key} for key in written]}
 
 
-def signing_key(keys: Sequence[_Key], now: datetime) -> _Key:
+def signing_key(keys: Sequence[StoredKey], now: datetime) -> StoredKey:
     """Return the newest key that signs already; the oldest one if none does."""
     ready = [key for key in keys if key.signs_from <= now]
     return max(ready, key=lambda key: key.signs_from) if ready else min(keys, key=lambda key: key.signs_from)
 
 
-def outdated(keys: Sequence[SigningKey], now: datetime) -> tuple[str, ...]:
+def outdated(keys: Sequence[StoredKey], now: datetime) -> tuple[str, ...]:
     """Return the names of keys that nothing signed with them can still be valid."""
     current = signing_key(keys, now)
     return tuple(
@@ -73,7 +56,7 @@ def outdated(keys: Sequence[SigningKey], now: datetime) -> tuple[str, ...]:
     )
 
 
-def signed(claims: Mapping[str, Any], key: SigningKey) -> str:
+def signed(claims: Mapping[str, Any], key: StoredKey) -> str:
     """Return a JWT of the claims."""
     header = {"alg": ALGORITHM, "typ": "JWT", "kid": key.kid}
     return jwt.encode(header, dict(claims), _imported(key.private), [ALGORITHM])
