@@ -7,6 +7,7 @@ from urllib.parse import urlsplit
 
 import orjson
 
+from courses.model import Platform
 from kinematics.errors import Fault
 from service.lti import claims as names
 from service.lti.fetching import Fetcher, http_address
@@ -52,22 +53,10 @@ class ToolRegistration:
         }
 
 
-@dataclass(frozen=True, kw_only=True, slots=True)
-class Registered:
-    """What a registration gave."""
-
-    issuer: str
-    client_id: str
-    name: str
-    authorization_endpoint: str
-    token_endpoint: str
-    token_audience: str | None
-    jwks_uri: str
-    deployment: str | None
-
-
-def register(fetcher: Fetcher, configuration: str, token: str | None, tool: ToolRegistration) -> Registered:
-    """Register the tool with a platform.
+def register(
+    fetcher: Fetcher, configuration: str, token: str | None, tool: ToolRegistration
+) -> tuple[Platform, str | None]:
+    """Register the tool with a platform; return it, and its deployment if it names one.
 
     Raises:
         LoginError: the configuration lacks something, or speaks for another host.
@@ -90,24 +79,23 @@ def register(fetcher: Fetcher, configuration: str, token: str | None, tool: Tool
     client_id = given.get("client_id") if isinstance(given, Mapping) else None
     if not isinstance(client_id, str) or not client_id:
         raise unreachable(address, "client_id")
-    return _registered(found, given)
-
-
-def _registered(found: Mapping[str, Any], given: Mapping[str, Any]) -> Registered:
     own = given.get(names.TOOL_CONFIGURATION)
     deployment = own.get("deployment_id") if isinstance(own, Mapping) else None
+    return _platform(found, client_id), str(deployment) if deployment else None
+
+
+def _platform(found: Mapping[str, Any], client_id: str) -> Platform:
     platform = found.get("https://purl.imsglobal.org/spec/lti-platform-configuration")
     family = platform.get("product_family_code") if isinstance(platform, Mapping) else None
     audience = found.get("authorization_server")
-    return Registered(
+    return Platform(
         issuer=found["issuer"],
-        client_id=given["client_id"],
+        client_id=client_id,
         name=str(family or urlsplit(found["issuer"]).hostname or ""),
         authorization_endpoint=found["authorization_endpoint"],
         token_endpoint=found["token_endpoint"],
         token_audience=audience if isinstance(audience, str) and audience else None,
         jwks_uri=found["jwks_uri"],
-        deployment=str(deployment) if deployment else None,
     )
 
 

@@ -1,12 +1,11 @@
 """What platforms are told of this tool, and their dynamic registration."""
 
-from dataclasses import asdict
 from functools import partial
 
 from fastapi import APIRouter, Request, Response
 from fastapi.responses import JSONResponse
 
-from courses.model import Platform, PlatformStatus
+from courses.model import PlatformStatus
 from courses.people.platforms import add_platform, check_invitation, use_invitation
 from courses.refusals import StorageUnavailableError
 from kinematics.errors import Fault
@@ -57,16 +56,13 @@ def _register(request: Request, secret: str) -> Response:
     if not configuration:
         params = {"name": "openid_configuration"}
         raise LoginError(Fault.at("lti_parameter_missing", **params))
-    found = register(
+    platform, deployment = register(
         courses.fetcher, configuration, request.query_params.get("registration_token"), _tool(request)
     )
     use_invitation(courses.store, secret, now())
-    told = asdict(found)
-    deployment = told.pop("deployment")
-    platform = Platform(**told, status=PlatformStatus.PENDING)
     stored = add_platform(courses.store, platform, (deployment,) if deployment else (), now())
     message = "session-registered-again" if stored.status is PlatformStatus.ACTIVE else "session-registered"
-    text = sentence(page_language(request), message, {"issuer": found.issuer}) or ""
+    text = sentence(page_language(request), message, {"issuer": platform.issuer}) or ""
     return launch_page(request, step("close", text=text), REGISTRATION)
 
 

@@ -2,12 +2,14 @@
 
 from collections.abc import Mapping
 from fractions import Fraction
-from typing import Any, Protocol
+from typing import Any
 
 from kinematics.cells import AngleUnit, ParameterKind, ReadTable, canonical_name, parameter_values
 from kinematics.cells.exact import snapped
 from kinematics.cells.substitution import with_values
 from kinematics.expressions import Expression, pi_times
+from kinematics.scm import ReadChain
+from kinematics.scm.products import ReadProducts
 from kinematics.se3 import check_transform
 from kinematics.symbolic.exact_poses import decimal, exact_pose
 from kinematics.table import table_parameters
@@ -62,19 +64,9 @@ def exact_question(question: WritingQuestion | SymbolicInverseRequest, settings:
     }
 
 
-class NamedValues(Protocol):
-    """What has parameters: a table, a chain, products of motions."""
-
-    @property
-    def parameters(self) -> Mapping[str, ParameterKind]:
-        """The parameters, and what each measures."""
-
-    @property
-    def angle_unit(self) -> AngleUnit:
-        """Unit of the angles among given values."""
-
-
-def exact_values(read: NamedValues, given: Mapping[str, Any]) -> dict[str, Expression]:
+def exact_values(
+    read: ReadTable | ReadChain | ReadProducts, given: Mapping[str, Any]
+) -> dict[str, Expression]:
     """Return given values as exact expressions: decimals as typed, degrees as multiples of π.
 
     Raises:

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any, Protocol, TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 
@@ -28,6 +28,7 @@ from service.wire.fault_pointers import fault_entries, traced
 from service.wire.json_chunks import plain_lists
 from service.wire.kinematics.joint_values import in_request_units, values_in_radians
 from service.wire.kinematics.pose_matrices import base_and_tool, placed_matrix, pose_matrix
+from service.wire.kinematics.prepared_chains import PreparedChain
 from service.wire.kinematics.prepared_robots import PreparedRobot
 from service.work.allotted_time import each_in_time
 from service.work.threads import in_thread
@@ -35,21 +36,11 @@ from service.work.workers import Lane, Workers
 
 Matrix: TypeAlias = Any
 
+InUnits: TypeAlias = PreparedRobot | PreparedChain
+"""What knows the units of the request that it came with."""
 ALLOTTED = 0.8
 """Part of a task's processor time in which many targets are answered: what is left is for the kernel's own
 time, and for sending."""
-
-
-class InUnits(Protocol):
-    """A robot or a chain, and the units of the request that it came with."""
-
-    @property
-    def joint_units(self) -> tuple[float, ...]:
-        """For joint 1 … n what one unit of the request is in [rad], or in the length unit."""
-
-    @property
-    def angle(self) -> float:
-        """What one unit of the request's angles is in [rad]."""
 
 
 async def solved(
