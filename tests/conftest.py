@@ -64,8 +64,8 @@ def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
 def pytest_collection() -> Generator[None, object, object]:
     """Ten thousand collected tests stay until the end: no garbage collection looks at them, then or later.
 
-    With it, collecting takes half as long again; and looking through what was made after each 700 objects, the
-    usual number, takes a twentieth of what formulas and searches of the checker cost.
+    With it, collecting takes half as long again; and looking through what was made after each 700 objects,
+    the usual number, takes a twentieth of what formulas and searches of the checker cost.
     """
     gc.disable()
     try:
