@@ -64,10 +64,10 @@ def fitted_cells(
         model = here.problem.with_columns(
             here.model, [column * scale for column, scale in zip(columns, scales, strict=True)]
         )
-        if model.mean_square() < CLOSE_ENOUGH**2:
+        if (now := model.mean_square()) < CLOSE_ENOUGH**2:
             return table
         step = model.least_squares()
-        if model.mean_square(step) > WORTHWHILE * model.mean_square() or np.abs(step).max() < SETTLED:
+        if model.mean_square(step) > WORTHWHILE * now or np.abs(step).max() < SETTLED:
             return None
         candidate = here.problem.moved(candidate, step)
         cells = zip(step[-len(places) :].tolist(), scales, strict=True)

@@ -27,6 +27,7 @@ from kinematics.equivalence.measures import Measure
 from kinematics.equivalence.meter import PER_ALIGNMENT, per_batch
 from kinematics.equivalence.reference import Reference
 from kinematics.equivalence.row_measures import measured_of_tables
+from kinematics.se3 import cross, dot, subtract
 from kinematics.table import VARIABLE_CELLS, NumericTable
 
 # A cell that changes an invariant by a smaller share has nothing to do with it.
@@ -253,4 +254,17 @@ def fitted_table(
 
 @lru_cache(maxsize=256)
 def _likely_signs(reference: Reference, table: NumericTable, policy: Policy) -> list[tuple[int, ...]]:
-    return likely_signs(reference, chain_of_table(table), policy)
+    """The choices of signs to be tried, the best first.
+
+    A last axis that meets the one before it at a right angle is turned round by half a turn about that one:
+    with the other sign the last joint makes the same motions, and the tool makes up for the rest.
+    """
+    chain = chain_of_table(table)
+    signs = likely_signs(reference, chain, policy)[:MOST_SIGNS]
+    if len(chain.axes) < 2 or any(axis.prismatic for axis in chain.axes[-2:]):
+        return signs
+    axis, last = chain.axes[-2:]
+    apart = abs(dot(subtract(last.point, axis.point), cross(axis.direction, last.direction)))
+    if abs(dot(axis.direction, last.direction)) > SAME or apart > SAME * reference.size:
+        return signs
+    return [choice for i, choice in enumerate(signs) if all(choice[:-1] != other[:-1] for other in signs[:i])]

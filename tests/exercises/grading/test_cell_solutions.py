@@ -3,12 +3,21 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
-from exercises.grading.edits.fitting import _angles, _lengths, _turns
+from exercises.grading import Policy, ToolRule
+from exercises.grading.edits.fitting import MOST_SIGNS, _angles, _lengths, _likely_signs, _turns
+from kinematics.chain import chain_of_table
+from kinematics.equivalence.cell_fitting import fitted_cells
+from kinematics.equivalence.diagnosis import likely_signs
+from kinematics.equivalence.meter import Meter
+from kinematics.equivalence.reference import prepared
+from tests.kinematics.equivalence.campaign import references
 
+FREE = Policy(tool=ToolRule.FREE)
 RNG = np.random.default_rng(11)
 WAVES = RNG.uniform(-1.0, 1.0, (60, 4)).tolist()
 
@@ -71,3 +80,25 @@ def test_a_turn_is_met_whichever_way_the_angle_enters_it(sense: int) -> None:
         found = list(_turns(turn(here) ** 2, turn(here + 0.01) ** 2, here, target))
         assert sum(abs(turn(x) - target) < 1e-9 for x in found) >= 2
         assert list(_turns(turn(here) ** 2, turn(here) ** 2, here, target)) == []
+
+
+@pytest.mark.parametrize("row", range(5))
+def test_a_last_joint_is_not_turned_round_where_the_tool_makes_up_for_it(row: int) -> None:
+    """With a right angle before it, whichever way it counts, the same cells mend the table."""
+    key = dict(references())["stanford"]
+    rows = list(key.rows)
+    rows[row] = replace(rows[row], d=rows[row].d + 0.1, a=0.05)
+    table = replace(key, rows=tuple(rows))
+    every = likely_signs(prepared(key), chain_of_table(table), FREE)[:MOST_SIGNS]
+    tried = _likely_signs(prepared(key), table, FREE)
+    assert set(tried) < set(every)
+    assert {signs[:-1] for signs in tried} == {signs[:-1] for signs in every}
+
+    def is_mended(cell: str, signs: tuple[int, ...]) -> bool:
+        places = [(row, cell), (row, "a")]
+        return fitted_cells(prepared(key), table, places, signs, FREE.tolerance, Meter(10**9)) is not None
+
+    turned = [(*signs[:-1], -signs[-1]) for signs in tried]
+    for cell in ("d", "alpha"):
+        assert [is_mended(cell, signs) for signs in tried] == [is_mended(cell, signs) for signs in turned]
+    assert any(is_mended("d", signs) for signs in tried)

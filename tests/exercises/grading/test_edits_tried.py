@@ -506,7 +506,9 @@ def test_columns_that_lack_a_size_are_mended_by_what_puts_one_there() -> None:
 
 def test_rows_change_places_only_where_two_joints_are_of_another_type() -> None:
     for others, wanted in ((1, {"joint_type"}), (2, {"joint_type", "rows_swapped"})):
-        joints = [JointType.PRISMATIC if i < others else row.joint for i, row in enumerate(ON_PUMA.table.rows)]
+        joints = [
+            JointType.PRISMATIC if i < others else row.joint for i, row in enumerate(ON_PUMA.table.rows)
+        ]
         rows = (replace(row, joint=joint) for row, joint in zip(ON_PUMA.table.rows, joints, strict=True))
         other = replace(ON_PUMA, table=replace(ON_PUMA.table, rows=tuple(rows)))
         assert {change.code for change in changes_of(other)} == wanted
