@@ -12,6 +12,7 @@ import signal
 import subprocess
 import sys
 import threading
+import time
 import uuid
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
@@ -23,14 +24,17 @@ import sqlalchemy as sa
 from courses.model import Role
 from courses.people.enrolment import Arrival, arrive
 from courses.storage import records
-from courses.storage.database import open_store
+from courses.storage.database import Store, open_store
 from service.course_resources import now
+from service.resources import MANY_ANSWERS
 from tests.courses.classroom import platform
 from tests.databases import new_database
 from tests.lti.test_launches import RIGHT
 
 KILLS = int(os.environ.get("KILLS", "2"))
 STUDENTS = 4
+CROWD = 4 * (MANY_ANSWERS + 1)
+"""Students, so many that in each of two processes their attempts are gathered for a transaction."""
 
 
 @pytest.fixture(params=["sqlite", "postgresql"])
@@ -44,34 +48,73 @@ def database(request: pytest.FixtureRequest) -> Iterator[str]:
 
 def test_what_was_acknowledged_is_stored_once(database: str, tmp_path: Path) -> None:
     store = open_store(database, tmp_path)
-    tokens = []
-    for n in range(STUDENTS):
-        told = Arrival(
-            platform=platform(store),
-            subject=f"s{n}",
-            role=Role.LEARNER,
-            deployment="1",
-            context="c",
-            resource="r",
-            exercise_id="puma560",
-        )
-        tokens.append(arrive(store, told, now())[0])
+    tokens = _students(store, STUDENTS)
     acknowledged: set[str] = set()
     for _ in range(KILLS):
-        with killed(database, tmp_path) as (origin, process):
-            stop = threading.Event()
-            threads = [
-                threading.Thread(target=_submit, args=(origin, token, acknowledged, stop)) for token in tokens
-            ]
-            for thread in threads:
-                thread.start()
-            known = len(acknowledged)
-            while len(acknowledged) < known + 2 * STUDENTS and process.poll() is None:
-                stop.wait(0.02)
+        with killed(database, tmp_path) as (origin, process), _handing_in(origin, tokens, acknowledged):
+            _wait_for_more(acknowledged, 2 * STUDENTS, process)
             process.send_signal(signal.SIGKILL)
-            stop.set()
-            for thread in threads:
-                thread.join()
+    _assert_stored_once(store, acknowledged)
+
+
+@pytest.mark.parametrize("is_killed", [True, False], ids=["one of two killed", "all told to end"])
+def test_what_a_crowd_hands_in_while_a_process_ends_is_stored_once(is_killed: bool, tmp_path: Path) -> None:
+    """Their attempts are stored many at a time, and those of a moment may have been judged and not stored."""
+    store = open_store("", tmp_path)
+    tokens = _students(store, CROWD)
+    acknowledged: set[str] = set()
+    with killed("", tmp_path, {"FRAMEWISE_WORKERS": "2"}) as (origin, process):
+        with _handing_in(origin, tokens, acknowledged):
+            _wait_for_more(acknowledged, CROWD, process)
+            if is_killed:
+                os.kill(_servers(process.pid)[0], signal.SIGKILL)
+                _wait_for_more(acknowledged, 2 * CROWD, process)
+            else:
+                process.send_signal(signal.SIGTERM)
+                process.wait(timeout=60)
+        assert process.poll() == (None if is_killed else 0)
+    _assert_stored_once(store, acknowledged)
+
+
+def _students(store: Store, count: int) -> list[str]:
+    """The tokens of so many students."""
+    told = {"deployment": "1", "context": "c", "resource": "r", "exercise_id": "puma560"}
+    arrivals = (
+        Arrival(platform=platform(store), subject=f"s{n}", role=Role.LEARNER, **told)  # type: ignore[arg-type]
+        for n in range(count)
+    )
+    return [arrive(store, arrival, now())[0] for arrival in arrivals]
+
+
+@contextlib.contextmanager
+def _handing_in(origin: str, tokens: Sequence[str], acknowledged: set[str]) -> Iterator[None]:
+    """Have students hand in, one answer after another, until the end."""
+    stop = threading.Event()
+    threads = [threading.Thread(target=_submit, args=(origin, token, acknowledged, stop)) for token in tokens]
+    for thread in threads:
+        thread.start()
+    try:
+        yield
+    finally:
+        stop.set()
+        for thread in threads:
+            thread.join()
+
+
+def _wait_for_more(acknowledged: set[str], count: int, process: subprocess.Popen[bytes]) -> None:
+    """Until so many more answers have been acknowledged."""
+    known = len(acknowledged)
+    while len(acknowledged) < known + count and process.poll() is None:
+        time.sleep(0.02)
+
+
+def _servers(supervisor: int) -> list[int]:
+    """The processes that serve, started by one that looks after them."""
+    children = Path(f"/proc/{supervisor}/task/{supervisor}/children").read_text().split()
+    return [int(pid) for pid in children if b"spawn_main" in Path(f"/proc/{pid}/cmdline").read_bytes()]
+
+
+def _assert_stored_once(store: Store, acknowledged: set[str]) -> None:
     with store.reading() as connection:
         keys = list(connection.scalars(sa.select(records.attempt.c.key)))
         made = connection.scalar(sa.select(sa.func.sum(records.participation.c.made)))
