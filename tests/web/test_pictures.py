@@ -8,9 +8,9 @@ import re
 from typing import Any
 
 import pytest
-from playwright.sync_api import Page, Request, expect
+from playwright.sync_api import Page, Request, Route, expect
 
-from tests.web.conftest import OpenPage
+from tests.web.conftest import OpenPage, Watch
 from tests.web.driving import PUMA, SCARA, cell, editor, put_table
 
 
@@ -34,6 +34,22 @@ def test_the_robot_grows_row_by_row(open_page: OpenPage) -> None:
             until_drawn(page, i + 2)
     cell(page, 0, "a").fill("(")
     until_drawn(page, 1)
+
+
+def test_a_drawing_that_did_not_come_is_asked_for_again(open_page: OpenPage, watch: Watch) -> None:
+    """A browser shows a picture that was refused once as broken until its page is loaded again."""
+    watch.allow("503")
+    answers = iter([503, 503])
+
+    def busy(route: Route) -> None:
+        if next(answers, None):
+            route.fulfill(status=503)
+        else:
+            route.continue_()
+
+    page = open_page("/exercises/puma560", before=lambda page: page.route("**/figures/*.svg*", busy))
+    page.wait_for_function("() => document.querySelector('#figure-drawing').naturalWidth > 0")
+    assert next(answers, None) is None
 
 
 def test_a_keystroke_costs_one_call(open_page: OpenPage) -> None:

@@ -9,6 +9,10 @@ import { frozen, together } from "../scene/model.js";
 import { figureRobot } from "../scene/robots.js";
 import { keep, recall } from "../storage.js";
 
+/** How often a drawing that did not come is asked for again, and milliseconds before each time. */
+const TRIES = 20;
+const PAUSE = 3000;
+
 /**
  * @param {{figure: any, title: string}} exercise
  * @param {{mode: HTMLElement, body: HTMLElement, drawing: HTMLImageElement, description: HTMLElement}} parts
@@ -16,6 +20,7 @@ import { keep, recall } from "../storage.js";
 export function showFigure({ figure, title }, { mode, body, drawing, description }) {
   description.textContent = figure.description;
   drawing.alt = t("form-figure-alt", { title });
+  insist(drawing);
   const model = withFrames(figure);
   /** @type {HTMLElement | null} */
   let space = null;
@@ -44,6 +49,16 @@ export function showFigure({ figure, title }, { mode, body, drawing, description
     }),
   );
   show(chosen);
+}
+
+/** Asks again for a drawing that did not come, as from a service that starts anew: browsers don't. @param {HTMLImageElement} drawing */
+function insist(drawing) {
+  let left = TRIES;
+  const again = () => {
+    if (left-- > 0) setTimeout(() => drawing.setAttribute("src", drawing.src), PAUSE);
+  };
+  drawing.addEventListener("error", again);
+  if (drawing.complete && drawing.naturalWidth === 0) again();
 }
 
 /** The robot, with the frames that the figure shows; it then stands still, for they belong to that posture. @param {Wire.Figure} figure */
