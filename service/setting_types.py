@@ -1,7 +1,5 @@
 """What the text of a setting may be: addresses, hosts and origins, and lists of them."""
 
-from __future__ import annotations
-
 import os
 import re
 from collections.abc import Callable

@@ -1,7 +1,5 @@
 """What commands share: the settings of the environment, and options that count something."""
 
-from __future__ import annotations
-
 import argparse
 import difflib
 import os

@@ -11,8 +11,6 @@ It is done where its call says: at once if the body is small and in a thread if 
 threads of one kind of work. One that waits for worker processes is `async`, and waits in the event loop.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from functools import partial
 from inspect import iscoroutinefunction

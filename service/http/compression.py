@@ -1,7 +1,5 @@
 """Large answers are compressed for callers that take gzip; small ones are not worth the time."""
 
-from __future__ import annotations
-
 import gzip
 
 from anyio.to_thread import run_sync

@@ -5,8 +5,6 @@ callbacks, so the answers are kept in memory, by each server process; attempts o
 them in the storage.
 """
 
-from __future__ import annotations
-
 import hashlib
 import time
 from collections import OrderedDict

@@ -1,7 +1,5 @@
 """What is wrong with a JSON body that cannot be read, and where."""
 
-from __future__ import annotations
-
 import json
 import math
 from collections.abc import Iterator

@@ -3,8 +3,6 @@
 It lists what may be called, not what may not: an address that is added later is off until somebody decides.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 
 from starlette.requests import Request

@@ -4,8 +4,6 @@ Nothing here is on until the operator sets it: without `FRAMEWISE_API_KEYS` ever
 `FRAMEWISE_COST_PER_MINUTE` none is counted. Each server process counts for itself.
 """
 
-from __future__ import annotations
-
 import math
 from datetime import UTC, datetime
 

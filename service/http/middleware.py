@@ -3,8 +3,6 @@
 Pure ASGI and thin, because every request passes through it.
 """
 
-from __future__ import annotations
-
 import asyncio
 import itertools
 import logging

@@ -1,7 +1,5 @@
 """The OpenAPI document: what FastAPI derives, with the bodies of direct routes and the problem responses."""
 
-from __future__ import annotations
-
 import json
 import re
 from collections.abc import Mapping, Sequence

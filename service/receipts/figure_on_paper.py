@@ -3,8 +3,6 @@
 The style sheet is for screens and does not count on paper: what the marks have without it is black and white.
 """
 
-from __future__ import annotations
-
 import re
 import xml.etree.ElementTree as ElementTree
 from collections.abc import Iterator, Mapping, Sequence

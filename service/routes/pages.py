@@ -1,7 +1,5 @@
 """The pages: each is its shell, in the reader's language; its script asks the API for the rest."""
 
-from __future__ import annotations
-
 from urllib.parse import urlencode
 
 from fastapi import APIRouter, Request, Response

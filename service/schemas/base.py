@@ -1,7 +1,5 @@
 """What every shape on the wire shares: unknown keys and numbers in disguise are refused."""
 
-from __future__ import annotations
-
 from typing import Annotated, Any, Self, TypeAlias, TypeVar
 
 from pydantic import (

@@ -6,8 +6,6 @@ once. Addresses start with `{{ root }}`, the relative path from the page to the 
 ("./" or "../"), so a page works under any prefix of a reverse proxy without knowing it.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache

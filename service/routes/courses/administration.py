@@ -1,7 +1,5 @@
 """The platforms of an installation, for its administrator."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping
 from typing import Any, TypeVar
 

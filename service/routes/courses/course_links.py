@@ -3,8 +3,6 @@
 Every look at a student's work is in the audit log.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Iterator
 from datetime import timedelta
 from typing import Any

@@ -1,7 +1,5 @@
 """What a signed-in student does: see the exercise's rules, hand in, look back, keep a draft."""
 
-from __future__ import annotations
-
 import hashlib
 from contextlib import suppress
 from dataclasses import replace

@@ -1,7 +1,5 @@
 """A lecturer's choice of an exercise, signed for the platform that asked."""
 
-from __future__ import annotations
-
 from fastapi import Response
 
 from courses.people.platforms import platform_by_id

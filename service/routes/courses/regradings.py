@@ -1,7 +1,5 @@
 """Attempts judged again, by the exercise as it is now."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from fastapi import Response

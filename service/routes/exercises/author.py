@@ -1,7 +1,5 @@
 """Making exercises: a draft is started, tried, tested, taken along; nothing is kept."""
 
-from __future__ import annotations
-
 from functools import partial
 from typing import Any
 

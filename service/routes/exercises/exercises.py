@@ -1,7 +1,5 @@
 """Exercises: the list, one of them with a student's values, its figure, and judging answers."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from functools import lru_cache, partial
 from typing import Annotated, Any, TypeVar

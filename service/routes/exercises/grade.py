@@ -1,7 +1,5 @@
 """POST /grade: a table, or many, against a key that the caller keeps."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from functools import partial
 from itertools import chain

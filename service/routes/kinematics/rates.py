@@ -1,7 +1,5 @@
 """POST /rates: velocities, accelerations and forces at one configuration."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from pydantic import Field

@@ -1,7 +1,5 @@
 """POST /workspace: how far a robot reaches."""
 
-from __future__ import annotations
-
 from functools import partial
 from typing import Annotated, Self
 

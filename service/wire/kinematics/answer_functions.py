@@ -1,7 +1,5 @@
 """Functions of joint variables and parameters that an answer to one of the `check-…` calls holds."""
 
-from __future__ import annotations
-
 from collections.abc import Collection, Iterable, Sequence
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Dynamics between the wire and the domain."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from fractions import Fraction

@@ -1,7 +1,5 @@
 """Products of motions as the wire shows them: what a worker process computes."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from typing import Any
 

@@ -1,7 +1,5 @@
 """From what a request says of an SCM chain to one that can be computed with."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
