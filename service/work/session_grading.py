@@ -244,12 +244,13 @@ def judged_submission(
         seen: version of the exercise that the student has before them; None: they did not say.
 
     Raises:
-        AttemptError: the policy takes no attempt now, or the exercise is another one than the student sees.
+        AttemptError: the policy takes no attempt now, or exercise or values are others than the student sees.
         KinematicsError, ExerciseError: the answer cannot be graded.
     """
     settings, seed = session.link.settings, seed_of(session)
     check_open(session, arrived)
-    if seen is not None and seen != grader.version(settings):
+    others = "seed" in wire.model_fields_set and wire.seed != seed
+    if others or (seen is not None and seen != grader.version(settings)):
         raise AttemptError(Fault.at("exercise_changed"))
     judged = grader.judge(settings, seed, wire, session.made + 1)
     attempt = Attempt(

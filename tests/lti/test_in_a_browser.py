@@ -144,6 +144,40 @@ def test_what_was_typed_last_is_there_whatever_the_browser(
 
 @pytest.mark.usefixtures("service")
 @pytest.mark.parametrize("address", ["sqlite"], indirect=True)
+def test_what_a_lecturer_changes_while_students_work_is_said(
+    chromium: Chromium, lms: Lms, browser: Browser
+) -> None:
+    """Answers were judged by values that the page did not show; those to the former exercise went nowhere."""
+    context = new_context(chromium, locale="en")
+    context.set_default_timeout(PATIENCE)
+    page = context.new_page()
+    where = {"resource": "changing", "context": "changing", "custom": CUSTOM}
+    browser.launch("tina", hint([TEACHER], **where))
+    path = f"course/links/{browser.api('GET', 'course').json()['link']}/settings"
+    page.goto(f"{lms.root}/start?user=ivan&hint={hint(**where)}")
+    page.wait_for_url("**/exercises/**")
+    wait_ready(page)
+    page.evaluate("(table) => (document.querySelector('dh-table-editor').table = table)", RIGHT["table"])
+    assert browser.api("PUT", path, {"exercise": "puma560", "per_student": True}).status_code == 200
+    with page.expect_response("**/session/attempts") as refused:
+        page.locator("form button[type=submit]").first.click()
+    assert refused.value.json()["code"] == "exercise_changed"
+    page.reload()
+    page.wait_for_url("**/exercises/puma560*seed=*")
+    expect(page.locator(".session-banner")).to_contain_text("Attempts: 0")
+
+    assert browser.api("PUT", path, {"exercise": "scara"}).status_code == 200
+    page.reload()
+    wait_ready(page)
+    expect(page.locator(".session-banner")).to_have_count(0)
+    page.get_by_role("button", name="Open the exercise of the course").click()
+    page.wait_for_url("**/exercises/scara*")
+    expect(page.locator(".session-banner")).to_contain_text("Attempts: 0")
+    context.close()
+
+
+@pytest.mark.usefixtures("service")
+@pytest.mark.parametrize("address", ["sqlite"], indirect=True)
 def test_help_that_rises_starts_anew_for_each_student_at_a_shared_computer(page: Page, lms: Lms) -> None:
     """The second student's first wrong answer was told as much as the first one's second."""
     link = hint(resource="shared", context="shared", custom=CUSTOM)

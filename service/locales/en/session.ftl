@@ -37,4 +37,6 @@ session-handed-in = handed in
 session-attempts-kept = Kept in your course.
 session-attempts-latest = The latest { $count } are listed here.
 session-ended = You are no longer signed in: answers that you give here do not count. Open the exercise from your course again; what you typed there is still there.
+session-elsewhere = The link in your course has another exercise: answers to this one do not count.
+session-elsewhere-go = Open the exercise of the course
 session-launch-by-hand = Learning platforms send students here, so the address shows nothing by itself. Open the exercise from your course.

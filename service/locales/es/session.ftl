@@ -37,4 +37,6 @@ session-handed-in = entregado
 session-attempts-kept = Se guardan en su curso.
 session-attempts-latest = Aquí aparecen los últimos { $count }.
 session-ended = Su sesión ha terminado: las respuestas que dé aquí no cuentan. Vuelva a abrir el ejercicio desde su curso; lo que escribió allí sigue allí.
+session-elsewhere = Su curso pide otro ejercicio: las respuestas a este no cuentan.
+session-elsewhere-go = Abrir el ejercicio del curso
 session-launch-by-hand = Las plataformas de aprendizaje envían aquí a los estudiantes; por sí sola, esta dirección no muestra nada. Abra el ejercicio desde su curso.

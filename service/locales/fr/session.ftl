@@ -37,4 +37,6 @@ session-handed-in = rendu
 session-attempts-kept = Conservés dans votre cours.
 session-attempts-latest = Les { $count } derniers figurent ici.
 session-ended = Vous n’êtes plus connecté : les réponses que vous donnez ici ne comptent pas. Rouvrez l’exercice depuis votre cours ; votre saisie s’y trouve toujours.
+session-elsewhere = Votre cours demande un autre exercice : les réponses à celui-ci ne comptent pas.
+session-elsewhere-go = Ouvrir l’exercice du cours
 session-launch-by-hand = Les plateformes d’apprentissage envoient ici les étudiants ; seule, cette adresse ne montre rien. Ouvrez l’exercice depuis votre cours.

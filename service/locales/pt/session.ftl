@@ -37,4 +37,6 @@ session-handed-in = entregue
 session-attempts-kept = Ficam guardadas na sua disciplina.
 session-attempts-latest = Aqui estão as últimas { $count }.
 session-ended = A sua sessão terminou: as respostas que der aqui não contam. Volte a abrir o exercício a partir da sua disciplina; o que lá escreveu continua lá.
+session-elsewhere = A sua disciplina pede outro exercício: as respostas a este não contam.
+session-elsewhere-go = Abrir o exercício da disciplina
 session-launch-by-hand = As plataformas de aprendizagem enviam os estudantes para aqui; por si só, este endereço não mostra nada. Abra o exercício a partir da sua disciplina.

@@ -23,7 +23,7 @@ import { inSentence } from "../numbers.js";
 import { problemNotice } from "../problem.js";
 import "../scene/robot-scene.js";
 import { keep, recall, whenKeptElsewhere } from "../storage.js";
-import { CourseSession, notOpened, openSession, receiptView } from "../session/course-session.js";
+import { CourseSession, notOpened, openAsked, openSession, receiptView } from "../session/course-session.js";
 import { convertedValues } from "../units.js";
 
 /** @param {string} id */
@@ -42,6 +42,11 @@ async function run() {
   try {
     const told = await openSession(api, () => warnAbove(t("session-ended")));
     if (told?.exercise === id) course = new CourseSession(api, told);
+    if (course && told.seed !== seed) return openAsked(told);
+    if (told?.exercise && !course && told.role === "learner") {
+      const action = { text: t("session-elsewhere-go"), run: () => openAsked(told) };
+      warnAbove(t("session-elsewhere"), action);
+    }
     exercise = await api.get(`exercises/${id}${query}`);
   } catch (error) {
     fill($("answer"), notOpened(error));

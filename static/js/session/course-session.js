@@ -7,9 +7,9 @@ import { Problem } from "../api.js";
 import { debounced, el, fill } from "../dom.js";
 import { dates, ownDirection, t } from "../i18n.js";
 import { percentOf, pointsTold } from "../numbers.js";
-import { forgetFragment, warnAbove } from "../page.js";
+import { forgetFragment, pageAddress, warnAbove } from "../page.js";
 import { problemNotice } from "../problem.js";
-import { keep, keepInMemory, recall } from "../storage.js";
+import { carried, keep, keepInMemory, recall } from "../storage.js";
 
 const KEPT = "framewise:session";
 const TAKEN_ALONG = "session";
@@ -92,6 +92,13 @@ function isRefused(error) {
   return error instanceof Problem && error.status === 401;
 }
 
+/** Goes to what is asked in the course now, with the student's values. @param {any} told what the service says of the session */
+export function openAsked({ exercise, seed }) {
+  const address = new URL(pageAddress(`exercises/${exercise}`));
+  if (seed) address.searchParams.set("seed", seed);
+  location.replace(address.href + carried());
+}
+
 /** What a page says that could not be opened. @param {unknown} error */
 export function notOpened(error) {
   return problemNotice(error, isRefused(error) ? {} : { retry: () => location.reload() });
@@ -111,6 +118,7 @@ export class CourseSession {
     this.told = told;
     /** @type {string | null} what the exercise was when this page was opened */
     this.version = told.version;
+    this.seed = told.seed;
     this.total = 0;
     this.banner = el("section", { class: "card session-banner", "aria-label": t("session-heading") });
     this.isTold = false;
@@ -205,7 +213,12 @@ export class CourseSession {
     const sent = this.#sentOf(JSON.stringify(request));
     let graded;
     try {
-      const body = { .../** @type {any} */ (request), form, ...(this.version ? { version: this.version } : {}) };
+      const body = {
+        .../** @type {any} */ (request),
+        form,
+        seed: this.seed,
+        ...(this.version ? { version: this.version } : {}),
+      };
       graded = await this.#api.post("session/attempts", body, { ...sent, patience: TRIES_AGAIN });
     } catch (error) {
       if (error instanceof Problem && (error.status >= 500 || error.status === TOO_MANY))
