@@ -197,6 +197,8 @@ def test_rules_of_a_published_exercise_keep_it(
     arrived(page, lms, "tina", hint([TEACHER], **where))
     page.locator("#class").get_by_role("button", name="opened, no attempt", exact=True).click()
     expect(page.get_by_label("Extra time [min]")).to_have_value("30")
+    name = session["person"]["key"][:8]  # it stood nowhere beside an extra time of somebody without attempts
+    expect(page.locator("#link").get_by_role("heading", name=name)).to_be_visible()
     expect(page.get_by_label("Extra attempts")).to_have_value("2")
 
 

@@ -53,7 +53,7 @@ export class LinkView {
   async showStudent(link, student) {
     await this.show(link);
     await this.#open({ person: student.key });
-    this.behind.prepend(this.#allowance(student));
+    this.behind.prepend(el("h3", { text: studentName(student) }), this.#allowance(student));
     this.behind.scrollIntoView({ block: "nearest" });
   }
 
@@ -241,9 +241,9 @@ export class LinkView {
     });
     return el(
       "div",
-      { class: "row" },
-      el("label", {}, t("lecturer-extra-minutes"), minutes),
-      el("label", {}, t("lecturer-extra-attempts"), attempts),
+      { class: "row", role: "group", "aria-label": studentName(student) },
+      el("label", { class: "row" }, t("lecturer-extra-minutes"), minutes),
+      el("label", { class: "row" }, t("lecturer-extra-attempts"), attempts),
       el("button", { type: "button", onclick: give, text: t("lecturer-give") }),
       said,
     );
