@@ -40,7 +40,7 @@ trainer-candidate-coordinates =
 trainer-candidate-axis = along axis { $axis }
 trainer-candidate-normal = along the normal of axes { $axis } and { $other }
 trainer-candidate-frame_x = along x of frame { $frame }
-trainer-candidate-across = across axis { $axis }
+trainer-candidate-across = at right angles to axis { $axis }
 
 trainer-step-z = z axes
 trainer-step-normals = Common normals
@@ -64,7 +64,7 @@ trainer-why-z =
        *[modified] z of frame i along axis i, because row i ends with θ and d about and along z of frame i.
     }
 trainer-why-origin = Every origin stands where the common normal meets its axis, because a is measured from there along x.
-trainer-why-x = Every x lies along a common normal or across both axes, because a and α are measured along and about it.
+trainer-why-x = Every x lies along a common normal or at right angles to both axes, because a and α are measured along and about it.
 trainer-open-choice = Frame { $frame } has no choice yet.
 trainer-point-missed = The origin of frame { $frame } belongs at the marked point { $point }.
 trainer-read = Press a row’s number: the picture shows how its four numbers carry one frame into the next.

@@ -41,7 +41,7 @@ trainer-candidate-coordinates =
 trainer-candidate-axis = уздовж осі { $axis }
 trainer-candidate-normal = уздовж перпендикуляра до осей { $axis } і { $other }
 trainer-candidate-frame_x = уздовж x системи { $frame }
-trainer-candidate-across = упоперек осі { $axis }
+trainer-candidate-across = перпендикулярно до осі { $axis }
 
 trainer-step-z = Осі z
 trainer-step-normals = Спільні перпендикуляри
