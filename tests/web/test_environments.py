@@ -165,6 +165,34 @@ def test_what_is_open_refused_and_judged_fits_a_small_phone(open_page: OpenPage,
     assert overflow(page) == []
 
 
+def test_a_finger_that_scrolls_over_the_robot_leaves_it_as_it_stood(open_page: OpenPage) -> None:
+    """It turned by what the finger had moved before the browser took it for scrolling."""
+    page = open_page("/exercises/scara", width=390, height=700, has_touch=True, is_mobile=True)
+    page.locator("#figure-mode").get_by_text("3-D").tap()
+    scene = page.locator("#figure-card robot-scene")
+    scene.evaluate("scene => scene.scrollIntoView({ block: 'center' })")
+    drawn, box, start = (
+        scene.locator("svg").first.inner_html(),
+        scene.bounding_box(),
+        page.evaluate("scrollY"),
+    )
+    assert box
+    touch = page.context.new_cdp_session(page)
+    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+
+    def touched(kind: str, *points: float) -> None:
+        touch.send(
+            "Input.dispatchTouchEvent", {"type": kind, "touchPoints": [{"x": x, "y": at} for at in points]}
+        )
+
+    touched("touchStart", y)
+    for step in range(1, 9):
+        touched("touchMove", y - 12 * step)
+    touched("touchEnd")
+    page.wait_for_function("start => scrollY > start", arg=start)
+    assert scene.locator("svg").first.inner_html() == drawn
+
+
 def test_a_phone_grades_an_exercise_by_touch(open_page: OpenPage) -> None:
     page = open_page("/exercises/scara", width=390, height=700, has_touch=True, is_mobile=True, webgl=True)
     expect(page.locator(".keys")).to_have_count(2)

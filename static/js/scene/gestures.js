@@ -32,11 +32,12 @@ export function listenTo(view, { camera, change, reset, click, grab, drag, drop 
   const fingers = new Map();
   let moved = 0;
   let held = -1;
+  let before = camera();
   // A finger that holds something does not scroll the page.
   view.addEventListener("touchstart", (event) => held >= 0 && event.preventDefault(), { passive: false });
   view.addEventListener("pointerdown", (event) => {
     fingers.set(event.pointerId, { x: event.clientX, y: event.clientY });
-    if (fingers.size === 1) moved = 0;
+    if (fingers.size === 1) [moved, before] = [0, camera()];
     if (fingers.size === 1 && event.button === 0 && grab(event)) held = event.pointerId;
     view.setPointerCapture(event.pointerId);
   });
@@ -46,11 +47,11 @@ export function listenTo(view, { camera, change, reset, click, grab, drag, drop 
     const dx = event.clientX - last.x;
     const dy = event.clientY - last.y;
     moved += Math.abs(dx) + Math.abs(dy);
-    const before = spread(fingers);
+    const apart = spread(fingers);
     fingers.set(event.pointerId, { x: event.clientX, y: event.clientY });
     if (event.pointerId === held) drag(event);
     else if (fingers.size === 2) {
-      const near = before > 0 ? zoomed(camera(), spread(fingers) / before) : camera();
+      const near = apart > 0 ? zoomed(camera(), spread(fingers) / apart) : camera();
       change(panned(near, dx / 2, dy / 2));
     } else if (event.shiftKey || event.buttons === 4) change(panned(camera(), dx, dy));
     else change(orbited(camera(), -dx * DRAG, dy * DRAG));
@@ -61,7 +62,9 @@ export function listenTo(view, { camera, change, reset, click, grab, drag, drop 
       held = -1;
       return drop(event);
     }
-    if (event.type === "pointerup" && moved < CLICK) click(event);
+    // The finger scrolls the page: the view is as it was before.
+    if (event.type === "pointercancel") change(before);
+    else if (moved < CLICK) click(event);
   };
   view.addEventListener("pointerup", lift);
   view.addEventListener("pointercancel", lift);
