@@ -143,7 +143,7 @@ class Settings(BaseSettings):
     symbolic_queue: NonNegativeInt = Field(256, description="closed forms that may wait for their turn")
     symbolic_seconds: Seconds = Field(5.0, description="processor time that one closed form may take [s]")
     queue_seconds: Seconds = Field(
-        20.0, description="time that a request may wait for its turn, whatever for but a drawing [s]"
+        20.0, description="time that a request may wait for its turn, except for a drawing [s]"
     )
     symbolic_memory: int = Field(
         1024 * MIB,
