@@ -165,6 +165,19 @@ def test_what_is_open_refused_and_judged_fits_a_small_phone(open_page: OpenPage,
     assert overflow(page) == []
 
 
+def test_the_table_has_room_at_400_percent(open_page: OpenPage) -> None:
+    """Of 256 px, which 1024 px are at this zoom, pictures and progress left only the row of a cell."""
+    page = open_page("/exercises/scara", width=320, height=256)
+    typed = cell(page, 1, "d")
+    typed.click()
+    typed.evaluate("cell => cell.scrollIntoView({ block: 'center' })")
+    below = """cell => {
+      const { left, bottom } = cell.getBoundingClientRect();
+      return Boolean(document.elementFromPoint(left + 20, bottom + 40).closest("dh-table-editor"));
+    }"""
+    assert typed.evaluate(below)
+
+
 def test_a_finger_that_scrolls_over_the_robot_leaves_it_as_it_stood(open_page: OpenPage) -> None:
     """It turned by what the finger had moved before the browser took it for scrolling."""
     page = open_page("/exercises/scara", width=390, height=700, has_touch=True, is_mobile=True)
