@@ -14,21 +14,32 @@ from typing import NamedTuple
 
 from exercises.grading.coarse import is_rounded_too_much
 from exercises.grading.edits.accused import accused, own_table_first
+from exercises.grading.edits.changes import Change
 from exercises.grading.edits.repairs import MOST_WORK, Repaired, find_repairs
+from exercises.grading.edits.throughout import ROUNDED, seen_throughout
 from exercises.grading.edits.work import Work
 from exercises.grading.facts import Weights
 from exercises.grading.findings import (
     feedback_of,
     link_findings,
     told_repairs,
+    told_throughout,
     wrong_facts,
 )
 from exercises.grading.judging.comparison import Comparison
 from exercises.grading.judging.digits import measured_as_typed, steps_of_wrong, tightened
 from exercises.grading.judging.end_lines import end_invariants, lines_at_ends
-from exercises.grading.judging.judgement import IMPRECISE, REFUTED, diagnosed, policy_of, share_of
+from exercises.grading.judging.judgement import (
+    IMPRECISE,
+    REFUTED,
+    diagnosed,
+    lacks_precision,
+    policy_of,
+    share_of,
+)
 from exercises.grading.judging.typed import NOTHING_TYPED, SAME
-from exercises.grading.score import lost, score_of
+from exercises.grading.score import DECIMALS, lost, score_of
+from exercises.grading.standard import standard_of
 from exercises.grading.verdict import Edit, Feedback, HelpLevel, LinkFinding, ParamValue, Repair
 from kinematics.cells import ReadTable
 from kinematics.equivalence import Decision, Kind, Policy
@@ -66,12 +77,14 @@ class Diagnosis:
         repairs: what would mend the answer.
         score: what it still earns.
         work: what it was found on.
+        throughout: what is wrong in the whole table, where the rest is told as if that were undone.
     """
 
     decision: Decision
     repairs: tuple[Repaired, ...]
     score: float
     work: Work
+    throughout: Change | None = None
 
 
 class Refused(NamedTuple):
@@ -117,7 +130,32 @@ def diagnosis(
         score = score_of(decision, repairs, work, weights)
     except Exception:
         _LOG.exception("no score")
-    return Diagnosis(decision=decision, repairs=repairs, score=score, work=work)
+    found = Diagnosis(decision=decision, repairs=repairs, score=score, work=work)
+    if repairs or decision.same_robot or lacks_precision(decision):
+        return found
+    try:
+        return _beside_throughout(found, tables, policy, weights)
+    except Exception:
+        _LOG.exception("it is not known what is wrong throughout")
+        return found
+
+
+def _beside_throughout(
+    found: Diagnosis, tables: tuple[ReadTable, ReadTable], policy: Policy, weights: Weights
+) -> Diagnosis:
+    """What is wrong throughout, a unit or too few digits, and what is found beside it; else the same."""
+    seen = seen_throughout(found.work)
+    if seen is None:
+        return found
+    change, comparison = seen
+    rest, decision, score = work_on(comparison, tables, policy), diagnosed(comparison, policy), found.score
+    repairs = find_repairs(replace(rest, meter=Meter(MOST_WORK // 2)))
+    if change.code == ROUNDED:
+        digits = weights.sign / standard_of(rest.reference, policy, weights).nothing
+        score = max(score, round(score_of(decision, repairs, rest, weights) - digits, DECIMALS))
+    else:
+        repairs = tuple(Repaired((change, *repaired.changes)) for repaired in repairs)
+    return Diagnosis(decision=decision, repairs=repairs, score=score, work=found.work, throughout=change)
 
 
 def explanation(found: Diagnosis, policy: Policy, level: HelpLevel) -> Explanation:
@@ -128,6 +166,9 @@ def explanation(found: Diagnosis, policy: Policy, level: HelpLevel) -> Explanati
     try:
         repairs = own_table_first(repairs, work.table, work.reference.table)
         links, feedback = _told(found.decision, repairs, work, policy, level)
+        first = found.throughout
+        if first is not None and not any(first in repaired.changes for repaired in repairs):
+            feedback, repairs = (*feedback[:1], *told_throughout(first, level), *feedback[1:]), ()
     except Exception:
         _LOG.exception("no findings")
         repairs = ()

@@ -8,6 +8,7 @@ from exercises.grading.edits.accused import Accused
 from exercises.grading.edits.changes import Change, Extent
 from exercises.grading.edits.misconceptions import HINTS
 from exercises.grading.edits.repairs import Repaired
+from exercises.grading.edits.throughout import ROUNDED
 from exercises.grading.judging.judgement import lacks_precision
 from exercises.grading.verdict import Edit, Feedback, Finding, HelpLevel, LinkFinding, ParamValue, Repair
 from kinematics.equivalence import Decision, Kind, Mismatch, Policy
@@ -170,10 +171,17 @@ def _of(change: Change, table: NumericTable, level: HelpLevel) -> Iterator[Feedb
         # a row that the edit before has added is told as missing, and what is to stand in it is not wrong
         given = frozenset(fact for fact in _facts_of(change, table) if fact[0] < len(table.rows))
         yield from _facts(given, table, level)
-    elif level.includes(HelpLevel.KIND):
-        yield Feedback(code=HINTS[edit.code])
     else:
-        yield Feedback(code="whole_table")
+        yield from told_throughout(change, level)
+
+
+def told_throughout(change: Change, level: HelpLevel) -> Iterator[Feedback]:
+    """What is told of something that is wrong in the whole table, where no repairs are told."""
+    if change.code == ROUNDED and level.includes(HelpLevel.ROW):
+        yield Feedback(code="lengths_rounded")
+    elif level.includes(HelpLevel.ROW):
+        kind = level.includes(HelpLevel.KIND)
+        yield Feedback(code=HINTS[change.code] if kind else "whole_table")
 
 
 def _signs(changes: Sequence[Change]) -> Iterator[Feedback]:

@@ -3,6 +3,7 @@
 misconceptions  the catalogue: what students do, and how to undo it
 wanted_changes  what of it is tried
 cell_edits, row_edits, table_edits  the ways to undo it
+throughout     units and digits, seen beside whatever else is wrong
 changes        an edit: where, how much, and the table that it leads to
 work           what an edit is tried on
 fitting, joint_places  values and places that fit

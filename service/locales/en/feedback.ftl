@@ -36,6 +36,7 @@ feedback-joint_count_wrong = { $given ->
 }; the robot has { $asked }.
 feedback-mirrored = Your table describes the mirror image of the robot: all lengths and angles fit, but one of them is counted the wrong way round. Check the signs with your right hand.
 feedback-entries_imprecise = No length or angle of your table is off by more than rounding explains, but all the rounding together is more than the exercise allows. Write right angles as pi/2 or 90°, and the lengths with more digits.
+feedback-lengths_rounded = Several lengths of your table have the right value, but with too few digits. Write them with more digits; what else is told here is wrong besides.
 feedback-base_axis_missed = Your z0 does not lie on the axis of joint 1.
 feedback-base_origin_missed = The origin of your frame 0 is not where the exercise wants it.
 feedback-base_frame_missed = Your frame 0 is not the one that the exercise prescribes.

@@ -36,6 +36,7 @@ feedback-joint_count_wrong = { $given ->
 }; o robô tem { $asked }.
 feedback-mirrored = A sua tabela descreve a imagem do robô num espelho: todos os comprimentos e ângulos conferem, mas um deles é contado ao contrário. Confira os sinais com a regra da mão direita.
 feedback-entries_imprecise = Nenhum comprimento nem ângulo da sua tabela difere mais do que o arredondamento explica, mas todos os arredondamentos juntos ultrapassam o que o exercício permite. Escreva os ângulos retos como pi/2 ou 90° e os comprimentos com mais algarismos.
+feedback-lengths_rounded = Vários comprimentos da sua tabela têm o valor certo, mas com algarismos a menos. Escreva-os com mais algarismos; o que aqui se indica além disso está errado à parte.
 feedback-base_axis_missed = O seu z0 não está sobre o eixo da junta 1.
 feedback-base_origin_missed = A origem do seu referencial 0 não está onde o exercício a quer.
 feedback-base_frame_missed = O seu referencial 0 não é o que o exercício prescreve.

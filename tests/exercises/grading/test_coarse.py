@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from exercises.grading import BaseRule, DirectionRule, Policy, ToolRule, Verdict, ZeroRule, grade
+from exercises.grading import BaseRule, DirectionRule, HelpLevel, Policy, ToolRule, Verdict, ZeroRule, grade
 from kinematics.cells import ReadTable
 from tests.exercises.grading.written import Cell, read
 
@@ -120,3 +120,27 @@ def test_half_a_unit_that_is_half_the_number_excuses_nothing(also_wrong: float) 
         return grade(key, _puma((0.4318, a3, d3, 0.4318)), FREE, values).score
 
     assert score(0.1, also_wrong) == score(0.11, also_wrong) < score(0.07, also_wrong)
+
+
+@pytest.mark.parametrize("help_level", [HelpLevel.ROW, HelpLevel.KIND, HelpLevel.REPAIR])
+@pytest.mark.parametrize(("a3", "twist", "rows"), [(0, -90, {3}), (0.3, -90, {3}), (0.02, 60, {3, 4})])
+def test_too_few_digits_are_told_first_and_only_the_rest_is_accused(
+    a3: float, twist: float, rows: set[int], help_level: HelpLevel
+) -> None:
+    """All four lengths were called wrong where one of them, or a twist, was wrong besides."""
+    verdict = grade(_puma(NAMES), _puma((0.4, a3, 0.2, 0.4), twist), FREE, VALUES, help_level=help_level)
+    assert _codes(verdict)[:2] == ["not_equivalent", "lengths_rounded"]
+    told = {entry.row for entry in verdict.feedback if entry.row is not None}
+    assert 3 in told <= rows
+    assert verdict.repairs == ()
+
+
+def test_too_few_digits_cost_beside_a_wrong_length_what_a_wrong_sign_does() -> None:
+    exact, rounded = (
+        grade(_puma(NAMES), _puma(lengths), FREE, VALUES).score
+        for lengths in ((0.4318, 0, 0.15005, 0.4318), (0.4, 0, 0.2, 0.4))
+    )
+    assert exact - rounded == pytest.approx(0.5 / 9, abs=0.01)
+    assert "lengths_rounded" not in _codes(
+        grade(_puma(NAMES), _puma((0.4, 0, 0.2, 0.4)), FREE, VALUES, help_level=HelpLevel.VERDICT)
+    )

@@ -231,3 +231,47 @@ def test_a_last_frame_that_leans_is_elsewhere(turned: Rows) -> None:
     verdict = grade(KEY, read("modified", [*PUMA_CRAIG, *turned]), Policy(tool=ToolRule.FREE))
     last = len(PUMA_CRAIG) + len(turned)
     assert feedback(verdict) == [("other_convention", None), ("frame_elsewhere", last)]
+
+
+METRES: Rows = [
+    (90, 0, 0, "q1"),
+    (0, 0.4318, 0, "q2"),
+    (-90, 0.0203, 0.15005, "q3"),
+    (90, 0, 0.4318, "q4"),
+    (-90, 0, 0, "q5"),
+    (0, 0, 0, "q6"),
+]
+"""A PUMA in degrees and metres."""
+MILLIMETRES: Rows = [(alpha, 1000 * float(a), 1000 * float(d), theta) for alpha, a, d, theta in METRES]
+
+
+@pytest.mark.parametrize(
+    ("rows", "unit", "first", "others"),
+    [
+        (with_cells(with_cells(METRES, (2, 1, 0.5)), (4, 2, 0.2)), "rad", "angles", {2, 4}),
+        (with_cells(with_cells(METRES, (3, 0, 45)), (4, 2, 0.2)), "rad", "angles", {3, 4}),
+        (with_cells(with_cells(MILLIMETRES, (2, 0, 45)), (4, 2, 200)), "deg", "lengths", {2, 4}),
+        (
+            with_cells(with_cells(with_cells(METRES, (2, 1, 0.5)), (3, 2, 0.3)), (4, 2, 0.2)),
+            "rad",
+            "angles",
+            {2, 3, 4},
+        ),
+    ],
+    ids=["degrees", "degrees and a twist", "millimetres", "degrees and three lengths"],
+)
+def test_a_unit_throughout_is_told_first_whatever_is_wrong_beside_it(
+    rows: Rows, unit: str, first: str, others: set[int]
+) -> None:
+    """Nine facts were called wrong, and the unit was not."""
+    key, answer = read("standard", METRES, "deg"), read("standard", rows, unit)
+    told = feedback(grade(key, answer, USUAL, help_level=HelpLevel.KIND))
+    assert told[0] == ("not_equivalent", None)
+    assert (f"{first}_throughout", None) in told
+    assert {row for _, row in told if row is not None} == others
+    by_row = feedback(grade(key, answer, USUAL, help_level=HelpLevel.ROW))
+    assert ("whole_table", None) in by_row
+    assert {code for code, _ in by_row} <= {"not_equivalent", "whole_table", "row_wrong"}
+    for repair in repairs(grade(key, answer, USUAL)):
+        assert repair[0][1] is None
+        assert {row for _, row in repair[1:]} == others
