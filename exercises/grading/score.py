@@ -174,9 +174,10 @@ def _is_in_one_row(change: Change, work: Work, undone: Work, standard: Standard)
     rows = {row for row, _ in change.places}
     if change.extent is not Extent.ROW or len(rows) < 2:
         return False
-    halves = [with_row(work.table, row, undone.table.rows[row]) for row in rows]
-    mended = wrong_of(undone, standard) + SAME
-    return any(wrong_of(replace(work, table=half), standard) <= mended for half in halves)
+    own, other, most = work.table.rows, undone.table.rows, wrong_of(undone, standard) + SAME
+    halves = {row: replace(other[row], joint=own[row].joint, sign=own[row].sign) for row in rows}
+    tables = (with_row(work.table, row, half) for row, half in halves.items())
+    return any(wrong_of(replace(work, table=table), standard) <= most for table in tables)
 
 
 def _is_of_length_or_turn(change: Change) -> bool:
@@ -272,8 +273,12 @@ def _slips(work: Work) -> Iterator[Change]:
     """What undoes each slip in a row or throughout the table that may have been made besides others."""
     for misconception in CATALOGUE:
         for change in misconception.changes(work) if misconception.beforehand else ():
-            # a joint of another type is read as one of the key's type wherever facts are counted
-            if change.code != "joint_type" and not hides_an_entry(work, change):
+            # a joint of another type is read as one of the key's wherever facts are counted; a row without a
+            # variable exchanged with a joint's puts what is wrong at the end, where no fact asks for it
+            fixed = {work.table.rows[row].joint is JointType.FIXED for row, _ in change.places}
+            if change.code == "joint_type" or (change.extent is Extent.ROW and len(fixed) > 1):
+                continue
+            if not hides_an_entry(work, change):
                 yield change
 
 

@@ -113,7 +113,7 @@ def test_what_is_put_right_stands_in_the_rows_of_the_answer() -> None:
     assert [row.a for row in longer.rows] == [0.1, 0.0, 0.2, 0.3]
 
 
-KR2150K = dict(catalogue())["kr2150k"]
+KR2150K, KR125 = (dict(catalogue())[name] for name in ("kr2150k", "kr125"))
 
 
 @pytest.mark.parametrize(
@@ -122,8 +122,10 @@ KR2150K = dict(catalogue())["kr2150k"]
         (PUMA, changed(changed(PUMA, 2, alpha=1.1), 5, alpha=0.0), (6, "alpha", -HALF)),
         (RX90, changed(RX90, 3, alpha=-HALF, a=0.0), (1, "a", RX90.rows[2].a)),
         (KR2150K, changed(KR2150K, 5, alpha=2 * HALF, a=0.4), (1, "alpha", -HALF)),
+        (KR125, changed(changed(KR125, 5, d=-0.85), 3, alpha=-HALF), (6, "d", 0.0)),
+        (KR2150K, changed(changed(KR2150K, 6, alpha=0.0), 3, a=-1.3), (7, "alpha", HALF)),
     ],
-    ids=["puma", "rx90", "kr2150k"],
+    ids=["puma", "rx90", "kr2150k", "kr125, fixed row", "kr2150k, fixed row"],
 )
 def test_a_cell_that_no_fact_asks_for_makes_no_exchange_of_two_rows(
     key: NumericTable, wrong: NumericTable, cell: tuple[int, str, float]
