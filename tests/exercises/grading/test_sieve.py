@@ -19,6 +19,7 @@ from exercises.grading.explanation import work_on
 from exercises.grading.judging.comparison import comparisons
 from kinematics.equivalence.batches import axes_of_tables
 from kinematics.table import Convention, DHRow, DHTable, JointType, NumericRow, NumericTable
+from tests.conftest import EXPLORE
 from tests.exercises.grading.campaign import drawn_by_hand
 from tests.exercises.grading.written import written
 from tests.kinematics.equivalence.campaign import references
@@ -26,6 +27,8 @@ from tests.kinematics.equivalence.generators import random_valid_table
 from tests.kinematics.equivalence.mutations import mutations
 
 FREE = Policy(tool=ToolRule.FREE)
+ANSWERS = 40 if EXPLORE else 20
+"""Robots of whose wrong tables every edit is measured."""
 
 
 def wrong_answers(number: int) -> list[Work]:
@@ -48,7 +51,7 @@ def failing(work: Work, table: NumericTable) -> int:
     return int((facts.strains(facts.measured(axes_of_tables([table], [(0, ())], FREE))) > 1.0).sum())
 
 
-@pytest.mark.parametrize("number", range(40))
+@pytest.mark.parametrize("number", range(ANSWERS))
 def test_what_is_held_back_fails(number: int) -> None:
     for work in wrong_answers(number):
         before = failing(work, work.table) if work.has_the_joints() else 0
@@ -62,7 +65,7 @@ def test_what_is_held_back_fails(number: int) -> None:
                     assert failing(work, table) > most, change
 
 
-@pytest.mark.parametrize("number", range(40))
+@pytest.mark.parametrize("number", range(ANSWERS))
 def test_what_may_mend_all_is_within_reach(number: int) -> None:
     """Edits that leave no fact wrong are found where the table is narrowed as well."""
     for work in wrong_answers(number):

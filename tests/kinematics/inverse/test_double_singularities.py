@@ -149,7 +149,7 @@ def test_families_leave_where_the_jacobian_stays_blind():
 
 
 @pytest.mark.parametrize("fourth", [0.3, -2.2])
-@pytest.mark.parametrize("second", [-1.1, -2.0, 1.1, 1.9])
+@pytest.mark.parametrize("second", [-1.1, -2.0, 1.1, 1.9] if EXPLORE else [-2.0, 1.1])
 def test_two_crossings_half_a_radian_apart_on_one_family(second, fourth):
     """A Stanford arm drawn in, its wrist in line: joints 2 and 5 turn together, or 4 and 6, each in two ways.
 
@@ -262,8 +262,9 @@ def test_a_walk_does_not_step_over_what_parts_two_solutions():
 
 
 @pytest.mark.parametrize("decimals", [9, 17] if EXPLORE else [9])
-@pytest.mark.parametrize("side", [1, -1])
-@pytest.mark.parametrize("shoulder", [0.0, math.pi])
+@pytest.mark.parametrize(
+    ("shoulder", "side"), product([0.0, math.pi], [1, -1]) if EXPLORE else [(0.0, 1), (math.pi, -1)]
+)
 def test_the_last_step_of_a_walk_does_not_lead_to_the_wrist_turned_over(shoulder, side, decimals):
     """A Stanford arm upright, its wrist in line: families on either side of q_4 = 0 end 1e-3 apart."""
     q = [math.pi, shoulder + 2.6e-8, -0.1699, -side * RIGHT, math.pi + side * 5e-8, 0.4]
