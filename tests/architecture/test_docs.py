@@ -61,6 +61,17 @@ def is_broken(page: Path, target: str) -> bool:
     return not linked.exists() or bool(anchor and linked.suffix == ".md" and anchor not in anchors(linked))
 
 
+def test_files_that_pages_name_are_there() -> None:
+    names = {path.name for path in tracked()}
+    assert not [
+        f"{shown(page)}: {file}"
+        for page in tracked()
+        if page.suffix == ".md" and page.name != "CHANGELOG.md"
+        for file in re.findall(r"`(?:[\w/-]+/)?([\w-]+\.(?:py|js|ftl))`", page.read_text(encoding="utf-8"))
+        if file not in names
+    ]
+
+
 def test_every_call_is_listed() -> None:
     """By its path, or by its last step in the row of its group (`/scm/…`)."""
     rows = (ROOT / "docs" / "api.md").read_text(encoding="utf-8").splitlines()
