@@ -16,11 +16,11 @@ if TYPE_CHECKING:
 
 TITLE = "Answers of other kinds"
 ABOUT = """
-Processor time of judging one answer: its cells are read, it is decided, and what is told is found, in
+Processor time of judging one answer: its cells are read, it is decided, and the feedback is found, in
 codes and parameters. For each kind of part the exercises of the catalogue that ask for it, with the
 values of six students, and the right and the wrong answers that the kind makes for its self-test; where
 the exercise asks for a table, it is the key, and its verdict is known. Each answer is judged once before,
-so its cells are known; then the least of five times counts, and the median of all answers is told. The
+so its cells are known; then the least of five times counts, and the median of all answers is reported. The
 peer is the bar: 1 ms for a right answer, 10 ms for a wrong one with its explanation.
 """
 

@@ -92,6 +92,15 @@ def test_sections_replace_their_older_selves_and_leave_the_others(tmp_path):
     assert [path.name for path in tmp_path.iterdir()] == ["page.md"]
 
 
+def test_the_page_begins_with_the_bars_that_are_not_met(tmp_path):
+    page = tmp_path / "page.md"
+    write("a", section("a", "An A, first", "About.", [row(2.0, 1.0, bar=1.0), row(0.5, 1.0, bar=1.0)]), page)
+    head = page.read_text(encoding="utf-8").partition("<!-- bench:a -->")[0]
+    assert "| [An A, first](#an-a-first) | `make bench ONLY=a` | 1 | 1 |" in head
+    assert "- [An A, first](#an-a-first): work: 2 s" in head
+    assert "500 ms" not in head
+
+
 def test_the_machine_is_described_without_being_named():
     facts = describe()
     assert "CPython" in facts
