@@ -195,7 +195,7 @@ class Settings(BaseSettings):
         4096, description="answers, figures and sign-ins that may wait for their turn, counted by kind"
     )
     explained_queue: NonNegativeInt = Field(
-        64, description="waiting answers beyond which less is told of a wrong one"
+        64, description="waiting answers beyond which a wrong one is explained more briefly"
     )
 
     secret: SecretStr | None = Field(
