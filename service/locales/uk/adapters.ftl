@@ -9,7 +9,13 @@ error-file_too_large =
 error-file_missing = Файлу чи теки { $file } немає.
 error-grade_path_needed = Потрібен файл, тека або архів zip: лише з --for дефіс або відсутність аргументу означає стандартний ввід.
 error-marks_are_text = { $file } не містив би електронної таблиці: оцінки записуються текстом, який читають табличні програми. Дайте файлу назву з .csv.
-error-file_unreadable = { $file } не вдається прочитати: { $reason }.
+error-file_unreadable = { $file } не вдається прочитати: { $reason ->
+    [empty] файл порожній
+    [binary] це не текстовий файл
+    [columns] його рядки не можна поділити на стовпці; збережіть його як CSV
+    [UTF-16] він починається як UTF-16, але далі ним не є; збережіть його в UTF-8
+   *[other] { $reason }
+}.
 error-file_unusable = { $file } неможливо прочитати або записати: { $reason }.
 error-file_type_unknown = Файли такого типу, як { $file }, тут не читаються. Читаються { $known }.
 error-file_without_table = { $file } не містить таблиці DH. Таблиця має стовпці theta, d, a та alpha.
@@ -23,8 +29,8 @@ error-columns_unknown = Жоден рядок у { $file } не називає �
 error-columns_differ_in_length = Стовпці в { $file } різної довжини; у кожному має бути по одному значенню на рядок.
 error-exercise_not_named = Не сказано, на яку вправу це відповідь. Назвіть її, наприклад puma560.
 error-artefact_unknown = Роботи типу { $type } тут не оцінюються; оцінюються { $known }.
-error-function_command_unknown = Тут виконуються команди { $known }.
-error-function_call_invalid = Тіло виклику має `response`, `answer` і `params` (об’єкт). Не так у: { $places }.
+error-function_command_unknown = Ця команда невідома. Відомі команди: { $known }.
+error-function_call_invalid = Тіло виклику має `response`, `answer` і `params` (об’єкт). Помилки в: { $places }.
 error-callback_not_allowed = Оператор цієї служби не дозволяє надсилати відгуки на цю адресу.
 error-version_not_supported = Ця версія API оцінювання тут не підтримується; підтримується { $supported }.
 

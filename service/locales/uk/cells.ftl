@@ -1,7 +1,7 @@
 # Чому відхилено клітинку, таблицю або параметр.
 
-error-cell_empty = Ця клітинка порожня. Напишіть 0 там, де нічого немає.
-error-cell_dash = У цій клітинці лише риска. Напишіть 0 там, де нічого немає.
+error-cell_empty = Ця клітинка порожня. Якщо значення дорівнює нулю, напишіть 0.
+error-cell_dash = У цій клітинці лише риска. Якщо значення дорівнює нулю, напишіть 0.
 error-cell_not_a_value =
     Клітинка містить число або вираз у вигляді тексту, а не { $kind ->
         [list] список
@@ -74,7 +74,7 @@ error-function_arity = Символ { $column }: кількість аргуме
 error-value_missing = Символ { $column }: перед { $symbol } бракує значення.
 error-cell_incomplete = Символ { $column }: клітинка закінчується там, де мало б бути значення.
 error-symbol_misplaced = Символ { $column }: { $symbol } не може тут стояти.
-error-comma_misplaced = Символ { $column }: кома розділяє лише два аргументи atan2.
+error-comma_misplaced = Символ { $column }: кому ставлять лише між двома аргументами atan2.
 error-parenthesis_not_closed = Символ { $column }: цю дужку не закрито.
 error-parenthesis_not_opened = Символ { $column }: ця дужка нічого не закриває.
 error-number_after_value = Символ { $column }: число не може стояти одразу після значення. Пропущено знак дії?

@@ -39,7 +39,7 @@ feedback-motion_missing =
     }
 feedback-motion_asymmetric = Матриця інерції симетрична, а ця — ні.
 feedback-motion_point_masses = Це M точкових мас: бракує власних моментів інерції ланок.
-feedback-motion_gravity_sign = Це g має протилежний знак: g — це те, що зчленування мають чинити проти сили тяжіння, градієнт потенціальної енергії.
+feedback-motion_gravity_sign = Це g має протилежний знак: g — це моменти й сили, якими зчленування врівноважують силу тяжіння, тобто градієнт потенціальної енергії.
 feedback-motion_velocity_sign = Це C q̇ має протилежний знак.
 feedback-motion_coupling_once = Кожен добуток q̇j q̇k двох різних зчленувань входить у C q̇ двічі, як jk і як kj; тут його враховано один раз.
 feedback-motion_mass_rate = Це Ṁ q̇. Потрібно відняти градієнт кінетичної енергії, ½ ∂(q̇ᵀM q̇)/∂q.

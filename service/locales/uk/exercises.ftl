@@ -41,7 +41,7 @@ figure-joint-prismatic-signed = Зчленування { $joint } поступа
    *[oblique] похилий
 }. Змінна зчленування додатна вздовж напряму { $direction }.
 figure-dimension = { $name } дорівнює { $length } { $unit } і виміряно { $course ->
-    [vertical] по вертикалі
+    [vertical] вертикально
     [sideways] зліва направо
     [depthways] спереду назад
    *[oblique] навскіс
@@ -122,7 +122,7 @@ feedback-transform_rotation_right = Поворот у ⁰T правильний.
 feedback-transform_position_right = Положення в ⁰T правильне.
 feedback-transform_cells_wrong = ⁰T відрізняється від вашої таблиці в таких клітинках (рядок,стовпець): { $cells }.
 feedback-transform_not_rigid = ⁰T не є рухом твердого тіла: її стовпці не є взаємно перпендикулярними одиничними векторами, або вони утворюють ліву трійку (визначник −1), або останній рядок не 0 0 0 1.
-feedback-transform_inverse = Це обернена до ⁰T: вона веде від системи 0 до останньої системи.
+feedback-transform_inverse = Це матриця, обернена до ⁰T: вона веде від системи 0 до останньої системи.
 feedback-transform_rotation_transposed = Поворот у ⁰T транспоновано.
 feedback-transform_order_reversed = Матриці ланок перемножено у зворотному порядку.
 feedback-transform_links_missing = Це добуток лише до системи { $last }; продовжіть до останньої системи.
@@ -211,9 +211,9 @@ error-robot_and_reference = Подайте або robot, або [reference], а�
 error-statement_missing = Немає умови мовою { $language }.
 error-statement_name_unknown = { $name } не є ні розміром робота, ні точкою чи розміром на рисунку.
 error-misconception_unknown = { $name } — не помилка зі списку. Є такі: { $known }.
-error-nothing_asked = У вправі щось запитується: додайте частину.
+error-nothing_asked = Вправа має щось запитувати: додайте частину.
 error-part_twice = { $kind } запитується двічі.
-error-points_not_positive = Частина варта більше ніж нуль балів.
+error-points_not_positive = За частину має даватися більше ніж нуль балів.
 error-draw_empty = Немає з чого вибирати: «from» не може перевищувати «to», а «step» має бути додатним.
 error-draw_too_large =
     Вибір має щонайбільше { $limit ->
@@ -226,8 +226,8 @@ error-tolerance_out_of_range = { $name } лежить між 0 і 0.1.
 error-name_invalid = { $name } не є назвою розміру; назва має вигляд L1.
 error-width_out_of_range = Ширина лежить між 320 і 960.
 error-unknown_point = Немає точки { $name }. Є такі: { $known }.
-error-unknown_frame = Такої системи координат немає: їх пронумеровано від 0 до { $last }.
-error-unknown_joint = Зчленування { $joint } немає: їх пронумеровано від 1 до { $last }.
+error-unknown_frame = Такої системи координат немає: системи пронумеровано від 0 до { $last }.
+error-unknown_joint = Зчленування { $joint } немає: зчленування пронумеровано від 1 до { $last }.
 error-point_without_form = Точка задається через frame і at; через between і ratio; через from і by; або через from, joint і distance.
 error-joint_off_axis = Точка { $point } не лежить на осі зчленування { $joint }.
 error-dimension_disagrees = Відстань між точками { $name } дорівнює { $length }, але { $name } — це { $value }.
@@ -241,7 +241,7 @@ error-name_unknown = { $name } не є розміром цієї вправи.{ 
 }{ $found ->
     [0] {""}
    *[one] {" "}Можливо, ви мали на увазі { $close }?
-} Відомі { $known }.
+} Відомі назви: { $known }.
 error-need_unmet = За цих правил жодна відповідь не потребує { $name }: можна вибрати системи координат, у яких його немає. Зафіксуйте основу (origin або frame) чи інструмент (point або frame).
 error-need_unknown = { $name } не є розміром таблиці. Її розміри: { $known }.
 error-alias_taken = { $name } вже має значення.
@@ -255,5 +255,8 @@ error-attempts_used_up = Усі спроби ({ $limit }) використано
 error-ladder_falls = На кожній спробі можна сказати стільки ж, як на попередній, або більше, але не менше.
 task-frames = Розмістіть системи координат 0–{ $n } на роботі так, як його показано на рисунку: для кожної початок, у { $unit } і в координатах рисунка, та напрями x і z. { figure-place }
 error-frames_count = Є системи від 0 до N: потрібно { $expected }, дано { $given }.
-error-convention_not_asked = У вправі запитується угода { $asked }.
+error-convention_not_asked = У вправі потрібна { $asked ->
+    [modified] модифікована
+   *[standard] стандартна
+} угода.
 error-weight_out_of_range = Вага { $name } — число від 0 до { $most }.

@@ -15,9 +15,9 @@ feedback-singularities_missing = Знайдено родин сингулярн�
 feedback-singularity_missing_at = У цій сингулярній конфігурації не виконується жодна з ваших умов: { $at }.
 feedback-singularity_invented = Умова { $condition } виконується й там, де маніпулятор не сингулярний.
 feedback-singularity_invented_at = Умова { $condition } виконується за { $at }, де маніпулятор не сингулярний.
-feedback-singularity_rounded = Умова { $condition } близька до сингулярності, але недостатньо: рахуйте з більшою кількістю знаків після коми.
+feedback-singularity_rounded = Умова { $condition } близька до сингулярності, але недостатньо: обчислюйте з більшою кількістю десяткових знаків.
 feedback-singularity_sine_for_cosine = Умова { $condition } відрізняється від умови сингулярності на чверть оберту: сплутано синус і косинус.
-feedback-singularity_half = З однієї родини знайдено лише частину: зважайте на інший розв’язок її рівняння (q = π крім q = 0, складений маніпулятор крім випрямленого).
+feedback-singularity_half = З однієї родини знайдено лише частину: зважайте на інший розв’язок її рівняння (q = π поряд із q = 0, складений маніпулятор поряд із випрямленим).
 feedback-singularity_everywhere = Умова { $condition } виконується завжди.
 feedback-singularity_nowhere = Умова { $condition } ніколи не виконується й нічого не каже.
 feedback-conditions_missing = Бракує умов.

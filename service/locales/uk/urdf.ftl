@@ -48,7 +48,7 @@ error-urdf_link_names = Назв ланок має бути стільки ж, �
 error-urdf_axis_zero = Вісь зчленування «{ $joint }» — 0 0 0, вона не має напряму.
 error-urdf_limits_reversed = Нижня межа зчленування «{ $joint }» більша за верхню.
 error-urdf_numbers_malformed = Зчленування «{ $joint }»: { $attribute } у <{ $element }> приймає скінченні числа через пропуск (кількість: { $count }), не більші за { $limit }.
-error-urdf_limit_malformed = Зчленування «{ $joint }»: { $attribute } у <limit> приймає одне число. Напишіть inf, якщо обмеження немає.
+error-urdf_limit_malformed = Зчленування «{ $joint }»: { $attribute } у <limit> приймає одне число. Напишіть inf, якщо межі немає.
 error-urdf_length_overflow = Довжини в URDF не можуть перевищувати { $limit_in_metres } м.
 error-option_idle = Приберіть { $found }: це перетворення його не використовує.
 
