@@ -66,6 +66,10 @@ def test_typography_is_that_of_the_language(language: str) -> None:
 
 
 TERMS: dict[str, dict[str, str]] = {
+    "en": {
+        r"\bcount(?:s|ed)? (?:positive|against|the \w* ?way)": "is positive, increases",
+        r"\b(?:link|hand|frame) against\b": "relative to",
+    },
     "es": {
         r"[Ff]orma literal": "forma cerrada",
         r"[Aa]rticulaci\w+ (?:de revolución|rotacional)|\brotacional": "de rotación",

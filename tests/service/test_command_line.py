@@ -176,7 +176,7 @@ def test_marks_are_not_written_under_the_name_of_a_spreadsheet(
         str(output),
     ]
     assert main(typed) == 2
-    assert "marks.XLSX would hold no spreadsheet" in capsys.readouterr().err
+    assert "marks.XLSX would not be a spreadsheet" in capsys.readouterr().err
     assert output.read_bytes() == b"a spreadsheet"
 
 

@@ -275,7 +275,7 @@ def test_a_rate_in_marks_of_calculus_is_told_by_its_name(
     response = client.post(CHECK, json={**ASKED, "h": [f"m2*L1*{typed}", 0]}, timeout=120)
     problem = check_problem(response, 422, "rate_in_marks")
     assert problem["pointer"] == "/h/0"
-    assert problem["detail"] == f"{typed} is no name here. Did you mean the joint rate {meant}?"
+    assert problem["detail"] == f"{typed} is not a known name. Did you mean the joint rate {meant}?"
 
 
 def test_a_student_writes_some_of_the_equations(client: httpx.Client) -> None:

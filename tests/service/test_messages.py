@@ -133,6 +133,22 @@ def test_a_limit_is_counted_as_the_language_counts(language: str, one: str, many
     assert many in (sentence(language, "error-body_too_large", {"limit": 1024}) or "")
 
 
+@pytest.mark.parametrize("convention", ["standard", "modified"])
+@pytest.mark.parametrize("language", languages())
+def test_a_convention_is_named_in_the_language(language: str, convention: str) -> None:
+    named = sentence(language, f"form-convention-{convention}", {})
+    assert named
+    assert named in (sentence(language, "error-convention_not_asked", {"asked": convention}) or "")
+
+
+@pytest.mark.parametrize("reason", ["empty", "binary", "columns", "UTF-16"])
+@pytest.mark.parametrize("language", languages())
+def test_why_a_file_cannot_be_read_is_a_sentence(language: str, reason: str) -> None:
+    told = sentence(language, "error-file_unreadable", {"file": "t.csv", "reason": reason}) or ""
+    assert told
+    assert not told.endswith(f": {reason}.")
+
+
 def test_an_unknown_message_is_none() -> None:
     assert sentence("ro", "error-of-nobody") is None
 

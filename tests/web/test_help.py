@@ -142,7 +142,7 @@ def test_the_next_step_of_help_needs_a_changed_answer(open_page: OpenPage) -> No
             page.locator("#verdict .badge", has_text="wrong").count() > 0,
             "The principle." in text,
             "on another robot" in text,
-            "once you have changed it" in text,
+            "To get the next hint" in text,
         )
 
     climbed = []

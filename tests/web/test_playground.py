@@ -370,7 +370,7 @@ def test_a_table_from_an_scm_chain(open_page: OpenPage) -> None:
     shown_robot(page)
     opened(page, "From an SCM chain")
     page.locator("#sources details[open]").get_by_role("button", name="Modified table").click()
-    expect(page.locator("#sources details[open] .tool-answer")).to_contain_text("taken over")
+    expect(page.locator("#sources details[open] .tool-answer")).to_contain_text("now in the editor")
     assert column(page, "alpha") == STANFORD_ALPHAS
 
 
@@ -396,7 +396,7 @@ def test_urdf_there_and_back(open_page: OpenPage) -> None:
     opened(page, "From URDF")
     page.locator("textarea").fill(source)
     page.locator("#sources details[open]").get_by_role("button", name="Standard table").click()
-    expect(page.locator("#sources details[open] .tool-answer")).to_contain_text("taken over")
+    expect(page.locator("#sources details[open] .tool-answer")).to_contain_text("now in the editor")
     shown_robot(page)
 
 

@@ -6,9 +6,15 @@ error-file_too_large =
        *[other] { $limit } bytes
     }; a table takes a few kilobytes.
 error-file_missing = There is no file or folder { $file }.
-error-grade_path_needed = A file, a folder or a zip archive is needed: - or nothing stands for the standard input only with --for.
-error-marks_are_text = { $file } would hold no spreadsheet: marks are written as text that spreadsheets read. Give the file a name with .csv.
-error-file_unreadable = { $file } cannot be read: { $reason }.
+error-grade_path_needed = Name a file, a folder or a zip archive: only with --for does - or no name at all mean the standard input.
+error-marks_are_text = { $file } would not be a spreadsheet: marks are written as text, which spreadsheet programs read. Give the file a name that ends in .csv.
+error-file_unreadable = { $file } cannot be read: { $reason ->
+    [empty] it is empty
+    [binary] it is not a text file
+    [columns] its rows cannot be divided into columns; save it as CSV
+    [UTF-16] it begins like UTF-16, but is not UTF-16 throughout; save it as UTF-8
+   *[other] { $reason }
+}.
 error-file_unusable = { $file } cannot be read or written: { $reason }.
 error-file_type_unknown = { $file } is of an unsupported type. Supported: { $known }.
 error-file_without_table = { $file } holds no DH table. A table has the columns theta, d, a and alpha.

@@ -1,7 +1,7 @@
 # Why a cell, a table or a parameter is refused.
 
-error-cell_empty = This cell is empty. Write 0 where nothing is meant.
-error-cell_dash = This cell holds only a dash. Write 0 where nothing is meant.
+error-cell_empty = This cell is empty. If the value is zero, write 0.
+error-cell_dash = This cell holds only a dash. If the value is zero, write 0.
 error-cell_not_a_value =
     A cell is a number or an expression in text, not { $kind ->
         [list] a list

@@ -39,7 +39,7 @@ feedback-motion_missing =
     }
 feedback-motion_asymmetric = A mass matrix is symmetric; this one is not.
 feedback-motion_point_masses = This is M of point masses: the links’ own moments of inertia are missing.
-feedback-motion_gravity_sign = This g has the opposite sign: g is what the joints must do against gravity, the gradient of the potential energy.
+feedback-motion_gravity_sign = This g has the opposite sign: g is what the joints must exert against gravity, the gradient of the potential energy.
 feedback-motion_velocity_sign = This C q̇ has the opposite sign.
 feedback-motion_coupling_once = Each product q̇j q̇k of two different joints occurs twice in C q̇, as jk and as kj; here it counts once.
 feedback-motion_mass_rate = This is Ṁ q̇. The gradient of the kinetic energy, ½ ∂(q̇ᵀM q̇)/∂q, has to be subtracted.

@@ -27,7 +27,7 @@ figure-joint-revolute-signed = Joint { $joint } turns. Its body stands at { $pla
     [sideways] runs from left to right
     [depthways] runs from front to back
    *[oblique] is oblique
-}. By the right-hand rule the joint variable counts positive about { $direction }.
+}. By the right-hand rule, the joint variable is positive about { $direction }.
 figure-joint-prismatic = Joint { $joint } slides. Its body stands at { $place }; its direction { $course ->
     [vertical] is vertical
     [sideways] runs from left to right
@@ -39,7 +39,7 @@ figure-joint-prismatic-signed = Joint { $joint } slides. Its body stands at { $p
     [sideways] runs from left to right
     [depthways] runs from front to back
    *[oblique] is oblique
-}. The joint variable counts positive along { $direction }.
+}. The joint variable is positive along { $direction }.
 figure-dimension = { $name } is { $length } { $unit }, measured { $course ->
     [vertical] vertically
     [sideways] from left to right
@@ -69,7 +69,7 @@ rule-tool-frame = The last frame is prescribed.
 rule-zero-free = You choose where each joint variable is zero.
 rule-zero-figure = In the position shown in the figure, all joint variables are zero.
 rule-direction-free = You choose which way each axis points.
-rule-direction-figure = The joint variables count positive as the arrows in the figure show.
+rule-direction-figure = The joint variables are positive in the direction of the arrows in the figure.
 
 ## What is asked
 
@@ -110,12 +110,12 @@ feedback-matrix_inverse = Matrix { $matrix } is inverted: it leads from frame i�
 feedback-matrix_rotation_transposed = The rotation in matrix { $matrix } is transposed.
 feedback-matrix_other_convention = Matrix { $matrix } was formed by the rule of the other convention.
 feedback-matrix_without_variable = Matrix { $matrix } was written for a joint variable of zero; keep the variable.
-feedback-matrix_of_other_row = Matrix { $matrix } is the one of row { $other }.
+feedback-matrix_of_other_row = Matrix { $matrix } is that of row { $other }.
 feedback-matrix_not_rigid = Matrix { $matrix } is not a rigid motion: its columns are not unit vectors at right angles, or they are left-handed (determinant −1), or its last row is not 0 0 0 1.
 feedback-transform_right = ⁰T is right.
 feedback-transform_follows_table = ⁰T follows from your table and earns its marks, although the table is not right.
 feedback-transform_right_not_from_table = ⁰T is right for the robot, although it does not follow from your table.
-feedback-table_says_little = Your table has fewer than half of the lengths and twists that it takes to describe this robot; what follows from it earns only part of its marks, and from zeros nothing.
+feedback-table_says_little = Your table has fewer than half of the lengths and twists that it takes to describe this robot; what follows from it earns only part of its marks, and what follows from a table of zeros earns none.
 feedback-transform_wrong = This ⁰T does not describe the robot.
 feedback-transform_rotation_right = The rotation in ⁰T is right.
 feedback-transform_position_right = The position in ⁰T is right.
@@ -136,7 +136,7 @@ feedback-pose_degrees_as_radians = The sines and cosines were computed as if the
 feedback-workspace_right = Both radii are right.
 feedback-workspace_inner_wrong = The inner radius is not right.
 feedback-workspace_outer_wrong = The outer radius is not right.
-feedback-workspace_swapped = The inner and the outer radius have changed places.
+feedback-workspace_swapped = The inner and the outer radius are swapped.
 feedback-workspace_diameters = These are diameters; the radii are asked for.
 feedback-workspace_other_length_unit = The radii are right in another unit; they are asked for in { $unit }.
 
@@ -153,7 +153,7 @@ error-link_matrices_count = The table has { $expected ->
    *[other] { $given } link matrices are given
 }. Give one for each row; null skips one.
 error-link_matrices_need_table = Without the table, link matrices are judged by their product. Give all of them.
-error-pose_needs_table = The pose is the one of your own table. Hand in the table, too.
+error-pose_needs_table = The pose is that of your own table. Hand in the table, too.
 error-matrix_not_4x4 = A matrix has four rows of four cells.
 error-joint_variable_unknown = There is no { $name }; the robot has { $joints ->
     [one] one joint
@@ -199,7 +199,7 @@ error-robot_and_reference = Give either robot or [reference], not both.
 error-statement_missing = The statement in the language { $language } is missing.
 error-statement_name_unknown = { $name } is neither a dimension of the robot nor a point or a dimension of the figure.
 error-misconception_unknown = { $name } is not a listed mistake. Available: { $known }.
-error-nothing_asked = An exercise asks for something: add a part.
+error-nothing_asked = An exercise has to ask for something: add a part.
 error-part_twice = { $kind } is asked for twice.
 error-points_not_positive = A part is worth more than zero points.
 error-draw_empty = There is no value to draw from: “from” must not lie above “to”, and “step” must be positive.
@@ -224,7 +224,7 @@ error-name_unknown = { $name } is none of the dimensions of this exercise.{ $uni
 }{ $found ->
     [0] {""}
    *[one] {" "}Did you mean { $close }?
-} Known are { $known }.
+} Known names: { $known }.
 error-need_unmet = No answer needs { $name } under this policy: students may choose frames in which it does not appear. Fix the base (origin or frame) or the tool (point or frame).
 error-need_unknown = { $name } is not a dimension of the table. Its dimensions: { $known }.
 error-alias_taken = { $name } already has a meaning.

@@ -13,7 +13,7 @@ feedback-x_turned = Your x{ $frame } is turned by { $degrees }° about z{ $frame
 feedback-origin_slid = The origin of your frame { $frame } lies at a different place along z{ $frame } from that in the reference solution. Any place is right here.
 feedback-axis_moved = Your z{ $frame } lies on a different line, parallel to that in the reference solution. Only its direction matters here.
 feedback-frame_elsewhere = Your frame { $frame } lies elsewhere than in the reference solution. You were free to choose it.
-feedback-variable_reversed = Your q{ $joint } counts the opposite way to the reference solution’s. Both ways are right.
+feedback-variable_reversed = Your q{ $joint } increases in the opposite direction to the reference solution’s. Both directions are right.
 feedback-variable_offset = Where the reference solution’s q{ $joint } is zero, yours has the value { $offset }. You are free to choose where a joint variable is zero.
 feedback-rounded = Your entries agree with the reference solution within the tolerance, not exactly; they may have been rounded.
 
@@ -30,13 +30,13 @@ feedback-convention_not_asked = The exercise asks for the { $asked ->
    *[standard] standard
 } one.
 feedback-joint_count_wrong = { $given ->
-    [0] Your table has no joint
+    [0] Your table has no joints
     [one] Your table has one joint
    *[other] Your table has { $given } joints
 }; the robot has { $asked }.
-feedback-mirrored = Your table describes the mirror image of the robot: all lengths and angles fit, but one of them is counted the wrong way round. Check the signs with your right hand.
+feedback-mirrored = Your table describes the mirror image of the robot: all lengths and angles fit, but one of them is measured in the wrong direction. Check the signs by the right-hand rule.
 feedback-entries_imprecise = No length or angle of your table is off by more than rounding explains, but all the rounding together is more than the exercise allows. Write right angles as pi/2 or 90°, and the lengths with more digits.
-feedback-lengths_rounded = Several lengths of your table have the right value, but with too few digits. Write them with more digits; what else is told here is wrong besides.
+feedback-lengths_rounded = Several lengths of your table have the right value, but with too few digits. Write them with more digits; the other remarks here are about separate mistakes.
 feedback-base_axis_missed = Your z0 does not lie on the axis of joint 1.
 feedback-base_origin_missed = The origin of your frame 0 is not where the exercise wants it.
 feedback-base_frame_missed = Your frame 0 is not the one that the exercise prescribes.
@@ -44,13 +44,13 @@ feedback-tool_point_missed = The origin of your last frame is not at the marked 
 feedback-tool_axis_missed = The z axis of your last frame does not lie on the axis of the last joint.
 feedback-tool_frame_missed = Your last frame is not the one that the exercise prescribes.
 feedback-zero_missed = In the configuration of the figure all joint variables should be zero; yours are not.
-feedback-direction_missed = The joint variables should count the way the arrows of the figure point; not all of yours do.
+feedback-direction_missed = The joint variables should increase in the direction of the arrows in the figure; not all of yours do.
 feedback-whole_table = One mistake runs through your whole table.
 feedback-columns_throughout = The columns a and α do not go with the convention that your table declares.
 feedback-columns_in_disorder = The columns of your table are in another order.
 feedback-angles_throughout = The angles of your table are not in the unit that it declares.
 feedback-lengths_throughout = The lengths of your table are not in the unit that it declares.
-feedback-turns_throughout = Your joint angles count the wrong way throughout.
+feedback-turns_throughout = Your joint angles increase in the wrong direction throughout.
 feedback-twists_throughout = The twists α of your table have the wrong sign throughout.
 feedback-twists_out_of_place = The twists α of your table do not stand in the rows where they belong.
 feedback-names_throughout = A dimension goes by the wrong name in your table.
@@ -68,7 +68,7 @@ feedback-angle_wrong = Row { $row }: the angle θ, from x{ $before } to x{ $row 
 feedback-sign_wrong = Row { $row }: one sign is the wrong way round. Check: { $cells }.
 feedback-joint_type_wrong = Row { $row }: the type of the joint is not right.
 feedback-variable_zero_wrong = Row { $row }: in the configuration of the figure the joint variable is not zero.
-feedback-variable_direction_wrong = Row { $row }: the joint variable counts against the arrow of the figure.
+feedback-variable_direction_wrong = Row { $row }: the joint variable increases against the arrow in the figure.
 feedback-row_missing = A row is missing { $after ->
     [0] before row 1
    *[other] after row { $after }
@@ -98,10 +98,10 @@ repair-parameter_misnamed = { $name } is not a dimension of this robot. Which on
 repair-parameters_swapped = { $name } and { $other } are swapped. Compare them with the figure.
 repair-alpha_sign = Row { $row }: α has the wrong sign. Turn z{ $before } onto z{ $row } about x, by the right-hand rule.
 repair-alpha_value = Row { $row }: α has the wrong value. Look again at how z{ $before } and z{ $row } lie relative to each other.
-repair-turns_all_reversed = Every joint angle counts the wrong way. Turn about z with your right hand, not your left.
-repair-twists_all_reversed = Every α has the wrong sign. Turn one z axis onto the next about x with your right hand, not your left.
-repair-a_sign = Row { $row }: a has the wrong sign. It is counted along x.
-repair-d_sign = Row { $row }: d has the wrong sign. It is counted along z.
+repair-turns_all_reversed = Every joint angle increases in the wrong direction. Measure it about z by the right-hand rule, not the left-hand one.
+repair-twists_all_reversed = Every α has the wrong sign. Turn one z axis onto the next about x by the right-hand rule, not the left-hand one.
+repair-a_sign = Row { $row }: a has the wrong sign. It is measured along x.
+repair-d_sign = Row { $row }: d has the wrong sign. It is measured along z.
 repair-twists_swapped = Rows { $row } and { $other }: each has the other’s α.
 repair-a_d_swapped = Row { $row }: a and d are swapped. a is measured along x, d along z.
 repair-a_value = Row { $row }: a has the wrong value. Measure along the common normal of z{ $before } and z{ $row }.
@@ -117,7 +117,7 @@ repair-cell_in_radians = Row { $row }: one angle is in radians, but the table de
 repair-theta_value = Row { $row }: the constant angle θ has the wrong value. Turn x{ $before } onto x{ $row } about z.
 repair-theta_offset = Row { $row }: θ needs a different constant added to the variable, so that the variable is zero in the configuration of the figure.
 repair-d_offset = Row { $row }: d needs a different constant added to the variable, so that the variable is zero in the configuration of the figure.
-repair-variable_sign = Row { $row }: the joint variable counts the wrong way. Give it the opposite sign.
+repair-variable_sign = Row { $row }: the joint variable increases in the wrong direction. Give it the opposite sign.
 repair-joint_type = Row { $row }: this joint { $joint_type ->
     [prismatic] slides; its variable stands under d
    *[revolute] turns; its variable stands under θ

@@ -320,7 +320,7 @@ form-why = Why each row is right
 form-why-row = Row { $row }: z{ $before } and z{ $row } are { $relation }, so α = { $alpha } and a = { $a }; along z the frames are d = { $d } apart.
 form-second-table = A second valid table
 form-second-other-convention = It is written in the { $convention } convention.
-form-second-axis-reversed = A z axis points the opposite way, or a joint variable counts the opposite way.
+form-second-axis-reversed = A z axis points the opposite way, or a joint variable increases in the opposite direction.
 form-second-x-turned = An x axis points elsewhere, so the variable of its joint is zero elsewhere.
 form-second-origin-moved = An origin lies elsewhere on its axis.
 form-second-none = The rules of this exercise leave no other table.
@@ -341,7 +341,7 @@ form-points-for = A wrong table earns points for the twists, lengths and offsets
 form-help-steps = one hint at a time
 form-help-principle = The principle.
 form-help-worked = A worked step, on another robot.
-form-help-next = The next step of help comes with your next answer, once you have changed it.
+form-help-next = To get the next hint, change your answer and check it again.
 form-principle-twist = The twist α turns one z axis into the next, seen along the x axis that is perpendicular to both. Parallel z axes have 0° or 180°, perpendicular ones 90° or −90°; the right hand, its thumb along x, gives the sign.
 form-principle-length = The length a is the distance between two neighbouring z axes along their common normal, which is the x axis. It is 0 if and only if the two lines meet.
 form-principle-offset = The offset d is the distance along a z axis between the feet of two common normals: the one from the previous axis and the one to the next. Between parallel axes you may choose where the normal stands, but only once.

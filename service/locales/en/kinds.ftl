@@ -79,7 +79,7 @@ feedback-rotation_combination = The other combination is fixed: take the differe
 feedback-rotation_not_locked = This is not gimbal lock: exactly two triples have this orientation.
 feedback-rotation_quadrant = An angle lies in the wrong quadrant, half a turn away: take atan2 instead of atan.
 feedback-rotation_angle_sign = An angle, or a combination of angles, has the wrong sign.
-feedback-rotation_rounded = The entries are rounded too much: work with more decimals.
+feedback-rotation_rounded = The entries are rounded too much: work with more decimal places.
 feedback-rotation_unit_columns = This is not a rotation: a column is not of length 1.
 feedback-rotation_perpendicular_columns = This is not a rotation: two columns are not at right angles.
 feedback-rotation_right_handed = This is not a rotation but a reflection: its determinant is −1.
@@ -103,7 +103,7 @@ error-component_order_missing = Say where the scalar of the quaternion is: wxyz 
 error-axis_and_angle = An axis needs an angle, and an angle an axis.
 error-family_incomplete = A family of triples needs all three: the middle angle, sum or difference, and its value.
 error-orientation_empty = Write the orientation in one of the notations that are asked for.
-error-mistake_empty = Say where the mistake is, which it is, or how it is mended.
+error-mistake_empty = Say where the mistake is, what it is, or how to correct it.
 error-frames_not_connected = The known poses do not lead from frame { $start } to frame { $end }.
 error-pose_without_table = A pose is that of a student’s own table or ⁰T: ask for one of them, too, or let the policy fix zero, direction, base frame and tool frame.
 
@@ -111,8 +111,8 @@ error-one_notation = Give the orientation in one notation: { $known }.
 error-name_without_value = The name { $name } has no value here.{ $found ->
     [0] {""}
    *[one] {" "}Did you mean { $close }?
-} Known are { $known }.
-error-rate_in_marks = { $text } is no name here. Did you mean the joint rate { $suggestion }?
+} Known names: { $known }.
+error-rate_in_marks = { $text } is not a known name. Did you mean the joint rate { $suggestion }?
 error-expected_not_rotation =
     The expected matrix is not a rotation: { $property ->
         [unit_columns] a column is not of length 1.
@@ -179,14 +179,14 @@ feedback-branch_other =
 feedback-joints_quadrant = Row { $row }: q{ $joint } lies in the wrong quadrant, half a turn away. Take atan2 instead of atan.
 feedback-joints_sign = Row { $row }: q{ $joint } has the wrong sign.
 feedback-joints_degrees = Row { $row }: degrees were taken for radians, or the reverse.
-feedback-joints_swapped = Row { $row }: q{ $joint } is 90° minus what it should be; the arguments of atan2 have changed places.
-feedback-joints_half_branch = Row { $row } is row { $other } with q{ $joint } alone changed: in another branch other joints change with it.
+feedback-joints_swapped = Row { $row }: q{ $joint } is 90° minus what it should be; the arguments of atan2 are swapped.
+feedback-joints_half_branch = Row { $row } is row { $other } with only q{ $joint } changed: in another branch, other joints change with it.
 feedback-joints_position_only = Row { $row } reaches the position, but not the orientation.
 feedback-joints_orientation_only = Row { $row } reaches the orientation, but not the position.
 feedback-joints_limits = Row { $row } reaches the pose with joint { $joint } beyond its limit.
-feedback-joints_rounded = Row { $row } comes close to a solution, but not close enough: work with more decimals.
+feedback-joints_rounded = Row { $row } comes close to a solution, but not close enough: work with more decimal places.
 feedback-joints_family_missing = The pose is singular: say which combination of joint variables stays the same along the solutions.
-feedback-joints_taken_off = What is wrong is subtracted from what is right, so that guessing earns nothing. Here nothing is left of what the right rows earned.
+feedback-joints_taken_off = Points are taken off for what is wrong, so that guessing earns nothing. Here nothing is left of what the right rows earned.
 feedback-joints_combination_wrong = Combination { $row } does not stay the same along the solutions.
 feedback-joints_combination_zero = Combination { $row } is 0 whatever the joints do, so it says nothing.
 feedback-joints_combination_loose = Combination { $row } stays the same along the solutions, but that is not enough: other joint values with the same combination do not reach the pose.
@@ -235,18 +235,18 @@ option-rows_swapped = two rows exchanged
 option-theta_offset = the constant added to the variable θ is wrong
 option-d_offset = the constant added to the variable d is wrong
 option-theta_value = the constant θ has the wrong value
-option-turns_all_reversed = every joint angle counts the wrong way
+option-turns_all_reversed = every joint angle increases in the wrong direction
 option-twists_all_reversed = every α has the wrong sign
 option-twists_early = α alone one row too high
 option-twists_swapped = α of two rows exchanged
 option-twists_late = α alone one row too low
-option-variable_sign = a joint variable counts the wrong way
+option-variable_sign = a joint variable increases in the wrong direction
 option-same = the same robot
 option-different = different robots
 option-axis_reversed = the frames differ: a z axis, or a joint variable, is reversed
 option-x_turned = the frames differ: an x axis is turned, and the variable is zero elsewhere
 option-origin_moved = the frames differ: an origin lies elsewhere, or the first or last frame stands differently
-option-other_convention = the frames differ: the convention is another one
+option-other_convention = the frames differ: the tables are in different conventions
 option-twist = the angle between two axes differs
 option-length = the distance between two axes differs
 option-offset = an offset along an axis, or a constant angle about it, differs
@@ -374,7 +374,7 @@ feedback-jacobian_other_frame =
         [1] Column { $joint } is in the axes of the other frame.
        *[other] Columns { $joints } are in the axes of the other frame.
     }
-feedback-jacobian_rows_exchanged = Linear and angular rows have changed places.
+feedback-jacobian_rows_exchanged = The linear and the angular rows are swapped.
 feedback-jacobian_spatial = This is the velocity of the point at the origin of frame 0; the origin of the last frame is asked for.
 feedback-forces_sign = Every sign is reversed: τ = Jᵀ(f, m) is asked for, with the force and moment as given.
 feedback-forces_other_frame = Force and moment were taken in the axes of the other frame.

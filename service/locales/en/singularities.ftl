@@ -15,7 +15,7 @@ feedback-singularities_missing = Families of singularities found: { $found } of 
 feedback-singularity_missing_at = None of your conditions holds at this singular configuration: { $at }.
 feedback-singularity_invented = Condition { $condition } also holds where the arm is not singular.
 feedback-singularity_invented_at = Condition { $condition } holds at { $at }, where the arm is not singular.
-feedback-singularity_rounded = Condition { $condition } comes close to a singularity, but not close enough: work with more decimals.
+feedback-singularity_rounded = Condition { $condition } comes close to a singularity, but not close enough: work with more decimal places.
 feedback-singularity_sine_for_cosine = Condition { $condition } is a quarter turn off a singularity: sine and cosine have been exchanged.
 feedback-singularity_half = Only a part of one family is found: mind the other solution of its equation (q = π besides q = 0, the folded arm besides the stretched one).
 feedback-singularity_everywhere = Condition { $condition } always holds.

@@ -8,7 +8,13 @@ error-file_too_large =
 error-file_missing = No existe ningún archivo ni carpeta { $file }.
 error-grade_path_needed = Hace falta un archivo, una carpeta o un archivo zip: solo con --for, - o nada representa la entrada estándar.
 error-marks_are_text = { $file } no contendría una hoja de cálculo: las calificaciones se escriben como texto que leen las hojas de cálculo. Dé al archivo un nombre con .csv.
-error-file_unreadable = No se puede leer { $file }: { $reason }.
+error-file_unreadable = No se puede leer { $file }: { $reason ->
+    [empty] está vacío
+    [binary] no es un archivo de texto
+    [columns] sus filas no se pueden dividir en columnas; guárdelo como CSV
+    [UTF-16] empieza como UTF-16, pero no lo es del todo; guárdelo como UTF-8
+   *[other] { $reason }
+}.
 error-file_unusable = No se puede leer o escribir { $file }: { $reason }.
 error-file_type_unknown = { $file } es de un tipo que aquí no se lee. Se leen { $known }.
 error-file_without_table = { $file } no contiene ninguna tabla DH. Una tabla tiene las columnas theta, d, a y alpha.

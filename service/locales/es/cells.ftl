@@ -1,7 +1,7 @@
 # Por qué se rechaza una celda, una tabla o un parámetro.
 
-error-cell_empty = Esta celda está vacía. Escriba 0 donde no haya nada.
-error-cell_dash = Esta celda solo contiene un guion. Escriba 0 donde no haya nada.
+error-cell_empty = Esta celda está vacía. Si el valor es cero, escriba 0.
+error-cell_dash = Esta celda solo contiene un guion. Si el valor es cero, escriba 0.
 error-cell_not_a_value =
     Una celda contiene un número o una expresión en texto, no { $kind ->
         [list] una lista

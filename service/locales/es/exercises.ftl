@@ -238,5 +238,8 @@ error-attempts_used_up = Se han agotado los { $limit } intentos.
 error-ladder_falls = A cada intento se le puede decir tanto como al anterior o más, nunca menos.
 task-frames = Coloque los sistemas 0 a { $n } en el robot tal como lo muestra la figura: de cada uno, su origen, en { $unit } y en las coordenadas de la figura, y las direcciones de x y z. { figure-place }
 error-frames_count = Hay sistemas de 0 a N: se necesitan { $expected } y se han dado { $given }.
-error-convention_not_asked = El ejercicio pide la convención { $asked }.
+error-convention_not_asked = El ejercicio pide la convención { $asked ->
+    [modified] modificada
+   *[standard] estándar
+}.
 error-weight_out_of_range = El peso de { $name } es un número de 0 a { $most }.

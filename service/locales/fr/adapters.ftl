@@ -8,7 +8,13 @@ error-file_too_large =
 error-file_missing = Il n’y a ni fichier ni dossier { $file }.
 error-grade_path_needed = Il faut un fichier, un dossier ou une archive zip : - ou rien ne désigne l’entrée standard qu’avec --for.
 error-marks_are_text = { $file } ne contiendrait pas une feuille de calcul : les notes sont écrites en texte, que lisent les tableurs. Donnez au fichier un nom en .csv.
-error-file_unreadable = { $file } ne peut pas être lu : { $reason }.
+error-file_unreadable = { $file } ne peut pas être lu : { $reason ->
+    [empty] il est vide
+    [binary] ce n’est pas un fichier de texte
+    [columns] ses lignes ne se laissent pas diviser en colonnes ; enregistrez-le en CSV
+    [UTF-16] il commence en UTF-16, mais ne l’est pas entièrement ; enregistrez-le en UTF-8
+   *[other] { $reason }
+}.
 error-file_unusable = { $file } ne peut être ni lu ni écrit : { $reason }.
 error-file_type_unknown = { $file } est d’un type qui n’est pas lu ici. Sont lus : { $known }.
 error-file_without_table = { $file } ne contient aucun tableau DH. Un tableau a les colonnes theta, d, a et alpha.

@@ -1,7 +1,7 @@
 # Pourquoi une cellule, un tableau ou un paramètre est refusé.
 
-error-cell_empty = Cette cellule est vide. Écrivez 0 là où il n’y a rien.
-error-cell_dash = Cette cellule ne contient qu’un tiret. Écrivez 0 là où il n’y a rien.
+error-cell_empty = Cette cellule est vide. Si la valeur est nulle, écrivez 0.
+error-cell_dash = Cette cellule ne contient qu’un tiret. Si la valeur est nulle, écrivez 0.
 error-cell_not_a_value =
     Une cellule contient un nombre ou une expression sous forme de texte, et non { $kind ->
         [list] une liste

@@ -238,5 +238,8 @@ error-attempts_used_up = Les { $limit } essais sont épuisés.
 error-ladder_falls = À chaque essai, on peut en dire autant qu’à l’essai précédent ou plus, jamais moins.
 task-frames = Placez les repères 0 à { $n } sur le robot tel que le montre la figure : pour chacun son origine, en { $unit } et dans les coordonnées de la figure, et les directions de x et de z. { figure-place }
 error-frames_count = Il y a les repères 0 à N : il en faut { $expected }, { $given } ont été donnés.
-error-convention_not_asked = L’exercice demande la convention { $asked }.
+error-convention_not_asked = L’exercice demande la convention { $asked ->
+    [modified] modifiée
+   *[standard] standard
+}.
 error-weight_out_of_range = Le poids de { $name } est un nombre de 0 à { $most }.

@@ -8,7 +8,13 @@ error-file_too_large =
 error-file_missing = Não existe nenhum ficheiro nem pasta { $file }.
 error-grade_path_needed = É preciso um ficheiro, uma pasta ou um arquivo zip: só com --for é que - ou nada representa a entrada padrão.
 error-marks_are_text = { $file } não conteria uma folha de cálculo: as classificações são escritas como texto que as folhas de cálculo leem. Dê ao ficheiro um nome com .csv.
-error-file_unreadable = Não é possível ler { $file }: { $reason }.
+error-file_unreadable = Não é possível ler { $file }: { $reason ->
+    [empty] está vazio
+    [binary] não é um ficheiro de texto
+    [columns] as suas linhas não se podem dividir em colunas; guarde-o como CSV
+    [UTF-16] começa como UTF-16, mas não o é até ao fim; guarde-o como UTF-8
+   *[other] { $reason }
+}.
 error-file_unusable = Não é possível ler ou escrever { $file }: { $reason }.
 error-file_type_unknown = { $file } é de um tipo que não é lido aqui. São lidos { $known }.
 error-file_without_table = { $file } não contém nenhuma tabela DH. Uma tabela tem as colunas theta, d, a e alpha.

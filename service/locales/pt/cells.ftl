@@ -1,7 +1,7 @@
 # Por que uma célula, uma tabela ou um parâmetro é recusado.
 
-error-cell_empty = Esta célula está vazia. Escreva 0 onde não há nada.
-error-cell_dash = Esta célula contém apenas um traço. Escreva 0 onde não há nada.
+error-cell_empty = Esta célula está vazia. Se o valor for zero, escreva 0.
+error-cell_dash = Esta célula contém apenas um traço. Se o valor for zero, escreva 0.
 error-cell_not_a_value =
     Uma célula contém um número ou uma expressão em texto, não { $kind ->
         [list] uma lista

@@ -238,5 +238,8 @@ error-attempts_used_up = As { $limit } tentativas estão esgotadas.
 error-ladder_falls = A cada tentativa pode dizer-se tanto como à anterior ou mais, nunca menos.
 task-frames = Coloque os referenciais 0 a { $n } no robô tal como a figura o mostra: de cada um, a origem, em { $unit } e nas coordenadas da figura, e as direções de x e z. { figure-place }
 error-frames_count = Há referenciais de 0 a N: são precisos { $expected } e foram dados { $given }.
-error-convention_not_asked = O exercício pede a convenção { $asked }.
+error-convention_not_asked = O exercício pede a convenção { $asked ->
+    [modified] modificada
+   *[standard] standard
+}.
 error-weight_out_of_range = O peso de { $name } é um número de 0 a { $most }.

@@ -9,7 +9,13 @@ error-file_too_large =
 error-file_missing = Nu există niciun fișier sau dosar { $file }.
 error-grade_path_needed = Este nevoie de un fișier, un dosar sau o arhivă zip: doar cu --for, - sau nimic înseamnă intrarea standard.
 error-marks_are_text = { $file } nu ar conține o foaie de calcul: notele se scriu ca text, pe care îl citesc programele de calcul tabelar. Dați fișierului un nume cu .csv.
-error-file_unreadable = { $file } nu poate fi citit: { $reason }.
+error-file_unreadable = { $file } nu poate fi citit: { $reason ->
+    [empty] este gol
+    [binary] nu este un fișier text
+    [columns] rândurile lui nu se pot împărți în coloane; salvați-l ca CSV
+    [UTF-16] începe ca UTF-16, dar nu este UTF-16 până la capăt; salvați-l ca UTF-8
+   *[other] { $reason }
+}.
 error-file_unusable = { $file } nu poate fi citit sau scris: { $reason }.
 error-file_type_unknown = { $file } este de un tip care nu se citește aici. Se citesc { $known }.
 error-file_without_table = { $file } nu conține niciun tabel DH. Un tabel are coloanele theta, d, a și alpha.

@@ -1,7 +1,7 @@
 # De ce este respinsă o celulă, un tabel sau un parametru.
 
-error-cell_empty = Celula este goală. Scrieți 0 acolo unde nu este nimic.
-error-cell_dash = Această celulă conține doar o liniuță. Scrieți 0 acolo unde nu este nimic.
+error-cell_empty = Celula este goală. Dacă valoarea este zero, scrieți 0.
+error-cell_dash = Această celulă conține doar o liniuță. Dacă valoarea este zero, scrieți 0.
 error-cell_not_a_value =
     O celulă conține un număr sau o expresie sub formă de text, nu { $kind ->
         [list] o listă

@@ -266,5 +266,8 @@ error-attempts_used_up =
 error-ladder_falls = La fiecare încercare se poate spune cel puțin cât la cea dinainte, niciodată mai puțin.
 task-frames = Așezați sistemele 0 până la { $n } pe robotul din figură: pentru fiecare originea, în { $unit } și în coordonatele figurii, și direcțiile axelor x și z. { figure-place }
 error-frames_count = Există sistemele 0 până la N: sunt necesare { $expected }, au fost date { $given }.
-error-convention_not_asked = Exercițiul cere convenția { $asked }.
+error-convention_not_asked = Exercițiul cere convenția { $asked ->
+    [modified] modificată
+   *[standard] standard
+}.
 error-weight_out_of_range = Ponderea lui { $name } este un număr de la 0 la { $most }.
