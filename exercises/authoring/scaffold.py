@@ -25,8 +25,7 @@ STATEMENTS = {
     "en": "The figure shows the joints of a robot, numbered from the base, and its dimensions{names}.",
     "ro": "Figura prezintă cuplele unui robot, numerotate de la bază, și cotele lui{names}.",
     "pt": "A figura mostra as juntas de um robô, numeradas a partir da base, e as suas dimensões{names}.",
-    "fr": "La figure montre les articulations d’un robot, numérotées depuis la base, et ses dimensions"
-    "{names}.",
+    "fr": "La figure montre les articulations d’un robot, numérotées depuis la base, et ses cotes{names}.",
     "uk": "На рисунку показано зчленування робота, пронумеровані від основи, і його розміри{names}.",
     "es": "La figura muestra las articulaciones de un robot, numeradas desde la base, y sus dimensiones"
     "{names}.",
