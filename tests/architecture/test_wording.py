@@ -3,23 +3,31 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Callable
+from functools import cache, partial
+from typing import Any
 
 import pytest
 from fluent.runtime import FluentBundle, FluentResource
 
-from service.messages import FUNCTIONS
+from service.messages import FUNCTIONS, REGIONS
 from tests.architecture.test_messages import LANGUAGES, LOCALES, ROOMS, entries, variables
 
 DEFINITIONS = LOCALES.parent.parent / "exercises" / "definitions"
 CATALOGUE = LOCALES.parent.parent / "kinematics" / "catalogue"
 PLACEABLE = re.compile(r"\{[^{}]*\}")
 APOSTROPHE = {r"\w'": "the apostrophe is ’"}
+BEFORE_SIGNS = {
+    r"(?<!DOCTYPE)(?<=[^\W\d_]) …": "… follows its word without a space",
+    r" %": "a no-break space (U+00A0) goes before %",
+}
 
 TYPOGRAPHY: dict[str, dict[str, str]] = {
     "en": {**APOSTROPHE, r"[„«]": "quotation marks are “ and ”"},
-    "es": {r"[„“]": "quotation marks are « and »"},
+    "es": {r"[„“]": "quotation marks are « and »", **BEFORE_SIGNS},
     "fr": {
         **APOSTROPHE,
+        **BEFORE_SIGNS,
         r" [:;?!»]|[\w)][;?!»]|«(?!\u00a0)": "a no-break space (U+00A0) goes before : ; ? ! » and after «",
     },
     "pt": {r"[„«]": "quotation marks are “ and ”"},
@@ -76,6 +84,8 @@ TERMS: dict[str, dict[str, str]] = {
         r"\bficheros?\b|\b[Rr]esguardo": "archivo; comprobante",
         r"(?:inercia|masa) M\b": "matriz de masas M",
         r"\bórden(?:es)?\b|\besta orden\b|la orden|cadena serial": "comando; cadena en serie",
+        r"[Ee]jes helicoidales|brazo superior|\b[Tt]odas las α": "tornillos; brazo; todos los α",
+        r"[Mm]atriz del sistema|\bmuestras\b": "pose de un sistema en otro; ejemplos",
     },
     "fr": {
         r"[Tt]ables? DH|[Ff]orme (?:fermée|close)": "tableau DH; forme littérale",
@@ -83,6 +93,8 @@ TERMS: dict[str, dict[str, str]] = {
         r"\b[Jj]acobien\b": "la jacobienne",
         r"plateforme pédagogique": "plateforme d’apprentissage",
         r"[Cc]inématique inverse|[Mm]atrices? des segments": "modèle géométrique inverse; matrice de passage",
+        r"[Aa]xes de vissage|[Ee]fforts articulaires|[Éé]chantillon": "torseurs; couples et forces; exemple",
+        r"matrice de passage du|position représentée": "pose d’un repère dans un autre; configuration",
     },
     "pt": {
         r"\b[Ss]istemas? (?:\{\}|de coordenadas|fixo)": "referencial",
@@ -142,18 +154,45 @@ UNINFLECTED = {
 """A number, and a noun after it that does not have the form that the number asks for."""
 
 
-@pytest.mark.parametrize("language", UNINFLECTED)
-def test_counted_nouns_are_inflected(language: str) -> None:
-    number, uninflected = UNINFLECTED[language]
-    bundle = FluentBundle([language], use_isolating=False, functions=FUNCTIONS)
-    found = []
+Sentence = Callable[[dict[str, Any]], str]
+
+
+def _formatted(bundle: FluentBundle, pattern: Any, values: dict[str, Any]) -> str:
+    return str(bundle.format_pattern(pattern, values)[0])
+
+
+@cache
+def _told(language: str) -> dict[str, tuple[set[str], Sentence]]:
+    """The parameters of each message, and the sentence that it becomes with values for them."""
+    bundle = FluentBundle([REGIONS.get(language, language)], use_isolating=False, functions=FUNCTIONS)
+    found: dict[str, tuple[set[str], Sentence]] = {}
     for room in ROOMS:
         bundle.add_resource(FluentResource((LOCALES / language / room).read_text(encoding="utf-8")))
         for name, entry in entries(language, room).items():
-            arguments = {each: number if COUNTS.fullmatch(each) else "…" for each in variables(entry)}
             pattern = bundle.get_message(name).value
             assert pattern is not None
-            told, _ = bundle.format_pattern(pattern, arguments)
-            if not FEW.fullmatch(name) and re.search(uninflected, str(told)):
-                found.append(f"{name}: {told}")
+            found[name] = variables(entry), partial(_formatted, bundle, pattern)
+    return found
+
+
+@pytest.mark.parametrize("language", UNINFLECTED)
+def test_counted_nouns_are_inflected(language: str) -> None:
+    number, uninflected = UNINFLECTED[language]
+    found = []
+    for name, (parameters, sentence) in _told(language).items():
+        told = sentence({each: number if COUNTS.fullmatch(each) else "…" for each in parameters})
+        if not FEW.fullmatch(name) and re.search(uninflected, told):
+            found.append(f"{name}: {told}")
+    assert found == []
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_none_is_not_told_as_one(language: str) -> None:
+    """French has one plural for 0 and 1: a number that is written as a word belongs to 1 alone."""
+    found = []
+    for name, (parameters, sentence) in _told(language).items():
+        for counted in filter(COUNTS.fullmatch, parameters):
+            none, one, two, three = (sentence({**dict.fromkeys(parameters, 5), counted: n}) for n in range(4))
+            if none == one and two != three:
+                found.append(name)
     assert found == []

@@ -6,7 +6,7 @@ error-file_too_large =
        *[other] { $limit } bytes
     }; a table takes a few kilobytes.
 error-file_missing = There is no file or folder { $file }.
-error-grade_path_needed = Name a file, a folder or a zip archive: only with --for does - or no name at all mean the standard input.
+error-grade_path_needed = A file, a folder or a zip archive is needed: standard input (-, or no argument) is read only with --for.
 error-marks_are_text = { $file } would not be a spreadsheet: marks are written as text, which spreadsheet programs read. Give the file a name that ends in .csv.
 error-file_unreadable = { $file } cannot be read: { $reason ->
     [empty] it is empty

@@ -75,8 +75,8 @@ rule-direction-figure = The joint variables are positive in the direction of the
 
 task-schematic = Describe the structure: the type of each joint, and how the axis of each joint lies relative to the axis of the next.
 task-table = Choose frames and write the DH table. The cells may hold { $names }, numbers and the joint variables q1 to q{ $n }.
-task-link-matrices = For each row of your table, write the matrix from frame i to frame i−1. You may shorten cos(q1) to c1 and sin(q1 + q2) to s12.
-task-transform = Write ⁰T, the matrix from the last frame to frame 0, in closed form.
+task-link-matrices = For each row of your table, write its link matrix, the pose of frame i in frame i−1. You may shorten cos(q1) to c1 and sin(q1 + q2) to s12.
+task-transform = Write ⁰T, the pose of the last frame in frame 0, in closed form.
 task-pose = Evaluate your ⁰T for { $joints } and the dimensions given here, lengths in { $unit }.
 task-workspace-axis = How near to the axis of joint 1 can { $point } be brought, and how far from it? { $limits ->
     [none] Every joint may take any value.
@@ -106,7 +106,7 @@ feedback-matrices_product_wrong = Multiplied together, your link matrices do not
 feedback-matrix_missing = Matrix { $matrix } is missing.
 feedback-matrix_wrong = Matrix { $matrix } does not belong to row { $matrix } of your table.
 feedback-matrix_cells_wrong = Matrix { $matrix } differs from row { $matrix } of your table in these cells (row,column): { $cells }.
-feedback-matrix_inverse = Matrix { $matrix } is inverted: it leads from frame i−1 to frame i.
+feedback-matrix_inverse = Matrix { $matrix } is inverted: it is the pose of frame i−1 in frame i.
 feedback-matrix_rotation_transposed = The rotation in matrix { $matrix } is transposed.
 feedback-matrix_other_convention = Matrix { $matrix } was formed by the rule of the other convention.
 feedback-matrix_without_variable = Matrix { $matrix } was written for a joint variable of zero; keep the variable.
@@ -121,7 +121,7 @@ feedback-transform_rotation_right = The rotation in ⁰T is right.
 feedback-transform_position_right = The position in ⁰T is right.
 feedback-transform_cells_wrong = ⁰T differs from your table in these cells (row,column): { $cells }.
 feedback-transform_not_rigid = ⁰T is not a rigid motion: its columns are not unit vectors at right angles, or they are left-handed (determinant −1), or its last row is not 0 0 0 1.
-feedback-transform_inverse = This is the inverse of ⁰T: it leads from frame 0 to the last frame.
+feedback-transform_inverse = This is the inverse of ⁰T: the pose of frame 0 in the last frame.
 feedback-transform_rotation_transposed = The rotation in ⁰T is transposed.
 feedback-transform_order_reversed = The link matrices were multiplied in reverse order.
 feedback-transform_links_missing = This is the product up to frame { $last } only; go on to the last frame.
@@ -230,11 +230,14 @@ error-need_unknown = { $name } is not a dimension of the table. Its dimensions: 
 error-alias_taken = { $name } already has a meaning.
 error-title_missing = A title in one language at least is needed: [title] with en = "…".
 exercise-other-language = This exercise is not written in your language yet; its text is in { $language }.
-rule-dimension-free = { $names } need not appear in your table: with frames chosen accordingly it drops out.
+rule-dimension-free = With suitable frames, your table can do without { $names }.
 error-context_invalid = This link was not made here, or has been changed.
 error-context_expired = This link has expired.
 error-switched_off = { $path } is switched off for this exercise.
-error-attempts_used_up = You have used all { $limit } attempts.
+error-attempts_used_up = You have used { $limit ->
+    [one] the one attempt
+   *[other] all { $limit } attempts
+}.
 error-ladder_falls = Each attempt may be told as much as the one before it or more, never less.
 task-frames = Place frames 0 to { $n } on the robot as the figure shows it: for each frame its origin, in { $unit } and in the coordinates of the figure, and the directions of x and z. { figure-place }
 error-frames_count = There are frames 0 to N: { $expected } are needed, and { $given } were given.

@@ -18,7 +18,7 @@ given-matrix-with-mistake =
 
 task-matrix-mistake =
     { $matrix ->
-        [link] The table is right. Somebody wrote the matrix of its row { $row }, from frame { $row } to the one before, and made one mistake.
+        [link] The table is right. Somebody wrote the matrix of its row { $row }, the pose of frame { $row } in the one before, and made one mistake.
        *[transform] The table is right. Somebody wrote ⁰T_N, the product of all its matrices, and made one mistake.
     } Give one entry that is wrong, say what is wrong with it, and write the whole matrix as it should be.
 

@@ -6,8 +6,8 @@ error-file_too_large =
        *[other] { $limit } bytes
     }; una tabla ocupa unos pocos kilobytes.
 error-file_missing = No existe ningún archivo ni carpeta { $file }.
-error-grade_path_needed = Hace falta un archivo, una carpeta o un archivo zip: solo con --for, - o nada representa la entrada estándar.
-error-marks_are_text = { $file } no contendría una hoja de cálculo: las calificaciones se escriben como texto que leen las hojas de cálculo. Dé al archivo un nombre con .csv.
+error-grade_path_needed = Hace falta un archivo, una carpeta o un archivo zip: la entrada estándar (-, o ningún argumento) solo se lee con --for.
+error-marks_are_text = { $file } no contendría una hoja de cálculo: las calificaciones se escriben como texto que leen las hojas de cálculo. Dé al archivo un nombre terminado en .csv.
 error-file_unreadable = No se puede leer { $file }: { $reason ->
     [empty] está vacío
     [binary] no es un archivo de texto
@@ -23,7 +23,7 @@ error-columns_unknown = Ninguna fila de { $file } nombra las columnas { $known }
 error-columns_differ_in_length = Las columnas de { $file } tienen longitudes distintas; cada una necesita una entrada por fila.
 error-exercise_not_named = No se dice a qué ejercicio responde. Indíquelo, por ejemplo puma560.
 error-artefact_unknown = Aquí no se evalúan artefactos de tipo { $type }; sí { $known }.
-error-function_command_unknown = Los comandos que se atienden aquí son { $known }.
+error-function_command_unknown = Este comando no se conoce. Comandos conocidos: { $known }.
 error-function_call_invalid = El cuerpo de una llamada tiene `response`, `answer` y `params` (un objeto). No es así en: { $places }.
 error-callback_not_allowed = El operador de este servicio no permite enviar comentarios a esa dirección.
 error-version_not_supported = Aquí no se admite esa versión de la API de evaluación; sí { $supported }.
@@ -43,5 +43,5 @@ evaluation-unreadable = La respuesta no se puede calificar tal como está; esto 
 scorm-no-script = Este ejercicio necesita JavaScript.
 scorm-no-lms = No se ha encontrado ninguna plataforma de aprendizaje alrededor de esta página. Puede practicar, pero no se registrará ninguna nota.
 
-grade-summary = { $right } correctas, { $wrong } incorrectas, { $ungraded } no calificables.
+grade-summary = Respuestas correctas: { $right }, incorrectas: { $wrong }, imposibles de calificar: { $ungraded }.
 grade-left-out = Archivos omitidos por su tipo: { $count } ({ $files }).

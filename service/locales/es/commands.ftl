@@ -3,7 +3,7 @@
 check-counts = { $exercise }: { $passed ->
     [one] { $passed } comprobación superada
    *[other] { $passed } comprobaciones superadas
-}, { $failed } fallidas, { $warnings ->
+}, fallidas: { $failed }, { $warnings ->
     [one] { $warnings } advertencia
    *[other] { $warnings } advertencias
 }
@@ -23,7 +23,7 @@ check-rounded = Se rechaza una tabla correcta redondeada a { $digits } cifras co
 check-tool_rule = Se rechaza una tabla correcta con la regla de herramienta { $rule }: { $table }
 check-crash = Semilla { $seed }: falla la calificación: { $reason }
 check-unneeded = Ninguna respuesta correcta necesita { $name }: el estudiante puede elegir sistemas de referencia en los que no aparece. Fije el de la base o el de la herramienta si la respuesta debe contener esa cota, o no la mencione en el enunciado.
-check-alike = Algunos estudiantes pueden intercambiar { $name } y { $other } en números sin que se note: difieren en un 1 % como máximo. Elija valores o intervalos más separados.
+check-alike = Algunos estudiantes pueden intercambiar los valores de { $name } y { $other } sin que se note: difieren en un 1 % como máximo. Elija valores o intervalos más separados.
 check-no_joints = El robot no tiene ninguna articulación: no hay nada que describir. Ponga una en alguna fila de la tabla.
 check-nothing_earned = Ninguna tabla incorrecta obtiene puntos: no tiene peso nada de lo que una tabla de ceros describe mal en este robot. Cambie los pesos o fije más reglas.
 check-asked_as_shown = La parte { $kind } muestra lo que pide. Pida otra cosa o muéstrelo en otra forma.

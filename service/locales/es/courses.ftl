@@ -40,7 +40,7 @@ error-closes_before_opening = El ejercicio se cerraría antes de abrirse.
 error-session_expired = Su sesión ha terminado. Lo que escribió sigue aquí: vuelva a abrir el ejercicio desde su curso.
 error-administrator_unknown = Esta página se abre con una dirección que imprime framewise lti administer; funciona una vez, y durante dos horas.
 error-code_used = Esta dirección ya se ha usado. Vuelva a abrir el ejercicio desde su curso.
-error-staff_only = Esto está abierto al profesorado del curso.
+error-staff_only = Esto está reservado al profesorado del curso.
 error-publishing_closed =
     { $who ->
         [staff] Aquí solo puede publicar ejercicios quien llega desde un curso como docente, o con una clave de ámbito publish.

@@ -6,7 +6,7 @@ figure-title = { $title }: articulaciones, ejes y cotas
 figure-coordinates = { $joints ->
     [one] Un robot con una articulación.
    *[other] Un robot con { $joints } articulaciones, una tras otra, contadas desde la base.
-} Los lugares se dan en { $unit } como (X; Y; Z). { figure-place }
+} Las posiciones se dan en { $unit } como (X; Y; Z). { figure-place }
 figure-place = X apunta { $x ->
     [back] hacia atrás, Y hacia la izquierda
     [left] hacia la izquierda, Y hacia delante
@@ -75,8 +75,8 @@ rule-direction-figure = Las variables articulares son positivas en el sentido de
 
 task-schematic = Describa la estructura: el tipo de cada articulación y cómo está el eje de cada una respecto al de la siguiente.
 task-table = Elija los sistemas de referencia y escriba la tabla DH. Las celdas pueden contener { $names }, números y las variables articulares q1 a q{ $n }.
-task-link-matrices = Para cada fila de su tabla, escriba la matriz del sistema i al sistema i−1. Puede abreviar cos(q1) como c1 y sin(q1 + q2) como s12.
-task-transform = Escriba ⁰T, la matriz del último sistema al sistema 0, en forma cerrada.
+task-link-matrices = Para cada fila de su tabla, escriba la matriz del eslabón: la pose del sistema i en el sistema i−1. Puede abreviar cos(q1) como c1 y sin(q1 + q2) como s12.
+task-transform = Escriba en forma cerrada ⁰T, la pose del último sistema en el sistema 0.
 task-pose = Evalúe su ⁰T para { $joints } y para las dimensiones dadas aquí, con las longitudes en { $unit }.
 task-workspace-axis = ¿A qué distancia mínima y a qué distancia máxima del eje de la articulación 1 se puede llevar { $point }? { $limits ->
     [none] Cada articulación puede tomar cualquier valor.
@@ -106,7 +106,7 @@ feedback-matrices_product_wrong = Multiplicadas entre sí, sus matrices no descr
 feedback-matrix_missing = Falta la matriz { $matrix }.
 feedback-matrix_wrong = La matriz { $matrix } no corresponde a la fila { $matrix } de su tabla.
 feedback-matrix_cells_wrong = La matriz { $matrix } difiere de la fila { $matrix } de su tabla en estas celdas (fila,columna): { $cells }.
-feedback-matrix_inverse = La matriz { $matrix } está invertida: lleva del sistema i−1 al sistema i.
+feedback-matrix_inverse = La matriz { $matrix } está invertida: es la pose del sistema i−1 en el sistema i.
 feedback-matrix_rotation_transposed = La rotación de la matriz { $matrix } está traspuesta.
 feedback-matrix_other_convention = La matriz { $matrix } se formó con la regla de la otra convención.
 feedback-matrix_without_variable = La matriz { $matrix } se escribió para la variable articular igual a cero; conserve la variable.
@@ -121,7 +121,7 @@ feedback-transform_rotation_right = La rotación de ⁰T es correcta.
 feedback-transform_position_right = La posición de ⁰T es correcta.
 feedback-transform_cells_wrong = ⁰T difiere de su tabla en estas celdas (fila,columna): { $cells }.
 feedback-transform_not_rigid = ⁰T no es un movimiento rígido: sus columnas no son vectores unitarios perpendiculares, o forman una terna levógira (determinante −1), o su última fila no es 0 0 0 1.
-feedback-transform_inverse = Esta es la inversa de ⁰T: lleva del sistema 0 al último sistema.
+feedback-transform_inverse = Esta es la inversa de ⁰T: la pose del sistema 0 en el último sistema.
 feedback-transform_rotation_transposed = La rotación de ⁰T está traspuesta.
 feedback-transform_order_reversed = Las matrices de los eslabones se multiplicaron en orden inverso.
 feedback-transform_links_missing = Este es el producto solo hasta el sistema { $last }; continúe hasta el último sistema.
@@ -205,7 +205,7 @@ error-points_not_positive = Una parte vale más de cero puntos.
 error-draw_empty = No hay ningún valor que sortear: «from» no puede ser mayor que «to» y «step» debe ser positivo.
 error-draw_too_large = Un sorteo tiene como máximo { $limit } valores.
 error-variants_too_many = Hay como máximo { $limit } variantes.
-error-tolerance_out_of_range = { $name } está entre 0 y 0.1.
+error-tolerance_out_of_range = { $name } está entre 0 y 0,1.
 error-name_invalid = { $name } no es el nombre de una dimensión; un nombre es como L1.
 error-width_out_of_range = La anchura está entre 320 y 960.
 error-unknown_point = No hay ningún punto { $name }. Disponibles: { $known }.
@@ -213,8 +213,8 @@ error-unknown_frame = No existe ese sistema de referencia: van del 0 al { $last 
 error-unknown_joint = No existe la articulación { $joint }: van de la 1 a la { $last }.
 error-point_without_form = Un punto se da con frame y at; con between y ratio; con from y by; o con from, joint y distance.
 error-joint_off_axis = El punto { $point } no está sobre el eje de la articulación { $joint }.
-error-dimension_disagrees = Los puntos de { $name } distan { $length }, pero { $name } es { $value }.
-error-dimension_too_short = { $name } es { $length }, demasiado corta para mostrarla en la figura: es menos de una millonésima del tamaño del robot. Dele otro valor o escriba 0 en su lugar.
+error-dimension_disagrees = Los puntos de { $name } distan { $length }, pero { $name } mide { $value }.
+error-dimension_too_short = { $name } mide { $length }, demasiado poco para mostrarla en la figura: es menos de una millonésima del tamaño del robot. Dele otro valor o escriba 0 en su lugar.
 error-gripper_without_direction = La pinza y el punto del que se aleja son el mismo.
 error-jaws_along_gripper = Los dedos están uno al lado del otro, perpendiculares a la pinza.
 
@@ -224,17 +224,20 @@ error-name_unknown = { $name } no es ninguna de las dimensiones de este ejercici
 }{ $found ->
     [0] {""}
    *[one] {" "}¿Quería decir { $close }?
-} Se conocen { $known }.
+} Las dimensiones son { $known }.
 error-need_unmet = Con estas reglas ninguna respuesta necesita { $name }: se pueden elegir sistemas en los que no aparece. Fije la base (origin o frame) o la herramienta (point o frame).
 error-need_unknown = { $name } no es ninguna dimensión de la tabla. Sus dimensiones: { $known }.
 error-alias_taken = { $name } ya tiene un significado.
 error-title_missing = Hace falta un título al menos en un idioma: [title] con en = "…".
 exercise-other-language = Este ejercicio aún no está escrito en su idioma. Idioma del texto: { $language }.
-rule-dimension-free = { $names } no tiene por qué aparecer en su tabla: con sistemas elegidos de cierto modo desaparece.
+rule-dimension-free = Con sistemas bien elegidos, su tabla puede prescindir de { $names }.
 error-context_invalid = Este enlace no se creó aquí o ha sido modificado.
 error-context_expired = Este enlace ha caducado.
 error-switched_off = { $path } está desactivado para este ejercicio.
-error-attempts_used_up = Se han agotado los { $limit } intentos.
+error-attempts_used_up = { $limit ->
+    [one] Ya se ha hecho el único intento que permite este ejercicio.
+   *[other] Ya se han hecho los { $limit } intentos que permite este ejercicio.
+}
 error-ladder_falls = A cada intento se le puede decir tanto como al anterior o más, nunca menos.
 task-frames = Coloque los sistemas 0 a { $n } en el robot tal como lo muestra la figura: de cada uno, su origen, en { $unit } y en las coordenadas de la figura, y las direcciones de x y z. { figure-place }
 error-frames_count = Hay sistemas de 0 a N: se necesitan { $expected } y se han dado { $given }.

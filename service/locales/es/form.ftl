@@ -11,7 +11,7 @@ form-retry = Reintentar
 form-cancel = Cancelar
 form-close = Cerrar
 form-named = { $name }: { $said }
-form-loading = Cargando …
+form-loading = Cargando…
 
 form-home-title = Ejercicios
 form-home-heading = Describa el robot. Vale cualquier elección correcta de sistemas de referencia.
@@ -23,7 +23,7 @@ form-home-playground = Cualquier tabla: poses, jacobianas, formas cerradas, conv
 form-home-api = Interfaz de programación
 form-home-api-text = Lo mismo por HTTP, como documento OpenAPI.
 form-home-best =
-    Lo mejor: { $points } de { $total ->
+    Mejor intento: { $points } de { $total ->
         [one] { $total } punto
        *[other] { $total } puntos
     }
@@ -157,7 +157,7 @@ form-figure-alt = Dibujo del robot: { $title }. Sigue una descripción con palab
 form-figure-label = { $title } en el espacio
 form-figure-move = Mover las articulaciones
 form-figure-posture = Contado desde la configuración del dibujo.
-form-choose = Elija …
+form-choose = Elija…
 form-choose-missing = Elija una opción.
 form-points =
     { $points } de { $total ->
@@ -172,7 +172,7 @@ form-row-missing =
        *[other] tras la { $after }
     }
 form-submit = Comprobar mi respuesta
-form-submitting = Comprobando …
+form-submitting = Comprobando…
 form-submit-hint = Ctrl+Intro hace lo mismo.
 form-help = Si la respuesta es errónea, dígame
 form-help-verdict = solo eso
@@ -272,11 +272,11 @@ form-history-heading = Sus intentos
 form-history-restore = Recuperar en el formulario
 form-history-restored = El intento está de nuevo en el formulario
 form-history-kept = Se guardan solo en este navegador.
-form-history-clear = Olvidar todo
+form-history-clear = Borrar el historial
 
 form-missing-title = No encontrado
 form-missing-text = Esta página no existe. Todos los ejercicios están en la primera página.
-form-missing-home = A los ejercicios
+form-missing-home = Ir a los ejercicios
 form-storage-blocked = El navegador no guarda nada aquí: lo que escriba se pierde al cerrar o recargar esta página.
 form-other-tab = Este ejercicio está abierto también en otra pestaña, y allí se acaba de escribir algo. Queda lo último que se escriba.
 form-other-tab-take = Mostrar lo escrito allí
@@ -342,20 +342,20 @@ form-help-steps = un paso tras otro
 form-help-principle = El principio.
 form-help-worked = Un paso resuelto, en otro robot.
 form-help-next = El siguiente paso de la ayuda llega con su próxima respuesta, cuando la haya cambiado.
-form-principle-twist = La torsión α lleva un eje z al siguiente, vista según el eje x, que es perpendicular a ambos. Los ejes z paralelos tienen 0° o 180°; los perpendiculares, 90° o −90°; la mano derecha, con el pulgar según x, da el signo.
+form-principle-twist = La torsión α lleva un eje z al siguiente, vista según el eje x, que es perpendicular a ambos. Entre ejes z paralelos vale 0° o 180°; entre perpendiculares, 90° o −90°; la mano derecha, con el pulgar según x, da el signo.
 form-principle-length = La longitud a es la distancia entre dos ejes z vecinos medida en su normal común, que es el eje x. Vale 0 si y solo si las dos rectas se cortan.
-form-principle-offset = El desplazamiento d es la distancia sobre un eje z entre dos pies: donde llega la normal común desde el eje anterior y donde sale la que va al siguiente. Si los ejes vecinos son paralelos, puede elegir dónde se pone, pero una sola vez.
+form-principle-offset = El desplazamiento d es la distancia sobre un eje z entre dos pies: donde llega la normal común desde el eje anterior y donde sale la que va al siguiente. Si los ejes vecinos son paralelos, puede elegir dónde va la normal, pero una sola vez.
 form-principle-joint = Una articulación de rotación gira en torno a su eje z: su variable es θ. Una prismática se desliza según él: su variable es d. Cada articulación tiene una fila, en el orden de la base a la herramienta.
 form-worked-twist = Un hombro cuyo primer eje es vertical y cuyo segundo eje es horizontal: los dos ejes z son perpendiculares. Con x hacia usted, la mano derecha lleva el z vertical al horizontal con −90° o con 90°, según el sentido dado a z; así α = −90° o 90°, nunca 0.
 form-worked-length = Dos eslabones en un plano, de 0,4 m y 0,3 m: los dos ejes son verticales y distan 0,4 m. Su normal común es el primer eslabón: a = 0,4 m. En una muñeca cuyos ejes se cortan en un punto, cada a es 0.
 form-worked-offset = Un hombro está a 0,2 m al lado del primer eje, vertical, y el segundo eje es horizontal. Sobre el segundo eje hay 0,2 m entre el pie de la normal desde el primero y el de la normal al tercero: d = 0,2 m, en la fila de la segunda articulación.
-form-worked-joint = Un pórtico mueve su carro por un carril y gira la pinza que cuelga de él. El carril es una articulación prismática: su fila tiene la variable en d y un número en θ. La pinza es una articulación de rotación: la variable en θ y un número en d.
+form-worked-joint = Un pórtico mueve su carro por un carril y gira la pinza que cuelga de él. El carril es una articulación prismática: su fila tiene la variable en d y un número en θ. La pinza es una articulación de rotación: su fila tiene la variable en θ y un número en d.
 form-home-author = Crear un ejercicio
 form-home-author-text = Para docentes: convierta el brazo de su propio libro en un ejercicio, en un cuarto de hora.
 
 form-matrices-withheld = Las matrices aparecen aquí cuando las partes que las piden estén bien.
 form-sharing = Para docentes: enlaces y paquetes
-form-sharing-text = Un enlace lleva estos ajustes, firmados: quien llega por él no puede cambiarlos y el propio servicio los cumple. Un paquete SCORM entra en un curso sin administrador; su nota viene del navegador del estudiante, pero el comprobante de sus comentarios no se puede falsificar.
+form-sharing-text = Un enlace lleva estos ajustes, firmados: los estudiantes que lo siguen no pueden cambiarlos y el propio servicio los hace cumplir. Un paquete SCORM se añade a un curso sin ayuda de un administrador; su nota viene del navegador del estudiante, pero el comprobante de sus comentarios no se puede falsificar.
 form-sharing-may = Los estudiantes pueden usar
 form-sharing-catalogue = el catálogo de robots
 form-sharing-playground = el taller
@@ -376,7 +376,7 @@ form-receipt-pdf = Página para imprimir (PDF)
 form-part-frames = Sistemas de referencia
 form-frames-hint = Longitudes en { $unit }. Una dirección puede tener cualquier longitud.
 form-frames-scene = El robot con sus sistemas
-form-frames-drawn = Dibujados { $drawn } de { $all } sistemas.
+form-frames-drawn = Sistemas dibujados: { $drawn } de { $all }.
 form-frames-frame = Sistema { $frame }
 form-frames-z = z apunta
 form-frames-origin = Origen
@@ -385,7 +385,7 @@ form-frames-z-of = z del sistema { $frame }
 form-frames-origin-of = origen del sistema { $frame }
 form-frames-x-of = x del sistema { $frame }
 form-frames-ends = dónde están el primer y el último sistema
-form-frames-typed = escrito …
+form-frames-typed = escrito…
 form-frames-at-joint = en el cuerpo de la articulación { $joint }
 form-frames-at-point = en { $name }
 form-frames-at-ground = donde está fijado el robot

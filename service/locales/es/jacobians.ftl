@@ -2,7 +2,7 @@ task-jacobian-analytic =
     { $variables ->
         [own] Tome su propia tabla y sus propias variables articulares con estos valores.
        *[given] Se dan la tabla del robot y una configuración.
-    } Escriba la jacobiana analítica: las velocidades del último origen en el sistema 0 y después las derivadas temporales de los tres ángulos en torno a los ejes { $turning ->
+    } Escriba la jacobiana analítica: la velocidad del último origen en el sistema 0 y después las derivadas temporales de los tres ángulos en torno a los ejes { $turning ->
             [fixed] fijos
            *[current] móviles
         } { $axes }, en su orden. En números, con las longitudes en { $unit }, por radián.
@@ -24,7 +24,7 @@ task-jacobian-form-analytic =
     { $variables ->
         [own] Tome su propia tabla y sus propias variables articulares.
        *[given] Se da la tabla del robot.
-    } Escriba la jacobiana analítica: las velocidades del último origen en el sistema 0 y después las derivadas temporales de los tres ángulos en torno a los ejes { $turning ->
+    } Escriba la jacobiana analítica: la velocidad del último origen en el sistema 0 y después las derivadas temporales de los tres ángulos en torno a los ejes { $turning ->
             [fixed] fijos
            *[current] móviles
         } { $axes }, en su orden. Los elementos son funciones de las variables articulares.

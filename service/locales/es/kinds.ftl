@@ -68,7 +68,7 @@ feedback-rotation_transposed = Esta es la rotación inversa: se han intercambiad
 feedback-rotation_order_reversed = Las rotaciones se multiplicaron en orden inverso: se confundieron los ejes fijos con los móviles.
 feedback-rotation_degrees = Un ángulo en grados se tomó por radianes, o al revés.
 feedback-rotation_handedness = Todo gira al revés: se ha aplicado la regla de la mano izquierda.
-feedback-rotation_half_angle = Este cuaternión gira el doble: lleva el seno y el coseno de la mitad del ángulo.
+feedback-rotation_half_angle = Este cuaternión gira el doble: necesita el seno y el coseno de la mitad del ángulo.
 feedback-rotation_component_order = Con el otro orden de las componentes este cuaternión sería correcto.
 feedback-rotation_not_unit = El cuaternión no tiene longitud 1.
 feedback-rotation_no_axis = El eje tiene longitud cero.
@@ -111,7 +111,7 @@ error-one_notation = Dé la orientación en una sola notación: { $known }.
 error-name_without_value = El nombre { $name } no tiene valor aquí.{ $found ->
     [0] {""}
    *[one] {" "}¿Quería decir { $close }?
-} Se conocen { $known }.
+} Los nombres son { $known }.
 error-rate_in_marks = { $text } no es un nombre aquí. ¿Quería decir la velocidad articular { $suggestion }?
 error-expected_not_rotation =
     La matriz esperada no es una rotación: { $property ->
@@ -148,7 +148,7 @@ task-inverse-kinematics =
 feedback-joints_right = La respuesta es correcta y completa.
 feedback-joints_searched = Para esta pose las soluciones se hallaron por búsqueda; puede haber más.
 feedback-joints_need_table = Los valores articulares son los de sus propias variables: entregue también una tabla correcta.
-feedback-claim_wrong = No es así: vuelva a contar cuántas soluciones alcanzan esta pose, si hay alguna.
+feedback-claim_wrong = No es así: vuelva a contar cuántas soluciones tiene esta pose, si hay alguna.
 feedback-joints_wrong = La fila { $row } no alcanza la pose.
 feedback-joints_twice = Las filas { $other } y { $row } se diferencian solo en vueltas completas: son una misma solución.
 feedback-joints_missing =
@@ -158,8 +158,8 @@ feedback-joints_missing =
     }
 feedback-branch_shoulder =
     { $count ->
-        [one] El brazo también puede llegar hacia atrás, con el otro hombro.
-       *[other] El brazo también puede llegar hacia atrás, con el otro hombro: faltan { $count } soluciones de este tipo.
+        [one] El brazo también puede alcanzar la pose por detrás, con la otra configuración del hombro.
+       *[other] El brazo también puede alcanzar la pose por detrás, con la otra configuración del hombro: faltan { $count } soluciones de este tipo.
     }
 feedback-branch_elbow =
     { $count ->
@@ -179,7 +179,7 @@ feedback-branch_other =
 feedback-joints_quadrant = Fila { $row }: q{ $joint } está en el cuadrante equivocado, a media vuelta. Use atan2 en lugar de atan.
 feedback-joints_sign = Fila { $row }: q{ $joint } tiene el signo equivocado.
 feedback-joints_degrees = Fila { $row }: se tomaron grados por radianes, o al revés.
-feedback-joints_swapped = Fila { $row }: q{ $joint } es 90° menos lo que debería; se intercambiaron los argumentos de atan2.
+feedback-joints_swapped = Fila { $row }: q{ $joint } vale 90° menos el valor correcto; se intercambiaron los argumentos de atan2.
 feedback-joints_half_branch = La fila { $row } es la fila { $other } en la que solo cambió q{ $joint }: en otra rama cambian con ella otras articulaciones.
 feedback-joints_position_only = La fila { $row } alcanza la posición, pero no la orientación.
 feedback-joints_orientation_only = La fila { $row } alcanza la orientación, pero no la posición.
@@ -236,7 +236,7 @@ option-theta_offset = la constante sumada a la variable θ es errónea
 option-d_offset = la constante sumada a la variable d es errónea
 option-theta_value = la constante θ tiene un valor erróneo
 option-turns_all_reversed = todos los ángulos articulares cuentan al revés
-option-twists_all_reversed = todas las α tienen el signo equivocado
+option-twists_all_reversed = todos los α tienen el signo equivocado
 option-twists_early = solo α una fila más arriba
 option-twists_swapped = α de dos filas intercambiados
 option-twists_late = solo α una fila más abajo
@@ -263,7 +263,7 @@ given-second-table = La segunda tabla ({ $convention ->
    *[standard] convención estándar
 })
 
-task-find-mistake = Esta tabla debería describir el robot de la figura, pero una fila tiene un error. ¿Qué fila, qué está mal y cómo debería ser?
+task-find-mistake = Esta tabla debería describir el robot de la figura, pero una fila tiene un error. ¿Qué fila es, qué tiene mal y cómo debería ser?
 task-compare-tables = ¿Describen estas dos tablas el mismo robot, se elijan como se elijan los sistemas? Diga por qué.
 
 feedback-mistake_found = Ha hallado el error, lo ha nombrado y lo ha corregido.
@@ -288,7 +288,7 @@ error-joint_variable_in_number = { $name } es una variable articular, y aquí se
 error-no_mistake_does_harm = Ninguno de estos errores cambia este robot con sus reglas.
 error-frame_mistakes_not_shown = Los sistemas de referencia de este robot no pueden mostrar ninguno de estos errores. Lo que pueden mostrar: { $known }.
 error-key_given_away = Esta parte muestra una tabla; un ejercicio que pide la tabla no puede tenerla.
-error-not_plantable = Ningún error del catálogo pedido cambia este robot.
+error-not_plantable = Ninguno de los errores pedidos cambia este robot.
 
 field-frame = Los tornillos se escriben en
 field-order = Orden de v y ω
@@ -305,7 +305,7 @@ feedback-screws_right = Los tornillos y la pose inicial describen este robot.
 feedback-screws_wrong = Este producto de exponenciales no describe el robot, sean cuales sean el sistema, el cero y los sentidos.
 feedback-screw_not_unit = Articulación { $joint }: ω de una articulación de rotación es un vector unitario.
 feedback-screw_pitch = Articulación { $joint }: v tiene una componente a lo largo de ω; una articulación de rotación no avanza por su eje.
-feedback-screw_joint_type = Articulación { $joint }: una prismática tiene ω = 0 y una dirección v; una de rotación tiene ω de longitud 1.
+feedback-screw_joint_type = Articulación { $joint }: una prismática tiene ω = 0 y un vector unitario v; una de rotación tiene ω de longitud 1.
 feedback-screw_halves = v y ω están intercambiados: en el otro orden las filas serían correctas.
 feedback-screw_moment_sign =
     { $joint ->
@@ -381,6 +381,6 @@ feedback-forces_other_frame = La fuerza y el momento se tomaron en los ejes del 
 feedback-forces_rows_exchanged = Se intercambiaron fuerza y momento.
 feedback-forces_spatial = Se supuso que la fuerza actúa en el origen del sistema 0.
 error-row_order_missing = Diga qué filas van primero: (v, ω) o (ω, v).
-error-jacobian_empty = Dé la jacobiana o las fuerzas articulares.
+error-jacobian_empty = Dé la jacobiana o los pares y fuerzas articulares.
 
-error-wrench_missing = Las fuerzas articulares corresponden a una fuerza y un momento: dé «wrench».
+error-wrench_missing = Los pares y fuerzas articulares corresponden a una fuerza y un momento: dé «wrench».

@@ -1,6 +1,6 @@
 # Valores articulares, poses, tornillos y tablas numéricas.
 
-error-target_unanswered = El cálculo se detuvo a los { $seconds } s, con { $answered } de los objetivos respondidos. Pida este y los siguientes en otra petición.
+error-target_unanswered = El cálculo se detuvo a los { $seconds } s; objetivos respondidos: { $answered }. Pida este objetivo y los siguientes en otra petición.
 error-joints_wrong_length =
     { $expected ->
         [one] La tabla tiene una articulación, pero se dio una configuración de { $given ->
@@ -22,7 +22,7 @@ error-pose_not_numbers = Una pose es una matriz 4×4 de números.
 error-pose_wrong_shape = Una pose es una matriz 4×4 de números; esta es { $shape }.
 error-pose_not_finite = Este elemento no es un número finito.
 error-pose_in_one_row = Dieciséis números en una sola lista no son una pose: escriba cuatro filas de cuatro números, [[…], […], […], [0, 0, 0, 1]].
-error-inertia_in_one_row = Una inercia no se escribe en una sola lista: escriba tres filas de tres, [[Ixx, Ixy, Ixz], [Ixy, Iyy, Iyz], [Ixz, Iyz, Izz]], Ixy = −∫ x y dm.
+error-inertia_in_one_row = Una inercia no se escribe en una sola lista: escriba tres filas de tres, [[Ixx, Ixy, Ixz], [Ixy, Iyy, Iyz], [Ixz, Iyz, Izz]], con Ixy = −∫ x y dm.
 error-pose_bottom_row = La última fila de una pose es 0, 0, 0, 1.
 error-pose_not_orthonormal = La parte de rotación no es ortonormal (se desvía en { $error }): sus columnas deben ser vectores unitarios perpendiculares, con una tolerancia de { $tolerance }. Dé más decimales o, en cinemática inversa, una tolerancia (`tolerance`).
 error-pose_left_handed = La parte de rotación forma una terna levógira: su determinante es −1, una reflexión. Debe ser +1.

@@ -18,7 +18,7 @@ given-matrix-with-mistake =
 
 task-matrix-mistake =
     { $matrix ->
-        [link] La tabla es correcta. Alguien escribió la matriz de su fila { $row }, del sistema { $row } al anterior, y cometió un error.
+        [link] La tabla es correcta. Alguien escribió la matriz de su fila { $row }, la pose del sistema { $row } en el anterior, y cometió un error.
        *[transform] La tabla es correcta. Alguien escribió ⁰T_N, el producto de todas sus matrices, y cometió un error.
     } Dé un elemento que esté mal, diga qué falló y escriba la matriz entera como debería ser.
 

@@ -5,8 +5,8 @@ task-singularities =
     Se da la tabla del robot. ¿En qué configuraciones pierde el brazo un movimiento, es decir, { $motion ->
         [translation] dónde tiene la jacobiana de la velocidad del último origen un rango menor que el habitual?
        *[twist] dónde tiene la jacobiana un rango menor que el habitual?
-    } Escriba una condición en cada fila: una función que se anula allí (sin(q3)) o una ecuación (q3 = 0, π). Cuenta el conjunto, sea cual sea la forma de escribirlo.{ $lost ->
-        [yes] {" "}Para la configuración dada, escriba un vector λ ≠ 0 en los ejes del sistema 0 con λ · J q̇ = 0 hagan lo que hagan las articulaciones, en el último origen, con las longitudes en { $unit }: el movimiento que se pierde.
+    } Escriba una condición en cada fila: una función que se anula allí (sin(q3)) o una ecuación (q3 = 0, π). Solo cuenta el conjunto de configuraciones, sea cual sea la forma de escribirlo.{ $lost ->
+        [yes] {" "}Para la configuración dada, escriba un vector λ ≠ 0 en los ejes del sistema 0 tal que λ · J q̇ = 0 hagan lo que hagan las articulaciones, en el último origen, con las longitudes en { $unit }: el movimiento que se pierde.
        *[no] {""}
     }
 
@@ -30,6 +30,6 @@ error-conditions_empty = Dé condiciones o un movimiento perdido.
 error-condition_not_equation = { $text } no es una condición: escriba una función que se anula o una ecuación con un solo signo =.
 error-condition_angle_nonlinear = Un ángulo articular fuera de seno, coseno y tangente solo puede estar en una ecuación como q2 + q3 = π/2.
 error-conditions_too_many = Esta celda contiene más de { $limit } condiciones.
-error-condition_period = Lo que se suma k veces ha de ser una vuelta dividida por un número entero: 2π, π, π/2 …
+error-condition_period = Lo que se suma k veces ha de ser una vuelta dividida por un número entero: 2π, π, π/2, …
 error-singularities_no_families = Ninguna condición puede decir dónde es singular este brazo: no lo es nunca, o solo en familias de menos dimensiones. Elija el otro movimiento u otro robot.
 error-not_singular = El brazo no es singular en esta configuración.

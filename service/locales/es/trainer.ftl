@@ -64,8 +64,8 @@ trainer-why-z =
        *[modified] z del sistema i a lo largo del eje i, porque la fila i termina con θ y d respecto a z del sistema i.
     }
 trainer-why-origin = Cada origen está donde la normal común corta su eje, porque desde allí se mide a a lo largo de x.
-trainer-why-x = Cada x va por una normal común o perpendicular a ambos ejes, porque a y α se miden a lo largo y alrededor de él.
-trainer-open-choice = El sistema { $frame } aún no tiene elección.
+trainer-why-x = Cada x va por una normal común o es perpendicular a ambos ejes, porque a y α se miden a lo largo y alrededor de él.
+trainer-open-choice = Aún no se ha elegido nada para el sistema { $frame }.
 trainer-point-missed = El origen del sistema { $frame } debe estar en el punto marcado { $point }.
 trainer-read = Pulse el número de una fila: la imagen muestra cómo sus cuatro números llevan un sistema al siguiente.
 trainer-take = Llevar la tabla al ejercicio

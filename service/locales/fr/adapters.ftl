@@ -6,7 +6,7 @@ error-file_too_large =
        *[other] { $limit } octets
     } ; un tableau tient en quelques kilooctets.
 error-file_missing = Il n’y a ni fichier ni dossier { $file }.
-error-grade_path_needed = Il faut un fichier, un dossier ou une archive zip : - ou rien ne désigne l’entrée standard qu’avec --for.
+error-grade_path_needed = Il faut un fichier, un dossier ou une archive zip : l’entrée standard (-, ou aucun argument) n’est lue qu’avec --for.
 error-marks_are_text = { $file } ne contiendrait pas une feuille de calcul : les notes sont écrites en texte, que lisent les tableurs. Donnez au fichier un nom en .csv.
 error-file_unreadable = { $file } ne peut pas être lu : { $reason ->
     [empty] il est vide
@@ -22,11 +22,11 @@ error-files_too_many = { $file } contient plus de { $limit } fichiers.
 error-columns_unknown = Aucune ligne de { $file } ne nomme les colonnes { $known }. Écrivez-les au-dessus du tableau.
 error-columns_differ_in_length = Les colonnes de { $file } n’ont pas la même longueur ; il faut une valeur par ligne dans chacune.
 error-exercise_not_named = Il n’est pas dit à quel exercice ceci répond. Nommez-le, par exemple puma560.
-error-artefact_unknown = Les productions de type { $type } ne sont pas évaluées ici ; le sont { $known }.
-error-function_command_unknown = Les commandes traitées ici sont { $known }.
+error-artefact_unknown = Les productions de type { $type } ne sont pas évaluées ici. Types évalués : { $known }.
+error-function_command_unknown = Cette commande n’est pas connue. Commandes connues : { $known }.
 error-function_call_invalid = Le corps d’un appel contient `response`, `answer` et `params` (un objet). Ce n’est pas le cas en : { $places }.
 error-callback_not_allowed = L’exploitant de ce service ne permet pas d’envoyer de retour à cette adresse.
-error-version_not_supported = Cette version de l’API d’évaluation n’est pas prise en charge ici ; l’est { $supported }.
+error-version_not_supported = Cette version de l’API d’évaluation n’est pas prise en charge. Version prise en charge : { $supported }.
 
 error-api_key_unknown = Il n’y a pas de clé { $id }.
 error-key_file_unreadable = { $file } n’est pas un fichier de clés utilisable : { $reason }.
@@ -43,5 +43,5 @@ evaluation-unreadable = La réponse ne peut pas être notée telle quelle ; cel
 scorm-no-script = Cet exercice a besoin de JavaScript.
 scorm-no-lms = Aucune plateforme d’apprentissage n’a été trouvée autour de cette page. Vous pouvez vous entraîner, mais aucune note ne sera enregistrée.
 
-grade-summary = { $right } justes, { $wrong } fausses, { $ungraded } non notables.
+grade-summary = Réponses justes : { $right }, fausses : { $wrong }, impossibles à noter : { $ungraded }.
 grade-left-out = Fichiers laissés de côté à cause de leur type : { $count } ({ $files }).

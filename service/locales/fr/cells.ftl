@@ -46,7 +46,7 @@ error-function_without_parentheses =
     }).
 error-function_arity =
     { $expected ->
-        [one] Au caractère { $column } : { $name } prend un argument, et non { $given }.
+        [1] Au caractère { $column } : { $name } prend un argument, et non { $given }.
        *[other] Au caractère { $column } : { $name } prend { $expected } arguments, et non { $given }.
     }
 

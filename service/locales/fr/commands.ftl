@@ -8,7 +8,7 @@ check-counts = { $exercise } : { $passed ->
    *[other] { $warnings } avertissements
 }
 check-structure = La graine { $seed } change la structure du robot.
-check-drawn_structure = Le tirage peut donner { $name } = { $value }, ce qui change la structure du robot. Excluez cette valeur (without) ou choisissez une autre plage.
+check-drawn_structure = Le tirage peut donner { $name } = { $value }, ce qui change la structure du robot. Excluez cette valeur (without) ou choisissez un autre intervalle.
 check-figure = Graine { $seed } : la figure ne peut pas être dessinée ({ $reason }).
 check-right = Un tableau juste est refusé : { $table }
 check-certificate = Le certificat d’un tableau juste ne tient pas : { $table }
@@ -23,7 +23,7 @@ check-rounded = Un tableau juste arrondi à { $digits } chiffres est refusé ave
 check-tool_rule = Un tableau juste est refusé avec la règle d’outil { $rule } : { $table }
 check-crash = Graine { $seed } : l’évaluation échoue : { $reason }
 check-unneeded = Aucune réponse juste n’a besoin de { $name } : on peut choisir des repères où cette cote n’apparaît pas. Fixez le repère de la base ou celui de l’outil si la réponse doit la contenir, ou retirez-la de l’énoncé.
-check-alike = Certains étudiants peuvent échanger { $name } et { $other } en chiffres sans que rien ne le montre : les deux diffèrent de 1 % au plus. Choisissez des valeurs, ou des plages de tirage, plus éloignées.
+check-alike = Certains étudiants peuvent intervertir { $name } et { $other } dans les valeurs numériques sans que rien ne le montre : les deux diffèrent de 1 % au plus. Choisissez des valeurs, ou des intervalles de tirage, plus éloignés.
 check-no_joints = Le robot n’a aucune articulation : il n’y a rien à décrire. Mettez-en une dans une ligne du tableau.
 check-nothing_earned = Aucun tableau faux ne rapporte de points : rien de ce qu’un tableau de zéros décrit mal de ce robot n’a de poids. Changez les poids ou fixez davantage de règles.
 check-asked_as_shown = La partie { $kind } montre ce qu’elle demande. Demandez autre chose, ou montrez-le sous une autre forme.

@@ -21,7 +21,7 @@ error-record_unknown = { $kind ->
     [attempt] Cet essai n’existe pas dans ce cours.
     [person] Cette personne n’existe pas dans ce cours.
     [anybody] Cette personne n’existe pas ici.
-    [several] Plusieurs pseudonymes commencent ainsi. Donnez-en davantage de caractères ; une exportation le montre en entier.
+    [several] Plusieurs pseudonymes commencent ainsi. Donnez plus de caractères ; une exportation le montre en entier.
     [link] Ce lien n’existe pas dans ce cours.
     [platform] Cette plateforme n’existe pas.
    *[other] Cet enregistrement n’existe pas dans ce cours.
@@ -29,12 +29,12 @@ error-record_unknown = { $kind ->
 error-attempts_not_open = Les essais sont acceptés à partir du { TIME($opens) } UTC.
 error-attempts_closed = L’exercice a fermé le { TIME($closes) } UTC.
 error-attempts_used = { $allowed ->
-    [one] Le seul essai que permet cet exercice a été fait.
+    [1] Le seul essai que permet cet exercice a été fait.
    *[other] Les { $allowed } essais que permet cet exercice ont tous été faits.
 }
-error-exercise_changed = L’exercice a été modifié après l’ouverture de cette page, et rien n’a été remis. Rechargez la page : ce que vous avez saisi est toujours là.
+error-exercise_changed = L’exercice a été modifié après l’ouverture de cette page, et rien n’a été rendu. Rechargez la page : ce que vous avez saisi est toujours là.
 error-settings_changed = Vos modifications n’ont pas été enregistrées : quelqu’un d’autre a enregistré d’autres règles depuis l’ouverture de cette page. Rechargez la page et consultez-les.
-error-regrading_outdated = Rien n’a été appliqué : l’exercice ou les règles du lien ont changé depuis le calcul de ces points, ou d’autres points ont été appliqués. Notez à nouveau.
+error-regrading_outdated = Rien n’a été appliqué : l’exercice ou les règles du lien ont changé depuis le calcul de ces notes, ou d’autres notes ont été appliquées. Notez à nouveau.
 error-setting_invalid = { $name } peut valoir : { $known }.
 error-closes_before_opening = L’exercice fermerait avant d’ouvrir.
 error-session_expired = Vous n’êtes plus connecté. Ce que vous avez saisi est toujours là : rouvrez l’exercice depuis votre cours.

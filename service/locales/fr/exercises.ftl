@@ -4,7 +4,7 @@
 
 figure-title = { $title } : articulations, axes et cotes
 figure-coordinates = { $joints ->
-    [one] Un robot à une articulation.
+    [1] Un robot à une articulation.
    *[other] Un robot à { $joints } articulations, l’une après l’autre, comptées depuis la base.
 } Les positions sont données en { $unit } sous la forme (X ; Y ; Z). { figure-place }
 figure-place = X pointe { $x ->
@@ -48,7 +48,7 @@ figure-dimension = { $name } vaut { $length } { $unit }, mesurée { $course ->
 }, entre { $start } et { $end }.
 figure-point = Le point { $name } se trouve en { $place }.
 figure-not-to-scale = Le dessin n’est pas à l’échelle : { $names } { $count ->
-    [one] n’y a pas la longueur donnée
+    [1] n’y a pas la longueur donnée
    *[other] n’y ont pas les longueurs données
 } ici.
 figure-note = sans échelle
@@ -67,7 +67,7 @@ rule-tool-point = L’origine du dernier repère se trouve au point marqué { $p
 rule-tool-axis = L’axe z du dernier repère est porté par l’axe de la dernière articulation, dans un sens ou dans l’autre ; son origine peut être n’importe où sur cet axe.
 rule-tool-frame = Le dernier repère est imposé.
 rule-zero-free = Vous choisissez où chaque variable articulaire est nulle.
-rule-zero-figure = Dans la position représentée, toutes les variables articulaires sont nulles.
+rule-zero-figure = Dans la configuration de la figure, toutes les variables articulaires sont nulles.
 rule-direction-free = Vous choisissez le sens de chaque axe.
 rule-direction-figure = Les variables articulaires sont positives dans le sens des flèches de la figure.
 
@@ -75,8 +75,8 @@ rule-direction-figure = Les variables articulaires sont positives dans le sens d
 
 task-schematic = Décrivez la structure : le type de chaque articulation, et comment l’axe de chacune est placé par rapport à celui de la suivante.
 task-table = Choisissez les repères et écrivez le tableau DH. Les cellules peuvent contenir { $names }, des nombres et les variables articulaires q1 à q{ $n }.
-task-link-matrices = Pour chaque ligne de votre tableau, écrivez la matrice de passage du repère i au repère i−1. Vous pouvez abréger cos(q1) en c1 et sin(q1 + q2) en s12.
-task-transform = Écrivez ⁰T, la matrice de passage du dernier repère au repère 0, sous forme littérale.
+task-link-matrices = Pour chaque ligne de votre tableau, écrivez la matrice de passage, c’est-à-dire la pose du repère i dans le repère i−1. Vous pouvez abréger cos(q1) en c1 et sin(q1 + q2) en s12.
+task-transform = Écrivez sous forme littérale ⁰T, la pose du dernier repère dans le repère 0.
 task-pose = Évaluez votre ⁰T pour { $joints } et pour les cotes données ici, les longueurs en { $unit }.
 task-workspace-axis = À quelle distance minimale et à quelle distance maximale de l’axe de l’articulation 1 peut-on amener { $point } ? { $limits ->
     [none] Chaque articulation peut prendre toute valeur.
@@ -92,7 +92,7 @@ task-workspace-point = Quelles sont la plus petite et la plus grande distance en
 feedback-part_wrong = Cette partie n’est pas encore juste.
 feedback-schematic_right = La structure est juste.
 feedback-schematic_joint_count = Vous indiquez { $given ->
-    [one] une articulation
+    [1] une articulation
    *[other] { $given } articulations
 } ; recomptez celles qui peuvent bouger.
 feedback-schematic_joint_type = Le type de l’articulation { $joint } n’est pas juste.
@@ -106,7 +106,7 @@ feedback-matrices_product_wrong = Multipliées entre elles, vos matrices de pass
 feedback-matrix_missing = La matrice { $matrix } manque.
 feedback-matrix_wrong = La matrice { $matrix } ne correspond pas à la ligne { $matrix } de votre tableau.
 feedback-matrix_cells_wrong = La matrice { $matrix } diffère de la ligne { $matrix } de votre tableau dans ces cellules (ligne,colonne) : { $cells }.
-feedback-matrix_inverse = La matrice { $matrix } est inversée : elle mène du repère i−1 au repère i.
+feedback-matrix_inverse = La matrice { $matrix } est inversée : c’est la pose du repère i−1 dans le repère i.
 feedback-matrix_rotation_transposed = La rotation dans la matrice { $matrix } est transposée.
 feedback-matrix_other_convention = La matrice { $matrix } a été formée selon la règle de l’autre convention.
 feedback-matrix_without_variable = La matrice { $matrix } a été écrite pour une variable articulaire nulle ; gardez la variable.
@@ -121,7 +121,7 @@ feedback-transform_rotation_right = La rotation dans ⁰T est juste.
 feedback-transform_position_right = La position dans ⁰T est juste.
 feedback-transform_cells_wrong = ⁰T diffère de votre tableau dans ces cellules (ligne,colonne) : { $cells }.
 feedback-transform_not_rigid = ⁰T n’est pas un déplacement rigide : ses colonnes ne sont pas des vecteurs unitaires orthogonaux, ou elles forment un trièdre indirect (déterminant −1), ou sa dernière ligne n’est pas 0 0 0 1.
-feedback-transform_inverse = C’est l’inverse de ⁰T : elle mène du repère 0 au dernier repère.
+feedback-transform_inverse = C’est l’inverse de ⁰T : la pose du repère 0 dans le dernier repère.
 feedback-transform_rotation_transposed = La rotation dans ⁰T est transposée.
 feedback-transform_order_reversed = Les matrices de passage ont été multipliées dans l’ordre inverse.
 feedback-transform_links_missing = C’est le produit jusqu’au repère { $last } seulement ; continuez jusqu’au dernier repère.
@@ -146,33 +146,33 @@ problem-note-ungraded = Cette réponse n’a pas été notée et ne coûte aucun
 error-answer_empty = Rien n’a été rendu. L’exercice demande { $known }.
 error-part_not_asked = L’exercice ne demande pas { $part } ; il demande { $known }.
 error-link_matrices_count = Le tableau a { $expected ->
-    [one] une ligne
+    [1] une ligne
    *[other] { $expected } lignes
 }, mais { $given ->
-    [one] une matrice est donnée
+    [1] une matrice est donnée
    *[other] { $given } matrices sont données
 }. Donnez-en une par ligne ; null en saute une.
 error-link_matrices_need_table = Sans le tableau, les matrices de passage sont jugées sur leur produit. Donnez-les toutes.
 error-pose_needs_table = La pose est celle de votre propre tableau. Rendez aussi le tableau.
 error-matrix_not_4x4 = Une matrice a quatre lignes de quatre cellules.
 error-joint_variable_unknown = Il n’y a pas de { $name } ; le robot a { $joints ->
-    [one] une articulation
+    [1] une articulation
    *[other] { $joints } articulations
 }.{ $summed ->
     [0] {""}
    *[other] {" "}Une somme s’écrit en entier : { $sum }.
 }
 error-short_form_unknown = { $name } est lu comme un cosinus ou un sinus, mais ses indices ne sont pas tous des articulations rotoïdes ; le robot a { $joints ->
-    [one] une articulation
+    [1] une articulation
    *[other] { $joints } articulations
 }.
-error-radius_negative = Un rayon n’est pas négatif.
+error-radius_negative = Un rayon ne peut pas être négatif.
 error-schematic_fixed_joint = La structure énumère les articulations mobiles : rotoïdes ou prismatiques.
 error-schematic_relations_count = { $joints ->
-    [one] Une articulation a
+    [1] Une articulation a
    *[other] { $joints } articulations ont
 } { $expected ->
-    [one] une paire
+    [1] une paire
    *[other] { $expected } paires
 } d’axes voisins. Donnez une relation par paire.
 error-seed_invalid = Une graine est un texte ou un nombre entier.
@@ -205,7 +205,7 @@ error-points_not_positive = Une partie vaut plus de zéro point.
 error-draw_empty = Il n’y a aucune valeur à tirer : « from » ne peut dépasser « to », et « step » doit être positif.
 error-draw_too_large = Un tirage a au plus { $limit } valeurs.
 error-variants_too_many = Il y a au plus { $limit } variantes.
-error-tolerance_out_of_range = { $name } est compris entre 0 et 0.1.
+error-tolerance_out_of_range = { $name } est compris entre 0 et 0,1.
 error-name_invalid = { $name } n’est pas un nom de cote ; un nom ressemble à L1.
 error-width_out_of_range = La largeur est comprise entre 320 et 960.
 error-unknown_point = Il n’y a pas de point { $name }. Disponibles : { $known }.
@@ -224,17 +224,20 @@ error-name_unknown = { $name } n’est aucune des cotes de cet exercice.{ $unit 
 }{ $found ->
     [0] {""}
    *[one] {" "}Vouliez-vous dire { $close } ?
-} On connaît { $known }.
+} Cotes connues : { $known }.
 error-need_unmet = Avec ces règles, aucune réponse n’a besoin de { $name } : on peut choisir des repères où cette cote n’apparaît pas. Fixez la base (origin ou frame) ou l’outil (point ou frame).
 error-need_unknown = { $name } n’est pas une cote du tableau. Ses cotes : { $known }.
 error-alias_taken = { $name } a déjà un sens.
 error-title_missing = Il faut un titre dans une langue au moins : [title] avec en = "…".
 exercise-other-language = Cet exercice n’est pas encore écrit dans votre langue. Langue du texte : { $language }.
-rule-dimension-free = { $names } ne doit pas nécessairement figurer dans votre tableau : un choix convenable des repères la fait disparaître.
+rule-dimension-free = Avec des repères bien choisis, votre tableau peut se passer de { $names }.
 error-context_invalid = Ce lien n’a pas été créé ici, ou il a été modifié.
 error-context_expired = Ce lien a expiré.
 error-switched_off = { $path } est désactivé pour cet exercice.
-error-attempts_used_up = Les { $limit } essais sont épuisés.
+error-attempts_used_up = { $limit ->
+    [1] Le seul essai que permet cet exercice a été fait.
+   *[other] Les { $limit } essais que permet cet exercice ont tous été faits.
+}
 error-ladder_falls = À chaque essai, on peut en dire autant qu’à l’essai précédent ou plus, jamais moins.
 task-frames = Placez les repères 0 à { $n } sur le robot tel que le montre la figure : pour chacun son origine, en { $unit } et dans les coordonnées de la figure, et les directions de x et de z. { figure-place }
 error-frames_count = Il y a les repères 0 à N : il en faut { $expected }, { $given } ont été donnés.

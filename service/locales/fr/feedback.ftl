@@ -36,14 +36,14 @@ feedback-joint_count_wrong = { $given ->
 } ; le robot en a { $asked }.
 feedback-mirrored = Votre tableau décrit l’image du robot dans un miroir : toutes les longueurs et tous les angles conviennent, mais l’un d’eux est compté à l’envers. Vérifiez les signes par la règle de la main droite.
 feedback-entries_imprecise = Aucune longueur ni aucun angle de votre tableau ne s’écarte de plus que ce qu’explique l’arrondi, mais les arrondis dépassent ensemble ce que l’exercice tolère. Écrivez les angles droits pi/2 ou 90°, et les longueurs avec plus de chiffres.
-feedback-lengths_rounded = Plusieurs longueurs de votre tableau ont la bonne valeur, mais avec trop peu de chiffres. Écrivez-les avec plus de chiffres ; ce qui est signalé d’autre ici est faux par ailleurs.
+feedback-lengths_rounded = Plusieurs longueurs de votre tableau ont la bonne valeur, mais avec trop peu de chiffres. Écrivez-les avec plus de chiffres ; les autres points signalés ici sont d’autres erreurs.
 feedback-base_axis_missed = Votre z0 n’est pas porté par l’axe de l’articulation 1.
 feedback-base_origin_missed = L’origine de votre repère 0 n’est pas là où l’exercice la demande.
 feedback-base_frame_missed = Votre repère 0 n’est pas celui que l’exercice impose.
 feedback-tool_point_missed = L’origine de votre dernier repère n’est pas au point marqué.
 feedback-tool_axis_missed = L’axe z de votre dernier repère n’est pas porté par l’axe de la dernière articulation.
 feedback-tool_frame_missed = Votre dernier repère n’est pas celui que l’exercice impose.
-feedback-zero_missed = Dans la position représentée, toutes les variables articulaires devraient être nulles ; les vôtres ne le sont pas.
+feedback-zero_missed = Dans la configuration de la figure, toutes les variables articulaires devraient être nulles ; les vôtres ne le sont pas.
 feedback-direction_missed = Les variables articulaires devraient croître dans le sens des flèches de la figure ; ce n’est pas le cas de toutes les vôtres.
 feedback-whole_table = Une même erreur traverse tout votre tableau.
 feedback-columns_throughout = Les colonnes a et α ne vont pas avec la convention que votre tableau déclare.
@@ -67,7 +67,7 @@ feedback-offset_wrong = Ligne { $row } : le décalage d, distance de x{ $before
 feedback-angle_wrong = Ligne { $row } : l’angle θ, de x{ $before } à x{ $row } autour de z, n’est pas juste.
 feedback-sign_wrong = Ligne { $row } : un signe est à l’envers. À vérifier : { $cells }.
 feedback-joint_type_wrong = Ligne { $row } : le type de l’articulation n’est pas juste.
-feedback-variable_zero_wrong = Ligne { $row } : dans la position représentée, la variable articulaire n’est pas nulle.
+feedback-variable_zero_wrong = Ligne { $row } : dans la configuration de la figure, la variable articulaire n’est pas nulle.
 feedback-variable_direction_wrong = Ligne { $row } : la variable articulaire croît dans le sens contraire de la flèche de la figure.
 feedback-row_missing = Il manque une ligne { $after ->
     [0] avant la ligne 1
@@ -115,8 +115,8 @@ repair-cell_parameter = Ligne { $row } : c’est une autre cote de la figure qu
 repair-cell_in_degrees = Ligne { $row } : un angle est en degrés, mais le tableau déclare des radians.
 repair-cell_in_radians = Ligne { $row } : un angle est en radians, mais le tableau déclare des degrés.
 repair-theta_value = Ligne { $row } : l’angle constant θ a une valeur fausse. Faites tourner x{ $before } jusqu’à x{ $row } autour de z.
-repair-theta_offset = Ligne { $row } : il faut ajouter à la variable une autre constante dans θ, pour que la variable soit nulle dans la position représentée.
-repair-d_offset = Ligne { $row } : il faut ajouter à la variable une autre constante dans d, pour que la variable soit nulle dans la position représentée.
+repair-theta_offset = Ligne { $row } : il faut ajouter à la variable une autre constante dans θ, pour que la variable soit nulle dans la configuration de la figure.
+repair-d_offset = Ligne { $row } : il faut ajouter à la variable une autre constante dans d, pour que la variable soit nulle dans la configuration de la figure.
 repair-variable_sign = Ligne { $row } : la variable articulaire est comptée à l’envers. Donnez-lui le signe opposé.
 repair-joint_type = Ligne { $row } : cette articulation { $joint_type ->
     [prismatic] glisse ; sa variable se place sous d

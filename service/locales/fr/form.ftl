@@ -11,17 +11,17 @@ form-retry = Réessayer
 form-cancel = Annuler
 form-close = Fermer
 form-named = { $name } : { $said }
-form-loading = Chargement …
+form-loading = Chargement…
 
 form-home-title = Exercices
-form-home-heading = Décrivez le robot. Tout choix de repères valable compte.
+form-home-heading = Décrivez le robot. Tout choix valable de repères est accepté.
 form-home-lead = Des tableaux de Denavit–Hartenberg, un robot qui bouge pendant la saisie et un correcteur qui prouve si votre tableau décrit le même mécanisme.
 form-home-exercises = Exercices
 form-home-subjects = Sujets
 form-home-more = Autres pages
 form-home-playground = Un tableau quelconque : poses, jacobiennes, formes littérales, conversions.
 form-home-api = Interface de programmation
-form-home-api-text = La même chose par HTTP, en document OpenAPI.
+form-home-api-text = La même chose par HTTP, sous forme de document OpenAPI.
 form-home-best =
     Meilleur essai : { $points ->
         [one] { $points } point
@@ -29,7 +29,7 @@ form-home-best =
     } sur { $total }
 form-home-joints =
     { $joints ->
-        [one] Une articulation
+        [1] Une articulation
        *[other] { $joints } articulations
     }
 form-home-trainer = S’exercer à placer les repères
@@ -82,7 +82,7 @@ form-unit-convert = Convertir les nombres
 form-unit-converted = Nombres convertis.
 form-unit-converted-but =
     { $count ->
-        [one] Nombres convertis, sauf dans une cellule qui n’est pas une simple somme : vérifiez-la.
+        [1] Nombres convertis, sauf dans une cellule qui n’est pas une simple somme : vérifiez-la.
        *[other] Nombres convertis, sauf dans { $count } cellules qui ne sont pas de simples sommes : vérifiez-les.
     }
 
@@ -103,7 +103,7 @@ form-cell-empty = Vide : écrivez 0 si c’est zéro.
 form-refused = Cela n’a pas fonctionné :
 form-faults =
     { $count ->
-        [one] Une cellule est à revoir :
+        [1] Une cellule est à revoir :
        *[other] { $count } cellules sont à revoir :
     }
 form-undo = Annuler la dernière action
@@ -118,7 +118,7 @@ form-paste-label = Un tableau issu d’un tableur, de LaTeX, de Markdown, d’un
 form-paste-order = Sans en-têtes, les colonnes se lisent dans l’ordre : { $order }
 form-paste-found =
     { $rows ->
-        [one] Une ligne trouvée :
+        [1] Une ligne trouvée :
        *[other] { $rows } lignes trouvées :
     }
 form-paste-nothing = Aucun tableau n’est reconnu dans ce texte : chaque ligne doit contenir les quatre paramètres DH.
@@ -126,7 +126,7 @@ form-paste-preview = Ce qui a été trouvé
 form-paste-apply = Utiliser ce tableau
 form-pasted =
     { $rows ->
-        [one] Une ligne collée.
+        [1] Une ligne collée.
        *[other] { $rows } lignes collées.
     }
 
@@ -146,18 +146,18 @@ form-copy-failed = Le navigateur ne permet pas de copier
 form-exercise-title = Exercice
 form-exercise-task = Énoncé
 form-exercise-robot = Le robot
-form-exercise-description = Description en mots
+form-exercise-description = Description textuelle
 form-exercise-answer = Votre réponse
 form-exercise-givens = Données
 form-exercise-rules = Ce qui est libre et ce qui est fixé
 form-figure-mode = Montrer le robot en
 form-figure-drawing = Dessin
 form-figure-space = 3D
-form-figure-alt = Dessin du robot : { $title }. Une description en mots suit.
+form-figure-alt = Dessin du robot : { $title }. Une description textuelle suit.
 form-figure-label = { $title } dans l’espace
 form-figure-move = Bouger les articulations
 form-figure-posture = Compté à partir de la configuration du dessin.
-form-choose = Choisir …
+form-choose = Choisir…
 form-choose-missing = Choisissez une option.
 form-points =
     { $points ->
@@ -172,7 +172,7 @@ form-row-missing =
        *[other] après la { $after }
     }
 form-submit = Vérifier ma réponse
-form-submitting = Vérification …
+form-submitting = Vérification…
 form-submit-hint = Ctrl+Entrée fait de même.
 form-help = Si la réponse est fausse, me dire
 form-help-verdict = seulement cela
@@ -183,8 +183,8 @@ form-help-repair = ce qui la rendrait juste
 form-part-table = Tableau DH
 form-part-schematic = Structure
 form-part-link-matrices = Matrices de passage
-form-part-transform = Pose du dernier repère, littérale
-form-part-pose = Pose du dernier repère, numérique
+form-part-transform = Pose du dernier repère, sous forme littérale
+form-part-pose = Pose du dernier repère, sous forme numérique
 form-part-workspace = Espace de travail
 form-part-orientation = Orientation
 form-part-rotation-check = Rotation ou non
@@ -217,19 +217,19 @@ form-own-scene = Votre robot, tel que le décrit votre tableau
 form-own-empty = Votre robot grandit ici avec chaque ligne lisible.
 form-own-missing =
     { $count ->
-        [one] Une cellule est encore vide.
+        [1] Une cellule est encore vide.
        *[other] { $count } cellules sont encore vides.
     }
 form-own-unread =
     { $count ->
-        [one] Une cellule est encore illisible.
+        [1] Une cellule est encore illisible.
        *[other] { $count } cellules sont encore illisibles.
     }
 form-own-last = L’image montre le dernier tableau lisible.
 form-own-values = Pour dessiner votre robot, donnez une valeur à : { $names }.
 form-own-shown =
     { $joints ->
-        [one] Dessiné d’après votre tableau : une articulation.
+        [1] Dessiné d’après votre tableau : une articulation.
        *[other] Dessiné d’après votre tableau : { $joints } articulations.
     }
 form-own-description = Les repères de votre tableau avec leurs axes x, y et z.{ $count ->
@@ -256,7 +256,7 @@ form-fact-joint = Type d’articulation
 form-finding-ok = juste
 form-finding-wrong = faux
 form-finding-doubtful = peut-être faux
-form-finding-missing = manque
+form-finding-missing = manquant
 form-finding-unknown = indécis
 form-finding-hidden = –
 form-repairs = Ce qui le rendrait juste
@@ -272,11 +272,11 @@ form-history-heading = Vos essais
 form-history-restore = Reprendre dans le formulaire
 form-history-restored = L’essai est de nouveau dans le formulaire
 form-history-kept = Conservés dans ce navigateur seulement.
-form-history-clear = Tout oublier
+form-history-clear = Effacer l’historique
 
 form-missing-title = Introuvable
 form-missing-text = Cette page n’existe pas. Tous les exercices sont sur la première page.
-form-missing-home = Aux exercices
+form-missing-home = Aller aux exercices
 form-storage-blocked = Le navigateur ne conserve rien ici : votre saisie est perdue si vous fermez ou rechargez cette page.
 form-other-tab = Cet exercice est aussi ouvert dans un autre onglet, où l’on vient de saisir quelque chose. C’est la dernière saisie qui reste.
 form-other-tab-take = Montrer cette saisie
@@ -285,7 +285,7 @@ form-row-play = Montrer la ligne { $row } dans l’image
 form-film = La ligne pas à pas
 form-film-hint = Placez le curseur dans une cellule ou appuyez sur le numéro d’une ligne : on voit comment ses quatre nombres mènent du repère i−1 au repère i.
 form-film-none = La ligne { $row } ne peut pas encore être montrée : complétez-la, ainsi que les précédentes.
-form-film-play = Jouer la ligne
+form-film-play = Animer la ligne
 form-film-back = Un pas en arrière
 form-film-forward = Un pas en avant
 form-film-row-before = Ligne précédente
@@ -298,7 +298,7 @@ form-scene-record = Enregistrer comme image
 form-scene-recorded = Image enregistrée
 form-own-rows =
     { $rows ->
-        [one] Tracé jusqu’ici : une ligne.
+        [1] Tracé jusqu’ici : une ligne.
        *[other] Tracé jusqu’ici : { $rows } lignes.
     }
 
@@ -342,20 +342,20 @@ form-help-steps = une étape après l’autre
 form-help-principle = Le principe.
 form-help-worked = Une étape traitée, sur un autre robot.
 form-help-next = L’étape suivante de l’aide vient avec votre prochaine réponse, une fois que vous l’aurez changée.
-form-principle-twist = La torsion α amène un axe z sur le suivant, vue le long de l’axe x, perpendiculaire aux deux. Des axes z parallèles ont 0° ou 180°, des axes perpendiculaires 90° ou −90° ; la main droite, le pouce selon x, donne le signe.
-form-principle-length = La longueur a est la distance de deux axes z voisins le long de leur perpendiculaire commune, qui est l’axe x. Elle vaut 0 si et seulement si les deux droites se coupent.
-form-principle-offset = Le décalage d est la distance, le long d’un axe z, entre deux pieds : là où arrive la perpendiculaire commune depuis l’axe précédent, et là où part celle vers l’axe suivant. Si des axes voisins sont parallèles, vous choisissez où il se place, mais une seule fois.
+form-principle-twist = La torsion α amène un axe z sur le suivant, vue le long de l’axe x, perpendiculaire aux deux. Entre deux axes z parallèles, elle vaut 0° ou 180° ; entre deux axes perpendiculaires, 90° ou −90° ; la main droite, le pouce selon x, donne le signe.
+form-principle-length = La longueur a est la distance entre deux axes z voisins le long de leur perpendiculaire commune, qui est l’axe x. Elle vaut 0 si et seulement si les deux droites se coupent.
+form-principle-offset = Le décalage d est la distance, le long d’un axe z, entre deux pieds : là où arrive la perpendiculaire commune depuis l’axe précédent, et là où part celle vers l’axe suivant. Si des axes voisins sont parallèles, vous choisissez où passe la perpendiculaire, mais une seule fois.
 form-principle-joint = Une articulation rotoïde tourne autour de son axe z : sa variable est θ. Une articulation prismatique glisse le long de son axe : sa variable est d. Chaque articulation a une ligne, de la base à l’outil.
 form-worked-twist = Une épaule dont le premier axe est vertical et le deuxième horizontal : les deux axes z sont perpendiculaires. Avec x vers vous, la main droite amène le z vertical sur l’horizontal par −90° ou 90°, selon le sens donné à z ; donc α = −90° ou 90°, jamais 0.
 form-worked-length = Deux segments dans un plan, longs de 0,4 m et 0,3 m : les deux axes sont verticaux, à 0,4 m l’un de l’autre. Leur perpendiculaire commune est le premier segment, donc a = 0,4 m. Dans un poignet dont les axes se coupent en un point, chaque a vaut 0.
 form-worked-offset = Une épaule se trouve à 0,2 m à côté du premier axe, vertical, et le deuxième axe est horizontal. Le long du deuxième axe, il y a 0,2 m entre le pied de la perpendiculaire venant du premier et celui de la perpendiculaire vers le troisième : d = 0,2 m, dans la ligne de la deuxième articulation.
-form-worked-joint = Un portique déplace son chariot le long d’un rail et tourne la pince qui y pend. Le rail est une articulation prismatique : sa ligne a la variable en d et un nombre en θ. La pince est une articulation rotoïde : la variable en θ et un nombre en d.
+form-worked-joint = Un portique déplace son chariot le long d’un rail et fait tourner la pince suspendue au-dessous. Le rail est une articulation prismatique : sa ligne a la variable en d et un nombre en θ. La pince est une articulation rotoïde : sa ligne a la variable en θ et un nombre en d.
 form-home-author = Créer un exercice
 form-home-author-text = Pour les enseignants : faites du bras de votre propre livre un exercice, en un quart d’heure.
 
 form-matrices-withheld = Les matrices apparaissent ici dès que les parties qui les demandent sont justes.
 form-sharing = Pour les enseignants : liens et paquets
-form-sharing-text = Un lien porte ces réglages, signés : qui arrive par lui ne peut pas les changer, et le service lui-même les respecte. Un paquet SCORM entre dans un cours sans administrateur ; sa note vient du navigateur de l’étudiant, mais le reçu dans ses commentaires ne peut pas être falsifié.
+form-sharing-text = Un lien porte ces réglages sous forme signée : les étudiants qui le suivent ne peuvent pas les changer, et le service les fait respecter lui-même. Un paquet SCORM s’ajoute à un cours sans l’aide d’un administrateur ; sa note vient du navigateur de l’étudiant, mais le reçu dans ses commentaires ne peut pas être falsifié.
 form-sharing-may = Les étudiants peuvent utiliser
 form-sharing-catalogue = le catalogue de robots
 form-sharing-playground = l’atelier
@@ -366,17 +366,17 @@ form-sharing-attempts = Essais
 form-sharing-link = Créer un lien
 form-sharing-receipts = Vérifier des reçus
 form-receipt = Obtenir un reçu
-form-receipt-text = Un reçu dit ce que cette réponse a rapporté ; ce service le signe. Remettez-le à votre enseignant : en texte, en code QR ou en page à imprimer.
+form-receipt-text = Un reçu dit ce que cette réponse a rapporté ; ce service le signe. Remettez-le à votre enseignant sous forme de texte, de code QR ou de page imprimée.
 form-receipt-name = Votre nom, tel que le cours le connaît
-form-receipt-as-text = Reçu en texte
+form-receipt-as-text = Reçu sous forme de texte
 form-receipt-copy = Copier le texte
-form-receipt-qr = Reçu en code QR
+form-receipt-qr = Reçu sous forme de code QR
 form-receipt-pdf = Page à imprimer (PDF)
 
 form-part-frames = Repères
 form-frames-hint = Longueurs en { $unit }. Une direction peut avoir n’importe quelle longueur.
 form-frames-scene = Le robot avec vos repères
-form-frames-drawn = { $drawn } repères sur { $all } sont dessinés.
+form-frames-drawn = Repères dessinés : { $drawn } sur { $all }.
 form-frames-frame = Repère { $frame }
 form-frames-z = z pointe
 form-frames-origin = Origine
@@ -385,7 +385,7 @@ form-frames-z-of = z du repère { $frame }
 form-frames-origin-of = origine du repère { $frame }
 form-frames-x-of = x du repère { $frame }
 form-frames-ends = la place du premier et du dernier repère
-form-frames-typed = saisi …
+form-frames-typed = saisi…
 form-frames-at-joint = au corps de l’articulation { $joint }
 form-frames-at-point = en { $name }
 form-frames-at-ground = là où le robot est fixé

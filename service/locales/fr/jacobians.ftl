@@ -5,7 +5,7 @@ task-jacobian-analytic =
     } Écrivez la jacobienne analytique : la vitesse de la dernière origine dans le repère 0, puis les dérivées temporelles des trois angles autour des axes { $turning ->
             [fixed] fixes
            *[current] courants
-        } { $axes }, dans leur ordre. En nombres, longueurs en { $unit }, par radian.
+        } { $axes }, dans leur ordre. Donnez des nombres, longueurs en { $unit }, par radian.
 
 task-jacobian-form =
     { $variables ->
@@ -38,5 +38,5 @@ feedback-jacobian_reversed =
     }
 feedback-jacobian_per_degree = Les colonnes des articulations rotoïdes sont par degré ; elles sont demandées par radian.
 feedback-jacobian_other_unit = Les longueurs sont dans une autre unité que celle demandée.
-feedback-jacobian_angles_locked = Dans cette configuration, le premier et le dernier angle tournent autour de la même droite : les angles n’ont pas de dérivées, il n’y a pas de jacobienne analytique.
+feedback-jacobian_angles_locked = Dans cette configuration, le premier et le dernier angle tournent autour de la même droite : les angles n’ont pas de dérivées et il n’y a pas de jacobienne analytique.
 error-angles_locked = Le premier et le dernier des angles { $axes } tournent ici autour de la même droite : il n’y a pas de jacobienne analytique. Choisissez d’autres angles.

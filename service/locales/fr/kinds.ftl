@@ -21,10 +21,10 @@ option-rotation = est une rotation
 option-unit_columns = n’en est pas une : une colonne n’est pas de longueur 1
 option-perpendicular_columns = n’en est pas une : deux colonnes ne sont pas perpendiculaires
 option-right_handed = n’en est pas une : ses colonnes forment un trièdre indirect (déterminant −1)
-given-rotation = L’orientation, en matrice de rotation
-given-quaternion = L’orientation, en quaternion unitaire
-given-axis_angle = L’orientation, en axe et angle
-given-angles = L’orientation, en angles
+given-rotation = L’orientation, sous forme de matrice de rotation
+given-quaternion = L’orientation, sous forme de quaternion unitaire
+given-axis_angle = L’orientation, par son axe et son angle
+given-angles = L’orientation, par des angles
 given-matrix = La matrice
 given-frame-pose = Pose du repère { $end } dans le repère { $start }
 
@@ -47,7 +47,7 @@ task-orientation =
        *[none] {""}
     }
 task-rotation-check = Cette matrice est-elle une rotation ? Sinon, dites quelle propriété des rotations n’est pas satisfaite.
-task-frame-chain = Les poses ci-dessous sont connues. Écrivez la pose du repère { $end } dans le repère { $start } en matrice 4×4, longueurs en { $unit }.
+task-frame-chain = Les poses ci-dessous sont connues. Écrivez la pose du repère { $end } dans le repère { $start } sous forme de matrice 4×4, longueurs en { $unit }.
 feedback-orientation_right = Toutes les notations décrivent l’orientation donnée.
 feedback-orientation_wrong =
     { $notation ->
@@ -103,7 +103,7 @@ error-component_order_missing = Dites où se trouve le scalaire du quaternion :
 error-axis_and_angle = À un axe il faut un angle, et à un angle un axe.
 error-family_incomplete = Une famille de triplets demande les trois : l’angle du milieu, somme ou différence, et sa valeur.
 error-orientation_empty = Écrivez l’orientation dans l’une des notations demandées.
-error-mistake_empty = Dites où est l’erreur, laquelle c’est ou comment la corriger.
+error-mistake_empty = Dites où est l’erreur, en quoi elle consiste ou comment la corriger.
 error-frames_not_connected = Les poses connues ne mènent pas du repère { $start } au repère { $end }.
 error-pose_without_table = Une pose est celle du tableau de l’étudiant ou de ⁰T : demandez aussi l’un d’eux, ou laissez les règles fixer le zéro, le sens, le repère 0 et le dernier repère.
 
@@ -111,7 +111,7 @@ error-one_notation = Donnez l’orientation dans une seule notation : { $known 
 error-name_without_value = Le nom { $name } n’a pas de valeur ici.{ $found ->
     [0] {""}
    *[one] {" "}Vouliez-vous dire { $close } ?
-} On connaît { $known }.
+} Noms connus : { $known }.
 error-rate_in_marks = { $text } n’est pas un nom ici. Vouliez-vous dire la vitesse articulaire { $suggestion } ?
 error-expected_not_rotation =
     La matrice attendue n’est pas une rotation : { $property ->
@@ -135,8 +135,8 @@ given-table = Le tableau DH, convention { $convention ->
 
 task-inverse-kinematics =
     { $variables ->
-        [own] Quelles valeurs de vos propres variables articulaires amènent le dernier repère à cette place dans le repère 0 ?
-       *[given] Le tableau du robot est donné. Quelles valeurs articulaires amènent son dernier repère à cette place dans le repère 0 ?
+        [own] Quelles valeurs de vos propres variables articulaires amènent le dernier repère à cet endroit dans le repère 0 ?
+       *[given] Le tableau du robot est donné. Quelles valeurs articulaires amènent son dernier repère à cet endroit dans le repère 0 ?
     } { $solutions ->
         [one] Une solution suffit.
        *[all] Donnez-les toutes ; les tours complets ne comptent pas.
@@ -148,38 +148,38 @@ task-inverse-kinematics =
 feedback-joints_right = La réponse est juste et complète.
 feedback-joints_searched = Pour cette pose, les solutions ont été trouvées par recherche ; il peut y en avoir d’autres.
 feedback-joints_need_table = Les valeurs articulaires sont celles de vos propres variables : rendez aussi un tableau juste.
-feedback-claim_wrong = Ce n’est pas le cas : recomptez combien de solutions atteignent cette pose, s’il y en a.
+feedback-claim_wrong = Ce n’est pas le cas : recomptez les solutions de cette pose, s’il y en a.
 feedback-joints_wrong = La ligne { $row } n’atteint pas la pose.
 feedback-joints_twice = Les lignes { $other } et { $row } ne diffèrent que de tours complets : c’est une seule solution.
 feedback-joints_missing =
     { $count ->
-        [one] Il manque une solution.
+        [1] Il manque une solution.
        *[other] Il manque { $count } solutions.
     }
 feedback-branch_shoulder =
     { $count ->
-        [one] Le bras peut aussi passer en arrière, par l’autre épaule.
-       *[other] Le bras peut aussi passer en arrière, par l’autre épaule : il manque { $count } solutions de ce type.
+        [1] Le bras peut aussi atteindre la pose par l’arrière, avec l’autre configuration de l’épaule.
+       *[other] Le bras peut aussi atteindre la pose par l’arrière, avec l’autre configuration de l’épaule : il manque { $count } solutions de ce type.
     }
 feedback-branch_elbow =
     { $count ->
-        [one] Le coude peut aussi plier de l’autre côté.
+        [1] Le coude peut aussi plier de l’autre côté.
        *[other] Le coude peut aussi plier de l’autre côté : il manque { $count } solutions de ce type.
     }
 feedback-branch_wrist =
     { $count ->
-        [one] Le poignet peut aussi être retourné.
+        [1] Le poignet peut aussi être retourné.
        *[other] Le poignet peut aussi être retourné : il manque { $count } solutions de ce type.
     }
 feedback-branch_other =
     { $count ->
-        [one] Il y a une autre branche de solutions.
+        [1] Il y a une autre branche de solutions.
        *[other] Il y a { $count } autres branches de solutions.
     }
 feedback-joints_quadrant = Ligne { $row } : q{ $joint } est dans le mauvais quadrant, à un demi-tour. Prenez atan2 au lieu de atan.
 feedback-joints_sign = Ligne { $row } : q{ $joint } a le mauvais signe.
 feedback-joints_degrees = Ligne { $row } : des degrés ont été pris pour des radians, ou l’inverse.
-feedback-joints_swapped = Ligne { $row } : q{ $joint } vaut 90° moins ce qu’il faut ; les arguments de atan2 ont été échangés.
+feedback-joints_swapped = Ligne { $row } : q{ $joint } vaut 90° moins la valeur juste ; les arguments de atan2 ont été échangés.
 feedback-joints_half_branch = La ligne { $row } est la ligne { $other } où seule q{ $joint } a changé : dans une autre branche, d’autres articulations changent avec elle.
 feedback-joints_position_only = La ligne { $row } atteint la position, mais pas l’orientation.
 feedback-joints_orientation_only = La ligne { $row } atteint l’orientation, mais pas la position.
@@ -263,12 +263,12 @@ given-second-table = Le second tableau ({ $convention ->
    *[standard] convention standard
 })
 
-task-find-mistake = Ce tableau devrait décrire le robot de la figure, mais une ligne contient une erreur. Quelle ligne, qu’est-ce qui est faux, et comment devrait-elle être ?
+task-find-mistake = Ce tableau devrait décrire le robot de la figure, mais une ligne contient une erreur. Quelle ligne est fausse, en quoi, et que devrait-elle contenir ?
 task-compare-tables = Ces deux tableaux décrivent-ils le même robot, quel que soit le choix des repères ? Dites pourquoi.
 
 feedback-mistake_found = Vous avez trouvé l’erreur, vous l’avez nommée et corrigée.
 feedback-mistake_row_wrong = L’erreur est dans une autre ligne.
-feedback-mistake_name_wrong = L’erreur est d’un autre genre.
+feedback-mistake_name_wrong = L’erreur est d’un autre type.
 feedback-mistake_not_mended = Avec cette ligne, le tableau ne décrit toujours pas le robot.
 feedback-mistake_missing =
     { $what ->
@@ -288,7 +288,7 @@ error-joint_variable_in_number = { $name } est une variable articulaire, et c’
 error-no_mistake_does_harm = Aucune de ces erreurs ne change ce robot selon ses règles.
 error-frame_mistakes_not_shown = Les repères de ce robot ne peuvent montrer aucune de ces erreurs. Ce qu’ils peuvent montrer : { $known }.
 error-key_given_away = Cette partie montre un tableau ; un exercice qui demande le tableau ne peut pas l’avoir.
-error-not_plantable = Aucune erreur demandée du catalogue ne change ce robot.
+error-not_plantable = Aucune des erreurs demandées ne change ce robot.
 
 field-frame = Les torseurs sont écrits dans
 field-order = Ordre de v et ω
@@ -305,7 +305,7 @@ feedback-screws_right = Les torseurs et la pose initiale décrivent ce robot.
 feedback-screws_wrong = Ce produit d’exponentielles ne décrit pas le robot, quels que soient le repère, le zéro et les sens choisis.
 feedback-screw_not_unit = Articulation { $joint } : ω d’une articulation rotoïde est un vecteur unitaire.
 feedback-screw_pitch = Articulation { $joint } : v a une composante le long de ω ; une articulation rotoïde n’avance pas le long de son axe.
-feedback-screw_joint_type = Articulation { $joint } : une articulation prismatique a ω = 0 et une direction v ; une rotoïde a ω de longueur 1.
+feedback-screw_joint_type = Articulation { $joint } : une articulation prismatique a ω = 0 et un vecteur unitaire v ; une rotoïde a ω de longueur 1.
 feedback-screw_halves = v et ω sont échangés : dans l’autre ordre, les lignes seraient justes.
 feedback-screw_moment_sign =
     { $joint ->
@@ -381,6 +381,6 @@ feedback-forces_other_frame = Force et moment ont été pris dans les axes de l�
 feedback-forces_rows_exchanged = Force et moment ont été échangés.
 feedback-forces_spatial = La force a été supposée agir à l’origine du repère 0.
 error-row_order_missing = Dites quelles lignes viennent en premier : (v, ω) ou (ω, v).
-error-jacobian_empty = Donnez la jacobienne ou les forces articulaires.
+error-jacobian_empty = Donnez la jacobienne ou les couples et forces articulaires.
 
-error-wrench_missing = Aux forces articulaires correspondent une force et un moment : donnez « wrench ».
+error-wrench_missing = Aux couples et forces articulaires correspondent une force et un moment : donnez « wrench ».

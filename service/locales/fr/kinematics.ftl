@@ -1,9 +1,9 @@
 # Valeurs articulaires, poses, torseurs et tableaux numériques.
 
-error-target_unanswered = Le calcul s’est arrêté après { $seconds } s : { $answered } des cibles ont une réponse. Demandez celle-ci et les suivantes dans une autre requête.
+error-target_unanswered = Le calcul s’est arrêté après { $seconds } s ; cibles traitées : { $answered }. Demandez cette cible et les suivantes dans une autre requête.
 error-joints_wrong_length =
     { $expected ->
-        [one] Le tableau a une articulation, mais la configuration donnée compte { $given ->
+        [1] Le tableau a une articulation, mais la configuration donnée compte { $given ->
             [one] { $given } valeur
            *[other] { $given } valeurs
         }.
@@ -22,14 +22,14 @@ error-pose_not_numbers = Une pose est une matrice 4×4 de nombres.
 error-pose_wrong_shape = Une pose est une matrice 4×4 de nombres ; celle-ci est { $shape }.
 error-pose_not_finite = Cet élément n’est pas un nombre fini.
 error-pose_in_one_row = Seize nombres dans une seule liste ne sont pas une pose : écrivez quatre lignes de quatre nombres, [[…], […], […], [0, 0, 0, 1]].
-error-inertia_in_one_row = Une inertie ne s’écrit pas en une seule liste : écrivez trois lignes de trois, [[Ixx, Ixy, Ixz], [Ixy, Iyy, Iyz], [Ixz, Iyz, Izz]], Ixy = −∫ x y dm.
+error-inertia_in_one_row = Une inertie ne s’écrit pas en une seule liste : écrivez trois lignes de trois, [[Ixx, Ixy, Ixz], [Ixy, Iyy, Iyz], [Ixz, Iyz, Izz]], avec Ixy = −∫ x y dm.
 error-pose_bottom_row = La dernière ligne d’une pose est 0, 0, 0, 1.
 error-pose_not_orthonormal = La partie rotation n’est pas orthonormée (écart de { $error }) : ses colonnes doivent être des vecteurs unitaires perpendiculaires, à { $tolerance } près. Donnez plus de décimales ou, pour le modèle géométrique inverse, une tolérance (`tolerance`).
 error-pose_left_handed = La partie rotation forme un repère indirect : son déterminant vaut −1, c’est une réflexion. Il doit valoir +1.
 
 error-notation_wrong_length =
     { $expected ->
-        [one] { $what } prend un nombre : { $names }.
+        [1] { $what } prend un nombre : { $names }.
        *[other] { $what } prend { $expected } nombres : { $names }.
     }
 error-notation_not_finite = { $name } de { $what } n’est pas un nombre fini.

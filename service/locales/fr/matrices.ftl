@@ -18,12 +18,12 @@ given-matrix-with-mistake =
 
 task-matrix-mistake =
     { $matrix ->
-        [link] Le tableau est juste. Quelqu’un a écrit la matrice de sa ligne { $row }, du repère { $row } au précédent, et a fait une erreur.
+        [link] Le tableau est juste. Quelqu’un a écrit la matrice de sa ligne { $row }, pose du repère { $row } dans le précédent, et a fait une erreur.
        *[transform] Le tableau est juste. Quelqu’un a écrit ⁰T_N, le produit de toutes ses matrices, et a fait une erreur.
     } Donnez un élément faux, dites ce qui ne va pas et écrivez la matrice entière telle qu’elle devrait être.
 
 feedback-matrix_mistake_place_wrong = Cet élément est juste ; l’erreur est ailleurs.
-feedback-matrix_mistake_name_wrong = L’erreur est d’un autre genre.
+feedback-matrix_mistake_name_wrong = L’erreur est d’un autre type.
 feedback-matrix_not_mended = Ce n’est pas encore la matrice du tableau.
 feedback-matrix_mistake_missing =
     { $what ->
@@ -56,7 +56,7 @@ task-frame-mistake =
     }, mais l’un d’eux contient une erreur. Quel repère est faux, qu’a-t-il de faux et comment devrait-il être placé ? Points et directions sont donnés dans les coordonnées de la figure ; la longueur d’une direction est libre. { figure-place }
 
 feedback-frame_mistake_place_wrong = Ce repère est juste ; l’erreur est dans un autre.
-feedback-frame_mistake_name_wrong = L’erreur est d’un autre genre.
+feedback-frame_mistake_name_wrong = L’erreur est d’un autre type.
 feedback-frame_not_mended = Avec ce repère, le dessin enfreint encore une règle.
 feedback-frame_mistake_missing =
     { $what ->

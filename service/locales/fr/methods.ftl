@@ -7,5 +7,5 @@ error-limits_wrong_length = Le bras a { $expected } articulations, mais { $given
 error-limits_reversed = Donnez pour limites de l’articulation { $joint } sa valeur minimale puis sa valeur maximale, dans cet ordre.
 error-limits_too_far = Les limites de l’articulation { $joint } sont toutes deux à plus de { $limit } rad de 0. Retranchez des tours complets de l’une et de l’autre.
 error-pose_tolerance_out_of_range = La tolérance est un nombre positif, { $limit } au plus.
-error-targets_wrong_shape = Donnez plusieurs poses à atteindre comme une liste de matrices 4×4.
+error-targets_wrong_shape = Donnez plusieurs poses à atteindre sous forme d’une liste de matrices 4×4.
 error-workspace_condition_unmet = Aucune configuration remplissant cette condition n’a été trouvée dans les limites.

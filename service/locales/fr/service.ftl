@@ -61,24 +61,24 @@ error-boolean_expected = « { $field } » doit être true ou false.
 error-string_expected = « { $field } » doit être du texte.
 error-string_too_long =
     Le texte est trop long : au plus { $limit ->
-        [one] un caractère est lu
+        [1] un caractère est lu
        *[other] { $limit } caractères sont lus
     }.
 error-string_too_short =
     Le texte est trop court : il faut au moins { $limit ->
-        [one] un caractère
+        [1] un caractère
        *[other] { $limit } caractères
     }.
 error-string_pattern = Le texte n’a pas la forme attendue, { $pattern }.
 error-list_expected = « { $field } » doit être une liste.
 error-list_too_long =
     La liste est trop longue : elle peut avoir au plus { $limit ->
-        [one] un élément
+        [1] un élément
        *[other] { $limit } éléments
     }.
 error-list_too_short =
     La liste est trop courte : il lui faut au moins { $limit ->
-        [one] un élément
+        [1] un élément
        *[other] { $limit } éléments
     }.
 error-object_expected = « { $field } » doit être un objet à champs nommés.

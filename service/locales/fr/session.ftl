@@ -17,9 +17,9 @@ session-counting = { $counting ->
    *[last] Le dernier essai compte
 }
 session-penalty = Chaque essai supplémentaire coûte { $percent } du total des points
-session-closes = Ferme : { $when }
+session-closes = Fermeture : { $when }
 session-grade =
-    Compte : { $points ->
+    Pris en compte : { $points ->
         [one] { $points } point
        *[other] { $points } points
     } sur { $total }
@@ -31,7 +31,7 @@ session-draft-take = Montrer l’autre version
 session-exercise-changed = L’exercice a été modifié depuis un essai précédent
 session-attempt-then = L’essai { $attempt } a été fait avant la modification de l’exercice. Ce qui est indiqué se rapporte à l’exercice tel qu’il était alors.
 session-exercise-then = Voir l’exercice tel qu’il était
-session-opens = Ouvre : { $when }
+session-opens = Ouverture : { $when }
 session-late = Fermé : les essais ne comptent plus
 session-handed-in = rendu
 session-attempts-kept = Conservés dans votre cours.

@@ -13,7 +13,7 @@ trainer-unfinished = Une ligne apparaît dès que ses deux repères sont complet
 trainer-status =
     { $broken ->
         [0] Aucune règle enfreinte jusqu’ici.
-        [one] Une règle est enfreinte.
+        [1] Une règle est enfreinte.
        *[other] { $broken } règles sont enfreintes.
     }
 trainer-step = Repère { $frame } : { $state }
@@ -65,7 +65,7 @@ trainer-why-z =
     }
 trainer-why-origin = Chaque origine est là où la perpendiculaire commune rencontre son axe, car a se mesure à partir de là le long de x.
 trainer-why-x = Chaque x est porté par une perpendiculaire commune ou perpendiculaire aux deux axes, car a et α se mesurent le long et autour de lui.
-trainer-open-choice = Le repère { $frame } n’a pas encore de choix.
+trainer-open-choice = Rien n’est encore choisi pour le repère { $frame }.
 trainer-point-missed = L’origine du repère { $frame } doit être au point marqué { $point }.
 trainer-read = Appuyez sur le numéro d’une ligne : l’image montre comment ses quatre nombres mènent d’un repère au suivant.
 trainer-take = Reporter le tableau dans l’exercice

@@ -34,7 +34,7 @@ error-urdf_link_names = Un robot à { $expected } articulations prend autant de 
 error-urdf_axis_zero = L’axe de l’articulation « { $joint } » est 0 0 0 et n’a pas de direction.
 error-urdf_limits_reversed = La limite inférieure de l’articulation « { $joint } » est plus grande que la limite supérieure.
 error-urdf_numbers_malformed = Articulation « { $joint } » : { $attribute } dans <{ $element }> prend { $count ->
-        [one] un nombre fini
+        [1] un nombre fini
        *[other] { $count } nombres finis séparés par des espaces
     }, aucun plus grand que { $limit }.
 error-urdf_limit_malformed = Articulation « { $joint } » : { $attribute } dans <limit> prend un nombre. Écrivez inf si l’articulation n’a pas de limite.

@@ -234,7 +234,10 @@ rule-dimension-free = { $names } não tem de aparecer na sua tabela: com referen
 error-context_invalid = Esta ligação não foi criada aqui ou foi alterada.
 error-context_expired = Esta ligação expirou.
 error-switched_off = { $path } está desativado para este exercício.
-error-attempts_used_up = As { $limit } tentativas estão esgotadas.
+error-attempts_used_up = { $limit ->
+    [one] A única tentativa que este exercício permite já foi feita.
+   *[other] Já foram feitas as { $limit } tentativas que este exercício permite.
+}
 error-ladder_falls = A cada tentativa pode dizer-se tanto como à anterior ou mais, nunca menos.
 task-frames = Coloque os referenciais 0 a { $n } no robô tal como a figura o mostra: de cada um, a origem, em { $unit } e nas coordenadas da figura, e as direções de x e z. { figure-place }
 error-frames_count = Há referenciais de 0 a N: são precisos { $expected } e foram dados { $given }.
