@@ -10,7 +10,7 @@ from typing import Any
 import pytest
 from fluent.runtime import FluentBundle, FluentResource
 
-from service.messages import FUNCTIONS, REGIONS
+from service.messages import FUNCTIONS, REGIONS, sentence
 from tests.architecture.test_messages import LANGUAGES, LOCALES, ROOMS, entries, variables
 
 DEFINITIONS = LOCALES.parent.parent / "exercises" / "definitions"
@@ -107,6 +107,9 @@ TERMS: dict[str, dict[str, str]] = {
         r"\b[Ee]m outr[oa]s?\b|\bfaltando\b|\baté o\b": "noutro, falta, até ao",
         r"\b(?:usuário|tela|arquivos? d[eo]|você|salvar|celular|registro)\b": "European Portuguese",
         r"(?<!\w)(?:Sua|Seu|Suas|Seus) \w+": "an article stands before a possessive",
+        r"\bcontam? (?:no sentido|ao contrário)": "a variable cresce",
+        r"\bnoutr[oa] \w+ que (?!não\b)": "num … diferente do …",
+        r"\b[Nn]otas?\b": "classificação",
     },
     "ro": {
         r"[Ff]orm\w+ (?:literal|analitic)\w+": "formă închisă",
@@ -115,6 +118,8 @@ TERMS: dict[str, dict[str, str]] = {
         r"\blegătur\w+ (?:robotului|brațului)": "element",
         r"\bnavigator\w*|[Cc]hitanț\w+|[Aa]deverinț\w+": "browser, recipisă",
         r"\blinkuri|[Gg]ripper\w*|\btaie\b": "legături; prehensor; intersectează",
+        r"\b[Pp]oziția din (?:figură|desen)": "configurația din figură",
+        r"\b[Cc]entrifugal\w*|\b[Rr]eper\w*|\bculisant\b": "centrifug; sistem de coordonate; braț telescopic",
     },
     "uk": {
         r"[Кк]онвенц\w+": "угода",
@@ -196,3 +201,33 @@ def test_none_is_not_told_as_one(language: str) -> None:
             if none == one and two != three:
                 found.append(name)
     assert found == []
+
+
+COUNTS_OF_ONE: dict[str, dict[str, object]] = {
+    "check-counts": {"exercise": "a", "passed": 1, "failed": 1, "warnings": 1},
+    "error-attempts_used_up": {"limit": 1},
+    "error-axis_not_before": {"axis": 3, "before": 1},
+    "error-frames_too_many": {"count": 1},
+    "error-limits_wrong_length": {"expected": 1, "given": 1},
+    "error-screw_count": {"expected": 1, "given": 1},
+    "error-urdf_joint_names": {"expected": 1, "given": 1},
+    "error-urdf_link_names": {"expected": 1, "given": 1},
+    "grade-summary": {"right": 1, "wrong": 1, "ungraded": 1},
+    "session-grade": {"points": 1, "total": 2},
+    "warm-counts": {"exercise": "a", "values": 1, "figures": 1, "forms": 1, "failed": 1, "seconds": 2},
+}
+"""Messages that can count one of a thing."""
+
+
+PLURALS_OF_ONE = {
+    "pt": r"\b1 \w+(?:s|m)\b|\b(?:os|as|foram dados|contam) 1\b",
+    "ro": r"\b1 (?:corecte|greșite|nereușite)\b|\bs-au dat 1\b|\bcele 1\b",
+}
+
+
+@pytest.mark.parametrize("name", COUNTS_OF_ONE)
+@pytest.mark.parametrize("language", PLURALS_OF_ONE)
+def test_one_of_a_thing_is_singular(language: str, name: str) -> None:
+    told = sentence(language, name, COUNTS_OF_ONE[name])
+    assert told is not None
+    assert not re.search(PLURALS_OF_ONE[language], told, re.IGNORECASE)

@@ -24,7 +24,7 @@ error-columns_differ_in_length = As colunas de { $file } têm comprimentos difer
 error-exercise_not_named = Não se diz a que exercício isto responde. Indique-o, por exemplo puma560.
 error-artefact_unknown = Aqui não se avaliam artefactos do tipo { $type }; avaliam-se { $known }.
 error-function_command_unknown = Os comandos atendidos aqui são { $known }.
-error-function_call_invalid = O corpo de uma chamada tem `response`, `answer` e `params` (um objeto). Não é assim em: { $places }.
+error-function_call_invalid = O corpo de uma chamada tem `response`, `answer` e `params` (um objeto). Está errado em: { $places }.
 error-callback_not_allowed = O operador deste serviço não permite enviar comentários para este endereço.
 error-version_not_supported = Esta versão da API de avaliação não é suportada aqui; é suportada { $supported }.
 
@@ -41,7 +41,7 @@ evaluation-readable = A resposta pode ser avaliada.
 evaluation-unreadable = A resposta não pode ser avaliada tal como está; isto não conta como tentativa.
 
 scorm-no-script = Este exercício precisa de JavaScript.
-scorm-no-lms = Não foi encontrada nenhuma plataforma de aprendizagem em torno desta página. Pode praticar, mas nenhuma nota será registada.
+scorm-no-lms = Não foi encontrada nenhuma plataforma de aprendizagem em torno desta página. Pode praticar, mas nenhuma classificação será registada.
 
-grade-summary = { $right } certas, { $wrong } erradas, { $ungraded } não avaliáveis.
+grade-summary = Certas: { $right }; erradas: { $wrong }; não avaliáveis: { $ungraded }.
 grade-left-out = Ficheiros deixados de fora devido ao seu tipo: { $count } ({ $files }).

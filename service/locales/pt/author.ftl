@@ -21,7 +21,12 @@ error-archive_no_exercise = O arquivo não contém nenhum exercício: espera-se 
 error-source_form = Um exercício começa a partir de um de { $known }.
 error-drawing_too_many_axes = Há { $count } eixos; podem desenhar-se no máximo { $limit }.
 error-drawing_too_many_lengths = Há { $count } comprimentos com nome; são possíveis no máximo { $limit }.
-error-axis_not_before = O eixo { $axis } não está entre os { $before } eixos desenhados antes deste.
+error-axis_not_before =
+    { $before ->
+        [0] Antes deste eixo não há outro desenhado: o eixo { $axis } não pode servir de referência.
+        [one] Antes deste eixo só está desenhado o eixo 1, não o eixo { $axis }.
+       *[other] O eixo { $axis } não está entre os { $before } eixos desenhados antes deste.
+    }
 error-length_unknown = { $name } ainda não é um comprimento deste desenho. Os seus comprimentos: { $known }.
 error-draft_too_many_rows = A tabela tem { $count } linhas; num rascunho tem no máximo { $limit }. Uma mais longa pode escrever-se como pasta.
 error-draft_without_table = O exercício não pede nenhuma tabela DH, por isso não há tabelas para mostrar. Acrescente a parte “Tabela DH”.
@@ -59,13 +64,13 @@ author-axes = Eixos das juntas
 author-axis = { $number } · { $joint }
 author-axis-add = Acrescentar um eixo
 author-axis-added = Eixo { $number } acrescentado.
-author-axis-remove = Retirar o eixo { $number }
-author-axis-removed = Eixo { $number } retirado.
+author-axis-remove = Remover o eixo { $number }
+author-axis-removed = Eixo { $number } removido.
 author-axis-joint = Tipo da junta { $number }
 author-placed = Eixo { $number } colocado.
 author-how = Como
 author-point = Um ponto do eixo
-author-point-at = em coordenadas
+author-point-at = dado por coordenadas
 author-point-on = sobre outro eixo
 author-point-from = deslocado de outro eixo
 author-point-axis = Eixo
@@ -92,7 +97,7 @@ author-title-of = Título
 author-statement = Enunciado
 author-statement-hint = Markdown: parágrafos, listas, *ênfase*, **negrito**, `código`. *L1* é composto como variável. O que se pede e o que é livre não precisa de ser dito: o serviço acrescenta-o na língua do leitor.
 author-statement-preview = Como os estudantes o leem
-author-statement-none = Nada está escrito nesta língua: aos seus leitores mostra-se outra, e diz-se-lhes.
+author-statement-none = Ainda não há texto nesta língua: quem a lê vê o texto noutra língua e é avisado disso.
 author-statement-waiting = Um momento …
 author-points = pontos
 author-points-of = Pontos por { $part }
@@ -127,7 +132,7 @@ author-policy-admits = Das { $choices } formas como os manuais escreveriam a tab
     [one] é aceite uma
    *[other] são aceites { $admitted }
 }. Os referenciais entre as juntas são livres em qualquer caso.
-author-values-hint = Cada estudante recebe valores próprios onde se dá um intervalo; nos outros vale o habitual.
+author-values-hint = Cada estudante recebe valores próprios onde se dá um intervalo; nos outros casos vale o valor habitual.
 author-values-none = A tabela não tem dimensões com nome.
 author-value = Valor habitual
 author-drawn = sorteado para cada estudante
@@ -138,11 +143,11 @@ author-draw-from-short = de
 author-draw-to-short = até
 author-draw-step-short = passo
 author-aliases = Outros nomes
-author-help-most = O máximo que se diz de uma tabela errada
+author-help-most = O máximo que se diz sobre uma tabela errada
 author-help-ladder = pouco no início, mais a cada tentativa
 author-attempts = Tentativas
-author-access = O que os estudantes podem usar entretanto
-author-access-hint = Aos estudantes de uma ligação de uma disciplina, o próprio serviço recusa o que está desligado.
+author-access = O que os estudantes podem usar enquanto trabalham
+author-access-hint = Aos estudantes que chegam por uma ligação de uma disciplina, o próprio serviço recusa o que está desligado.
 author-access-catalogue = o catálogo de robôs
 author-access-playground = a oficina
 author-access-matrices = as matrizes de uma tabela
@@ -171,7 +176,7 @@ author-right-shown = { $wrong ->
     [0] As { $count } são aceites; a primeira é a sua solução.
    *[other] { $wrong } de { $count } são recusadas.
 }
-author-wrong = Mostrar as respostas erradas mais comuns e as suas notas
+author-wrong = Mostrar as respostas erradas mais comuns e a sua pontuação
 author-wrong-hint = As mais prováveis primeiro: o que se diria a um estudante e o que a resposta toda ainda vale. Acrescente palavras suas onde quiser.
 author-wrong-marks =
     { $points } de { $most ->
@@ -179,7 +184,7 @@ author-wrong-marks =
        *[other] { $most } pontos
     }, tabela { $score } %
 author-wrong-refused = recusada, não custa tentativa
-author-wrong-untold = Não se diz nenhuma correção ({ $name }).
+author-wrong-untold = Não se sugere nenhuma correção ({ $name }).
 author-wrong-tested = o exercício testa-se com este erro
 author-own-words = As suas palavras, depois das nossas
 author-id = Nome da pasta
@@ -187,7 +192,7 @@ author-download = Descarregar a pasta
 author-downloaded = O arquivo contém uma pasta para git e para “framewise exercises check”.
 author-publish = Publicar neste serviço
 author-publish-closed = Este serviço não aceita exercícios a partir desta página: descarregue a pasta e entregue-a a quem gere o serviço.
-author-published = Publicado. Esta versão fica assim para sempre; uma alteração faz outra.
+author-published = Publicado. Esta versão fica assim para sempre; uma alteração cria outra.
 author-open = Abrir o exercício
 author-insert = Inseri-lo na disciplina
 author-lti-hint = Numa ligação criada pela sua plataforma, dê isto como parâmetro personalizado:
@@ -200,9 +205,9 @@ author-imported = O exercício está aberto.
 ## What a definition may say beside
 
 author-add = Acrescentar: { $name }
-author-remove = Retirar { $name }
+author-remove = Remover { $name }
 author-usual = valor habitual
-author-dimension-handle = Cota { $name }: arraste-a ou use as setas; Retrocesso deixa o lugar ao serviço
+author-dimension-handle = Cota { $name }: arraste-a ou use as setas; com Retrocesso, o serviço volta a colocá-la
 author-dimension-hint = Arraste o nome de uma cota para onde se leia bem.
 author-dimension-moved = { $name } deslocada.
 author-dimension-free = { $name } volta a ser colocada automaticamente.
@@ -216,7 +221,7 @@ author-rung = na tentativa { $number }
 author-rung-more = Mais um degrau
 author-rung-less = Menos um degrau
 author-weights = O que custam os erros
-author-weights-hint = Pesos relativos: um erro de peso 2 custa o dobro de um de peso 1. Vazios, valem os habituais.
+author-weights-hint = Pesos relativos: um erro de peso 2 custa o dobro de um de peso 1. Num campo vazio vale o peso habitual.
 author-weight-joint = junta em falta; se for de outro tipo, o dobro
 author-weight-twist = uma torção α
 author-weight-length = um comprimento a
@@ -237,7 +242,7 @@ author-sample-invalid = recusada
 author-sample-feedback = Códigos que o veredicto contém
 author-sample-keep = Guardar esta resposta como amostra
 author-sample-kept = Guardada entre as amostras.
-author-figure-more = Tudo o resto da figura
+author-figure-more = Tudo o resto sobre a figura
 author-figure-upright = Como está o referencial 0 na figura, graus
 author-figure-roll = rolamento
 author-figure-pitch = arfagem
@@ -282,22 +287,22 @@ author-key-mistakes = Erros que se podem introduzir
 author-key-known = Pose conhecida
 author-key-asked = Pede-se: a pose
 author-key-ask = O que se pede
-author-key-frame = Nos eixos de
+author-key-frame = Nos eixos
 author-key-axes = Ordem dos eixos
-author-key-turning = Roda em torno de
+author-key-turning = Rotação em torno
 author-key-asked_axes = Ordem dos eixos pedida
-author-key-asked_turning = Pede-se: rotação em torno de
+author-key-asked_turning = Pede-se: rotação em torno
 author-key-wrench = Carga na ferramenta
 author-key-cases = Poses que se podem pedir
 author-key-solutions = Soluções pedidas
 author-key-reach = O que se deve alcançar
 author-key-given = Dado como
 author-key-angles = Ângulos
-author-key-middle = Ângulo central sorteado entre
+author-key-middle = Ângulo do meio sorteado entre
 author-choice-jacobian = a jacobiana
 author-choice-forces = forças nas juntas
-author-choice-base = o referencial 0
-author-choice-end = o último referencial
+author-choice-base = do referencial 0
+author-choice-end = do último referencial
 author-choice-reached = alcançável
 author-choice-out_of_reach = fora do alcance
 author-choice-all = todas
@@ -309,8 +314,8 @@ author-choice-quaternion = quaternião
 author-choice-axis_angle = eixo e ângulo
 author-choice-angles = três ângulos
 author-choice-every_triple = todos os ternos de ângulos
-author-choice-current = os eixos do referencial móvel
-author-choice-fixed = eixos fixos
+author-choice-current = dos eixos do referencial móvel
+author-choice-fixed = de eixos fixos
 author-choice-axis = o eixo da junta 1
 author-key-one-joint = { $name } sorteada à parte
 author-version = Versão: aumente-a quando mudarem as respostas certas ou os valores

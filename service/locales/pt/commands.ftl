@@ -3,7 +3,10 @@
 check-counts = { $exercise }: { $passed ->
     [one] { $passed } verificação passou
    *[other] { $passed } verificações passaram
-}, { $failed } falharam, { $warnings ->
+}, { $failed ->
+    [one] { $failed } falhou
+   *[other] { $failed } falharam
+}, { $warnings ->
     [one] { $warnings } aviso
    *[other] { $warnings } avisos
 }
@@ -18,14 +21,14 @@ check-part = Semente { $seed }: uma resposta certa à parte { $part } é rejeita
 check-follow_through = Semente { $seed }: o que decorre de uma tabela errada não pontua na parte { $part }.
 check-wrong_part = Semente { $seed }: uma resposta errada à parte { $part } não é explicada como { $mistake }, mas como { $told }.
 check-invalid = Uma tabela mal formada é avaliada: { $name }.
-check-sample = O exemplo “{ $name }” não é julgado como esperado; o veredicto é: { $told }.
+check-sample = A amostra “{ $name }” não é julgada como esperado; o veredicto é: { $told }.
 check-rounded = Uma tabela certa arredondada a { $digits } algarismos é rejeitada com a regra de ferramenta { $rule }: { $table }
 check-tool_rule = Uma tabela certa é rejeitada com a regra de ferramenta { $rule }: { $table }
 check-crash = Semente { $seed }: a avaliação falha: { $reason }
 check-unneeded = Nenhuma resposta certa precisa de { $name }: o estudante pode escolher referenciais em que não aparece. Fixe o referencial da base ou o da ferramenta se a resposta o deve conter, ou retire-o do enunciado.
-check-alike = Alguns estudantes podem trocar { $name } e { $other } em números sem que se note: diferem no máximo 1 %. Escolha valores ou intervalos mais afastados.
+check-alike = Alguns estudantes podem trocar { $name } e { $other } em números sem que se note: diferem em 1 % no máximo. Escolha valores ou intervalos mais afastados.
 check-no_joints = O robô não tem nenhuma junta: não há nada a descrever. Ponha uma numa linha da tabela.
 check-nothing_earned = Nenhuma tabela errada recebe pontos: nada do que uma tabela de zeros descreve mal neste robô tem peso. Mude os pesos ou fixe mais regras.
 check-asked_as_shown = A parte { $kind } mostra o que pede. Peça outra coisa ou mostre-a noutra forma.
-warm-counts = { $exercise }: { $values } conjuntos de valores verificados e desenhados, { $figures } figuras, { $forms } formas fechadas, { $failed } falhas, { $seconds } s
-error-nothing_to_warm = Não há exercício, nem curso com ligações, chamado { $name }.
+warm-counts = { $exercise }: conjuntos de valores verificados e desenhados: { $values }, figuras: { $figures }, formas fechadas: { $forms }, falhas: { $failed }, { $seconds } s
+error-nothing_to_warm = Não há exercício, nem disciplina com ligações, chamado { $name }.

@@ -12,9 +12,9 @@ error-body_varies = A massa de um elo e o seu lugar nele não mudam com as vari�
 error-dynamics_not_finite = As massas, os comprimentos ou as velocidades são tão grandes que o resultado não é um número.
 
 task-equations-of-motion =
-    São dadas a tabela do robô e o corpo que se move com cada referencial i. Escreva M(q), C(q, q̇) e g(q) de M q̈ + C q̇ + g = τ, no que for pedido, como funções de q1, q2, …, das suas velocidades dq1, dq2, … e dos nomes dados; comprimentos em { $unit }, por radiano. { $skew ->
-        [yes] Toda C com o C q̇ certo está certa; além disso, Ṁ − 2C deve ser antissimétrica.
-       *[no] Toda C com o C q̇ certo está certa.
+    São dadas a tabela do robô e o corpo que se move com cada referencial i. Escreva os termos pedidos de M q̈ + C q̇ + g = τ como funções de q1, q2, …, das suas velocidades dq1, dq2, … e dos símbolos dados; comprimentos em { $unit }, por radiano. { $skew ->
+        [yes] Está certa qualquer C que dê o C q̇ certo; além disso, Ṁ − 2C deve ser antissimétrica.
+       *[no] Está certa qualquer C que dê o C q̇ certo.
     }
 given-link-weights = Os elos: massa, centro no referencial i, momentos em torno dele [kg { $unit }²]
 given-gravity-vector = Aceleração da gravidade no referencial 0 [{ $unit }/s²]
@@ -27,7 +27,7 @@ feedback-motion_right = Estas são as equações do movimento.
 feedback-motion_mass_wrong = Nem todos os elementos de M estão certos.
 feedback-motion_coriolis_wrong = Nem todas as linhas de C q̇ estão certas.
 feedback-motion_velocity_wrong = Nem todos os termos de Coriolis e centrífugos estão certos.
-feedback-motion_skew_wrong = Com esta C, Ṁ − 2C não é antissimétrica. Os símbolos de Christoffel dão uma com a qual é.
+feedback-motion_skew_wrong = Com esta C, Ṁ − 2C não é antissimétrica. Os símbolos de Christoffel dão uma C com a qual o é.
 feedback-motion_gravity_wrong = Nem todos os elementos de g estão certos.
 feedback-motion_missing =
     { $what ->

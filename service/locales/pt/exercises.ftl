@@ -6,7 +6,7 @@ figure-title = { $title }: juntas, eixos e cotas
 figure-coordinates = { $joints ->
     [one] Um robô com uma junta.
    *[other] Um robô com { $joints } juntas, uma após a outra, contadas a partir da base.
-} Os lugares são dados em { $unit } como (X; Y; Z). { figure-place }
+} As posições são dadas em { $unit } como (X; Y; Z). { figure-place }
 figure-place = X aponta { $x ->
     [back] para trás, Y para a esquerda
     [left] para a esquerda, Y para a frente
@@ -44,7 +44,7 @@ figure-dimension = { $name } mede { $length } { $unit }, { $course ->
     [vertical] na vertical
     [sideways] da esquerda para a direita
     [depthways] da frente para trás
-   *[oblique] em sentido oblíquo
+   *[oblique] obliquamente
 }, entre { $start } e { $end }.
 figure-point = O ponto { $name } está em { $place }.
 figure-not-to-scale = O desenho não está à escala: nele, { $names } { $count ->

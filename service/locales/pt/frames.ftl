@@ -21,7 +21,11 @@ error-axis_joint_unknown = A junta de um eixo é rotativa (revolute) ou prismát
 error-gripper_jaws_along_approach = Os dedos deslizam transversalmente à direção de aproximação, não ao longo dela.
 error-vector_malformed = Dê três números finitos x, y, z, nenhum maior que { $limit }.
 error-direction_zero = Uma direção precisa de comprimento: 0, 0, 0 não aponta para lado nenhum.
-error-frames_too_many = Uma cadeia de { $count } juntas tem os referenciais de 0 a { $count }.
+error-frames_too_many =
+    Uma cadeia de { $count ->
+        [one] { $count } junta
+       *[other] { $count } juntas
+    } tem os referenciais de 0 a { $count }.
 error-frame_y_not_z_cross_x = y resulta de z e x. Deixe-o de fora ou dê z × x junto com ambos.
 error-parallel_tolerance_out_of_range = A tolerância para eixos paralelos está entre { $least } e { $greatest } rad.
 error-near_parallel = Os eixos { $previous } e { $joint } são paralelos a menos de { $angle } rad e foram tomados como paralelos. Com isso o último referencial pode ficar rodado de até ao dobro desse ângulo e deslocado de até { $displacement }.

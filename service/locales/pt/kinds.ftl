@@ -39,7 +39,7 @@ task-orientation =
         [every] {" "}Dos ângulos em torno dos eixos { $asked_turning ->
             [fixed] fixos
            *[current] correntes
-        } { $asked_axes } pedem-se todos os ternos: os dois ou, no bloqueio de cardan, o ângulo do meio e o que fica determinado dos outros dois.
+        } { $asked_axes } pedem-se todos os ternos: os dois ou, no bloqueio de cardan, o ângulo do meio e a combinação dos outros dois que fica determinada.
         [one] {" "}Dos ângulos em torno dos eixos { $asked_turning ->
             [fixed] fixos
            *[current] correntes
@@ -83,7 +83,7 @@ feedback-rotation_rounded = Os elementos estão demasiado arredondados: calcule 
 feedback-rotation_unit_columns = Isto não é uma rotação: uma coluna não tem comprimento 1.
 feedback-rotation_perpendicular_columns = Isto não é uma rotação: duas colunas não são perpendiculares.
 feedback-rotation_right_handed = Isto não é uma rotação, mas uma reflexão: o seu determinante é −1.
-feedback-claim_right = Assim é nesta matriz.
+feedback-claim_right = É verdade para esta matriz.
 feedback-claim_not_rotation = Não é: verifique os comprimentos das colunas, os ângulos retos entre elas e o determinante.
 feedback-claim_rotation = É mesmo uma rotação: colunas de comprimento 1, perpendiculares, determinante +1.
 feedback-claim_other_property = Não é uma rotação, mas esta propriedade verifica-se; é outra que falha.
@@ -179,7 +179,7 @@ feedback-branch_other =
 feedback-joints_quadrant = Linha { $row }: q{ $joint } está no quadrante errado, a meia volta. Use atan2 em vez de atan.
 feedback-joints_sign = Linha { $row }: q{ $joint } tem o sinal errado.
 feedback-joints_degrees = Linha { $row }: tomaram-se graus por radianos, ou o contrário.
-feedback-joints_swapped = Linha { $row }: q{ $joint } é 90° menos o que deveria; os argumentos de atan2 foram trocados.
+feedback-joints_swapped = Linha { $row }: q{ $joint } é 90° menos o valor correto; os argumentos de atan2 foram trocados.
 feedback-joints_half_branch = A linha { $row } é a linha { $other } em que só q{ $joint } mudou: noutro ramo mudam com ela outras juntas.
 feedback-joints_position_only = A linha { $row } alcança a posição, mas não a orientação.
 feedback-joints_orientation_only = A linha { $row } alcança a orientação, mas não a posição.
@@ -192,7 +192,7 @@ feedback-joints_combination_zero = A combinação { $row } vale 0 façam as junt
 feedback-joints_combination_loose = A combinação { $row } permanece igual nas soluções, mas isso não basta: outros valores das juntas com a mesma combinação não alcançam a pose.
 error-pose_frames_free = A pose é dada no referencial 0 e para o último: as regras têm de fixar os dois, base = "frame" e tool = "frame".
 error-pose_within_reach = Este braço alcança poses por mais distantes que estejam, pois aqui as juntas prismáticas não têm limites: retire out_of_reach de cases.
-error-joint_row_length = Uma linha contém um valor por junta: são necessários { $expected }, e foram dados { $given }.
+error-joint_row_length = Uma linha contém um valor por junta. Necessários: { $expected }; dados: { $given }.
 error-joint_rows_empty = Dê os valores das juntas que alcançam a pose.
 
 field-row = Linha com o erro
@@ -235,12 +235,12 @@ option-rows_swapped = duas linhas trocadas
 option-theta_offset = a constante somada à variável θ está errada
 option-d_offset = a constante somada à variável d está errada
 option-theta_value = a constante θ tem um valor errado
-option-turns_all_reversed = todos os ângulos de junta contam ao contrário
+option-turns_all_reversed = todos os ângulos de junta crescem no sentido errado
 option-twists_all_reversed = todos os α têm o sinal errado
 option-twists_early = só α uma linha acima
 option-twists_swapped = α de duas linhas trocados
 option-twists_late = só α uma linha abaixo
-option-variable_sign = uma variável de junta conta ao contrário
+option-variable_sign = uma variável de junta cresce no sentido errado
 option-same = o mesmo robô
 option-different = robôs diferentes
 option-axis_reversed = os referenciais diferem: um eixo z, ou uma variável de uma junta, está invertido
@@ -263,7 +263,7 @@ given-second-table = A segunda tabela ({ $convention ->
    *[standard] convenção standard
 })
 
-task-find-mistake = Esta tabela deveria descrever o robô da figura, mas uma linha tem um erro. Que linha, o que está errado e como deveria ser?
+task-find-mistake = Esta tabela deveria descrever o robô da figura, mas uma linha tem um erro. Qual é a linha, o que está errado e como deveria ser?
 task-compare-tables = Estas duas tabelas descrevem o mesmo robô, seja qual for a escolha dos referenciais? Diga porquê.
 
 feedback-mistake_found = Encontrou o erro, nomeou-o e corrigiu-o.
@@ -283,12 +283,12 @@ feedback-tables_reason_wrong = O veredicto está certo, mas não por esta razão
 feedback-tables_reason_missing = O veredicto está certo; diga também porquê.
 error-row_unknown = Dê o número de uma linha, de 1 a { $count }.
 error-column_unknown = Dê o número de uma coluna, de 1 a { $count }.
-error-vector_length = O vetor tem { $expected } componentes, e foram dadas { $given }.
+error-vector_length = O vetor tem { $expected } componentes, não { $given }.
 error-joint_variable_in_number = { $name } é uma variável de junta, e aqui pede-se um número: ponha o seu valor.
 error-no_mistake_does_harm = Nenhum destes erros altera este robô segundo as suas regras.
 error-frame_mistakes_not_shown = Os referenciais deste robô não podem mostrar nenhum destes erros. O que podem mostrar: { $known }.
 error-key_given_away = Esta parte mostra uma tabela; um exercício que pede a tabela não pode tê-la.
-error-not_plantable = Nenhum dos erros pedidos do catálogo altera este robô.
+error-not_plantable = Nenhum dos erros pedidos altera este robô.
 
 field-frame = Os helicoides são escritos no
 field-order = Ordem de v e ω
@@ -305,7 +305,7 @@ feedback-screws_right = Os helicoides e a pose inicial descrevem este robô.
 feedback-screws_wrong = Este produto de exponenciais não descreve o robô, sejam quais forem o referencial, o zero e os sentidos.
 feedback-screw_not_unit = Junta { $joint }: ω de uma junta rotativa é um vetor unitário.
 feedback-screw_pitch = Junta { $joint }: v tem uma componente ao longo de ω; uma junta rotativa não avança ao longo do eixo.
-feedback-screw_joint_type = Junta { $joint }: uma prismática tem ω = 0 e uma direção v; uma rotativa tem ω de comprimento 1.
+feedback-screw_joint_type = Junta { $joint }: uma prismática tem ω = 0 e um vetor unitário v; uma rotativa tem ω de comprimento 1.
 feedback-screw_halves = v e ω estão trocados: na outra ordem as linhas estariam certas.
 feedback-screw_moment_sign =
     { $joint ->
@@ -321,7 +321,14 @@ feedback-screw_length_unit = Os comprimentos estão noutra unidade que não a do
 feedback-screw_exchanged = As linhas da junta { $joint } e da seguinte estão trocadas.
 feedback-screw_reversed = As linhas estão na ordem inversa: a primeira é a da junta mais próxima da base.
 feedback-screws_relation_wrong = Os eixos das juntas { $joint } e { $next } não estão dispostos entre si como na figura.
-error-screw_count = O robô tem { $expected } juntas, e foram dados { $given } helicoides.
+error-screw_count =
+    O robô tem { $expected ->
+        [one] { $expected } junta
+       *[other] { $expected } juntas
+    }, e { $given ->
+        [one] foi dado { $given } helicoide
+       *[other] foram dados { $given } helicoides
+    }.
 
 error-screw_too_large = Um número é demasiado grande para um robô; o maior é { $limit }.
 

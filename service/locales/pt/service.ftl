@@ -34,7 +34,7 @@ error-body_too_large =
         [one] { $limit } byte
        *[other] { $limit } bytes
     }, o máximo que esta chamada lê.
-error-method_not_allowed = Este endereço conhece { $allowed }, mas não { $method }.
+error-method_not_allowed = Este endereço aceita { $allowed }, mas não { $method }.
 error-address_unknown = Não há nada em { $path }. O documento /api/v1/openapi.json lista todas as chamadas.
 error-problem_unknown = Nenhuma recusa tem o código { $code }.
 error-internal_error = O serviço falhou neste pedido. Comunique-o com o identificador { $id }.
@@ -87,9 +87,9 @@ error-null_expected = “{ $field }” tem de ser null ou ser omitido.
 error-value_not_allowed = O valor tem de ser um destes: { $expected }.
 error-value_invalid = Este valor não pode ser usado: { $reason }.
 
-error-joints_wrong_dimensions = Uma matriz de variáveis de junta tem uma ou duas dimensões, não { $dimensions }: (juntas) ou (configurações, juntas).
+error-joints_wrong_dimensions = Um array de variáveis de junta tem uma ou duas dimensões, não { $dimensions }: (juntas) ou (configurações, juntas).
 error-batch_too_large = O lote tem { $given } configurações; calculam-se no máximo { $limit } num pedido.
-error-query_missing = As juntas vieram como npy; o resto do pedido vai, como JSON, no parâmetro de consulta “request”.
+error-query_missing = Os valores das juntas vieram como npy; o resto do pedido vai, como JSON, no parâmetro de consulta “request”.
 error-npy_header_invalid =
     O corpo não é um ficheiro npy como numpy.save o escreve: { $rule ->
         [magic] tem de começar por \x93NUMPY, uma versão e o comprimento do cabeçalho
@@ -102,9 +102,9 @@ error-npy_length_mismatch =
         [one] { $promised } byte
        *[other] { $promised } bytes
     } de dados; seguem-se { $present }.
-error-npy_object_refused = O ficheiro npy contém objetos Python, que nunca são desserializados. Envie uma matriz de números.
+error-npy_object_refused = O ficheiro npy contém objetos Python, que nunca são desserializados. Envie um array de números.
 error-npy_type_unsupported = O ficheiro npy contém { $type }. Envie números reais, como float64 (<f8).
-error-npy_one_part = Um ficheiro npy contém uma só matriz. Indique uma parte: { $allowed }.
+error-npy_one_part = Um ficheiro npy contém um só array. Indique uma parte: { $allowed }.
 error-one_source = Descreva o robô de uma só maneira: { $allowed }.
 
 error-api_key_missing = O pedido não indica nenhuma chave. Envie-a como Authorization: Bearer fwk_….

@@ -19,7 +19,7 @@ session-counting = { $counting ->
 session-penalty = Cada tentativa adicional custa { $percent } do total de pontos
 session-closes = Fecha: { $when }
 session-grade =
-    Contam { $points } de { $total ->
+    Contados: { $points } de { $total ->
         [one] { $total } ponto
        *[other] { $total } pontos
     }

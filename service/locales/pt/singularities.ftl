@@ -2,7 +2,7 @@ field-conditions = Condições de singularidade
 field-lost = Um movimento perdido
 
 task-singularities =
-    É dada a tabela do robô. Em que configurações o braço perde um movimento: { $motion ->
+    É dada a tabela do robô. Em que configurações perde o braço um movimento: { $motion ->
         [translation] onde o posto da jacobiana da velocidade da última origem é menor do que o habitual?
        *[twist] onde o posto da jacobiana é menor do que o habitual?
     } Escreva uma condição em cada linha: uma função que ali se anula (sin(q3)) ou uma equação (q3 = 0, π). Conta o conjunto, seja qual for a forma de o escrever.{ $lost ->
@@ -16,7 +16,7 @@ feedback-singularity_missing_at = Nenhuma das suas condições se verifica nesta
 feedback-singularity_invented = A condição { $condition } verifica-se também onde o braço não é singular.
 feedback-singularity_invented_at = A condição { $condition } verifica-se em { $at }, onde o braço não é singular.
 feedback-singularity_rounded = A condição { $condition } aproxima-se de uma singularidade, mas não o suficiente: calcule com mais casas decimais.
-feedback-singularity_sine_for_cosine = A condição { $condition } é a de uma singularidade a menos de um quarto de volta: seno e cosseno foram trocados.
+feedback-singularity_sine_for_cosine = A condição { $condition } é a de uma singularidade desfasada de um quarto de volta: seno e cosseno foram trocados.
 feedback-singularity_half = De uma família só se encontrou uma parte: considere também a outra solução da sua equação (q = π além de q = 0, o braço dobrado além do esticado).
 feedback-singularity_everywhere = A condição { $condition } verifica-se sempre.
 feedback-singularity_nowhere = A condição { $condition } nunca se verifica e não diz nada.

@@ -28,8 +28,8 @@ trainer-candidate-foot = no eixo { $axis }, no pé da normal ao eixo { $other }
 trainer-candidate-intersection = onde os eixos { $axis } e { $other } se encontram
 trainer-candidate-level = no eixo { $axis }, ao nível da origem do referencial { $frame }
 trainer-candidate-axis_point = no eixo { $axis }, onde está desenhada a junta
-trainer-candidate-base = como no referencial de base dado
-trainer-candidate-tool = como no referencial de ferramenta dado
+trainer-candidate-base = como no referencial da base dado
+trainer-candidate-tool = como no referencial da ferramenta dado
 trainer-candidate-coordinates =
     { $axis ->
         [1] ao longo de X das coordenadas da figura
@@ -38,7 +38,7 @@ trainer-candidate-coordinates =
        *[other] a origem das coordenadas da figura
     }
 trainer-candidate-axis = ao longo do eixo { $axis }
-trainer-candidate-normal = ao longo da normal dos eixos { $axis } e { $other }
+trainer-candidate-normal = ao longo da normal comum dos eixos { $axis } e { $other }
 trainer-candidate-frame_x = ao longo de x do referencial { $frame }
 trainer-candidate-across = perpendicular ao eixo { $axis }
 
@@ -60,8 +60,8 @@ trainer-restart = Recomeçar
 trainer-step-done = Este passo está certo.
 trainer-why-z =
     Cada z está ao longo do eixo da junta que lhe corresponde: { $convention ->
-        [standard] z do referencial i−1 ao longo do eixo i, porque a linha i roda θ e avança d em relação a z do referencial i−1.
-       *[modified] z do referencial i ao longo do eixo i, porque a linha i termina com θ e d em relação a z do referencial i.
+        [standard] z do referencial i−1 ao longo do eixo i, porque a linha i roda θ em torno de z do referencial i−1 e avança d ao longo dele.
+       *[modified] z do referencial i ao longo do eixo i, porque a linha i termina com θ em torno de z do referencial i e d ao longo dele.
     }
 trainer-why-origin = Cada origem está onde a normal comum encontra o seu eixo, porque a se mede a partir daí ao longo de x.
 trainer-why-x = Cada x está numa normal comum ou perpendicular a ambos os eixos, porque a e α se medem ao longo e em torno dele.

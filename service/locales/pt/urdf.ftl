@@ -29,8 +29,16 @@ error-urdf_attribute_unknown = Junta “{ $joint }”: <{ $element }> não tem o
 error-urdf_element_twice = A junta “{ $joint }” tem vários elementos <{ $element }> diferentes. Deixe apenas um.
 error-urdf_two_orientations = A junta “{ $joint }” dá a sua orientação duas vezes, como rpy e como quat_xyzw. Deixe apenas uma.
 error-urdf_quaternion_zero = O quaternião da junta “{ $joint }” é 0 0 0 0, que não é uma orientação.
-error-urdf_joint_names = Um robô com { $expected } juntas recebe outros tantos nomes, todos diferentes e nenhum igual a fixed_base, fixed_tool ou fixed_row_…; foram dados { $given }.
-error-urdf_link_names = Um robô com { $expected } juntas recebe outros tantos nomes de elos, um para o que cada junta carrega, todos diferentes; foram dados { $given }.
+error-urdf_joint_names =
+    Um robô com { $expected ->
+        [one] { $expected } junta
+       *[other] { $expected } juntas
+    } recebe outros tantos nomes, todos diferentes e nenhum igual a fixed_base, fixed_tool ou fixed_row_…; nomes dados: { $given }.
+error-urdf_link_names =
+    Um robô com { $expected ->
+        [one] { $expected } junta
+       *[other] { $expected } juntas
+    } recebe outros tantos nomes de elos, um para o que cada junta carrega, todos diferentes; nomes dados: { $given }.
 error-urdf_axis_zero = O eixo da junta “{ $joint }” é 0 0 0 e não tem direção.
 error-urdf_limits_reversed = O limite inferior da junta “{ $joint }” é maior do que o superior.
 error-urdf_numbers_malformed = Junta “{ $joint }”: { $attribute } em <{ $element }> recebe { $count ->

@@ -30,8 +30,8 @@ error-columns_differ_in_length = Coloanele din { $file } au lungimi diferite; fi
 error-exercise_not_named = Nu se spune la ce exercițiu răspunde. Numiți-l, de exemplu puma560.
 error-artefact_unknown = Aici nu se evaluează artefacte de tipul { $type }; se evaluează { $known }.
 error-function_command_unknown = Comenzile la care se răspunde aici sunt { $known }.
-error-function_call_invalid = Corpul unui apel are `response`, `answer` și `params` (un obiect). Nu este așa la: { $places }.
-error-callback_not_allowed = Operatorul acestui serviciu nu permite trimiterea de comentarii la această adresă.
+error-function_call_invalid = Corpul unui apel are `response`, `answer` și `params` (un obiect). Greșit la: { $places }.
+error-callback_not_allowed = Operatorul acestui serviciu nu permite trimiterea observațiilor la această adresă.
 error-version_not_supported = Această versiune a API-ului de evaluare nu este suportată aici; este suportată { $supported }.
 
 error-api_key_unknown = Nu există cheia { $id }.
@@ -49,5 +49,5 @@ evaluation-unreadable = Răspunsul nu poate fi notat așa cum este; aceasta nu s
 scorm-no-script = Acest exercițiu are nevoie de JavaScript.
 scorm-no-lms = Nu s-a găsit nicio platformă de învățare în jurul acestei pagini. Puteți exersa, dar nu se va înregistra nicio notă.
 
-grade-summary = { $right } corecte, { $wrong } greșite, { $ungraded } care nu pot fi notate.
+grade-summary = Corecte: { $right }; greșite: { $wrong }; care nu pot fi notate: { $ungraded }.
 grade-left-out = Fișiere lăsate deoparte din cauza tipului: { $count } ({ $files }).

@@ -52,7 +52,13 @@ error-drawing_too_many_lengths =
         [few] { $count } lungimi cu nume
        *[other] { $count } de lungimi cu nume
     }; sunt posibile cel mult { $limit }.
-error-axis_not_before = Axa { $axis } nu este printre cele { $before } axe desenate înaintea acesteia.
+error-axis_not_before =
+    { $before ->
+        [0] Înaintea acestei axe nu este desenată alta: axa { $axis } nu poate servi ca referință.
+        [one] Înaintea acestei axe este desenată numai axa 1, nu și axa { $axis }.
+        [few] Axa { $axis } nu este printre cele { $before } axe desenate înaintea acesteia.
+       *[other] Axa { $axis } nu este printre cele { $before } de axe desenate înaintea acesteia.
+    }
 error-length_unknown = { $name } nu este încă o lungime a acestui desen. Lungimile lui: { $known }.
 error-draft_too_many_rows =
     Tabelul are { $count ->
@@ -95,13 +101,13 @@ author-axes = Axele cuplelor
 author-axis = { $number } · { $joint }
 author-axis-add = Adaugă o axă
 author-axis-added = Axa { $number } a fost adăugată.
-author-axis-remove = Elimină axa { $number }
-author-axis-removed = Axa { $number } a fost eliminată.
+author-axis-remove = Șterge axa { $number }
+author-axis-removed = Axa { $number } a fost ștearsă.
 author-axis-joint = Tipul cuplei { $number }
 author-placed = Axa { $number } a fost așezată.
 author-how = Cum
 author-point = Un punct al axei
-author-point-at = în coordonate
+author-point-at = dat prin coordonate
 author-point-on = pe altă axă
 author-point-from = deplasat față de altă axă
 author-point-axis = Axa
@@ -129,7 +135,7 @@ author-title-of = Titlu
 author-statement = Enunț
 author-statement-hint = Markdown: paragrafe, liste, *accent*, **aldin**, `cod`. *L1* se culege ca variabilă. Ce se cere și ce este liber nu trebuie spus: serviciul le adaugă în limba cititorului.
 author-statement-preview = Cum îl citesc studenții
-author-statement-none = Nu este scris nimic în această limbă: cititorilor ei li se arată alta și li se spune.
+author-statement-none = Încă nu există text în această limbă: cine o citește vede textul în altă limbă și este înștiințat.
 author-statement-waiting = O clipă …
 author-points = puncte
 author-points-of = Puncte pentru { $part }
@@ -182,11 +188,11 @@ author-draw-from-short = de la
 author-draw-to-short = până la
 author-draw-step-short = pas
 author-aliases = Alte nume
-author-help-most = Cel mult ce se spune despre un tabel greșit
+author-help-most = Cât se spune cel mult despre un tabel greșit
 author-help-ladder = puțin la început, mai mult cu fiecare încercare
 author-attempts = Încercări
-author-access = Ce pot folosi studenții între timp
-author-access-hint = Studenților unei legături dintr-un curs, serviciul însuși le refuză ce este oprit.
+author-access = Ce pot folosi studenții în timp ce lucrează
+author-access-hint = Studenților veniți printr-o legătură dintr-un curs, serviciul însuși le refuză ce este oprit.
 author-access-catalogue = catalogul de roboți
 author-access-playground = atelierul
 author-access-matrices = matricele unui tabel
@@ -230,7 +236,7 @@ author-wrong-marks =
        *[other] { $most } de puncte
     }, tabelul { $score } %
 author-wrong-refused = refuzat, nu costă nicio încercare
-author-wrong-untold = Nu se spune nicio corectură ({ $name }).
+author-wrong-untold = Nu se sugerează nicio corectură ({ $name }).
 author-wrong-tested = exercițiul se testează cu această greșeală
 author-own-words = Cuvintele dumneavoastră, după ale noastre
 author-id = Numele dosarului
@@ -238,10 +244,10 @@ author-download = Descarcă dosarul
 author-downloaded = Arhiva conține un dosar pentru git și pentru „framewise exercises check”.
 author-publish = Publică pe acest serviciu
 author-publish-closed = Acest serviciu nu primește exerciții din această pagină: descărcați dosarul și dați-l celui care administrează serviciul.
-author-published = Publicat. Această versiune rămâne așa pentru totdeauna; o schimbare face alta.
+author-published = Publicat. Această versiune rămâne așa pentru totdeauna; o modificare creează alta.
 author-open = Deschide exercițiul
 author-insert = Inserează-l în curs
-author-lti-hint = Într-o legătură pe care o face platforma dumneavoastră, dați acesta ca parametru personalizat:
+author-lti-hint = Într-o legătură creată de platforma dumneavoastră, adăugați acest parametru personalizat:
 author-link = Copiază o legătură spre ciornă
 author-link-copied = Adresa conține acum toată ciorna și este copiată.
 author-import = Deschide un dosar (zip)
@@ -251,9 +257,9 @@ author-imported = Exercițiul este deschis.
 ## What a definition may say beside
 
 author-add = Adaugă: { $name }
-author-remove = Elimină { $name }
+author-remove = Șterge { $name }
 author-usual = valoarea obișnuită
-author-dimension-handle = Cota { $name }: trageți-o sau folosiți săgețile; Backspace lasă locul ei serviciului
+author-dimension-handle = Cota { $name }: trageți-o sau folosiți săgețile; cu Backspace o așază din nou serviciul
 author-dimension-hint = Trageți numele unei cote acolo unde se citește bine.
 author-dimension-moved = { $name } mutată.
 author-dimension-free = { $name } este așezată din nou automat.
@@ -262,12 +268,12 @@ author-part-keys = { $part }: ce se dă și ce se cere
 author-part-not-beside = Nu împreună cu „{ $part }”: o parte arată răspunsul celeilalte.
 author-needs = Necesare în orice răspuns corect
 author-needs-hint = Regulile trebuie să asigure aceasta: fixați baza sau scula, altfel o alegere de sisteme lasă cota pe dinafară.
-author-rungs = Cel mult se spune
+author-rungs = Se spune cel mult
 author-rung = la încercarea { $number }
 author-rung-more = Încă o treaptă
 author-rung-less = O treaptă mai puțin
 author-weights = Cât costă greșelile
-author-weights-hint = Ponderi relative: o greșeală cu ponderea 2 costă de două ori cât una cu ponderea 1. Dacă rămân goale, sunt valabile cele obișnuite.
+author-weights-hint = Ponderi relative: o greșeală cu ponderea 2 costă de două ori cât una cu ponderea 1. Dacă un câmp rămâne gol, este valabilă ponderea obișnuită.
 author-weight-joint = cuplă lipsă; de alt tip, dublul
 author-weight-twist = o torsiune α
 author-weight-length = o lungime a
@@ -288,7 +294,7 @@ author-sample-invalid = refuzat
 author-sample-feedback = Coduri pe care le conține verdictul
 author-sample-keep = Păstrează acest răspuns ca exemplu
 author-sample-kept = Păstrat printre exemple.
-author-figure-more = Tot restul figurii
+author-figure-more = Toate celelalte detalii ale figurii
 author-figure-upright = Cum stă sistemul 0 în figură, grade
 author-figure-roll = ruliu
 author-figure-pitch = tangaj
@@ -360,8 +366,8 @@ author-choice-quaternion = cuaternion
 author-choice-axis_angle = axă și unghi
 author-choice-angles = trei unghiuri
 author-choice-every_triple = toate tripletele de unghiuri
-author-choice-current = axele sistemului mobil
-author-choice-fixed = axe fixe
+author-choice-current = axelor sistemului mobil
+author-choice-fixed = unor axe fixe
 author-choice-axis = axa cuplei 1
 author-key-one-joint = { $name } trasă la sorți separat
 author-version = Versiunea: măriți-o când se schimbă răspunsurile corecte sau valorile

@@ -4,7 +4,11 @@ check-counts = { $exercise }: { $passed ->
     [one] { $passed } verificare reușită
     [few] { $passed } verificări reușite
    *[other] { $passed } de verificări reușite
-}, { $failed } nereușite, { $warnings ->
+}, { $failed ->
+    [one] { $failed } nereușită
+    [few] { $failed } nereușite
+   *[other] { $failed } nereușite
+}, { $warnings ->
     [one] { $warnings } avertisment
     [few] { $warnings } avertismente
    *[other] { $warnings } de avertismente

@@ -12,29 +12,29 @@ error-body_varies = Masa unui element și locul ei în acesta nu depind de varia
 error-dynamics_not_finite = Masele, lungimile sau vitezele sunt atât de mari, încât rezultatul nu este un număr.
 
 task-equations-of-motion =
-    Sunt date tabelul robotului și corpul care se mișcă împreună cu fiecare sistem i. Scrieți M(q), C(q, q̇) și g(q) din M q̈ + C q̇ + g = τ, în măsura în care se cer, ca funcții de q1, q2, …, de vitezele lor dq1, dq2, … și de numele date; lungimi în { $unit }, pe radian. { $skew ->
-        [yes] Este corectă orice C cu C q̇ corect; în plus, Ṁ − 2C trebuie să fie antisimetrică.
-       *[no] Este corectă orice C cu C q̇ corect.
+    Sunt date tabelul robotului și corpul care se mișcă împreună cu fiecare sistem i. Scrieți termenii ceruți din M q̈ + C q̇ + g = τ ca funcții de q1, q2, …, de vitezele lor dq1, dq2, … și de simbolurile date; lungimi în { $unit }, pe radian. { $skew ->
+        [yes] Este corectă orice matrice C care dă C q̇ corect; în plus, Ṁ − 2C trebuie să fie antisimetrică.
+       *[no] Este corectă orice matrice C care dă C q̇ corect.
     }
 given-link-weights = Elementele: masă, centru în sistemul i, momente față de el [kg { $unit }²]
 given-gravity-vector = Accelerația gravitațională în sistemul 0 [{ $unit }/s²]
 given-weights = Valorile simbolurilor
 field-mass = Matricea de inerție M
 field-coriolis = Matricea C
-field-velocity = Termenii Coriolis și centrifugali C q̇
+field-velocity = Termenii Coriolis și centrifugi C q̇
 field-gravity = Termenii gravitaționali g
 feedback-motion_right = Acestea sunt ecuațiile de mișcare.
 feedback-motion_mass_wrong = Nu toate elementele lui M sunt corecte.
 feedback-motion_coriolis_wrong = Nu toate rândurile lui C q̇ sunt corecte.
-feedback-motion_velocity_wrong = Nu toți termenii Coriolis și centrifugali sunt corecți.
-feedback-motion_skew_wrong = Cu această C, Ṁ − 2C nu este antisimetrică. Simbolurile lui Christoffel dau una cu care este.
+feedback-motion_velocity_wrong = Nu toți termenii Coriolis și centrifugi sunt corecți.
+feedback-motion_skew_wrong = Cu această C, Ṁ − 2C nu este antisimetrică. Simbolurile lui Christoffel dau o matrice C cu care este.
 feedback-motion_gravity_wrong = Nu toate elementele lui g sunt corecte.
 feedback-motion_missing =
     { $what ->
         [mass] Lipsește matricea de inerție.
         [coriolis] Lipsește matricea C.
         [skew] Fără matricea C nu există Ṁ − 2C.
-        [velocity] Lipsesc termenii Coriolis și centrifugali.
+        [velocity] Lipsesc termenii Coriolis și centrifugi.
        *[gravity] Lipsesc termenii gravitaționali.
     }
 feedback-motion_asymmetric = O matrice de inerție este simetrică; aceasta nu este.

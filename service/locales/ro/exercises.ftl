@@ -68,7 +68,7 @@ rule-tool-point = Originea ultimului sistem se află în punctul marcat { $point
 rule-tool-axis = Axa z a ultimului sistem este pe axa ultimei cuple, în oricare dintre sensuri; originea lui poate fi oriunde pe ea.
 rule-tool-frame = Ultimul sistem este impus.
 rule-zero-free = Alegeți dumneavoastră unde este zero fiecare variabilă a cuplelor.
-rule-zero-figure = În poziția din figură, toate variabilele cuplelor sunt zero.
+rule-zero-figure = În configurația din figură, toate variabilele cuplelor sunt zero.
 rule-direction-free = Alegeți dumneavoastră sensul fiecărei axe.
 rule-direction-figure = Variabilele cuplelor sunt pozitive în sensul săgeților din figură.
 
@@ -165,7 +165,7 @@ error-joint_variable_unknown = Nu există { $name }; robotul are { $joints ->
    *[other] { $joints } de cuple
 }.{ $summed ->
     [0] {""}
-   *[other] {" "}O sumă se scrie întreagă: { $sum }.
+   *[other] {" "}O sumă se scrie desfășurat: { $sum }.
 }
 error-short_form_unknown = { $name } este citit ca un cosinus sau un sinus, dar nu toți indicii lui sunt cuple de rotație; robotul are { $joints ->
     [one] o cuplă

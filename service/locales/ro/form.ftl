@@ -18,7 +18,7 @@ form-home-heading = Descrieți robotul. Orice alegere corectă a sistemelor de c
 form-home-lead = Tabele Denavit–Hartenberg cu un robot care se mișcă în timp ce scrieți și un verificator care demonstrează dacă tabelul descrie același mecanism.
 form-home-exercises = Exerciții
 form-home-subjects = Subiecte
-form-home-more = Mai mult
+form-home-more = Mai multe
 form-home-playground = Orice tabel: situări, jacobieni, forme închise, conversii.
 form-home-api = Interfață de programare
 form-home-api-text = Același lucru prin HTTP, ca document OpenAPI.
@@ -102,8 +102,8 @@ form-row = rândul { $row }
 form-column = coloana { $name }
 form-row-cell = rândul { $row }, { $name }
 form-cell-label = Rândul { $row }, { $name } [{ $unit }]
-form-cell-empty = Gol: scrieți 0 dacă este zero.
-form-refused = Nu a reușit:
+form-cell-empty = Goală: scrieți 0 dacă este zero.
+form-refused = Nu a funcționat:
 form-faults =
     { $count ->
         [one] O celulă trebuie corectată:
@@ -162,7 +162,7 @@ form-figure-space = 3D
 form-figure-alt = Desenul robotului: { $title }. Urmează o descriere în cuvinte.
 form-figure-label = { $title } în spațiu
 form-figure-move = Mișcă cuplele
-form-figure-posture = Socotit de la poziția din desen.
+form-figure-posture = Valorile se măsoară de la configurația din desen.
 form-choose = Alegeți …
 form-choose-missing = Alegeți una dintre variante.
 form-points =
@@ -271,7 +271,7 @@ form-finding-unknown = nedecis
 form-finding-hidden = –
 form-repairs = Ce l-ar face corect
 form-repair-or = sau
-form-both-label = Robotul exercițiului și al dumneavoastră, mișcându-se împreună
+form-both-label = Robotul exercițiului și cel al dumneavoastră, mișcându-se împreună
 form-both-text = Cei doi roboți se mișcă împreună: al dumneavoastră cu sistemele alese, cel al exercițiului în gri și portocaliu.
 form-both-description = Sistemele dumneavoastră stau pe robotul exercițiului și amândoi urmează aceeași mișcare.
 form-both-position = Momentul mișcării
@@ -282,13 +282,13 @@ form-history-heading = Încercările dumneavoastră
 form-history-restore = Readu în formular
 form-history-restored = Încercarea este din nou în formular
 form-history-kept = Se păstrează numai în acest browser.
-form-history-clear = Uită tot
+form-history-clear = Șterge istoricul
 
 form-missing-title = Nu există
 form-missing-text = Această pagină nu există. Toate exercițiile sunt pe prima pagină.
 form-missing-home = La exerciții
 form-storage-blocked = Browserul nu păstrează nimic aici: ce scrieți se pierde când închideți sau reîncărcați pagina.
-form-other-tab = Acest exercițiu este deschis și în altă filă, iar acolo tocmai s-a scris ceva. Rămâne ce se scrie ultima dată.
+form-other-tab = Acest exercițiu este deschis și în altă filă, iar acolo tocmai s-a scris ceva. Se păstrează ce se scrie ultimul.
 form-other-tab-take = Arată ce s-a scris acolo
 
 form-row-play = Arată rândul { $row } în imagine
@@ -325,7 +325,7 @@ form-name-unknown =
 form-nav-lesson = Prima lecție
 form-term = Ce înseamnă „{ $term }”?
 form-convention-what = Ce sunt acestea?
-form-exercise-write = Legați un sistem de fiecare element și scrieți tabelul DH al acestui robot.
+form-exercise-write = Atașați câte un sistem de coordonate fiecărui element și scrieți tabelul DH al acestui robot.
 
 form-why = De ce este corect fiecare rând
 form-why-row = Rândul { $row }: poziția axelor z{ $before } și z{ $row }: { $relation }; de aceea α = { $alpha } și a = { $a }; de-a lungul lui z, sistemele sunt la distanța d = { $d }.
@@ -348,25 +348,25 @@ form-progress-typed = neverificat încă
 form-part-missing = nepredat
 form-part-empty = Aici nu este scris încă nimic.
 form-submit-part = Verifică această parte
-form-points-for = Un tabel greșit primește puncte pentru torsiunile, lungimile și decalajele corecte pe care nu le-ar avea și un tabel cu zerouri. Cel mai mult costă o cuplă care lipsește sau are tipul greșit, cel mai puțin un semn greșit.
+form-points-for = Un tabel greșit primește puncte pentru torsiunile, lungimile și decalajele corecte pe care un tabel de zerouri nu le-ar avea. Cel mai mult costă o cuplă care lipsește sau are tipul greșit, cel mai puțin un semn greșit.
 form-help-steps = pas cu pas
 form-help-principle = Principiul.
-form-help-worked = Un pas rezolvat, la alt robot.
+form-help-worked = Un pas rezolvat, pe alt robot.
 form-help-next = Următorul pas al ajutorului vine cu următorul răspuns, după ce l-ați schimbat.
 form-principle-twist = Torsiunea α duce o axă z în următoarea, privită de-a lungul axei x, care este perpendiculară pe amândouă. Axele z paralele au 0° sau 180°, cele perpendiculare 90° sau −90°; mâna dreaptă, cu degetul mare după x, dă semnul.
 form-principle-length = Lungimea a este distanța dintre două axe z vecine, măsurată pe perpendiculara lor comună, care este axa x. Este 0 dacă și numai dacă cele două drepte se intersectează.
-form-principle-offset = Decalajul d este distanța de-a lungul unei axe z între două picioare: unde sosește perpendiculara comună de la axa dinainte și unde pleacă cea spre axa următoare. Dacă axele vecine sunt paralele, puteți alege unde îl puneți, dar o singură dată.
+form-principle-offset = Decalajul d este distanța de-a lungul unei axe z între picioarele a două perpendiculare comune: cea de la axa dinainte și cea spre axa următoare. Între axe paralele puteți alege unde stă perpendiculara, dar o singură dată.
 form-principle-joint = O cuplă de rotație se rotește în jurul axei sale z: variabila este θ. O cuplă de translație alunecă de-a lungul ei: variabila este d. Fiecare cuplă are un rând, în ordine de la bază la sculă.
 form-worked-twist = Un umăr a cărui primă axă este verticală, iar a doua orizontală: cele două axe z sunt perpendiculare. Cu x spre dumneavoastră, mâna dreaptă duce z vertical în cel orizontal cu −90° sau 90°, după sensul ales pentru z; deci α = −90° sau 90°, niciodată 0.
 form-worked-length = Două elemente într-un plan, de 0,4 m și 0,3 m: ambele axe sunt verticale, la 0,4 m una de alta. Perpendiculara lor comună este primul element, deci a = 0,4 m. La o încheietură ale cărei axe se intersectează într-un punct, fiecare a este 0.
-form-worked-offset = Un umăr se află la 0,2 m lateral de prima axă, verticală, iar a doua axă este orizontală. De-a lungul celei de-a doua axe sunt 0,2 m între piciorul perpendicularei de la prima și cel al perpendicularei spre a treia: d = 0,2 m, în rândul cuplei a doua.
+form-worked-offset = Un umăr se află la 0,2 m lateral de prima axă, verticală, iar a doua axă este orizontală. De-a lungul celei de-a doua axe sunt 0,2 m între piciorul perpendicularei de la prima și cel al perpendicularei spre a treia: d = 0,2 m, în rândul celei de-a doua cuple.
 form-worked-joint = Un portal își mișcă căruciorul pe o șină și rotește prehensorul de sub el. Șina este o cuplă de translație: rândul ei are variabila în d și un număr în θ. Prehensorul este o cuplă de rotație: variabila în θ și un număr în d.
 form-home-author = Creează un exercițiu
 form-home-author-text = Pentru profesori: faceți din brațul din cartea dumneavoastră un exercițiu, într-un sfert de oră.
 
 form-matrices-withheld = Matricele apar aici când părțile care le cer sunt corecte.
 form-sharing = Pentru profesori: legături și pachete
-form-sharing-text = O legătură poartă aceste setări, semnate: cine vine prin ea nu le poate schimba, iar serviciul însuși le respectă. Un pachet SCORM intră într-un curs fără administrator; nota lui vine din browserul studentului, dar recipisa din comentarii nu poate fi falsificată.
+form-sharing-text = O legătură poartă aceste setări, semnate: cine vine prin ea nu le poate schimba, iar serviciul însuși le impune. Un pachet SCORM intră într-un curs fără administrator; nota lui vine din browserul studentului, dar recipisa din comentarii nu poate fi falsificată.
 form-sharing-may = Studenții pot folosi
 form-sharing-catalogue = catalogul de roboți
 form-sharing-playground = atelierul
@@ -378,7 +378,7 @@ form-sharing-link = Creează o legătură
 form-sharing-receipts = Verifică recipise
 form-receipt = Obține o recipisă
 form-receipt-text = Recipisa spune ce a obținut acest răspuns și este semnată de acest serviciu. Predați-o profesorului: ca text, ca un cod QR sau ca pagină tipărită.
-form-receipt-name = Numele dumneavoastră, așa cum îl știe cursul
+form-receipt-name = Numele dumneavoastră, așa cum apare la curs
 form-receipt-as-text = Recipisa ca text
 form-receipt-copy = Copiază textul
 form-receipt-qr = Recipisa ca un cod QR
@@ -401,5 +401,5 @@ form-frames-at-joint = la corpul cuplei { $joint }
 form-frames-at-point = în { $name }
 form-frames-at-ground = unde este fixat robotul
 form-frames-along = de-a lungul axei cuplei { $joint }
-form-frames-against = împotriva axei cuplei { $joint }
+form-frames-against = în sens opus axei cuplei { $joint }
 form-answer-empty = Nu s-a predat nimic. Exercițiul cere: { $parts }.

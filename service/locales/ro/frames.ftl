@@ -1,6 +1,6 @@
 # Atașarea sistemelor: reguli și refuzuri.
 
-rule-z_not_along_axis = z trebuie să fie de-a lungul axei { $axis }, deoarece cupla { $axis } se rotește în jurul acestui z sau alunecă de-a lungul lui.
+rule-z_not_along_axis = z trebuie să fie de-a lungul axei { $axis }, deoarece cupla { $axis } se rotește în jurul acestei axe z sau alunecă de-a lungul ei.
 rule-origin_not_on_axis = Originea trebuie să se afle pe axa { $axis }, deoarece z al acestui sistem este de-a lungul ei.
 rule-origin_not_on_common_normal = Originea trebuie să fie acolo unde perpendiculara comună a axelor { $first } și { $second } întâlnește axa acestui sistem, deoarece a se măsoară pe acea perpendiculară.
 rule-origin_not_at_intersection = Axele { $first } și { $second } se intersectează: originea se pune în punctul lor de intersecție, deoarece acolo a este zero.

@@ -39,11 +39,11 @@ task-orientation =
         [every] {" "}Din unghiurile în jurul axelor { $asked_turning ->
             [fixed] fixe
            *[current] curente
-        } { $asked_axes } se cer toate tripletele: amândouă sau, la blocaj cardanic, unghiul din mijloc și ce este determinat din celelalte două.
+        } { $asked_axes } se cer toate tripletele: amândouă sau, la blocaj cardanic, unghiul din mijloc și combinația determinată a celorlalte două.
         [one] {" "}Din unghiurile în jurul axelor { $asked_turning ->
             [fixed] fixe
            *[current] curente
-        } { $asked_axes } ajunge un triplet.
+        } { $asked_axes } este suficient un triplet.
        *[none] {""}
     }
 task-rotation-check = Este această matrice o rotație? Dacă nu, spuneți ce proprietate a rotațiilor nu este îndeplinită.
@@ -73,7 +73,7 @@ feedback-rotation_component_order = În cealaltă ordine a componentelor acest c
 feedback-rotation_not_unit = Cuaternionul nu are norma 1.
 feedback-rotation_no_axis = Axa are lungimea zero.
 feedback-rotation_solution_missing = Mai există un triplet cu aceeași orientare.
-feedback-rotation_solution_twice = Tripletele diferă doar prin rotații complete: sunt același. Mai există unul.
+feedback-rotation_solution_twice = Tripletele diferă doar prin rotații complete: sunt unul și același. Mai există unul.
 feedback-rotation_family_missing = Este blocaj cardanic: există o infinitate de triplete. Spuneți ce combinație a primului și ultimului unghi este determinată.
 feedback-rotation_combination = Cealaltă combinație este cea determinată: diferența în locul sumei sau suma în locul diferenței.
 feedback-rotation_not_locked = Nu este blocaj cardanic: exact două triplete au această orientare.
@@ -138,7 +138,7 @@ task-inverse-kinematics =
         [own] Ce valori ale variabilelor dumneavoastră aduc ultimul sistem în acest loc din sistemul 0?
        *[given] Tabelul robotului este dat. Ce valori ale cuplelor aduc ultimul său sistem în acest loc din sistemul 0?
     } { $solutions ->
-        [one] Ajunge o soluție.
+        [one] Este suficientă o soluție.
        *[all] Dați-le pe toate; rotațiile complete nu contează.
     } { $reach ->
         [position] Contează numai poziția ultimei origini, în { $unit }.
@@ -180,7 +180,7 @@ feedback-branch_other =
 feedback-joints_quadrant = Rândul { $row }: q{ $joint } se află în cadranul greșit, la o jumătate de rotație. Folosiți atan2 în loc de atan.
 feedback-joints_sign = Rândul { $row }: q{ $joint } are semnul greșit.
 feedback-joints_degrees = Rândul { $row }: gradele au fost luate drept radiani, sau invers.
-feedback-joints_swapped = Rândul { $row }: q{ $joint } este 90° minus cât ar trebui; argumentele lui atan2 au fost schimbate între ele.
+feedback-joints_swapped = Rândul { $row }: q{ $joint } este 90° minus valoarea corectă; argumentele lui atan2 au fost schimbate între ele.
 feedback-joints_half_branch = Rândul { $row } este rândul { $other } în care s-a schimbat doar q{ $joint }: pe altă ramură se schimbă odată cu ea și alte cuple.
 feedback-joints_position_only = Rândul { $row } atinge poziția, dar nu și orientarea.
 feedback-joints_orientation_only = Rândul { $row } atinge orientarea, dar nu și poziția.
@@ -193,7 +193,7 @@ feedback-joints_combination_zero = Combinația { $row } este 0 orice ar face cup
 feedback-joints_combination_loose = Combinația { $row } rămâne neschimbată de-a lungul soluțiilor, dar nu este destul: alte valori ale cuplelor cu aceeași combinație nu ating situarea.
 error-pose_frames_free = Situarea este dată în sistemul 0 și pentru ultimul: regulile trebuie să le fixeze pe amândouă, base = "frame" și tool = "frame".
 error-pose_within_reach = Acest braț atinge situări oricât de îndepărtate, fiindcă aici cuplele de translație nu au limite: scoateți out_of_reach din cases.
-error-joint_row_length = Un rând conține câte o valoare pentru fiecare cuplă: trebuie { $expected }, s-au dat { $given }.
+error-joint_row_length = Un rând conține câte o valoare pentru fiecare cuplă. Necesare: { $expected }; date: { $given }.
 error-joint_rows_empty = Dați valorile cuplelor care ating situarea.
 
 field-row = Rândul cu greșeala
@@ -264,7 +264,7 @@ given-second-table = Al doilea tabel ({ $convention ->
    *[standard] convenția standard
 })
 
-task-find-mistake = Acest tabel ar trebui să descrie robotul din figură, dar un rând are o greșeală. Care rând, ce este greșit și cum ar trebui să fie?
+task-find-mistake = Acest tabel ar trebui să descrie robotul din figură, dar un rând are o greșeală. Care este rândul, ce este greșit și cum ar trebui să fie?
 task-compare-tables = Descriu aceste două tabele același robot, oricum s-ar alege sistemele? Spuneți de ce.
 
 feedback-mistake_found = Ați găsit greșeala, ați numit-o și ați corectat-o.
@@ -284,12 +284,12 @@ feedback-tables_reason_wrong = Verdictul este corect, dar nu din acest motiv.
 feedback-tables_reason_missing = Verdictul este corect; spuneți și de ce.
 error-row_unknown = Dați numărul unui rând, de la 1 la { $count }.
 error-column_unknown = Dați numărul unei coloane, de la 1 la { $count }.
-error-vector_length = Vectorul are { $expected } componente, iar date sunt { $given }.
+error-vector_length = Vectorul are { $expected } componente, nu { $given }.
 error-joint_variable_in_number = { $name } este variabila unei cuple, iar aici se cere un număr: puneți valoarea ei.
 error-no_mistake_does_harm = Niciuna dintre aceste greșeli nu schimbă acest robot după regulile lui.
 error-frame_mistakes_not_shown = Sistemele de coordonate ale acestui robot nu pot arăta niciuna dintre aceste greșeli. Ce pot arăta: { $known }.
 error-key_given_away = Această parte arată un tabel; un exercițiu care cere tabelul nu o poate avea.
-error-not_plantable = Nicio greșeală cerută din catalog nu schimbă acest robot.
+error-not_plantable = Niciuna dintre greșelile cerute nu schimbă acest robot.
 
 field-frame = Torsorii sunt scriși în
 field-order = Ordinea dintre v și ω
@@ -306,7 +306,7 @@ feedback-screws_right = Torsorii și situarea inițială descriu acest robot.
 feedback-screws_wrong = Acest produs de exponențiale nu descrie robotul, oricare ar fi sistemul, zeroul și sensurile alese.
 feedback-screw_not_unit = Cupla { $joint }: ω al unei cuple de rotație este un versor.
 feedback-screw_pitch = Cupla { $joint }: v are o componentă de-a lungul lui ω; o cuplă de rotație nu înaintează pe axa ei.
-feedback-screw_joint_type = Cupla { $joint }: una de translație are ω = 0 și o direcție v; una de rotație are ω de lungime 1.
+feedback-screw_joint_type = Cupla { $joint }: una de translație are ω = 0 și un versor v; una de rotație are ω de lungime 1.
 feedback-screw_halves = v și ω sunt schimbate între ele: în cealaltă ordine rândurile ar fi corecte.
 feedback-screw_moment_sign =
     { $joint ->
@@ -327,10 +327,10 @@ error-screw_count =
         [one] { $expected } cuplă
         [few] { $expected } cuple
        *[other] { $expected } de cuple
-    }, s-au dat { $given ->
-        [one] { $given } torsor
-        [few] { $given } torsori
-       *[other] { $given } de torsori
+    }, { $given ->
+        [one] s-a dat { $given } torsor
+        [few] s-au dat { $given } torsori
+       *[other] s-au dat { $given } de torsori
     }.
 
 error-screw_too_large = Un număr este prea mare pentru un robot; cel mai mare este { $limit }.

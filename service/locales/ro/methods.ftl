@@ -13,10 +13,10 @@ error-limits_wrong_length =
         [one] { $expected } cuplă
         [few] { $expected } cuple
        *[other] { $expected } de cuple
-    }, dar s-au dat { $given ->
-        [one] { $given } limită
-        [few] { $given } limite
-       *[other] { $given } de limite
+    }, dar { $given ->
+        [one] s-a dat { $given } limită
+        [few] s-au dat { $given } limite
+       *[other] s-au dat { $given } de limite
     }; dați câte una pentru fiecare cuplă, null acolo unde nu există limită.
 error-limits_reversed = Dați ca limite ale cuplei { $joint } valoarea minimă și valoarea maximă, în această ordine.
 error-limits_too_far = Limitele cuplei { $joint } sunt ambele la peste { $limit } rad de 0. Scădeți din amândouă rotații complete.

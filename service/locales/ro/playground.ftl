@@ -38,7 +38,7 @@ playground-target-z = axa z
 playground-target-p = poziția
 playground-number-needed = Scrieți un număr, de exemplu 0,5.
 playground-target-number = Scrieți un număr, de exemplu 0,5, 1/2 sau √2/2.
-playground-target-skew = x, y și z sunt axele unui reper: fiecare trebuie să aibă lungimea 1 și să fie perpendiculară pe celelalte. Scrieți numerele rotunjite cu toate cifrele, sau ca √2/2.
+playground-target-skew = x, y și z sunt axele unui sistem de coordonate: fiecare trebuie să aibă lungimea 1 și să fie perpendiculară pe celelalte. Un număr rotunjit are nevoie de toate cifrele lui sau de un radical: √2/2.
 playground-limits-reversed = Valoarea cea mai mică este peste cea mai mare.
 playground-duration-needed = Scrieți o durată între 0,001 și 1000000 de secunde.
 playground-target-present = Preia situarea actuală
@@ -71,7 +71,7 @@ playground-outer-origin = Raza exterioară, de la origine
 playground-slide-least = Valoarea minimă a lui { $name } în { $unit }
 playground-slide-greatest = Valoarea maximă a lui { $name } în { $unit }
 playground-from-axes = Din axele cuplelor
-playground-axes-hint = Pentru fiecare cuplă un punct al axei și direcția ei, cu robotul în poziția zero. Sistemele se atașează după procedura din curs.
+playground-axes-hint = Pentru fiecare cuplă un punct al axei și direcția ei, cu robotul în poziția zero. Sistemele se atașează după procedura obișnuită.
 playground-axes = Axele cuplelor
 playground-axis-px = punct x
 playground-axis-py = punct y
@@ -114,7 +114,7 @@ playground-cloud =
         [one] { $count } poziție
         [few] { $count } poziții
        *[other] { $count } de poziții
-    } ale originii sistemului final, răspândite uniform pe cursele cuplelor.
+    } ale originii sistemului final, distribuite uniform pe cursele cuplelor.
 playground-section = Secțiunea spațiului de lucru prin prima axă
 playground-section-radius = distanța de la prima axă
 playground-section-height = înălțimea de-a lungul primei axe
@@ -151,12 +151,12 @@ playground-plot-accelerations-prismatic = Accelerațiile liniare ale cuplelor î
 playground-more = Mai multe despre acest robot
 playground-more-inverse = Cinematica inversă în simboluri
 playground-more-inverse-hint = O cuplă după alta. Fiecare semn este o alegere între 1 și −1; unghiurile sunt în radiani. Un robot cu șase cuple poate dura.
-playground-condition-reachable = Această ramură există doar unde aceasta este 0 sau mai mult:
-playground-condition-determined = Unde aceasta este 0 unghiul nu este determinat (o singularitate):
+playground-condition-reachable = Această ramură există doar unde această expresie este mai mare sau egală cu 0:
+playground-condition-determined = Unde această expresie este 0, unghiul nu este determinat (o singularitate):
 playground-singular-choice = Acolo { $joints } se poate alege, iar aceasta este determinată:
-playground-condition-fulfilled = Ținta este atinsă doar dacă aceasta este 0:
+playground-condition-fulfilled = Ținta este atinsă doar dacă această expresie este 0:
 playground-more-singularities = Singularități
-playground-more-singularities-hint = O configurație din fiecare familie. Scrieți condiții, una pe rând, precum sin(q5) sau q3 = 0, pentru a fi judecate.
+playground-more-singularities-hint = O configurație din fiecare familie. Scrieți condiții, una pe rând, precum sin(q5) sau q3 = 0, pentru a fi verificate.
 playground-conditions = Condiții
 playground-conditions-right = Brațul este singular exact unde acestea au loc.
 playground-conditions-wrong = Acestea nu spun unde este singular brațul.
@@ -172,7 +172,7 @@ playground-sequences = Unghiurile celor 24 de secvențe
 playground-turning-current = axe curente
 playground-turning-fixed = axe fixe
 playground-more-dynamics = Ecuațiile de mișcare
-playground-more-dynamics-hint = Fiecare element este o masă punctiformă [kg] în x, y, z ale sistemului său; gravitația este 9,81 m/s² împotriva lui z0. În simboluri mᵢ este masa elementului i. Rezultate în unități SI.
+playground-more-dynamics-hint = Fiecare element este o masă punctiformă [kg] în x, y, z ale sistemului său; gravitația este 9,81 m/s², în sens opus lui z0. În simboluri mᵢ este masa elementului i. Rezultate în unități SI.
 playground-bodies = Mase și viteze
 playground-body-mass = masă
 playground-body-x = x
@@ -186,7 +186,7 @@ playground-more-mistake = Găsiți greșeala
 playground-more-mistake-hint = Tabelul acestui robot, cu o greșeală într-un rând.
 playground-mistake-next = Altă greșeală
 playground-mistake-which = Care rând este greșit?
-playground-mistake-found = Da, rândul { $row }: { $label }. Tabelul cum era:
+playground-mistake-found = Da, rândul { $row }: { $label }. Tabelul așa cum era:
 playground-mistake-elsewhere = Greșeala nu este în rândul { $row }; mai căutați.
 playground-row = Rândul { $row }
 playground-more-frame = Găsiți sistemul greșit
@@ -198,7 +198,7 @@ playground-frame-scene = Robotul cu sistemele sale
 playground-frame-coordinates = Sistemele așa cum sunt desenate
 playground-frame-mended = Cum ar trebui să fie
 playground-more-compare = Descriu două tabele același robot?
-playground-more-compare-hint = Păstrați un tabel, apoi schimbați-l sau alegeți altul: dacă este încă același robot, și de ce.
+playground-more-compare-hint = Păstrați un tabel, apoi schimbați-l sau alegeți altul: veți vedea dacă este încă același robot și de ce.
 playground-compare-keep = Păstrează acest tabel pentru comparație
 playground-compare-same = Cele două tabele descriu același robot.
 playground-compare-different = Cele două tabele descriu roboți diferiți.

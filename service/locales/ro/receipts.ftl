@@ -5,7 +5,7 @@ receipts-lead = Trageți aici fișierele predate de studenți sau lipiți textel
 receipts-files = Fișiere cu recipise
 receipts-paste = Sau textele lor, unul după altul
 receipts-verify = Verifică
-receipts-none = Încă nu este nicio recipisă.
+receipts-none = Încă nu există nicio recipisă.
 receipts-found =
     { $all ->
         [1]

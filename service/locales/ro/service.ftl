@@ -45,7 +45,7 @@ error-body_too_large =
         [few] { $limit } octeți
        *[other] { $limit } de octeți
     }, cât citește cel mult acest apel.
-error-method_not_allowed = Această adresă cunoaște { $allowed }, dar nu și { $method }.
+error-method_not_allowed = Această adresă acceptă { $allowed }, dar nu și { $method }.
 error-address_unknown = La { $path } nu există nimic. Documentul /api/v1/openapi.json enumeră toate apelurile.
 error-problem_unknown = Niciun refuz nu are codul { $code }.
 error-internal_error = Serviciul a eșuat la această cerere. Semnalați problema cu identificatorul { $id }.
@@ -132,7 +132,7 @@ error-api_key_missing = Cererea nu indică nicio cheie. Trimiteți-o ca Authoriz
 error-api_key_invalid = Această cheie nu este cunoscută aici, a expirat sau a fost revocată.
 error-api_key_scope = Această cheie este pentru { $scopes }; apelul cere { $needed }.
 error-idempotency_key_length =
-    O Idempotency-Key are între 1 și { $limit ->
+    Un Idempotency-Key are între 1 și { $limit ->
         [one] { $limit } caracter
         [few] { $limit } caractere
        *[other] { $limit } de caractere

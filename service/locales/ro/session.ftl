@@ -39,5 +39,5 @@ session-attempts-kept = Se păstrează în cursul dumneavoastră.
 session-attempts-latest = Aici apar ultimele { $count }.
 session-ended = Nu mai sunteți autentificat: răspunsurile pe care le dați aici nu contează. Deschideți din nou exercițiul din cursul dumneavoastră; ce ați scris acolo este încă acolo.
 session-elsewhere = Cursul dumneavoastră cere alt exercițiu: răspunsurile la acesta nu contează.
-session-elsewhere-go = Deschideți exercițiul din curs
+session-elsewhere-go = Deschide exercițiul din curs
 session-launch-by-hand = Platformele de învățare îi trimit aici pe studenți; singură, această adresă nu arată nimic. Deschideți exercițiul din cursul dumneavoastră.

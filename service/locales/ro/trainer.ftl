@@ -1,6 +1,6 @@
 # Antrenorul de sisteme de coordonate.
 
-trainer-title = Antrenor de sisteme
+trainer-title = Antrenor de sisteme de coordonate
 trainer-heading = Atașați sistemele de coordonate
 trainer-lead = Sistem cu sistem, în ordinea cursului: toate axele z, perpendicularele comune, originile, toate axele x. Fiecare pas se verifică la sfârșit; apoi se citește tabelul DH.
 trainer-back = Înapoi la exercițiu
@@ -29,7 +29,7 @@ trainer-candidate-foot = pe axa { $axis }, la piciorul perpendicularei pe axa { 
 trainer-candidate-intersection = unde se întâlnesc axele { $axis } și { $other }
 trainer-candidate-level = pe axa { $axis }, la nivelul originii sistemului { $frame }
 trainer-candidate-axis_point = pe axa { $axis }, unde este desenată cupla
-trainer-candidate-base = ca în sistemul de bază dat
+trainer-candidate-base = ca în sistemul bazei dat
 trainer-candidate-tool = ca în sistemul sculei dat
 trainer-candidate-coordinates =
     { $axis ->
@@ -61,8 +61,8 @@ trainer-restart = Începe din nou
 trainer-step-done = Acest pas este corect.
 trainer-why-z =
     Fiecare z este de-a lungul axei cuplei sale: { $convention ->
-        [standard] z al sistemului i−1 de-a lungul axei i, deoarece rândul i rotește cu θ și deplasează cu d față de z al sistemului i−1.
-       *[modified] z al sistemului i de-a lungul axei i, deoarece rândul i se încheie cu θ și d față de z al sistemului i.
+        [standard] z al sistemului i−1 de-a lungul axei i, deoarece rândul i rotește cu θ în jurul lui z al sistemului i−1 și deplasează cu d de-a lungul lui.
+       *[modified] z al sistemului i de-a lungul axei i, deoarece rândul i se încheie cu θ în jurul lui z al sistemului i și cu d de-a lungul lui.
     }
 trainer-why-origin = Fiecare origine este acolo unde perpendiculara comună întâlnește axa ei, deoarece de acolo se măsoară a de-a lungul lui x.
 trainer-why-x = Fiecare x este pe o perpendiculară comună sau perpendiculară pe ambele axe, deoarece a și α se măsoară de-a lungul și în jurul ei.

@@ -53,13 +53,13 @@ error-urdf_joint_names =
         [one] { $expected } cuplă
         [few] { $expected } cuple
        *[other] { $expected } de cuple
-    } primește tot atâtea nume, toate diferite și niciunul fixed_base, fixed_tool sau fixed_row_…; s-au dat { $given }.
+    } primește tot atâtea nume, toate diferite și niciunul fixed_base, fixed_tool sau fixed_row_…; nume date: { $given }.
 error-urdf_link_names =
     Un robot cu { $expected ->
         [one] { $expected } cuplă
         [few] { $expected } cuple
        *[other] { $expected } de cuple
-    } primește tot atâtea nume de elemente (link), unul pentru ce poartă fiecare cuplă, toate diferite; s-au dat { $given }.
+    } primește tot atâtea nume de elemente (link), unul pentru ce poartă fiecare cuplă, toate diferite; nume date: { $given }.
 error-urdf_axis_zero = Axa cuplei „{ $joint }” este 0 0 0 și nu are direcție.
 error-urdf_limits_reversed = Limita inferioară a cuplei „{ $joint }” este mai mare decât cea superioară.
 error-urdf_numbers_malformed = Cupla „{ $joint }”: { $attribute } din <{ $element }> primește { $count ->
