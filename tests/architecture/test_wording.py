@@ -184,8 +184,8 @@ def _told(language: str) -> dict[str, tuple[set[str], Sentence]]:
 def test_counted_nouns_are_inflected(language: str) -> None:
     number, uninflected = UNINFLECTED[language]
     found = []
-    for name, (parameters, sentence) in _told(language).items():
-        told = sentence({each: number if COUNTS.fullmatch(each) else "…" for each in parameters})
+    for name, (parameters, formatted) in _told(language).items():
+        told = formatted({each: number if COUNTS.fullmatch(each) else "…" for each in parameters})
         if not FEW.fullmatch(name) and re.search(uninflected, told):
             found.append(f"{name}: {told}")
     assert found == []
@@ -195,9 +195,11 @@ def test_counted_nouns_are_inflected(language: str) -> None:
 def test_none_is_not_told_as_one(language: str) -> None:
     """French has one plural for 0 and 1: a number that is written as a word belongs to 1 alone."""
     found = []
-    for name, (parameters, sentence) in _told(language).items():
+    for name, (parameters, formatted) in _told(language).items():
         for counted in filter(COUNTS.fullmatch, parameters):
-            none, one, two, three = (sentence({**dict.fromkeys(parameters, 5), counted: n}) for n in range(4))
+            none, one, two, three = (
+                formatted({**dict.fromkeys(parameters, 5), counted: n}) for n in range(4)
+            )
             if none == one and two != three:
                 found.append(name)
     assert found == []

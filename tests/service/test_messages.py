@@ -55,16 +55,6 @@ def test_a_time_is_told_as_the_language_writes_it(
     assert told in (sentence(language, code, {parameter: "2026-11-22T18:00:00+02:00"}) or "")
 
 
-@pytest.mark.parametrize("language", [each for each in languages() if each != "en"])
-def test_a_convention_is_named_in_the_language(language: str) -> None:
-    standard, modified = (
-        sentence(language, "error-convention_not_asked", {"asked": each}) or ""
-        for each in ("standard", "modified")
-    )
-    assert standard != modified
-    assert "modified" not in modified
-
-
 @pytest.mark.parametrize("language", [each for each in languages() if each != "uk"])
 def test_one_attempt_is_told_as_one(language: str) -> None:
     assert "1" not in (sentence(language, "error-attempts_used_up", {"limit": 1}) or "1")
