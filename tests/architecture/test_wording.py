@@ -222,6 +222,9 @@ COUNTS_OF_ONE: dict[str, dict[str, object]] = {
 
 
 PLURALS_OF_ONE = {
+    "en": r"\b1 (?!is\b|was\b)\w+s\b|\b(?:one|1) were\b",
+    "es": r"\b1 \w+s\b|\bdieron (?:un|1)\b",
+    "fr": r"\b1 \w+s\b|\b1 ont\b",
     "pt": r"\b1 \w+(?:s|m)\b|\b(?:os|as|foram dados|contam) 1\b",
     "ro": r"\b1 (?:corecte|greșite|nereușite)\b|\bs-au dat 1\b|\bcele 1\b",
 }

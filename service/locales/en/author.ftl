@@ -21,7 +21,11 @@ error-archive_no_exercise = The archive holds no exercise: one folder with { $kn
 error-source_form = An exercise is started from one of { $known }.
 error-drawing_too_many_axes = There are { $count } axes; at most { $limit } can be drawn.
 error-drawing_too_many_lengths = There are { $count } named lengths; at most { $limit } are possible.
-error-axis_not_before = Axis { $axis } is not among the { $before } axes drawn before this one.
+error-axis_not_before = { $before ->
+    [0] No axis is drawn before this one, so axis { $axis } cannot be referred to.
+    [one] Only axis 1 is drawn before this one, not axis { $axis }.
+   *[other] Axis { $axis } is not among the { $before } axes drawn before this one.
+}
 error-length_unknown = { $name } is not a length of this drawing yet. Its lengths: { $known }.
 error-draft_too_many_rows = The table has { $count } rows; in a draft it has at most { $limit }. A longer one can be written as a folder.
 error-draft_without_table = The exercise asks for no DH table, so there are no tables to show. Add the part “DH table”.

@@ -27,5 +27,14 @@ check-alike = Some students may swap the numbers of { $name } and { $other } wit
 check-no_joints = The robot has no joint: there is nothing to describe. Give a row of the table a joint.
 check-nothing_earned = No wrong table earns anything: nothing that a table of zeros gets wrong about this robot carries any weight. Set other weights, or fix more in the policy.
 check-asked_as_shown = The part { $kind } shows what it asks for. Ask for something else, or show it in another form.
-warm-counts = { $exercise }: { $values } sets of values tested and drawn, { $figures } figures, { $forms } closed forms, { $failed } failed, { $seconds } s
+warm-counts = { $exercise }: { $values ->
+    [one] { $values } set of values
+   *[other] { $values } sets of values
+} tested and drawn, { $figures ->
+    [one] { $figures } figure
+   *[other] { $figures } figures
+}, { $forms ->
+    [one] { $forms } closed form
+   *[other] { $forms } closed forms
+}, { $failed } failed, { $seconds } s
 error-nothing_to_warm = There is no exercise, and no course with links, called { $name }.

@@ -21,7 +21,10 @@ error-axis_joint_unknown = The joint of an axis is revolute or prismatic.
 error-gripper_jaws_along_approach = The jaws slide across the approach direction, not along it.
 error-vector_malformed = Give three finite numbers x, y, z, none larger than { $limit }.
 error-direction_zero = A direction needs a length: 0, 0, 0 points nowhere.
-error-frames_too_many = A chain of { $count } joints has the frames 0 to { $count }.
+error-frames_too_many = A chain of { $count ->
+    [one] one joint
+   *[other] { $count } joints
+} has the frames 0 to { $count }.
 error-frame_y_not_z_cross_x = y follows from z and x. Leave it out, or give z × x beside both of them.
 error-parallel_tolerance_out_of_range = The tolerance for parallel axes lies between { $least } and { $greatest } rad.
 error-near_parallel = Axes { $previous } and { $joint } are within { $angle } rad of parallel and were treated as parallel. This may rotate the last frame by up to twice that angle and displace it by up to { $displacement }.

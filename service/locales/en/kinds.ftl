@@ -321,7 +321,13 @@ feedback-screw_length_unit = The lengths are in a different unit from the robotâ
 feedback-screw_exchanged = The rows of joint { $joint } and of the next one are exchanged.
 feedback-screw_reversed = The rows are in the reverse order: the first one belongs to the joint next to the base.
 feedback-screws_relation_wrong = The axes of joints { $joint } and { $next } are not arranged as in the figure.
-error-screw_count = The robot has { $expected } joints, and { $given } screws were given.
+error-screw_count = The robot has { $expected ->
+    [one] one joint
+   *[other] { $expected } joints
+}, and { $given ->
+    [one] one screw was
+   *[other] { $given } screws were
+} given.
 
 error-screw_too_large = A number is too large for a robot; the largest is { $limit }.
 

@@ -29,8 +29,20 @@ error-urdf_attribute_unknown = Joint “{ $joint }”: <{ $element }> has no att
 error-urdf_element_twice = Joint “{ $joint }” has several elements <{ $element }> that differ. Keep one of them.
 error-urdf_two_orientations = Joint “{ $joint }” gives its orientation twice, as rpy and as quat_xyzw. Keep one of them.
 error-urdf_quaternion_zero = The quaternion of joint “{ $joint }” is 0 0 0 0, which is not an orientation.
-error-urdf_joint_names = A robot with { $expected } joints takes as many joint names, all different, and none of them fixed_base, fixed_tool or fixed_row_…; { $given } were given.
-error-urdf_link_names = A robot with { $expected } joints takes as many names of links, one for what each joint carries, all different; { $given } were given.
+error-urdf_joint_names = A robot with { $expected ->
+    [one] one joint
+   *[other] { $expected } joints
+} takes as many joint names, all different, and none of them fixed_base, fixed_tool or fixed_row_…; { $given } { $given ->
+    [one] was
+   *[other] were
+} given.
+error-urdf_link_names = A robot with { $expected ->
+    [one] one joint
+   *[other] { $expected } joints
+} takes as many names of links, one for what each joint carries, all different; { $given } { $given ->
+    [one] was
+   *[other] were
+} given.
 error-urdf_axis_zero = The axis of joint “{ $joint }” is 0 0 0, which has no direction.
 error-urdf_limits_reversed = The lower limit of joint “{ $joint }” is greater than its upper limit.
 error-urdf_numbers_malformed = Joint “{ $joint }”: { $attribute } in <{ $element }> takes { $count ->

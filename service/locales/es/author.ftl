@@ -21,7 +21,11 @@ error-archive_no_exercise = El archivo comprimido no contiene ningún ejercicio:
 error-source_form = Un ejercicio parte de una de estas fuentes: { $known }.
 error-drawing_too_many_axes = Hay { $count } ejes; se pueden dibujar como máximo { $limit }.
 error-drawing_too_many_lengths = Hay { $count } longitudes con nombre; son posibles como máximo { $limit }.
-error-axis_not_before = El eje { $axis } no está entre los { $before } ejes dibujados antes de este.
+error-axis_not_before = { $before ->
+    [0] Antes de este eje no hay ninguno dibujado: el eje { $axis } no puede servir de referencia.
+    [one] Antes de este eje solo está dibujado el eje 1, no el eje { $axis }.
+   *[other] El eje { $axis } no está entre los { $before } ejes dibujados antes de este.
+}
 error-length_unknown = { $name } aún no es una longitud de este dibujo. Sus longitudes: { $known }.
 error-draft_too_many_rows = La tabla tiene { $count } filas; en un borrador tiene como máximo { $limit }. Una más larga puede escribirse como carpeta.
 error-draft_without_table = El ejercicio no pide ninguna tabla DH, así que no hay tablas que mostrar. Añada la parte «Tabla DH».

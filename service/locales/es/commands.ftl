@@ -27,5 +27,17 @@ check-alike = Algunos estudiantes pueden intercambiar los valores de { $name } y
 check-no_joints = El robot no tiene ninguna articulación: no hay nada que describir. Ponga una en alguna fila de la tabla.
 check-nothing_earned = Ninguna tabla incorrecta obtiene puntos: no tiene peso nada de lo que una tabla de ceros describe mal en este robot. Cambie los pesos o fije más reglas.
 check-asked_as_shown = La parte { $kind } muestra lo que pide. Pida otra cosa o muéstrelo en otra forma.
-warm-counts = { $exercise }: { $values } juegos de valores comprobados y dibujados, { $figures } figuras, { $forms } formas cerradas, { $failed } fallos, { $seconds } s
+warm-counts = { $exercise }: { $values ->
+    [one] { $values } juego de valores comprobado y dibujado
+   *[other] { $values } juegos de valores comprobados y dibujados
+}, { $figures ->
+    [one] { $figures } figura
+   *[other] { $figures } figuras
+}, { $forms ->
+    [one] { $forms } forma cerrada
+   *[other] { $forms } formas cerradas
+}, { $failed ->
+    [one] { $failed } fallo
+   *[other] { $failed } fallos
+}, { $seconds } s
 error-nothing_to_warm = No hay ningún ejercicio, ni ningún curso con enlaces, llamado { $name }.

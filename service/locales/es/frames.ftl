@@ -21,7 +21,10 @@ error-axis_joint_unknown = La articulación de un eje es de rotación (revolute)
 error-gripper_jaws_along_approach = Los dedos se deslizan transversalmente a la dirección de aproximación, no a lo largo de ella.
 error-vector_malformed = Dé tres números finitos x, y, z, ninguno mayor que { $limit }.
 error-direction_zero = Una dirección necesita longitud: 0, 0, 0 no apunta a ninguna parte.
-error-frames_too_many = Una cadena de { $count } articulaciones tiene los sistemas 0 a { $count }.
+error-frames_too_many = Una cadena de { $count ->
+    [one] una articulación
+   *[other] { $count } articulaciones
+} tiene los sistemas 0 a { $count }.
 error-frame_y_not_z_cross_x = y se deduce de z y x. Omítalo o dé z × x junto a ambos.
 error-parallel_tolerance_out_of_range = La tolerancia para ejes paralelos está entre { $least } y { $greatest } rad.
 error-near_parallel = Los ejes { $previous } y { $joint } son paralelos salvo { $angle } rad y se tomaron como paralelos. Por eso el último sistema puede quedar girado hasta el doble de ese ángulo y desplazado hasta { $displacement }.

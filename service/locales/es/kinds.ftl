@@ -321,7 +321,13 @@ feedback-screw_length_unit = Las longitudes están en otra unidad que la del rob
 feedback-screw_exchanged = Las filas de la articulación { $joint } y de la siguiente están intercambiadas.
 feedback-screw_reversed = Las filas están en orden inverso: la primera es la de la articulación más cercana a la base.
 feedback-screws_relation_wrong = Los ejes de las articulaciones { $joint } y { $next } no están dispuestos entre sí como en la figura.
-error-screw_count = El robot tiene { $expected } articulaciones y se dieron { $given } tornillos.
+error-screw_count = El robot tiene { $expected ->
+    [one] una articulación
+   *[other] { $expected } articulaciones
+} y { $given ->
+    [one] se dio un tornillo
+   *[other] se dieron { $given } tornillos
+}.
 
 error-screw_too_large = Un número es demasiado grande para un robot; el máximo es { $limit }.
 

@@ -29,8 +29,14 @@ error-urdf_attribute_unknown = Articulación «{ $joint }»: <{ $element }> no t
 error-urdf_element_twice = La articulación «{ $joint }» tiene varios elementos <{ $element }> distintos. Deje solo uno.
 error-urdf_two_orientations = La articulación «{ $joint }» da su orientación dos veces, como rpy y como quat_xyzw. Deje solo una.
 error-urdf_quaternion_zero = El cuaternión de la articulación «{ $joint }» es 0 0 0 0, que no es una orientación.
-error-urdf_joint_names = Un robot de { $expected } articulaciones lleva otros tantos nombres, todos distintos y ninguno igual a fixed_base, fixed_tool o fixed_row_…; se dieron { $given }.
-error-urdf_link_names = Un robot de { $expected } articulaciones lleva otros tantos nombres de eslabones, uno para lo que mueve cada articulación, todos distintos; se dieron { $given }.
+error-urdf_joint_names = Un robot de { $expected ->
+    [one] una articulación
+   *[other] { $expected } articulaciones
+} lleva otros tantos nombres, todos distintos y ninguno igual a fixed_base, fixed_tool o fixed_row_…; nombres dados: { $given }.
+error-urdf_link_names = Un robot de { $expected ->
+    [one] una articulación
+   *[other] { $expected } articulaciones
+} lleva otros tantos nombres de eslabones, uno para lo que mueve cada articulación, todos distintos; nombres dados: { $given }.
 error-urdf_axis_zero = El eje de la articulación «{ $joint }» es 0 0 0 y no tiene dirección.
 error-urdf_limits_reversed = El límite inferior de la articulación «{ $joint }» es mayor que el superior.
 error-urdf_numbers_malformed = Articulación «{ $joint }»: { $attribute } en <{ $element }> admite { $count ->

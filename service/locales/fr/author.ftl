@@ -21,7 +21,11 @@ error-archive_no_exercise = L’archive ne contient pas d’exercice : un dossi
 error-source_form = Un exercice part de l’une de ces sources : { $known }.
 error-drawing_too_many_axes = Il y a { $count } axes ; on peut en dessiner { $limit } au plus.
 error-drawing_too_many_lengths = Il y a { $count } longueurs nommées ; { $limit } au plus sont possibles.
-error-axis_not_before = L’axe { $axis } n’est pas parmi les { $before } axes dessinés avant celui-ci.
+error-axis_not_before = { $before ->
+    [0] Aucun axe n’est dessiné avant celui-ci : l’axe { $axis } ne peut servir de référence.
+    [1] Seul l’axe 1 est dessiné avant celui-ci, pas l’axe { $axis }.
+   *[other] L’axe { $axis } n’est pas parmi les { $before } axes dessinés avant celui-ci.
+}
 error-length_unknown = { $name } n’est pas encore une longueur de ce dessin. Ses longueurs : { $known }.
 error-draft_too_many_rows = Le tableau a { $count } lignes ; dans un brouillon, il en a { $limit } au plus. Un plus long peut s’écrire comme dossier.
 error-draft_without_table = L’exercice ne demande pas de tableau DH : il n’y a donc pas de tableaux à montrer. Ajoutez la partie « Tableau DH ».

@@ -27,5 +27,17 @@ check-alike = Certains étudiants peuvent intervertir { $name } et { $other } da
 check-no_joints = Le robot n’a aucune articulation : il n’y a rien à décrire. Mettez-en une dans une ligne du tableau.
 check-nothing_earned = Aucun tableau faux ne rapporte de points : rien de ce qu’un tableau de zéros décrit mal de ce robot n’a de poids. Changez les poids ou fixez davantage de règles.
 check-asked_as_shown = La partie { $kind } montre ce qu’elle demande. Demandez autre chose, ou montrez-le sous une autre forme.
-warm-counts = { $exercise } : { $values } jeux de valeurs vérifiés et dessinés, { $figures } figures, { $forms } formes littérales, { $failed } échecs, { $seconds } s
+warm-counts = { $exercise } : { $values ->
+    [one] { $values } jeu de valeurs vérifié et dessiné
+   *[other] { $values } jeux de valeurs vérifiés et dessinés
+}, { $figures ->
+    [one] { $figures } figure
+   *[other] { $figures } figures
+}, { $forms ->
+    [one] { $forms } forme littérale
+   *[other] { $forms } formes littérales
+}, { $failed ->
+    [one] { $failed } échec
+   *[other] { $failed } échecs
+}, { $seconds } s
 error-nothing_to_warm = Il n’y a ni exercice ni cours avec des liens nommé { $name }.

@@ -21,7 +21,10 @@ error-axis_joint_unknown = L’articulation d’un axe est rotoïde (revolute) o
 error-gripper_jaws_along_approach = Les mors glissent en travers de la direction d’approche, non le long de celle-ci.
 error-vector_malformed = Donnez trois nombres finis x, y, z, aucun plus grand que { $limit }.
 error-direction_zero = Une direction a besoin d’une longueur : 0, 0, 0 ne pointe nulle part.
-error-frames_too_many = Une chaîne de { $count } articulations a les repères 0 à { $count }.
+error-frames_too_many = Une chaîne de { $count ->
+    [one] { $count } articulation
+   *[other] { $count } articulations
+} a les repères 0 à { $count }.
 error-frame_y_not_z_cross_x = y découle de z et de x. Ne le donnez pas, ou donnez z × x à côté des deux.
 error-parallel_tolerance_out_of_range = La tolérance pour les axes parallèles est comprise entre { $least } et { $greatest } rad.
 error-near_parallel = Les axes { $previous } et { $joint } sont parallèles à { $angle } rad près et ont été pris comme parallèles. Le dernier repère peut en être tourné du double de cet angle au plus et déplacé d’au plus { $displacement }.

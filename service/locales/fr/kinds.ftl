@@ -321,7 +321,13 @@ feedback-screw_length_unit = Les longueurs sont dans une autre unité que celle 
 feedback-screw_exchanged = Les lignes de l’articulation { $joint } et de la suivante sont échangées.
 feedback-screw_reversed = Les lignes sont dans l’ordre inverse : la première est celle de l’articulation la plus proche de la base.
 feedback-screws_relation_wrong = Les axes des articulations { $joint } et { $next } ne sont pas disposés entre eux comme sur la figure.
-error-screw_count = Le robot a { $expected } articulations, et { $given } torseurs ont été donnés.
+error-screw_count = Le robot a { $expected ->
+    [one] { $expected } articulation
+   *[other] { $expected } articulations
+}, et { $given ->
+    [one] { $given } torseur a été donné
+   *[other] { $given } torseurs ont été donnés
+}.
 
 error-screw_too_large = Un nombre est trop grand pour un robot ; le plus grand est { $limit }.
 

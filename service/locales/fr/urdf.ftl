@@ -29,8 +29,14 @@ error-urdf_attribute_unknown = Articulation « { $joint } » : <{ $element }>
 error-urdf_element_twice = L’articulation « { $joint } » a plusieurs éléments <{ $element }> différents. N’en gardez qu’un.
 error-urdf_two_orientations = L’articulation « { $joint } » donne deux fois son orientation, par rpy et par quat_xyzw. N’en gardez qu’une.
 error-urdf_quaternion_zero = Le quaternion de l’articulation « { $joint } » est 0 0 0 0, ce qui n’est pas une orientation.
-error-urdf_joint_names = Un robot à { $expected } articulations prend autant de noms, tous différents et aucun n’étant fixed_base, fixed_tool ou fixed_row_… ; { $given } ont été donnés.
-error-urdf_link_names = Un robot à { $expected } articulations prend autant de noms de segments, un pour ce que porte chaque articulation, tous différents ; { $given } ont été donnés.
+error-urdf_joint_names = Un robot à { $expected ->
+    [one] { $expected } articulation
+   *[other] { $expected } articulations
+} prend autant de noms, tous différents et aucun n’étant fixed_base, fixed_tool ou fixed_row_… ; noms donnés : { $given }.
+error-urdf_link_names = Un robot à { $expected ->
+    [one] { $expected } articulation
+   *[other] { $expected } articulations
+} prend autant de noms de segments, un pour ce que porte chaque articulation, tous différents ; noms donnés : { $given }.
 error-urdf_axis_zero = L’axe de l’articulation « { $joint } » est 0 0 0 et n’a pas de direction.
 error-urdf_limits_reversed = La limite inférieure de l’articulation « { $joint } » est plus grande que la limite supérieure.
 error-urdf_numbers_malformed = Articulation « { $joint } » : { $attribute } dans <{ $element }> prend { $count ->
