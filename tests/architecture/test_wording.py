@@ -86,6 +86,7 @@ TERMS: dict[str, dict[str, str]] = {
         r"\bórden(?:es)?\b|\besta orden\b|la orden|cadena serial": "comando; cadena en serie",
         r"[Ee]jes helicoidales|brazo superior|\b[Tt]odas las α": "tornillos; brazo; todos los α",
         r"[Mm]atriz del sistema|\bmuestras\b": "pose de un sistema en otro; ejemplos",
+        r"cuentan? (?:en sentido|al revés)|[Ss]e cuenta (?:en|al)": "crece, se mide",
     },
     "fr": {
         r"[Tt]ables? DH|[Ff]orme (?:fermée|close)": "tableau DH; forme littérale",

@@ -13,7 +13,7 @@ feedback-x_turned = Su x{ $frame } está girado { $degrees }° alrededor de z{ $
 feedback-origin_slid = El origen de su sistema { $frame } no está en el mismo punto de z{ $frame } que el de la solución de referencia. Aquí cualquier punto es correcto.
 feedback-axis_moved = Su z{ $frame } está sobre otra recta, paralela a la de la solución de referencia. Aquí solo importa su dirección.
 feedback-frame_elsewhere = Su sistema { $frame } está colocado de otro modo que en la solución de referencia. Podía elegirlo libremente.
-feedback-variable_reversed = Su q{ $joint } cuenta en sentido opuesto al de la solución de referencia. Ambos sentidos son correctos.
+feedback-variable_reversed = Su q{ $joint } crece en sentido opuesto al de la solución de referencia. Ambos sentidos son correctos.
 feedback-variable_offset = Cuando la q{ $joint } de la solución de referencia vale cero, la suya vale { $offset }. El cero de una variable articular se elige libremente.
 feedback-rounded = Sus valores concuerdan con la solución de referencia dentro de la tolerancia, no exactamente; puede que estén redondeados.
 
@@ -34,7 +34,7 @@ feedback-joint_count_wrong = { $given ->
     [1] Su tabla tiene una articulación
    *[other] Su tabla tiene { $given } articulaciones
 }; el robot tiene { $asked }.
-feedback-mirrored = Su tabla describe la imagen especular del robot: todas las longitudes y los ángulos concuerdan, pero alguno se cuenta al revés. Revise los signos con la regla de la mano derecha.
+feedback-mirrored = Su tabla describe la imagen especular del robot: todas las longitudes y los ángulos concuerdan, pero alguno se mide al revés. Revise los signos con la regla de la mano derecha.
 feedback-entries_imprecise = Ninguna longitud ni ningún ángulo de su tabla difiere más de lo que explica el redondeo, pero todos los redondeos juntos superan lo que admite el ejercicio. Escriba los ángulos rectos como pi/2 o 90° y las longitudes con más cifras.
 feedback-lengths_rounded = Varias longitudes de su tabla tienen el valor correcto, pero con demasiado pocas cifras. Escríbalas con más cifras; lo demás que se indica aquí son otros errores.
 feedback-base_axis_missed = Su z0 no está sobre el eje de la articulación 1.
@@ -100,8 +100,8 @@ repair-alpha_sign = Fila { $row }: α tiene el signo equivocado. Gire z{ $before
 repair-alpha_value = Fila { $row }: α tiene un valor erróneo. Vuelva a mirar cómo están z{ $before } y z{ $row } uno respecto al otro.
 repair-turns_all_reversed = Todos los ángulos articulares crecen en el sentido equivocado. Gire alrededor de z con la mano derecha, no con la izquierda.
 repair-twists_all_reversed = Todos los α tienen el signo equivocado. Gire un eje z hasta el siguiente alrededor de x con la mano derecha, no con la izquierda.
-repair-a_sign = Fila { $row }: a tiene el signo equivocado. Se cuenta en el sentido de x.
-repair-d_sign = Fila { $row }: d tiene el signo equivocado. Se cuenta en el sentido de z.
+repair-a_sign = Fila { $row }: a tiene el signo equivocado. Se mide en el sentido de x.
+repair-d_sign = Fila { $row }: d tiene el signo equivocado. Se mide en el sentido de z.
 repair-twists_swapped = Filas { $row } y { $other }: los valores de α se han intercambiado.
 repair-a_d_swapped = Fila { $row }: a y d se han intercambiado. a se mide a lo largo de x, d a lo largo de z.
 repair-a_value = Fila { $row }: a tiene un valor erróneo. Mida sobre la normal común de z{ $before } y z{ $row }.
@@ -117,7 +117,7 @@ repair-cell_in_radians = Fila { $row }: un ángulo está en radianes, pero la ta
 repair-theta_value = Fila { $row }: el ángulo constante θ tiene un valor erróneo. Gire x{ $before } hasta x{ $row } alrededor de z.
 repair-theta_offset = Fila { $row }: en θ hay que sumar a la variable otra constante, para que la variable sea cero en la configuración de la figura.
 repair-d_offset = Fila { $row }: en d hay que sumar a la variable otra constante, para que la variable sea cero en la configuración de la figura.
-repair-variable_sign = Fila { $row }: la variable articular cuenta en el sentido equivocado. Póngale el signo opuesto.
+repair-variable_sign = Fila { $row }: la variable articular crece en el sentido equivocado. Póngale el signo opuesto.
 repair-joint_type = Fila { $row }: esta articulación { $joint_type ->
     [prismatic] se desliza; su variable va en d
    *[revolute] gira; su variable va en θ

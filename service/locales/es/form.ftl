@@ -156,7 +156,7 @@ form-figure-space = 3D
 form-figure-alt = Dibujo del robot: { $title }. Sigue una descripción con palabras.
 form-figure-label = { $title } en el espacio
 form-figure-move = Mover las articulaciones
-form-figure-posture = Contado desde la configuración del dibujo.
+form-figure-posture = Medido desde la configuración del dibujo.
 form-choose = Elija…
 form-choose-missing = Elija una opción.
 form-points =
@@ -320,7 +320,7 @@ form-why = Por qué es correcta cada fila
 form-why-row = Fila { $row }: posición de los ejes z{ $before } y z{ $row }: { $relation }; por eso α = { $alpha } y a = { $a }; a lo largo de z, los sistemas distan d = { $d }.
 form-second-table = Otra tabla válida
 form-second-other-convention = Está escrita en la convención { $convention }.
-form-second-axis-reversed = Un eje z apunta en sentido contrario, o una variable articular cuenta en sentido contrario.
+form-second-axis-reversed = Un eje z apunta en sentido contrario, o una variable articular crece en sentido contrario.
 form-second-x-turned = Un eje x apunta hacia otro lado, de modo que la variable de su articulación vale cero en otra posición.
 form-second-origin-moved = Un origen está en otro punto de su eje.
 form-second-none = Las reglas de este ejercicio no dejan otra tabla.
