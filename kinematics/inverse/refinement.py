@@ -11,7 +11,7 @@ from kinematics.inverse.methods.closed_form import NEARLY
 from kinematics.inverse.newton import evened, farthest_off, polish
 from kinematics.inverse.residuals import are_solutions, errors_at, errors_of
 from kinematics.inverse.self_motions.families import weighing_alike
-from kinematics.inverse.valleys import across_folds
+from kinematics.inverse.valleys import across_folds, way_to_fold
 from kinematics.se3 import Transform
 
 AS_IT_IS = 1e-13
@@ -21,9 +21,6 @@ rounding of six links leaves as much."""
 FOLDED, ROUNDED = 1e-6, 5e-16
 """Up to this singular value a solution may be beside a fold by no more than rounding, which leaves this error
 [rad, and parts of the size] on it: where a 2R arm is stretched, an elbow of 3e-8 rad is off by no more."""
-
-A_LITTLE, LEAST_BEND = 1e-4, 1e-2
-"""Step [rad, or parts of the size] over which a fold bends by more than this, or is none."""
 
 BESIDE = 32.0
 """At a fold a target may be out of reach by what a turn of one tolerance makes of the arm's size: candidates
@@ -72,8 +69,8 @@ def refined(arm: Arm, candidates: Array, target: Transform, tolerance: float) ->
 def settled_on_folds(arm: Arm, target: Transform, solutions: Array) -> Array:
     """Return solutions, those on a fold that rounding has moved off it: an elbow stretched, not all but.
 
-    At a fold the least singular value of the Jacobian vanishes, and two solutions are one. Along the way v
-    that the Jacobian does not see, u·J v is all but linear, and the error grows with the square.
+    At a fold two solutions are one; along the way v that the Jacobian does not see the error grows with the
+    square.
     """
     if arm.redundancy:
         return solutions
@@ -84,17 +81,9 @@ def settled_on_folds(arm: Arm, target: Transform, solutions: Array) -> Array:
     if not len(beside):
         return solutions
     u, v = U[beside, :, last], Vt[beside, last]
-
-    def lost(q: Array) -> Array:
-        J = arm.jacobians(arm.frames(q)) * arm.units
-        return np.asarray(np.einsum("mi,mij,mj->m", u, J, v))
-
     q = solutions[beside]
     for _ in range(2):
-        value = lost(q)
-        slope = (lost(q + A_LITTLE * v * arm.units) - value) / A_LITTLE
-        way = np.where(np.abs(slope) > LEAST_BEND, -value / np.where(slope == 0.0, 1.0, slope), 0.0)
-        q = q + way[:, None] * v * arm.units
+        q = q + way_to_fold(arm, q, u, v)[:, None] * v * arm.units
     errors = np.linalg.norm(errors_at(arm, q, target), axis=1)
     before = np.linalg.norm(errors_of(arm, frames[-1][beside], target), axis=1)
     settled = errors <= np.maximum(before, ROUNDED)

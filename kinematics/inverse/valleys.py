@@ -24,6 +24,9 @@ ACROSS = 4
 A_LITTLE = 1e-5
 """Step [rad, or parts of the size] of difference quotients of the Jacobian."""
 
+BEND, LEAST_BEND = 1e-4, 1e-2
+"""Step [rad, or parts of the size] over which a fold bends by more than this, or is none."""
+
 FLATTEST = 1e-14
 """Part of the greatest curvature of the squared error up to which a direction is level: rounding."""
 
@@ -96,6 +99,22 @@ def across_folds(arm: Arm, target: Array, q: Array, least: float) -> Array:
     return np.asarray(x * arm.units)
 
 
+def way_to_fold(arm: Arm, joints: Array, u: Array, v: Array) -> Array:
+    """Return how far along v, (m, n), the nearest fold is, (m,) [rad, or parts of the size].
+
+    There the least singular value of the Jacobian vanishes, which is u·J v, and nearly linear on the way; 0
+    where it does not change.
+    """
+
+    def lost(q: Array) -> Array:
+        J = arm.jacobians(arm.frames(q)) * arm.units
+        return np.asarray(np.einsum("mi,mij,mj->m", u, J, v))
+
+    value = lost(joints)
+    slope = (lost(joints + BEND * v * arm.units) - value) / BEND
+    return np.where(np.abs(slope) > LEAST_BEND, -value / np.where(slope == 0.0, 1.0, slope), 0.0)
+
+
 def least_error(arm: Arm, target: Array, joints: Array, low: Array, high: Array) -> Array:
     """Return the (n,) configuration of least error near one, within bounds, to rounding.
 
@@ -147,19 +166,21 @@ def low_points(arm: Arm, target: Array, joints: Array, tolerance: float) -> Arra
     With a wrist's centre all but on the axis of a shoulder, or an elbow folded, arms nearly move while the
     tool stands still, and two solutions lie at the ends of such a way. They are nearly one root of the
     equations that solve the arm, of which rounding may leave only one; or none, but configurations on the
-    way between, where no small step comes nearer to the target.
+    way between, where no small step comes nearer to the target. Those of a fold that is nearer than a stride
+    lie all but symmetrically to it.
 
     Those that are not parted by more than the tolerance are joined.
     """
     x = joints / arm.units
     e, J = errors_and_jacobians(arm, x, target)
-    _, values, Vt = np.linalg.svd(J, full_matrices=False)
+    U, values, Vt = np.linalg.svd(J, full_matrices=False)
     narrow = _is_narrow(values, arm, e, tolerance)
+    way = way_to_fold(arm, joints[narrow], U[narrow, :, -1], Vt[narrow, -1])
+    found = [x[narrow] + 2.0 * np.where(np.abs(way) < STRIDE, way, 0.0)[:, None] * Vt[narrow, -1]]
     along = np.concatenate((Vt[narrow, -1], -Vt[narrow, -1]))
     there = np.tile(are_solutions(e[narrow], arm, tolerance), 2)
     last = np.where(there, 0.0, np.tile(np.linalg.norm(e[narrow], axis=1), 2))
     x = np.concatenate((x[narrow], x[narrow]))
-    found = [x[:0]]
     before, highest = np.zeros(len(x)), np.where(there, 0.0, np.inf)
     for _ in range(STRIDES):
         if not len(x):

@@ -19,6 +19,7 @@ from kinematics.inverse.search import Bounds, search
 from kinematics.inverse.self_motions import isolation as sorting
 from kinematics.inverse.self_motions.components import belongs, components_of
 from kinematics.inverse.self_motions.isolation import can_move
+from kinematics.inverse.valleys import low_points
 from kinematics.table import Convention
 from tests.kinematics.inverse.__main__ import main
 from tests.kinematics.inverse.arms import GENERAL, STANFORD, UR5, apart, random_joints, random_table
@@ -338,6 +339,23 @@ def test_rounding_that_puts_a_fold_out_of_reach_loses_no_solution(arm, seed, dra
     target, tolerance = np.round(end_pose(table, q), decimals), 10.0**-decimals
     answer = solver.solve(target, tolerance)
     assert has(solver, read_goal(target, tolerance, where=()), q, answer)
+
+
+@pytest.mark.parametrize("bend", [3e-5, -1e-4, 4.5e-4])
+def test_the_other_bend_of_an_elbow_all_but_folded_is_found_from_one(bend):
+    # It is nearer than a stride along the valley, and rounding may leave one root of the two.
+    table = numeric(
+        Convention.STANDARD,
+        ("revolute", math.pi / 2, 0, 0.053, 0),
+        ("revolute", 0, 0.170384, 0, 0),
+        ("revolute", 0, -0.136307, 0, 0),
+        ("revolute", 0, 0.126, 0, 0),
+    )
+    arm = solver_of(table).arm
+    q = np.array([-2.1, 2.3, bend, -1.6])
+    target = end_pose(table, q)
+    found = solutions_of(arm, low_points(arm, target, q[None], 1e-12), target, 1e-12)
+    assert np.abs(found[:, 2] + bend).min() < 1e-6
 
 
 @pytest.mark.parametrize("name", ["puma", "ur5", "stanford"])
