@@ -2,8 +2,10 @@
 
 There α is the angle between the axes, `a` the distance along their common normal, counted as z × z' points,
 and d what lies between the feet of two normals; no axis need be carried through space. Along parallel axes
-the d add up, each as its axis points. What is not seen so is measured between the axes: where rows without a
-joint, prismatic joints or frames take part, and axes that are parallel only nearly.
+the d add up, each as its axis points; to the last one adds what its d comes to along the first, and where the
+axis behind is parallel to it there is no foot, and its d counts for nothing. What is not seen so is measured
+between the axes: where rows without a joint, prismatic joints or frames take part, and axes that are parallel
+only nearly.
 """
 
 from __future__ import annotations
@@ -74,19 +76,20 @@ class _Seen(NamedTuple):
     Attributes:
         number: how many there are.
         angles: places among the invariants, and links.
-        normals: of distances the same.
+        normals: of distances along common normals the same.
+        across: of distances from parallel axes the same.
         offsets: places, and joints, of offsets along one axis.
         runs: places, and the first and the last joint, of offsets along several.
-        above, upto: (links, 1) sines between which nothing is read: of axes parallel only nearly; where
-            axes must be parallel, of any other; where they must not, of any up to these.
+        upto: (links, 1) sines up to which nothing is read but of parallel axes: those of axes parallel
+            only nearly; inside a run, where the axes behind are not parallel to its first, any.
     """
 
     number: int
     angles: tuple[Places, Places]
     normals: tuple[Places, Places]
+    across: tuple[Places, Places]
     offsets: tuple[Places, Places]
     runs: tuple[tuple[int, int, int], ...]
-    above: Floats
     upto: Floats
 
 
@@ -95,10 +98,10 @@ def _seen(shapes: tuple[Shape, ...], joints: int) -> _Seen | None:
     """What is read where; None if not all is seen in the rows."""
     angles: list[tuple[int, int]] = []
     normals: list[tuple[int, int]] = []
+    across: list[tuple[int, int]] = []
     offsets: list[tuple[int, int]] = []
     runs: list[tuple[int, int, int]] = []
-    flat: set[int] = set()
-    steep: set[int] = set()
+    inside: set[int] = set()
     for place, (measure, axes) in enumerate(shapes):
         if min(axes) < 1 or max(axes) > joints or measure in (Measure.TURN, Measure.SUM):
             return None
@@ -108,8 +111,7 @@ def _seen(shapes: tuple[Shape, ...], joints: int) -> _Seen | None:
             before, first, last, after = (axis - 1 for axis in axes)
             if before != first - 1 or after != last + 1:
                 return None
-            steep |= {before, last}
-            flat |= set(range(first, last))
+            inside |= set(range(first, last - 1))
             if first == last:
                 offsets.append((place, first))
             else:
@@ -119,20 +121,20 @@ def _seen(shapes: tuple[Shape, ...], joints: int) -> _Seen | None:
             return None
         if measure is Measure.ANGLE:
             angles.append((place, axes[0] - 1))
-        elif set(axes[2:]) <= set(axes[:2]):
+        elif axes[2:] == axes[:1]:
+            across.append((place, axes[0] - 1))
+        elif set(axes[2:]) == set(axes[:2]):
             normals.append((place, axes[0] - 1))
-            if len(axes) == 3:
-                flat.add(axes[0] - 1)
         else:
             return None
     return _Seen(
         number=len(shapes),
         angles=_columns(angles),
         normals=_columns(normals),
+        across=_columns(across),
         offsets=_columns(offsets),
         runs=tuple(runs),
-        above=np.array([-1.0 if link in steep else EXACTLY for link in range(joints - 1)])[:, None],
-        upto=np.array([np.inf if link in flat else PARALLEL for link in range(joints - 1)])[:, None],
+        upto=np.array([np.inf if link in inside else PARALLEL for link in range(joints - 1)])[:, None],
     )
 
 
@@ -156,16 +158,20 @@ def _read(seen: _Seen, links: NDArray[np.complex128], d: Floats) -> tuple[Floats
         d: (joints, k) the offsets of all joints.
     """
     cosine, sine, a = links[:, 0].real, -links[:, 0].imag, links[:, 1].real
-    size = np.abs(sine)
+    size, lengths = np.abs(sine), np.abs(a)
+    steep = size > PARALLEL
     found = np.empty((seen.number, d.shape[1]))
     places, which = seen.angles
     found[places] = np.arctan2(size, cosine)[which]
     places, which = seen.normals
-    found[places] = np.where(size > PARALLEL, np.copysign(a, a * sine), np.abs(a))[which]
+    found[places] = np.where(steep, np.copysign(a, a * sine), lengths)[which]
+    places, which = seen.across
+    found[places] = lengths[which]
+    ends = np.where(steep, d[:-1], 0.0)
     places, which = seen.offsets
-    found[places] = d[which]
+    found[places] = ends[which]
     for place, first, last in seen.runs:
-        ways = np.copysign(1.0, np.multiply.accumulate(cosine[first:last], axis=0))
-        found[place] = d[first] + (ways * d[first + 1 : last + 1]).sum(axis=0)
-    doubtful = (size > seen.above) & (size <= seen.upto)
+        ways = np.multiply.accumulate(cosine[first:last], axis=0)
+        found[place] = d[first] + (ways[:-1] * d[first + 1 : last]).sum(axis=0) + ways[-1] * ends[last]
+    doubtful = (size > EXACTLY) & (size <= seen.upto)
     return found, np.asarray(doubtful.any(axis=0))

@@ -98,6 +98,28 @@ def test_no_axis_is_carried_through_space_where_a_row_leads_to_every_joint(
     np.testing.assert_allclose(measured_of_tables(shapes, [table], [(0, ())], FREE), wanted, atol=SAME)
 
 
+@pytest.mark.parametrize("convention", Convention)
+@pytest.mark.parametrize("twist", [0.0, math.pi, 0.4, -math.pi / 2])
+@pytest.mark.parametrize("link", [0, 2, 3, 4])
+def test_nor_where_an_answer_has_a_wrong_twist(
+    link: int, twist: float, convention: Convention, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Axes that are parallel by mistake leave no foot behind a run; one that is not ends the run askew."""
+    alphas = (math.pi / 2, 0.0, math.pi, -0.7, 0.0, 1.0)
+    if convention is Convention.MODIFIED:
+        alphas = (1.0, *alphas[:-1])
+    rows = tuple(
+        DHRow(joint=JointType.REVOLUTE, theta=0.5 + k, d=0.1 + 0.2 * k, a=0.5 - 0.3 * k, alpha=alpha)
+        for k, alpha in enumerate(alphas)
+    )
+    table = DHTable(convention=convention, rows=rows)
+    shapes = invariants_of(prepared(table), FREE).shapes
+    tried: list[Variation] = [(0, ((link + (convention is Convention.MODIFIED), "alpha", twist),))]
+    wanted = measured(shapes, axes_of_tables([table], tried, FREE))
+    monkeypatch.delattr(row_measures, "axes_of_tables")
+    np.testing.assert_allclose(measured_of_tables(shapes, [table], tried, FREE), wanted, atol=SAME)
+
+
 def test_several_tables_are_read_side_by_side() -> None:
     rng = Random("several")
     key = arm(rng)
