@@ -50,7 +50,7 @@ def _has_the_facts(work: Work, steps: Mapping[Place, float]) -> bool:
     axes = axes_of(reference.chain, policy)
     worth = np.ones(len(invariants.shapes))
     facts = Facts(axes, invariants, fixed_ends(len(axes), policy), worth, sign=1.0)
-    return not facts.wrong(axes_of(chain_of_table(work.table), policy))
+    return not facts.wrong(axes_of(work.chain, policy))
 
 
 def _keeps_rules(work: Work, steps: Mapping[Place, float]) -> bool:

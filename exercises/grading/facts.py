@@ -179,12 +179,14 @@ class Facts:
             found = self.invariants.measured(axis_batch([axes]))
         fits = self.invariants.fits(found)
         has = np.logical_or(fits[0], fits[1])
-        kept, unseen = self._seen_but_for(others)
         if others:
             has &= self._has(self.invariants.measured(axis_batch([_moved(axes, others)])))
         if others or not has[self.invariants.arrays.twists[:, 0]].all():
             for q in np.flatnonzero(has[:, 0]).tolist():
                 has[q] = self._is_defined(self.invariants.shapes[q], axes)
+        if not others:
+            return _Compared(np.ones(1), fits, has)
+        kept, unseen = self._seen_but_for(others)
         return _Compared(np.array([kept]), fits, has & ~unseen, unseen)
 
     def _seen_but_for(self, others: Sequence[int]) -> tuple[float, NDArray[np.bool_]]:

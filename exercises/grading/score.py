@@ -25,14 +25,14 @@ from exercises.grading.standard import (
     without_each_gap,
     wrong_of,
 )
-from kinematics.chain import Axis, chain_of_table
+from kinematics.chain import Axis
 from kinematics.equivalence import Decision, Kind, Policy
 from kinematics.equivalence.decision import convention_fits, is_certified
 from kinematics.equivalence.meter import Meter
 from kinematics.equivalence.reference import prepared
 from kinematics.equivalence.search import Effort
 from kinematics.se3 import angle_between
-from kinematics.table import Convention, JointType, NumericTable
+from kinematics.table import CELLS, Convention, JointType, NumericTable
 
 HIGHEST_PARTIAL = 0.95
 """What a wrong answer earns at the most."""
@@ -64,7 +64,7 @@ def score_of(decision: Decision, repairs: Sequence[Repaired], work: Work, weight
     if lacks_precision(decision):
         return _share_left(weights.sign, nothing)
     slip = repairs[0].changes[0] if repairs and len(repairs[0].changes) == 1 else None
-    if slip is not None and _is_in_one_row(slip, work, _without(slip, work), standard):
+    if slip is not None and _is_in_one_row(slip, work, 0.0, standard):
         slip = None
     throughout = slip is not None and slip.row is None and not hides_an_entry(work, slip)
     singles = [repair.changes for repair in repairs if len(repair.changes) == 1]
@@ -153,7 +153,7 @@ def _lost_beside_a_slip(work: Work, weights: Weights, standard: Standard, most: 
         cost, rules, change = undone[k]
         other = _without(change, work)
         wrong = wrong_of(other, standard)
-        if wrong < standard.of_zeros - SAME and not _is_in_one_row(change, work, other, standard):
+        if wrong < standard.of_zeros - SAME and not _is_in_one_row(change, work, wrong, standard):
             beside = rules + wrong - shared_across_prismatic(other, standard)
             all_lost = _with_lines(cost + max(weights.sign, beside), other, weights, standard.nothing)
             found.append((all_lost, k))
@@ -166,18 +166,30 @@ def _lost_beside_a_slip(work: Work, weights: Weights, standard: Standard, most: 
     return min(most, with_a_cell if one_twist else off)
 
 
-def _is_in_one_row(change: Change, work: Work, undone: Work, standard: Standard) -> bool:
+def _is_in_one_row(change: Change, work: Work, wrong: float, standard: Standard) -> bool:
     """Whether an exchange of rows mends no more than what it changes in one of them: it is no exchange.
 
     Else a cell that no fact asks for would raise the mark where it happens to hold what another one lacks.
+
+    Args:
+        change: the exchange, if it is one.
+        work: the answer.
+        wrong: the weight of the facts that are wrong after it.
+        standard: what answers are measured by.
     """
     rows = {row for row, _ in change.places}
     if change.extent is not Extent.ROW or len(rows) < 2:
         return False
-    own, other, most = work.table.rows, undone.table.rows, wrong_of(undone, standard) + SAME
-    halves = {row: replace(other[row], joint=own[row].joint, sign=own[row].sign) for row in rows}
-    tables = (with_row(work.table, row, half) for row, half in halves.items())
-    return any(wrong_of(replace(work, table=table), standard) <= most for table in tables)
+    other, most = change.of(work.table).rows, wrong + SAME
+    halves = [
+        change._replace(table=None, cells=tuple((row, cell, getattr(other[row], cell)) for cell in CELLS))
+        for row in rows
+    ]
+    least = at_least_lost(work, halves, standard)
+    return any(
+        at_least <= most and wrong_of(_without(half, work), standard) <= most
+        for half, at_least in zip(halves, least, strict=True)
+    )
 
 
 def _is_of_length_or_turn(change: Change) -> bool:
@@ -206,7 +218,7 @@ def _has_one_other_twist(work: Work) -> bool:
     """Whether the key is the answer's robot if one of its twists is another."""
     if not work.has_the_joints():
         return False
-    table, answer = work.reference.table, chain_of_table(work.table)
+    table, answer = work.reference.table, work.chain
     ours, theirs = (_cosines(chain.axes) for chain in (work.reference.chain, answer))
     other = np.flatnonzero(np.abs(np.abs(ours) - np.abs(theirs)) > work.policy.tolerance.angle)
     if len(other) != 1:

@@ -17,7 +17,7 @@ from exercises.grading.facts import Facts, Weights, fixed_ends
 from exercises.grading.judging.digits import fixing_frames, measured_as_typed, tightened
 from exercises.grading.judging.typed import NOTHING_TYPED
 from kinematics.caching import USUAL_ROWS, cached_by_size
-from kinematics.chain import Axis, chain_of_table
+from kinematics.chain import Axis
 from kinematics.equivalence import DirectionRule, Policy, ZeroRule
 from kinematics.equivalence.batches import axis_batch
 from kinematics.equivalence.invariants import axes_of
@@ -84,7 +84,7 @@ def standard_of(reference: Reference, policy: Policy, weights: Weights) -> Stand
 def wrong_of(work: Work, standard: Standard) -> float:
     """The weight of the facts that are wrong; asked for by what compares ways, and twice by the score."""
     facts = replace(standard.facts, invariants=work.facts)
-    axes = axes_of(chain_of_table(work.table), work.policy)
+    axes = axes_of(work.chain, work.policy)
     if not axes or not facts.axes:
         return standard.nothing
     found = None

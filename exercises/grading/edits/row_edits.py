@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterator
+from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import replace
 from functools import lru_cache
 from itertools import combinations, pairwise
@@ -107,6 +107,8 @@ def rows_swapped(work: Work) -> Iterator[Change]:
                 continue
         cells: list[CellChange] = []
         table = None
+        if not differ and work.is_left_wrong(_both(i, j), _exchanged(rows, i, j)):
+            continue
         if differ:
             order = list(rows)
             order[i], order[j] = other, one
@@ -118,6 +120,11 @@ def rows_swapped(work: Work) -> Iterator[Change]:
         if cells or table:
             params = (("other", j + 1),)
             yield Change("rows_swapped", Extent.ROW, i, None, tuple(cells), table, _both(i, j), params)
+
+
+def _exchanged(rows: Sequence[NumericRow], i: int, j: int) -> Callable[[int, str], float]:
+    """What the cells of two rows become where these are exchanged."""
+    return lambda row, cell: getattr(rows[j if row == i else i], cell)
 
 
 def _commute(work: Work, i: int, j: int) -> bool:

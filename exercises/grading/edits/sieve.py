@@ -9,7 +9,7 @@ fixed rows or prismatic joints stand between, or axes are parallel only nearly, 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import NamedTuple, TypeAlias
@@ -85,27 +85,6 @@ class LegibleFacts(NamedTuple):
         """Return the facts that are seen not to be the key's."""
         return [fact for fact in self.facts if fact.is_wrong(self.bounds, rows, {})]
 
-    def are_wrong(self, change: Change, rows: Sequence[NumericRow], most: int) -> bool:
-        """Return the same of any change; a fact is not wrong that depends on a cell yet to be solved for.
-
-        But if none may be wrong, α has to be right where the key's is a right angle: each of these is tried.
-
-        Args:
-            change: the change.
-            rows: the rows that it is made in, of which it is not known what is wrong in them.
-            most: how many facts may be wrong.
-        """
-        changed = {(row, cell): value for row, cell, value in change.cells}
-        free = {(change.row or 0, cell) for cell in change.unsolved}
-        if not most:
-            free = {place for place in free if place[1] != "alpha" or not self._is_right_angle(place)}
-        for fact in self.facts:
-            if fact.is_wrong(self.bounds, rows, changed) and free.isdisjoint(fact.places):
-                most -= 1
-                if most < 0:
-                    return True
-        return False
-
     def _is_right_angle(self, place: Place) -> bool:
         """Whether the key's angle, where it stands at such a place, is one."""
         return any(
@@ -116,23 +95,29 @@ class LegibleFacts(NamedTuple):
     def leave_wrong(
         self, change: Change, rows: Sequence[NumericRow], before: Sequence[LegibleFact], most: int
     ) -> bool:
-        """Return whether a change of cells leaves too many facts wrong.
+        """Return whether a change leaves too many facts wrong, but for those of cells yet to be solved for.
+
+        But if none may be wrong, α has to be right where the key's is a right angle: each of these is tried.
 
         Args:
-            change: the change; no cell is yet to be solved for.
+            change: the change.
             rows: the rows that it is made in.
-            before: the facts that are wrong without it.
+            before: the facts that are wrong in these without it.
             most: how many may be.
         """
         changed = {(row, cell): value for row, cell, value in change.cells}
+        free = {(change.row or 0, cell) for cell in change.unsolved}
+        if free and not most:
+            free = {place for place in free if place[1] != "alpha" or not self._is_right_angle(place)}
         for fact in before:
-            if fact.places.isdisjoint(changed) or fact.is_wrong(self.bounds, rows, changed):
+            is_wrong = fact.places.isdisjoint(changed) or fact.is_wrong(self.bounds, rows, changed)
+            if is_wrong and free.isdisjoint(fact.places):
                 most -= 1
                 if most < 0:
                     return True
         touched = {fact for place in changed for fact in self.at.get(place, ())}
         for fact in touched.difference(before):
-            if fact.is_wrong(self.bounds, rows, changed):
+            if fact.is_wrong(self.bounds, rows, changed) and free.isdisjoint(fact.places):
                 most -= 1
                 if most < 0:
                     return True
@@ -155,22 +140,31 @@ class Sieve:
         """
         self._work, self._rows, self._most = work, work.table.rows, most
         self._known = work.invariants, work.n_facts
+        self._seen: dict[int, tuple[LegibleFacts, Sequence[LegibleFact], NumericTable]] = {}
         self.wrong: Sequence[LegibleFact] = ()
         if work.has_the_joints():
-            self._entries = self._of(work.table)
-            self.wrong = self._entries.wrong(self._rows)
+            self._entries, self.wrong, _ = self._of(work.table)
 
-    def _of(self, table: NumericTable) -> LegibleFacts:
-        joints = tuple(row.joint for row in table.rows)
-        return legible_facts(*self._known, table.convention, joints)
+    def _of(self, table: NumericTable) -> tuple[LegibleFacts, Sequence[LegibleFact], NumericTable]:
+        """What is seen in a table with the key's joints, what of it is wrong, and the table."""
+        found = self._seen.get(id(table))
+        if found is None:
+            joints = tuple(row.joint for row in table.rows)
+            facts = legible_facts(*self._known, table.convention, joints)
+            found = self._seen[id(table)] = facts, facts.wrong(table.rows), table
+        return found
 
     def holds_back(self, change: Change) -> bool:
         """Return whether too much is seen to be wrong after a change that leads to the key's joints."""
-        if change.table is None and not change.unsolved:
-            return self._entries.leave_wrong(change, self._rows, self.wrong, self._most)
-        if change.table is None:
-            return self._entries.are_wrong(change, self._rows, self._most)
-        return self._of(change.table).are_wrong(change, change.table.rows, self._most)
+        table = self._work.table if change.table is None else change.table
+        facts, wrong, _ = self._of(table)
+        return facts.leave_wrong(change, table.rows, wrong, self._most)
+
+    def _leaves_wrong(self, places: Collection[Place], becomes: Callable[[int, str], float]) -> bool:
+        """Whether the first of what is wrong is left so; see `Work`."""
+        fact = self.wrong[0]
+        changed = {place: becomes(*place) for place in fact.places if place in places}
+        return not changed or fact.is_wrong(self._entries.bounds, self._rows, changed)
 
     def concerned(self) -> Work:
         """The table and what an edit has to do with that mends anything, where all that fails is seen."""
@@ -190,7 +184,8 @@ class Sieve:
             end = min(end, self._work.joints_up_to[fact.rows[-1]])
         lacking = frozenset(fact.column for fact in self.wrong if len(fact.rows) == 1)
         angular = self._work.angular or "alpha" in lacking
-        return replace(self._work, reach=(start, end), angular=angular, lacking=lacking)
+        leaves = self._leaves_wrong
+        return replace(self._work, reach=(start, end), angular=angular, lacking=lacking, is_left_wrong=leaves)
 
 
 @cached_by_size(

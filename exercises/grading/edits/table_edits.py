@@ -15,7 +15,6 @@ from exercises.grading.edits.work import LENGTHS, Work
 from exercises.grading.judging.typed import ANGLES, SAME, Place, meant_in_radians
 from kinematics.cells import AngleUnit
 from kinematics.equivalence import DirectionRule
-from kinematics.equivalence.batches import CellChange
 from kinematics.errors import ParameterError
 from kinematics.expressions import Expression, evaluate
 from kinematics.table import Convention, DHTable, JointType, NumericRow
@@ -37,22 +36,31 @@ def _every_cell(
     touching = tuple(name for name in names if name != "theta")
     if not work.leaves(touching):
         return iter(())
-    touched = _places(tuple(range(len(work.table.rows))), touching)
-    cells = [
-        (i, name, now)
-        for i, row in enumerate(work.table.rows)
-        for name in names
-        if (here := getattr(row, name)) and (now := edit(here)) != here
-    ]
-    return _throughout(code, touched, cells, **params)
+    rows = work.table.rows
+    every = tuple(range(len(rows)))
+
+    def becomes(row: int, name: str) -> float:
+        here: float = getattr(rows[row], name)
+        return edit(here) if here else here
+
+    return _throughout(work, code, _places(every, names), becomes, _places(every, touching), **params)
 
 
 def _throughout(
-    code: str, touched: tuple[Place, ...], cells: Sequence[CellChange], **params: str
+    work: Work,
+    code: str,
+    places: tuple[Place, ...],
+    becomes: Callable[[int, str], float],
+    touched: tuple[Place, ...],
+    **params: str,
 ) -> Iterator[Change]:
-    """One change of some columns; none if no cell is other than it was."""
+    """One change of some columns; none if no cell is other than it was, or it is seen not to mend all."""
+    if work.is_left_wrong(places, becomes):
+        return
+    rows = work.table.rows
+    cells = tuple((i, name, now) for i, name in places if (now := becomes(i, name)) != getattr(rows[i], name))
     if cells:
-        yield Change(code, Extent.TABLE, cells=tuple(cells), touched=touched, params=tuple(params.items()))
+        yield Change(code, Extent.TABLE, cells=cells, touched=touched, params=tuple(params.items()))
 
 
 @lru_cache(maxsize=256)
@@ -152,13 +160,12 @@ def _along_x_of(
         return iter(())
     # what stood in the row in which nothing stands now is lost, and may have to be put there again
     touched = _places(tuple(i for i, other in enumerate(others) if other is not None), columns)
-    cells = [
-        (i, name, now)
-        for i, (row, other) in enumerate(zip(work.table.rows, others, strict=True))
-        for name in columns
-        if (now := 0.0 if other is None else getattr(other, name)) != getattr(row, name)
-    ]
-    return _throughout(code, touched, cells)
+
+    def becomes(row: int, name: str) -> float:
+        other = others[row]
+        return 0.0 if other is None else getattr(other, name)
+
+    return _throughout(work, code, _places(tuple(range(len(others))), columns), becomes, touched)
 
 
 def hides_an_entry(work: Work, change: Change) -> bool:
@@ -223,23 +230,20 @@ def _in_order(work: Work, code: str, belongs: dict[str, str], **params: str) -> 
         return
     if not work.leaves(tuple(belongs), prismatic="d" not in belongs):
         return
-    rows = [
-        (i, row)
-        for i, row in enumerate(work.table.rows)
-        if row.joint is not JointType.PRISMATIC or "d" not in belongs
-    ]
-    touched = _places(tuple(i for i, _ in rows), tuple(belongs))
+    rows = work.table.rows
+    kept = JointType.PRISMATIC if "d" in belongs else None
+    moving = tuple(i for i, row in enumerate(rows) if row.joint is not kept)
     units = {"alpha": 180.0 / math.pi if work.answer.angle_unit is AngleUnit.DEG else 1.0, "a": 1.0, "d": 1.0}
-    moved = [(column, place, units[column] / units[place]) for column, place in belongs.items()]
+    moved = {place: (column, units[column] / units[place]) for column, place in belongs.items()}
     named = {place for place, _, _ in _named_entries(work)}
-    cells = [
-        (i, place, now)
-        for i, row in rows
-        for column, place, ratio in moved
-        if (now := (here := getattr(row, column)) * (1.0 if not here or (i, column) in named else ratio))
-        != getattr(row, place)
-    ]
-    yield from _throughout(code, touched, cells, **params)
+
+    def becomes(row: int, place: str) -> float:
+        column, ratio = moved[place]
+        here: float = getattr(rows[row], column)
+        return here * ratio if here and (row, column) not in named else here
+
+    places, touched = (_places(moving, tuple(columns)) for columns in (belongs.values(), belongs))
+    yield from _throughout(work, code, places, becomes, touched, **params)
 
 
 def parameter_misnamed(work: Work) -> Iterator[Change]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from itertools import accumulate
@@ -22,7 +22,7 @@ from exercises.grading.judging.end_lines import (
 from exercises.grading.judging.judgement import share_of
 from exercises.grading.judging.typed import ANGLES, NOTHING_TYPED, SAME, Place
 from kinematics.cells import ReadTable
-from kinematics.chain import chain_of_table
+from kinematics.chain import Chain, chain_of_table
 from kinematics.equivalence import BaseRule, Kind, Policy, ToolRule, ZeroRule
 from kinematics.equivalence.batches import CellChange
 from kinematics.equivalence.decision import convention_fits, is_certified
@@ -48,6 +48,10 @@ Off: TypeAlias = tuple[bool, bool, bool]
 ANYTHING: Off = (True, True, True)
 
 
+def _nothing_is_known(_: Collection[Place], __: Callable[[int, str], float]) -> bool:
+    return False
+
+
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Work:
     """The table that edits are tried on.
@@ -67,6 +71,8 @@ class Work:
             there is one too many or too few, the places of it.
         angular: an angle is wrong that no choice of frames changes: lengths alone do not mend it.
         lacking: columns in which an entry has a size that an edit must change, to mend all that is wrong.
+        is_left_wrong: whether an edit is seen not to mend all, by the places that it changes and what each
+            becomes.
         off: what is off, if only by what need not be mended: other values of cells are found from that.
         only: the one slip that is to be undone; any, if none is named.
         kept: places that an edit made before has changed, which another one leaves alone.
@@ -86,6 +92,7 @@ class Work:
     reach: tuple[int, int] = EVERYWHERE
     angular: bool = False
     lacking: frozenset[str] = frozenset()
+    is_left_wrong: Callable[[Collection[Place], Callable[[int, str], float]], bool] = _nothing_is_known
     off: Off = ANYTHING
     only: TableSlip | None = None
     kept: frozenset[Place] = frozenset()
@@ -105,6 +112,11 @@ class Work:
         looked for.
         """
         return self.tightened(self.draw, self.lines)
+
+    @cached_property
+    def chain(self) -> Chain:
+        """The chain of the table."""
+        return chain_of_table(self.table)
 
     @property
     def fixing(self) -> Policy:
@@ -209,7 +221,7 @@ class Work:
         key = axes_of(self.reference.chain, self.policy)
         worth, fixed = np.ones(self.n_facts), fixed_ends(len(key), self.policy)
         facts = Facts(key, self.facts, fixed, worth, sign=1.0)
-        return facts.wrong(axes_of(chain_of_table(self.table), self.policy))
+        return facts.wrong(axes_of(self.chain, self.policy))
 
     def is_a_joint_off(self, table: NumericTable) -> bool:
         """Return whether one joint of a table is missing, superfluous or of another type, and no more."""
@@ -228,6 +240,7 @@ class Work:
             "reach": EVERYWHERE,
             "angular": False,
             "lacking": frozenset(),
+            "is_left_wrong": _nothing_is_known,
             "off": ANYTHING,
         }
         return replace(self, draw=draw, table=table, fits={}, only=None, **known)  # type: ignore[arg-type]
@@ -243,6 +256,7 @@ class Work:
     ) -> Work:
         """Return the table with an edit made, and what another has to do with then."""
         known: dict[str, object] = {"reach": reach, "angular": angular, "lacking": frozenset(), "off": off}
+        known["is_left_wrong"] = _nothing_is_known
         return replace(self, table=change.of(self.table), fits={}, kept=kept, **known)  # type: ignore[arg-type]
 
     def leaves(self, columns: Sequence[str], *, prismatic: bool = True) -> bool:
