@@ -65,6 +65,8 @@ _COMMANDS = {
     "pi": "PI",
     "cdot": "STAR",
     "times": "STAR",
+    "ast": "STAR",
+    "star": "STAR",
     "div": "SLASH",
     "circ": "DEGREE",
     "degree": "DEGREE",
@@ -84,11 +86,11 @@ _COMMAND = re.compile(r"\\([A-Za-z]+|.?)", re.DOTALL)
 _MATH = re.compile(r"\$(.*)\$|\\\((.*)\\\)", re.DOTALL)
 _RATE = re.compile(rf"\\dot *(?:\{{ *(?:q|\\theta|θ) *\}}|q|\\theta|θ)([0-9]*)((?: *(?:{_SUBSCRIPT}))*)")
 _DOTTED = re.compile(rf"[qθ]{DOT_ABOVE}([0-9]*)((?: *(?:{_SUBSCRIPT}))*)")
-_FROM_DEGREES = re.compile(r"(?:radians|deg2rad)(?= *\()")
+_FROM_DEGREES = re.compile(r"(?:radians|RADIANS|deg2rad)(?= *\()")
 """What programs call the function whose argument is in degrees."""
 _EMPTY_CALL = re.compile(r" *\( *\)")
 """A spreadsheet writes PI()."""
-_DEGREE_POWER = re.compile(r"\^ *(?:\{ *(?:\\circ|°) *\}|\\circ(?![A-Za-z])|°)")
+_DEGREE_POWER = re.compile(r"\^ *(?:\{ *(?:\\circ|°|o) *\}|\\circ(?![A-Za-z])|°|o(?!\w))")
 _SUPERSCRIPT = re.compile(f"{SUPERSCRIPT_MINUS}?[{''.join(SUPERSCRIPTS)}]+")
 _FORTRAN_EXPONENT = re.compile(r"[dD]([+-][0-9]+)(?![0-9A-Za-z_.(])")
 """What Fortran writes for e: 1.5D-03. Behind a number it may be a name too: 2D-3 is 2*D - 3."""

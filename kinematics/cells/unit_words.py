@@ -28,6 +28,7 @@ _STOPPED = "deg."
 _UNITS = frozenset(_WORDS.split())
 _FOREIGN = frozenset("".join(_UNITS)).intersection(map(chr, range(0x400, 0x500))) - LOOKALIKES.keys()
 _NUMBER = r"(?:\d+[.,]?\d*|\.\d+)(?:[eE][+-]?\d+)?"
+_DECIMAL_COMMA = re.compile(r"(?<![\d.,])(\d+),(\d+)(?![\d.,])")
 _VARIABLE = r"(?:[qθd]|theta)_?(?:\d+|[₀-₉]+)"
 _VALUE_AND_WORD = re.compile(
     rf"(?<![\w.])(?:{_NUMBER}[ \u00a0\u202f]*|(?:pi|π|{_VARIABLE})[ \u00a0\u202f]+)"
@@ -47,6 +48,7 @@ def unit_refusal(text: str) -> CellRefusal | None:
     rest = text
     for found in reversed(units):
         rest = rest[: found.start(1)].rstrip() + rest[found.end(1) :]
+    rest = _DECIMAL_COMMA.sub(r"\1.\2", rest)
     return CellRefusal(
         "unit_in_cell", column=units[0].start(1) + 1, name=units[0][2], suggestion=rest.strip()
     )

@@ -1,7 +1,7 @@
 """What a cell is wrapped in when it is pasted, and marks on joint variables: θ1*, θ1^*, q1(t), theta(1).
 
 An asterisk marks what varies in many textbooks, (t) what depends on time, and programs count with
-parentheses. All of them are the variable itself.
+parentheses. All of them are the variable itself. A raised zero or o behind a number is a degree sign.
 """
 
 import re
@@ -12,6 +12,7 @@ _VARIABLE = re.compile(r"(?:q|Q|theta|Theta|d)[0-9]{1,4}")
 _NUMBERLESS = re.compile(r"q|Q|theta|Theta|d")
 _ANGLE_VARIABLE = re.compile(r"(?:q|Q|theta|Theta)[0-9]{0,4}")
 _RAISED_STAR = (("POW", "STAR"), ("POW", "LBRACE", "STAR", "RBRACE"))
+_RAISED_ZERO = (("SUPERSCRIPT",), ("POW", "NUMBER"), ("POW", "LBRACE", "NUMBER", "RBRACE"))
 _CALL = ("LPAR", "NAME", "RPAR")
 _INDEX = ("LPAR", "NUMBER", "RPAR")
 
@@ -28,6 +29,14 @@ def without_marks(tokens: list[Token]) -> list[Token]:
         if token.type == "NAME":
             token, position = _unmarked(token, tokens, position)
         found.append(token)
+        # a power of ten is a factor
+        if token.type == "NUMBER" and not (found[-1:] == ["10"] and _types(found[-2:], 0, 1) == ("STAR",)):
+            for mark in _RAISED_ZERO:
+                raised = tokens[position : position + len(mark)]
+                if tuple(part.type for part in raised) == mark and "0" in raised:
+                    found.append(Token("DEGREE", "°", column=raised[0].column))
+                    position += len(mark)
+                    break
     return found
 
 
@@ -75,6 +84,14 @@ _FONT = re.compile(
 _QUOTED = re.compile(r"""(\s*)(?:"([^"]+)"|'([^']+)'|`([^`]+)`|[“„]([^“”„]+)[“”]|‘([^‘’]+)’)(\s*)""")
 _MODULE = re.compile(r"(?<![\w.\\])(?:np|numpy|math|Math|sp|sympy)\.(?=[A-Za-z])", re.ASCII)
 _SPACING = re.compile(r"\\[,;: ]")
+_COUNTED = re.compile(r"(?<![^\W_])(\\?(?:var)?[Tt]heta|[^\W\d_])\[([0-9]{1,4})\]")
+"""What computer algebra writes for an index: theta[1]."""
+_STAR_FIRST = re.compile(
+    r"(?<![^\W_])(\\?(?:var)?[Tt]heta|[θΘϑqQd])(?:\^ *)?(?:[*\u2217\u22c6]|\{ *(?:\*|\\ast) *\}|\\ast *)"
+    r"(_(?:[0-9]+|\{ *[0-9]+ *\})|[₀-₉]+)"
+)
+_BRACED = re.compile(r"((?:^|[-+*/(\u2212])\s*)\{(\s*\\?[^\W\d_]+\s*(?:_(?:\w+|\{\w+\}))?)\}")
+"""A name in braces of its own, as formula editors write it: {\\theta}_1."""
 
 
 def without_wrapping(text: str) -> str:
@@ -89,6 +106,9 @@ def without_wrapping(text: str) -> str:
         text = " " * start + text[start:end] + " " * (len(text) - end)
     text = _MODULE.sub(lambda module: " " * len(module[0]), text)
     plain = _EQUALS.sub(r"\1 ", text, count=1) if _EQUALS.match(text) else text
+    plain = text = _COUNTED.sub(r"\1_\2 ", plain)
+    plain = text = _STAR_FIRST.sub(lambda star: f"{star[1]}{star[2]}".ljust(len(star[0])), plain)
+    plain = text = _BRACED.sub(r"\1  \2", plain)
     if "\\" not in plain:
         return plain
     before = ""

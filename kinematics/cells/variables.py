@@ -29,7 +29,7 @@ from kinematics.cells.syntax import (
 _VARIABLE = re.compile(r"(?:q|Q|theta|Theta)_?([0-9]{1,4})")
 _NUMBERLESS = re.compile(r"(q|Q|theta|Theta)(?:_[ijkn])?")
 _MISSPELLED = re.compile(
-    r"(?:th|tet|teta|tetha|thet|tita|t|vartheta)_?([0-9]{1,4})|var|variable|variavel|variabila|zminna",
+    r"(?:th|(?-i:THETA)|tet|teta|tetha|thet|tita|t|vartheta)_?([0-9]{1,4})|var|variable|variavel|variabila|zminna",
     re.IGNORECASE,
 )
 """Abbreviations, and the word variable itself in the languages of the pages."""

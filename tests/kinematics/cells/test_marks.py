@@ -31,6 +31,20 @@ NAMES = ("L1", "L2", "a2", "a3", "D3", "RL4", "alpha1", "reach")
         "(q1*)",
         "theta1 ^ *",
         "q1(t)*",
+        "θ^*_1",
+        "\\theta^*_1",
+        "\\theta^{*}_{1}",
+        "θ*₁",
+        "q*_1",
+        "θ∗_1",
+        "\\theta_1^\\ast",
+        "q_1^{\\ast}",
+        "q^{\\ast}_1",
+        "q_1^\\star",
+        "theta[1]",
+        "q[1]",
+        "θ[1]",
+        "\\theta[1](t)",
     ],
 )
 def test_a_marked_joint_variable_is_the_variable(cell):
@@ -52,7 +66,7 @@ def test_a_mark_stands_before_an_offset(cell, same):
     assert read(raw_row(theta=cell), **options).table == read(raw_row(theta=same), **options).table
 
 
-@pytest.mark.parametrize("cell", ["d1*", "d_1^*", "d1(t)", "d(1)", "q1*"])
+@pytest.mark.parametrize("cell", ["d1*", "d_1^*", "d1(t)", "d(1)", "q1*", "d^*_1", "d*₁", "d[1]"])
 def test_a_slider_is_marked_in_the_same_ways(cell):
     assert read(raw_row(d=cell)).table == read(raw_row(d="d1")).table
 
@@ -70,6 +84,10 @@ def test_a_slider_is_marked_in_the_same_ways(cell):
         ("q1*2", "variable_scaled"),
         ("θ*", "variable_without_number"),
         ("\\theta^* + 90", "variable_without_number"),
+        ("θ*1", "variable_without_number"),
+        ("L*₁", "script_misplaced"),
+        ("q[i]", "character_not_allowed"),
+        ("[θ1]", "character_not_allowed"),
         ("q(t)", "variable_without_number"),
     ],
 )
@@ -77,7 +95,9 @@ def test_what_only_looks_like_a_mark_is_refused_as_before(cell, code):
     assert faults_of(raw_row(theta=cell)) == [(code, ("rows", 0, "theta"))]
 
 
-@pytest.mark.parametrize("name", ["th1", "t1", "TH_1", "teta1", "vartheta1", "var", "variable", "Var"])
+@pytest.mark.parametrize(
+    "name", ["th1", "t1", "TH_1", "teta1", "vartheta1", "THETA1", "THETA_1", "var", "variable", "Var"]
+)
 def test_other_names_of_the_variable_are_told(name):
     assert faults_of(raw_row(theta=name)) == [("variable_misspelled", ("rows", 0, "theta"))]
     assert not faults_of(raw_row(theta="q1", d=name))
@@ -148,6 +168,9 @@ def test_the_degree_sign_may_be_a_word(cell):
         ("q1 + 90 grados", "q1 + 90"),
         ("90 de grade", "90"),
         ("π rad / 2", "π / 2"),
+        ("0,4 m", "0.4"),
+        ("q1 + 1,57 rad", "q1 + 1.57"),
+        ("1,000.5 mm", "1,000.5"),
     ],
 )
 def test_a_unit_is_told_with_the_cell_without_it(cell, rest):
