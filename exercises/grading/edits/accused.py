@@ -19,8 +19,11 @@ def own_table_first(
 
     Who forgets the key's last fixed row has made that slip, though a sign in the row before it might lead to
     the frame of the tool as well. Where the likeliest repair is two edits, and not both of cells, it stays
-    the first. Beside a cell, columns exchanged in its row alone are no other story.
+    the first, unless in another only signs are wrong. Beside a cell, columns exchanged in its row alone are
+    no other story.
     """
+    if repairs and len(repairs[0].changes) > 1:
+        repairs = sorted(repairs, key=lambda repaired: not repaired.is_of_signs)
     if len(repairs) < 2 or repairs[0].of(table) is None:
         return tuple(repairs)
 

@@ -60,6 +60,11 @@ class Repaired:
 
     changes: tuple[Change, ...]
 
+    @property
+    def is_of_signs(self) -> bool:
+        """Whether nothing is changed but signs."""
+        return all(change.code.endswith(("_sign", "_all_reversed")) for change in self.changes)
+
     def of(self, table: NumericTable) -> NumericTable | None:
         """Return the table that a table becomes; None where one of two edits is of more than cells."""
         if len(self.changes) > 1 and any(change.table is not None for change in self.changes):

@@ -197,6 +197,28 @@ def test_angles_counted_by_the_left_hand_throughout_are_one_slip(name: str) -> N
     assert verdict.feedback[-1].code == "turns_throughout"
 
 
+@pytest.mark.parametrize("name", ["scara", "stanford"])
+def test_variables_that_all_count_the_other_way_accuse_no_right_cell(name: str) -> None:
+    """A wrong twist and a row missing at the tool would mend a SCARA as well, and so it was told."""
+    key = dict(catalogue())[name]
+    rows = tuple(replace(row, sign=-row.sign) for row in key.rows)
+    verdict = grade(written(key), written(DHTable(convention=key.convention, rows=rows)), STRICT)
+    assert [(edit.code, edit.row) for edit in verdict.repairs[0].edits] == [
+        ("turns_all_reversed", None), ("variable_sign", 3)
+    ]  # fmt: skip
+    assert accused(verdict) == [("variable_direction_wrong", 3)]
+
+
+def test_a_left_handed_table_of_an_arm_with_one_twist_is_wrong_in_its_signs() -> None:
+    key = standard((R, HALF, 0, 0.4, 0), (R, 0, 0.5, 0, 0), (R, 0, 0.3, 0, 0))
+    rows = tuple(replace(row, alpha=-row.alpha, sign=-row.sign) for row in key.rows)
+    verdict = grade(written(key), written(DHTable(convention=key.convention, rows=rows)), STRICT)
+    assert [(edit.code, edit.row) for edit in verdict.repairs[0].edits] == [
+        ("turns_all_reversed", None), ("alpha_sign", 1)
+    ]  # fmt: skip
+    assert accused(verdict) == [("twist_wrong", 1)]
+
+
 def test_neighbours_in_line_are_exchanged() -> None:
     """The last two joints of a SCARA make the same motions in either order."""
     key = dict(catalogue())["scara"]
