@@ -5,6 +5,7 @@ verdict          what is said of a table; `verdict_html` in notebooks
 judging          is it right?
 edits            what is wrong?
 explanation      what is told, and what is earned
+idle_rows        fixed rows of zeros, which are left out
 coarse           is it right, but rounded too much?
 findings         what is said, by level of help
 facts, score     which facts of the robot are right, and what they earn

@@ -15,11 +15,10 @@ from exercises.grading.explanation import (
     clearest,
     diagnosis,
     explanation,
-    renumbered,
-    without_idle_rows,
 )
 from exercises.grading.facts import Weights
 from exercises.grading.findings import all_right
+from exercises.grading.idle_rows import renumbered, without_idle_rows
 from exercises.grading.judging.certificate_report import certificate_report
 from exercises.grading.judging.comparison import Comparison, compared_by_names, comparisons
 from exercises.grading.judging.frames import explained

@@ -1,6 +1,7 @@
 """What is wrong throughout a table beside many other mistakes: its units, or that its digits are too few.
 
-No search could try all the others with it. But if several facts become right by it, that is evidence enough.
+No search could try all the others with it. But if several facts become right by it, or several entries become
+the key's, that is evidence enough.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from exercises.grading.edits.changes import Change, Extent
+from exercises.grading.edits.own_table import is_length_of
 from exercises.grading.edits.table_edits import all_in_degrees, all_in_other_length_unit, all_in_radians
 from exercises.grading.edits.work import LENGTHS, Work
 from exercises.grading.facts import Facts, fixed_ends
@@ -25,10 +27,10 @@ from kinematics.equivalence.invariants import axes_of
 from kinematics.table import NumericTable
 
 ROUNDED = "lengths_rounded"
-LEAST_FACTS = 2
-"""So many facts become right by one change only if what it undoes was done; one may do so by chance."""
+LEAST = 2
+"""So many facts or entries become right by one change only if it undoes what was done; one may by chance."""
 FAR_APART = 500.0
-"""No length is wrong by so much but for its unit, so that one fact is enough: metres for millimetres."""
+"""No length is wrong by so much but for its unit, so that one is enough: metres for millimetres."""
 
 
 class Throughout(NamedTuple):
@@ -39,20 +41,44 @@ class Throughout(NamedTuple):
 
 
 def seen_throughout(work: Work) -> Throughout | None:
-    """Return the change throughout that brings most facts of an answer in numbers right, if it is several."""
-    if len(work.comparison.drawn) > 1 or not work.has_the_joints():
-        return None
+    """Return the change throughout that brings most of an answer right, if that is several.
+
+    Facts are counted; where it brings none right, or the joints are not the key's, entries.
+    """
+    named = {place for place, *_ in work.comparison.named_entries}
     ways = (all_in_degrees, all_in_radians, all_in_other_length_unit, lengths_rounded)
     changes = [change for way in ways for change in way(work)]
-    right = [_facts_right(work, change.of(work.table)) for change in changes]
-    more = max(right, default=0) - _facts_right(work, work.table)
-    if more < 1:
+    changes = [change for change in changes if named.isdisjoint((row, cell) for row, cell, _ in change.cells)]
+    more = [0]
+    if work.has_the_joints():
+        known = _facts_right(work, work.table)
+        more = [_facts_right(work, change.of(work.table)) - known for change in changes]
+    if max(more, default=0) < 1:
+        more = [_entries_right(work, change) for change in changes]
+    if max(more, default=0) < 1:
         return None
-    change = changes[right.index(max(right))]
+    change = changes[more.index(max(more))]
     row, cell, value = change.cells[0]
     ratio = value / getattr(work.table.rows[row], cell)
-    is_telling = more >= LEAST_FACTS or (cell in LENGTHS and not 1.0 / FAR_APART < ratio < FAR_APART)
+    is_telling = max(more) >= LEAST or (cell in LENGTHS and not 1.0 / FAR_APART < ratio < FAR_APART)
     return Throughout(change, _undone(work.comparison, change)) if is_telling else None
+
+
+def _entries_right(work: Work, change: Change) -> int:
+    """How many more lengths and twists stand in the key after a change of their unit."""
+    key = work.reference.table
+
+    def is_of_key(cell: str, value: float) -> bool:
+        if cell in LENGTHS:
+            return is_length_of(key, value)
+        return cell == "alpha" and any(
+            row.alpha and abs(abs(value) - abs(row.alpha)) <= PER_CENT * abs(row.alpha) for row in key.rows
+        )
+
+    before = ((cell, getattr(work.table.rows[row], cell)) for row, cell, _ in change.cells)
+    after = ((cell, value) for _, cell, value in change.cells)
+    counted = () if change.code == ROUNDED else change.cells
+    return len(counted) and sum(is_of_key(*one) for one in after) - sum(is_of_key(*one) for one in before)
 
 
 def _facts_right(work: Work, table: NumericTable) -> int:
@@ -78,12 +104,15 @@ def lengths_rounded(work: Work) -> Iterator[Change]:
 
 def _undone(comparison: Comparison, change: Change) -> Comparison:
     """The comparison with a change made; digits are as exact as they were, in the other unit."""
-    (drawn,) = comparison.drawn
-    table, steps = change.of(drawn.meant), dict(comparison.steps)
+    drawn = tuple(
+        one._replace(submission=table, meant=table)
+        for one in comparison.drawn
+        for table in [change.of(one.meant)]
+    )
+    steps = dict(comparison.steps)
     for row, cell, value in change.cells:
         if (row, cell) in steps and change.code != ROUNDED:
-            steps[row, cell] *= abs(value / getattr(drawn.meant.rows[row], cell))
+            steps[row, cell] *= abs(value / getattr(comparison.meant[0].rows[row], cell))
         elif change.code == ROUNDED:
             del steps[row, cell]
-    one = drawn._replace(submission=table, meant=table)
-    return replace(comparison, drawn=(one,), steps=steps, typed_steps=steps)
+    return replace(comparison, drawn=drawn, steps=steps, typed_steps=steps)

@@ -8,7 +8,8 @@ import pytest
 
 from exercises.grading import Edit, Feedback, Finding, LinkFinding, Repair
 from exercises.grading.edits.changes import Change, Extent, after
-from exercises.grading.explanation import Explanation, renumbered
+from exercises.grading.explanation import Explanation
+from exercises.grading.idle_rows import renumbered
 from exercises.grading.judging.exact_text import angle_text
 from kinematics.cells import AngleUnit
 from kinematics.expressions import Expression, Parameter, add, multiply, number, pi_times

@@ -107,3 +107,55 @@ def test_the_other_convention_with_values_for_some_names(names: tuple[str, ...])
     assert repairs(verdict)[0] == [("convention", None)]
     assert verdict.score == 0.67
     assert "length_wrong" not in [entry.code for entry in verdict.feedback]
+
+
+def in_degrees(rows: Rows) -> Rows:
+    """α in degrees, in a table that declares radians."""
+    degrees = {"pi/2": 90, "-pi/2": -90, "pi/4": 45}
+    return [(degrees.get(str(alpha), alpha), *rest) for alpha, *rest in rows]  # type: ignore[misc]
+
+
+def in_millimetres(rows: Rows) -> Rows:
+    return [(alpha, a * 1000, d * 1000, theta) for alpha, a, d, theta in numbers(rows)]  # type: ignore[operator]
+
+
+def without(row: int, rows: Rows) -> Rows:
+    left = [cells[:3] for i, cells in enumerate(rows, 1) if i != row]
+    return [(*cells, f"q{i}") for i, cells in enumerate(left, 1)]
+
+
+THREE_WRONG = with_cells(PUMA, (2, 0, "pi/4"), (3, 1, "d4"), (4, 2, "d3"))
+ONE_WRONG = with_cells(PUMA, (4, 2, "d3"))
+EXTRA: Rows = [*ONE_WRONG, ("pi/2", 0, 0, "q7")]
+OTHER_TYPE: Rows = [
+    (alpha, a, theta, 0) if i == 2 else (alpha, a, d, theta)
+    for i, (alpha, a, d, theta) in enumerate(ONE_WRONG)
+]
+
+
+@pytest.mark.parametrize(
+    ("rows", "hint", "wrong"),
+    [
+        (in_millimetres(THREE_WRONG), "lengths_throughout", {2, 3, 4}),
+        (in_degrees(with_cells(ONE_WRONG, (2, 1, "a3"))), "angles_throughout", {2, 4}),
+        (in_degrees(THREE_WRONG), "angles_throughout", {2, 3, 4}),
+        (in_degrees(without(5, ONE_WRONG)), "angles_throughout", {4, 5}),
+        (in_degrees(without(2, ONE_WRONG)), "angles_throughout", {2, 3}),
+        (in_millimetres(without(5, ONE_WRONG)), "lengths_throughout", {4, 5}),
+        (in_degrees(EXTRA), "angles_throughout", {4, 7}),
+        (in_degrees(OTHER_TYPE), "angles_throughout", {3, 4}),
+    ],
+)
+def test_a_unit_throughout_is_told_in_names_and_beside_wrong_joints_too(
+    rows: Rows, hint: str, wrong: set[int]
+) -> None:
+    """Of these nothing was told but that the joints are wrong, or all twists and lengths were accused."""
+    verdict = grade(KEY, read("standard", rows), USUAL, VALUES)
+    assert hint in [entry.code for entry in verdict.feedback]
+    assert {entry.row for entry in verdict.feedback if entry.row} == wrong
+
+
+@pytest.mark.parametrize("rows", [without(5, THREE_WRONG), without(5, numbers(THREE_WRONG)), THREE_WRONG])
+def test_no_unit_is_told_that_is_not_wrong(rows: Rows) -> None:
+    verdict = grade(KEY, read("standard", rows), USUAL, VALUES)
+    assert not [entry for entry in verdict.feedback if entry.code.endswith("_throughout")]
