@@ -77,4 +77,5 @@ def _number(value: Fraction) -> str:
     decimal = decimal_text(value)
     if decimal is None and value.denominator != 1:
         return f'<cn type="rational">{value.numerator}<sep/>{value.denominator}</cn>'
-    return f"<cn>{decimal or value.numerator}</cn>"
+    digits, _, power = str(decimal or value.numerator).partition("e")
+    return f'<cn type="e-notation">{digits}<sep/>{power}</cn>' if power else f"<cn>{digits}</cn>"

@@ -42,6 +42,7 @@ class Language(Printer):
         settings: the printer's.
         words: what no identifier may be, besides the printer's own reserved words.
         decimal: how a decimal is written, given its digits.
+        tiny: the same of one with a power of ten, given both.
         pi: the number π.
         variable: a joint variable, given its number.
         first: the number of the first joint variable, row and column.
@@ -53,6 +54,7 @@ class Language(Printer):
     settings: ClassVar[dict[str, Any]] = {}
     words: ClassVar[str] = ""
     decimal: ClassVar[str] = "{}"
+    tiny: ClassVar[str] = "{}e{}"
     pi: ClassVar[str] = "pi"
     variable: ClassVar[str] = "q[{}]"
     first: ClassVar[int] = 0
@@ -101,7 +103,8 @@ class Language(Printer):
             case JointVariable(index):
                 return self.variable.format(index - 1 + self.first)
             case Number(value):
-                return self.decimal.format(decimal_text(value))
+                digits, _, power = str(decimal_text(value)).partition("e")
+                return self.tiny.format(digits, power) if power else self.decimal.format(digits)
         return self.pi
 
     def _print_Symbol(self, symbol: sympy.Symbol) -> str:

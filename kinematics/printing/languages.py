@@ -96,7 +96,7 @@ class Sympy(Language, StrPrinter):
 
     settings: ClassVar[dict[str, Any]] = {"sympy_integers": True, "order": "none"}
     words = f"{Python.words} Abs Matrix Rational S Symbol"
-    decimal = 'Rational("{}")'
+    decimal, tiny = 'Rational("{}")', 'Rational("{}e{}")'
     _uses: ClassVar[str] = "Abs Rational S acos asin atan atan2 cos pi sin sqrt tan"
 
     def _atom(self, node: Expression) -> str:
@@ -269,7 +269,7 @@ class Rust(Language, RustCodePrinter):
     """Rust without any crate."""
 
     words = reserved.RUST
-    decimal = "{}_f64"
+    decimal, tiny = "{}_f64", "{}e{}_f64"
     pi = "std::f64::consts::PI"
 
     def _lines(self) -> list[str]:
@@ -317,7 +317,7 @@ class Fortran(Language, FCodePrinter):
 
     settings: ClassVar[dict[str, Any]] = {"source_format": "free", "standard": 2003}
     words = reserved.FORTRAN
-    decimal = "{}d0"
+    decimal, tiny = "{}d0", "{}d{}"
     pi = "3.14159265358979323846d0"
     variable = "q({})"
     first = 1
@@ -353,7 +353,7 @@ class Fortran(Language, FCodePrinter):
 class Mathematica(Language, MCodePrinter):
     """Mathematica and the Wolfram Language."""
 
-    pi = "Pi"
+    pi, tiny = "Pi", "{}*^{}"
     variable = "q[[{}]]"
     first = 1
     suffix = "0"

@@ -5,13 +5,15 @@ from functools import lru_cache
 
 _LARGEST_POWER_OF_TWO = 8
 """Denominators of cosines and averages: 1/2, 1/4, 1/8; a sixteenth is typed as a decimal."""
+_MOST_PLACES = 9
+"""So many decimal places are counted at a glance; a smaller number is written with a power of ten."""
 
 
 @lru_cache(maxsize=4096)
 def decimal_text(value: Fraction) -> str | None:
     """Return a rational number as the decimal that a person typed, or None if it is written as a fraction.
 
-    0.4318, 0.1 and 2.5e-5 are decimals, as is whatever else has a 5 in its denominator; 1/2, 3/4 and 1/8 are
+    0.4318, 0.1 and 6.1e-17 are decimals, as is whatever else has a 5 in its denominator; 1/2, 3/4 and 1/8 are
     fractions, as they come from cosines and averages; so are 1/3 and 5/7, which no decimal equals.
     """
     twos, fives, rest = _powers(value.denominator)
@@ -39,5 +41,8 @@ def _powers(denominator: int) -> tuple[int, int, int]:
 
 
 def _written(value: Fraction, places: int) -> str:
-    digits = str(abs(value.numerator) * 10**places // value.denominator).zfill(places + 1)
-    return f"{'-' if value < 0 else ''}{digits[:-places]}.{digits[-places:]}"
+    sign, digits = "-" if value < 0 else "", str(abs(value.numerator) * 10**places // value.denominator)
+    if places - len(digits) >= _MOST_PLACES:
+        return f"{sign}{digits[0]}{'.' * (len(digits) > 1)}{digits[1:]}e{len(digits) - places - 1}"
+    digits = digits.zfill(places + 1)
+    return f"{sign}{digits[:-places]}.{digits[-places:]}"

@@ -185,7 +185,7 @@ class Typesetter(LineWriter):
         weakest = Binding.SUM if len(below) == 1 and not weight.denominator else Binding.PRODUCT
         denominator = [self.digits.format(weight.denominator)] if weight.denominator else []
         denominator += [self._within(factor, weakest) for factor in below]
-        head = [self.digits.format(weight.digits)] if weight.digits else []
+        head = [self._decimal(weight.digits)] if weight.digits else []
         head += [self._within(factor, Binding.PRODUCT) for factor in constants]
         least = Binding.SUM if below and not head and len(above) == 1 else Binding.PRODUCT
         tail = [self._within(factor, least) for factor in above]
@@ -200,6 +200,14 @@ class Typesetter(LineWriter):
         alone = (*constants, *above)
         binding = alone[0].binding if alone else Binding.ATOM
         return WrittenTerm(factors[0] if factors else self.digits.format("1"), binding, weight.negative)
+
+    def _decimal(self, text: str) -> str:
+        """A number; a very small one has a power of ten."""
+        number, *power = map(self.digits.format, text.split("e-"))
+        if not power:
+            return number
+        exponent = self._signed(WrittenTerm(power[0], Binding.ATOM, negative=True))
+        return self._times([number, self.power.format(self.digits.format("10"), exponent)])
 
     def _raised(self, base: int, exponent: Fraction) -> WrittenTerm:
         written = self._written[base]

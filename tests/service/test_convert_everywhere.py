@@ -85,6 +85,21 @@ def test_every_form_to_every_form_with_base_and_tool(client: httpx.Client, first
     np.testing.assert_allclose(found, expected, atol=1e-9)
 
 
+@pytest.mark.parametrize("convention", ["standard", "modified"])
+@pytest.mark.parametrize("rounding", ["8.940316365525654e-18", "-8.940316365525654e-18"])
+@pytest.mark.parametrize("twist", ["pi/2", "pi/2 + 0.1234567890123456", "L1 + 0.1234567890123456"])
+def test_what_rounding_left_in_a_chain_can_be_sent_back(
+    client: httpx.Client, twist: str, rounding: str, convention: str
+) -> None:
+    """The exact sum of two doubles has more digits than a cell may hold."""
+    entry, values = ("x", {"L1": 0.2}) if "L1" in twist else ("c", {})
+    chain = {"joints": [{"a": "q1", entry: twist}], "final": {entry: rounding}}
+    sent = {"scm": chain, "verify": "off"}
+    found = answered(client, CONVERT, {**sent, "to": convention})
+    sent, back = {**sent, "parameters": values}, {**source(convention, found), "parameters": values}
+    np.testing.assert_allclose(poses(client, back)[0], poses(client, sent)[0], atol=1e-15)
+
+
 def test_a_table_with_symbols_becomes_a_chain_with_symbols(client: httpx.Client) -> None:
     found = answered(client, CONVERT, {"table": CYLINDRICAL, "to": "scm"})
     assert found["verify"] == "off"  # its slide stands in a row that turns

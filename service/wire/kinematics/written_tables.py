@@ -1,6 +1,7 @@
 """DH tables and poses as the wire writes them: cells that the grammar reads back to the very same entries."""
 
 import math
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
@@ -22,6 +23,8 @@ Spellings: TypeAlias = Mapping[tuple[ParameterKind, Expression], WireCell]
 _HALF_TURN = 180
 _ROUNDING = 1e-15
 """What a few roundings leave of an angle between −π and π [rad]."""
+_TOO_LONG = re.compile(rf"(?<![\w.])[\d.]{{{DEFAULT.digits + 2},}}(?:e-\d+)?")
+"""A decimal in an expression that has more digits than a cell can hold, such as a sum of two doubles."""
 CELL_KINDS = {
     "alpha": ParameterKind.ANGLE,
     "a": ParameterKind.LENGTH,
@@ -77,7 +80,7 @@ class TableWriter:
                 return readable_degrees(float(value))
         if value is not None:
             return _number(value)
-        return TextWriter(Names()).text(entry)
+        return cell_text(entry)
 
 
 def table_in_units_of(asked: Measured, table: SymbolicTable) -> Table:
@@ -147,6 +150,11 @@ def _number(value: Fraction) -> WireCell:
     if text is None:
         return str(value) if max(abs(value.numerator), value.denominator) <= DEFAULT.largest else number
     return text if sum(character.isdigit() for character in text) <= DEFAULT.digits else number
+
+
+def cell_text(entry: Expression) -> str:
+    """Return an expression as a cell can hold it."""
+    return _TOO_LONG.sub(lambda found: repr(float(found[0])), TextWriter(Names()).text(entry))
 
 
 def with_variable(variable: str, offset: WireCell) -> str:

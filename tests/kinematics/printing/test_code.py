@@ -132,6 +132,13 @@ def every_construct() -> SymbolicTable:
     return table(Convention.MODIFIED, *rows)
 
 
+def tiny_numbers() -> SymbolicTable:
+    """Numbers that are written with a power of ten, where they matter."""
+    x, y = Parameter("x"), Parameter("y")
+    angle = call(Function.ATAN2, add((multiply((number("2.5e-10"), x)), number("3e-11"))), number("7.5e-10"))
+    return table(Convention.STANDARD, row(a=y, d=number("-1.3e-33"), theta=angle), row(alpha=angle))
+
+
 @cache
 def cases() -> list[Case]:
     rng = random.Random(7)
@@ -141,6 +148,7 @@ def cases() -> list[Case]:
     found += cases_of("puma_craig", puma(Convention.MODIFIED), rng)
     found += cases_of("hostile", hostile_table(), rng)
     found += cases_of("constructs", every_construct(), rng)
+    found += cases_of("tiny", tiny_numbers(), rng)
     for i in range(12):
         found += cases_of(f"random{i}", random_table(rng, rng.randrange(1, 6), fixed=rng.randrange(3)), rng)
     return found

@@ -57,6 +57,7 @@ def latex(expression: Expression, notation: Notation = Notation.SHORT) -> str:
         (power(call(Function.COS, q1), 2), "c_{1}^{2}"),
         (multiply((number("1/2"), call(Function.SQRT, number(3)), L1)), r"\frac{\sqrt{3}}{2}L_{1}"),
         (multiply((number("-1/2"), L1)), r"-\frac{1}{2}L_{1}"),
+        (multiply((number("-1.3e-33"), L1)), r"-1.3 \cdot 10^{-33}L_{1}"),
         (multiply((number("1/2"), L1, call(Function.COS, q1))), r"\frac{1}{2}L_{1}c_{1}"),
         (multiply((number("0.4318"), call(Function.COS, q1))), "0.4318c_{1}"),
         (pi_times(Fraction(37, 180)), r"\frac{37\pi}{180}"),

@@ -117,6 +117,7 @@ def test_every_construct_has_content() -> None:
         call(Function.ASIN, x),
         call(Function.SQRT, add((x, number("1/3")))),
         multiply((number(-2), x)),
+        multiply((number("-1.3e-33"), x)),
     ):
         root = ET.fromstring(matrix_of([[expression]], Notation.FULL))
         row = root.find(f".//{NAMESPACE}matrixrow")
@@ -142,6 +143,8 @@ def meant(element: ET.Element) -> Expression:
     if tag == "cn":
         if element.get("type") == "rational":
             return Number(Fraction(int(element.text or ""), int(element[0].tail or "")))
+        if element.get("type") == "e-notation":
+            return number(f"{element.text}e{element[0].tail}")
         return number(element.text or "")
     head, *operands = element
     values = [meant(operand) for operand in operands]

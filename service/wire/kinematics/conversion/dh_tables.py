@@ -12,8 +12,6 @@ from kinematics.conversion import XScrew, convert, fixed_row
 from kinematics.dh import link_transform
 from kinematics.expressions import Expression, add, evaluate, multiply, number, parameters_in
 from kinematics.fixed_rows import fixed_rows
-from kinematics.printing.notation import Names
-from kinematics.printing.text import TextWriter
 from kinematics.se3 import Transform
 from kinematics.table import VARIABLE_CELLS, Convention, DHTable
 from service.http.problems import located
@@ -24,7 +22,14 @@ from service.wire.json_chunks import plain_lists
 from service.wire.kinematics.conversion.described import RobotDescription
 from service.wire.kinematics.conversion.named_poses import with_names, x_screw, x_screw_entries
 from service.wire.kinematics.prepared_robots import listed_robot, robot_of
-from service.wire.kinematics.written_tables import CELL_KINDS, Spellings, TableWriter, WireCell, numeric_row
+from service.wire.kinematics.written_tables import (
+    CELL_KINDS,
+    Spellings,
+    TableWriter,
+    WireCell,
+    cell_text,
+    numeric_row,
+)
 
 Matrix = list[list[WireCell]]
 Entries: TypeAlias = tuple[tuple[Expression, ...], ...]
@@ -149,7 +154,7 @@ def _product(one: Entries, other: Entries) -> Entries:
 
 def _entry(entry: Expression) -> WireCell:
     if parameters_in(entry):
-        return TextWriter(Names()).text(entry)
+        return cell_text(entry)
     return evaluate(entry) + 0.0
 
 
