@@ -7,14 +7,18 @@
 
 /** An answer that says what is wrong (RFC 9457). */
 export class Problem extends Error {
-  /** @param {number} status @param {Record<string, any>} body @param {string} [arrival] ticket of an answer to be sent again */
-  constructor(status, body, arrival = "") {
+  /**
+   * @param {number} status @param {Record<string, any>} body @param {string} [arrival] ticket of an answer to be sent again
+   * @param {number} [wait] seconds after which the service asks to be called again
+   */
+  constructor(status, body, arrival = "", wait = 0) {
     super(body.detail || body.title || `HTTP ${status}`);
     this.name = "Problem";
     this.status = status;
     this.code = body.code || "";
     this.body = body;
     this.arrival = arrival;
+    this.wait = wait;
     /** @type {Fault[]} */
     this.faults = body.errors?.length
       ? body.errors
@@ -23,8 +27,13 @@ export class Problem extends Error {
 
   /** Whether it is the service that cannot answer now: the same call may be right later. */
   get passing() {
-    return this.status >= 500 || this.status === TOO_MANY;
+    return isPassing(this.status);
   }
+}
+
+/** @param {number} status */
+export function isPassing(status) {
+  return status >= 500 || status === TOO_MANY;
 }
 
 /** The service could not be reached. */
@@ -40,8 +49,31 @@ const BUSY = 503;
 const TOO_MANY = 429;
 /** The field of a ticket that says when an answer came which could not be taken just then. */
 const ARRIVAL = "Framewise-Arrival";
-/** Seconds that a page waits by itself. */
+/** Seconds that a page waits by itself for an answer to what somebody did. */
 const LONGEST_WAIT = 10;
+/** Seconds before what draws itself is asked for again: at first, and at most. */
+const FIRST_PAUSE = 2;
+const LONGEST_PAUSE = 60;
+
+/** Seconds that an answer asks callers to wait. @param {Response} answer */
+export function waitOf({ headers }) {
+  return Number(headers.get("Retry-After")) || 0;
+}
+
+/**
+ * Milliseconds before a call that failed is made again: never less than the service asked for, longer with each
+ * failure, and not the same for every page that was refused at once.
+ * @param {number} failures how often it failed, from 1 @param {number} [wait] seconds that the service asked for
+ */
+export function pauseAfter(failures, wait = 0) {
+  const grown = Math.min(FIRST_PAUSE * 2 ** (failures - 1), LONGEST_PAUSE);
+  return spread(Math.max(wait, grown));
+}
+
+/** Seconds as milliseconds, up to half as many again. @param {number} seconds */
+function spread(seconds) {
+  return 1000 * seconds * (1 + Math.random() / 2);
+}
 
 export class Api {
   /** @param {string} base address of the API, with a slash at its end @param {string} language */
@@ -107,11 +139,11 @@ export class Api {
     try {
       for (let left = patience; ; left -= 1) {
         answer = await fetch(this.base + path, { method, headers, signal, body: content, credentials: "omit" });
-        const seconds = Number(answer.headers.get("Retry-After"));
+        const seconds = waitOf(answer);
         const ticket = answer.headers.get(ARRIVAL);
         if (ticket) headers[ARRIVAL] = ticket;
         if (answer.status !== BUSY || left <= 0 || !seconds) break;
-        await new Promise((resolve) => setTimeout(resolve, 1000 * Math.min(seconds, LONGEST_WAIT)));
+        await new Promise((resolve) => setTimeout(resolve, spread(Math.min(seconds, LONGEST_WAIT))));
         signal?.throwIfAborted();
       }
       if (file && answer.ok) return await answer.blob();
@@ -126,7 +158,7 @@ export class Api {
     } catch (error) {
       if (answer.ok) throw new Unreachable(error);
     }
-    if (!answer.ok) throw new Problem(answer.status, json, headers[ARRIVAL]);
+    if (!answer.ok) throw new Problem(answer.status, json, headers[ARRIVAL], waitOf(answer));
     return json;
   }
 }

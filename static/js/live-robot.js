@@ -12,10 +12,10 @@
  * Events: `typed` (a new table is being looked at), `reading` (what was understood, and the faults), `parameters`
  * (the names that the table uses, and which of them have no value), `robot` (a scene model and joints to move),
  * `poses` (matrices at the joints' present values), `failure` (the service could not be reached or was busy; it is
- * asked again until it answers).
+ * asked again until it answers, and while it has asked to be left alone, whatever is typed, not before).
  */
 
-import { Problem, Throttled } from "./api.js";
+import { pauseAfter, Problem, Throttled } from "./api.js";
 import { debounced } from "./dom.js";
 import { clamped, limited, usualRanges } from "./joint-ranges.js";
 import { degrees, radians } from "./numbers.js";
@@ -25,7 +25,6 @@ import { Understanding } from "./understanding.js";
 
 const TYPING_PAUSE = 30;
 const DRAGGING_PAUSE = 60;
-const AWAY_PAUSE = 3000;
 
 /**
  * @typedef {import("./joint-ranges.js").JointRange} JointRange
@@ -51,6 +50,10 @@ export class LiveRobot extends EventTarget {
   /** @type {{subject: Subject, robot: Robot, state: State} | null} */
   #drawn = null;
   #watched = false;
+  #failures = 0;
+  /** When the service may be asked again [ms]. */
+  #after = 0;
+  #timer = 0;
 
   /** @param {import("./api.js").Api} api @param {{size?: number, prime?: string}} [options] */
   constructor(api, options = {}) {
@@ -60,7 +63,6 @@ export class LiveRobot extends EventTarget {
     this.understanding = new Understanding(api);
     this.dragging = new Throttled(DRAGGING_PAUSE);
     this.paused = debounced(() => this.#look(), TYPING_PAUSE);
-    this.later = debounced(() => this.#look(), AWAY_PAUSE);
   }
 
   /**
@@ -126,11 +128,12 @@ export class LiveRobot extends EventTarget {
   /** Asks about the table unless that was done, and draws what has numbers. */
   async #look() {
     const state = this.#state;
-    if (this.#answered === state) return;
+    if (this.#answered === state || this.#rests) return;
     try {
       const answer = await this.understanding.ask(state.table, state.parameters);
       if (!answer || state !== this.#state) return;
       this.#answered = state;
+      this.#failures = 0;
       this.#tell("reading", answer);
       const { parameters } = answer.reading;
       const missing = parameters.filter(({ name }) => !Number.isFinite(state.parameters[name]));
@@ -164,7 +167,7 @@ export class LiveRobot extends EventTarget {
 
   /** The matrices at the joints' present values, if somebody looks. */
   #pose() {
-    if (!this.#watched || !this.subject) return;
+    if (!this.#watched || !this.subject || this.#rests) return;
     this.dragging.run(() => this.#askPose()).catch((error) => this.#fail(error));
   }
 
@@ -188,8 +191,25 @@ export class LiveRobot extends EventTarget {
     } else {
       this.#answered = null;
       this.#tell("failure", error);
-      this.later();
+      this.#askLater(error instanceof Problem ? error.wait : 0);
     }
+  }
+
+  /** Whether the service has asked to be left alone for now. */
+  get #rests() {
+    return Date.now() < this.#after;
+  }
+
+  /** @param {number} wait seconds that the service asked for */
+  #askLater(wait) {
+    this.#failures += 1;
+    const pause = pauseAfter(this.#failures, wait);
+    this.#after = wait ? Date.now() + pause : 0;
+    clearTimeout(this.#timer);
+    this.#timer = setTimeout(() => {
+      this.#after = 0;
+      void this.#look();
+    }, pause);
   }
 
   /** @param {string} name @param {unknown} detail */

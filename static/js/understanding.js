@@ -32,7 +32,7 @@ export class Understanding {
       const answer = await this.#latest.run((signal) => this.api.post("understand", request, { signal }));
       return answer && readAnswer(answer.value);
     } catch (error) {
-      if (!(error instanceof Problem) || error.status >= 500) throw error;
+      if (!(error instanceof Problem) || error.passing) throw error;
       return { whole: false, reading: { rows: [], variables: [], parameters: [] }, rows: [], faults: error.faults };
     }
   }

@@ -52,6 +52,38 @@ def test_a_drawing_that_did_not_come_is_asked_for_again(open_page: OpenPage, wat
     assert next(answers, None) is None
 
 
+def test_a_drawing_that_is_refused_for_good_is_not_asked_for_again(
+    open_page: OpenPage, watch: Watch
+) -> None:
+    """Nor sooner than the service asks for, where it is busy."""
+    watch.allow("404")
+    watch.allow("429")
+    answers = [(404, {}), (429, {"Retry-After": "60"}), (404, {})]
+    asked: list[int] = []
+
+    def refuse(route: Route) -> None:
+        status, headers = answers[min(len(asked), 2)]
+        asked.append(status)
+        route.fulfill(status=status, headers=headers)
+
+    def before(page: Page) -> None:
+        page.clock.install()
+        page.route("**/figures/*.svg*", refuse)
+
+    page = open_page("/exercises/puma560", before=before)
+
+    def after(seconds: int, times: int) -> None:
+        page.clock.run_for(1000 * seconds)
+        page.evaluate("fetch(document.location)")
+        assert len(asked) == times
+
+    after(5, 2)
+    after(50, 2)
+    after(60, 3)
+    for _ in range(3):
+        after(600, 3)
+
+
 def test_a_keystroke_costs_one_call(open_page: OpenPage) -> None:
     calls: list[str] = []
     page = open_page("/exercises/puma560")

@@ -1,5 +1,6 @@
 /** The exercise's robot: its drawing, and the same geometry in space. */
 
+import { isPassing, pauseAfter, waitOf } from "../api.js";
 import { el, fill, segmented } from "../dom.js";
 import { t } from "../i18n.js";
 import { usualRanges } from "../joint-ranges.js";
@@ -9,9 +10,8 @@ import { frozen, together } from "../scene/model.js";
 import { figureRobot } from "../scene/robots.js";
 import { keep, recall } from "../storage.js";
 
-/** How often a drawing that did not come is asked for again, and milliseconds before each time. */
+/** How often a drawing that did not come is asked for again. */
 const TRIES = 20;
-const PAUSE = 3000;
 
 /**
  * @param {{figure: any, title: string}} exercise
@@ -51,13 +51,25 @@ export function showFigure({ figure, title }, { mode, body, drawing, description
   show(chosen);
 }
 
-/** Asks again for a drawing that did not come, as from a service that starts anew: browsers don't. @param {HTMLImageElement} drawing */
+/**
+ * Asks again for a drawing that did not come, as from a service that starts anew: browsers don't, and they don't say
+ * why it did not come. One that is refused for good is not asked for again.
+ * @param {HTMLImageElement} drawing
+ */
 function insist(drawing) {
-  let left = TRIES;
-  const again = () => {
-    if (left-- > 0) setTimeout(() => drawing.setAttribute("src", drawing.src), PAUSE);
+  let failures = 0;
+  const again = (wait = 0) => {
+    failures += 1;
+    if (failures <= TRIES) setTimeout(() => void ask(), pauseAfter(failures, wait));
   };
-  drawing.addEventListener("error", again);
+  const ask = async () => {
+    const answer = await fetch(drawing.src).catch(() => null);
+    if (answer?.ok) {
+      await answer.blob().catch(() => null);
+      drawing.setAttribute("src", drawing.src);
+    } else if (!answer || isPassing(answer.status)) again(answer ? waitOf(answer) : 0);
+  };
+  drawing.addEventListener("error", () => again());
   if (drawing.complete && drawing.naturalWidth === 0) again();
 }
 
