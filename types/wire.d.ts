@@ -88,6 +88,7 @@ declare namespace Wire {
     certificate: any;
     figure: any;
     departure: Departure | null;
+    departure_later?: boolean;
     links: Link[];
     feedback: Feedback[];
     repairs: { edits: Feedback[] }[];

@@ -112,8 +112,7 @@ class Grader:
     def with_departure(self, attempt: Attempt, settings: LinkSettings) -> Attempt:
         """Return an attempt that tells where its robot departs, if nobody looked when it was judged."""
         told = restored(attempt.report)
-        tells = lowest((told.help_level, HelpLevel.KIND)) is HelpLevel.KIND
-        if told.departure is not None or told.verdict is None or told.verdict.correct or not tells:
+        if told.verdict is None or not tells_departure_later(told):
             return attempt
         question = self.question(attempt, settings)
         if (
@@ -144,6 +143,13 @@ class Grader:
         except ExerciseError:
             return None
         return asked, attempt.seed, orjson.dumps(attempt.answer)
+
+
+def tells_departure_later(report: Report) -> bool:
+    """Return whether where the robot of a wrong table departs may be told, and has not been."""
+    is_wrong = report.verdict is not None and not report.verdict.correct
+    tells = lowest((report.help_level, HelpLevel.KIND)) is HelpLevel.KIND
+    return is_wrong and tells and report.departure is None
 
 
 def _as_stored(report: Report) -> dict[str, Any]:

@@ -16,6 +16,7 @@ from playwright.sync_api import Frame, Locator, Page, Route, expect, sync_playwr
 from courses.people.platforms import invite
 from courses.storage.database import Store
 from service.course_resources import now
+from service.resources import Resources
 from tests.lti.classes import TEACHER, Browser, Lms, eventually, hint
 from tests.lti.test_launches import CUSTOM, RIGHT
 from tests.web.conftest import ARGUMENTS, CHROMIUM, new_context, wait_ready
@@ -192,6 +193,34 @@ def test_help_that_rises_starts_anew_for_each_student_at_a_shared_computer(page:
             page.locator("form button[type=submit]").first.click()
         assert sent.value.post_data_json["help"] == "row"
         expect(page.locator("#history .badge")).to_be_visible()
+
+
+@pytest.mark.usefixtures("service")
+@pytest.mark.parametrize("address", ["sqlite"], indirect=True)
+def test_in_a_crowd_the_picture_of_where_a_robot_departs_is_drawn_when_asked_for(
+    page: Page, lms: Lms, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    page.goto(f"{lms.root}/start?user=petra&hint={hint(resource='crowd', context='crowd', custom=CUSTOM)}")
+    page.wait_for_url("**/exercises/**")
+    wait_ready(page)
+    page.evaluate("(table) => (document.querySelector('dh-table-editor').table = table)", RIGHT["table"])
+    cell(page, 1, "alpha").fill("17")
+    draw = page.get_by_role("button", name="Draw it now")
+    with monkeypatch.context() as crowd:
+        crowd.setattr(Resources, "is_crowded", lambda _: True)
+        page.locator("form button[type=submit]").first.click()
+        expect(page.locator("#verdict .notice", has_text="So many answers")).to_be_visible()
+        expect(page.locator("#verdict robot-scene")).to_have_count(0)
+        draw.focus()
+        page.keyboard.press("Enter")
+        expect(page.locator("#verdict robot-scene")).to_be_visible()
+        expect(draw).to_have_count(0)
+        assert page.evaluate("document.activeElement.querySelector('robot-scene') !== null")
+    cell(page, 1, "alpha").fill("18")
+    page.locator("form button[type=submit]").first.click()
+    expect(page.locator("#verdict-card")).not_to_have_class(re.compile("outdated"))
+    expect(page.locator("#verdict robot-scene")).to_be_visible()
+    expect(draw).to_have_count(0)
 
 
 @pytest.mark.parametrize("address", ["sqlite"], indirect=True)

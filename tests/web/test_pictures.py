@@ -52,9 +52,7 @@ def test_a_drawing_that_did_not_come_is_asked_for_again(open_page: OpenPage, wat
     assert next(answers, None) is None
 
 
-def test_a_drawing_that_is_refused_for_good_is_not_asked_for_again(
-    open_page: OpenPage, watch: Watch
-) -> None:
+def test_a_drawing_that_is_refused_for_good_is_not_asked_for_again(open_page: OpenPage, watch: Watch) -> None:
     """Nor sooner than the service asks for, where it is busy."""
     watch.allow("404")
     watch.allow("429")

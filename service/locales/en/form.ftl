@@ -328,6 +328,9 @@ form-second-none = The rules of this exercise leave no other table.
 form-ghost-label = Your robot as a ghost over the exercise’s
 form-ghost-text = The exercise’s robot is grey and orange, yours transparent red. Both make the same motion. The marked frame { $row }, the one of row { $row }, is the first that departs from the exercise’s robot.
 form-ghost-description = Your robot coincides with the exercise’s before frame { $row }, which is marked: this is where the two diverge.
+form-ghost-later = So many answers are being checked just now that the picture of where your robot departs from the exercise’s has not been drawn.
+form-ghost-draw = Draw it now
+form-ghost-none = Your robot cannot be drawn over the exercise’s.
 form-new = New
 form-new-done = Started a new, empty table.
 

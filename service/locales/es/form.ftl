@@ -328,6 +328,9 @@ form-second-none = Las reglas de este ejercicio no dejan otra tabla.
 form-ghost-label = Su robot, como fantasma sobre el del ejercicio
 form-ghost-text = El robot del ejercicio es gris y naranja; el suyo, rojo transparente. Los dos hacen el mismo movimiento. El sistema marcado { $row }, el de la fila { $row }, es el primero que se separa del robot del ejercicio.
 form-ghost-description = Su robot coincide con el del ejercicio antes del sistema { $row }, que está marcado: allí se separan.
+form-ghost-later = En este momento se comprueban tantas respuestas que no se ha dibujado dónde se separa su robot del robot del ejercicio.
+form-ghost-draw = Dibujarlo ahora
+form-ghost-none = Su robot no se puede dibujar sobre el del ejercicio.
 form-new = Nueva
 form-new-done = Una tabla nueva, vacía.
 

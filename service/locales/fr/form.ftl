@@ -328,6 +328,9 @@ form-second-none = Les règles de cet exercice ne laissent aucun autre tableau.
 form-ghost-label = Votre robot, en fantôme sur celui de l’exercice
 form-ghost-text = Le robot de l’exercice est en gris et orange, le vôtre en rouge transparent. Les deux font le même mouvement. Le repère marqué { $row }, celui de la ligne { $row }, est le premier qui s’écarte du robot de l’exercice.
 form-ghost-description = Votre robot coïncide avec celui de l’exercice avant le repère { $row }, qui est marqué : là, ils se séparent.
+form-ghost-later = Tant de réponses sont vérifiées en ce moment que l’image de l’endroit où votre robot s’écarte de celui de l’exercice n’a pas été dessinée.
+form-ghost-draw = La dessiner maintenant
+form-ghost-none = Votre robot ne peut pas être dessiné sur celui de l’exercice.
 form-new = Nouveau
 form-new-done = Un nouveau tableau, vide.
 

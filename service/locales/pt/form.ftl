@@ -328,6 +328,9 @@ form-second-none = As regras deste exercício não deixam outra tabela.
 form-ghost-label = O seu robô, como fantasma sobre o do exercício
 form-ghost-text = O robô do exercício é cinzento e laranja; o seu, vermelho transparente. Ambos fazem o mesmo movimento. O referencial marcado { $row }, o da linha { $row }, é o primeiro que se afasta do robô do exercício.
 form-ghost-description = O seu robô coincide com o do exercício antes do referencial { $row }, que está marcado: aí separam-se.
+form-ghost-later = Neste momento verificam-se tantas respostas que não foi desenhado onde o seu robô se afasta do robô do exercício.
+form-ghost-draw = Desenhar agora
+form-ghost-none = O seu robô não pode ser desenhado sobre o do exercício.
 form-new = Nova
 form-new-done = Uma tabela nova, vazia.
 

@@ -339,6 +339,9 @@ form-second-none = Regulile acestui exercițiu nu lasă alt tabel.
 form-ghost-label = Robotul dumneavoastră, ca o fantomă peste cel al exercițiului
 form-ghost-text = Robotul exercițiului este gri și portocaliu, al dumneavoastră roșu transparent. Amândoi fac aceeași mișcare. Sistemul marcat { $row }, cel al rândului { $row }, este primul care se desprinde de robotul exercițiului.
 form-ghost-description = Robotul dumneavoastră coincide cu cel al exercițiului înainte de sistemul { $row }, care este marcat: acolo se despart.
+form-ghost-later = În acest moment se verifică atât de multe răspunsuri, încât nu s-a desenat unde se desprinde robotul dumneavoastră de cel al exercițiului.
+form-ghost-draw = Desenează acum
+form-ghost-none = Robotul dumneavoastră nu poate fi desenat peste cel al exercițiului.
 form-new = Nou
 form-new-done = Un tabel nou, gol.
 

@@ -44,7 +44,7 @@ from service.wire.exercises.ungraded import answer_refused
 from service.wire.exercises.verdicts import report_body
 from service.work.fair_queue import Proven, proven
 from service.work.limiters import WorkKind
-from service.work.session_grading import Grader, judged_submission
+from service.work.session_grading import Grader, judged_submission, tells_departure_later
 
 router = course_router()
 
@@ -170,7 +170,9 @@ async def _judged(request: ApiRequest, begun: datetime) -> Response:
             raise RequestError(Fault.at("idempotency_key_reused", "Idempotency-Key"), part=RequestPart.HEADER)
     shown = Shown(attempt.shown)
     report = masked(told or stored_report(attempt.report, language), shown) or {}
-    answer = json_response({**report, "attempt": attempt.number, "shown": shown.value})
+    later = is_new and shown is Shown.ALL and grader.is_crowded() and tells_departure_later(found)
+    told_more = {"attempt": attempt.number, "shown": shown.value, "departure_later": later}
+    answer = json_response({**report, **told_more})
     if not is_new:
         answer.headers[REPLAYED] = "true"
     return answer

@@ -10,6 +10,8 @@ import { ghostRobot } from "./ghost.js";
 import { partName, pointsText } from "./progress.js";
 import { partView, verdictView, verdictWord } from "./verdict-view.js";
 
+/** @typedef {Omit<import("../live-robot.js").Robot, "values">} Drawn a table's robot, as the verdict draws it */
+
 export class VerdictCard {
   /** @type {ReturnType<typeof bothRobots> | null} */
   #moving = null;
@@ -30,12 +32,12 @@ export class VerdictCard {
   /**
    * @param {any} graded
    * @param {{exercise: any, answer: import("./answer-card.js").AnswerCard, convention: string,
-   *   table: any, drawn: Omit<import("../live-robot.js").Robot, "values"> | null, changed: boolean,
-   *   further: HTMLElement | null, kind?: string, access?: import("./access.js").Access,
+   *   table: any, drawn: Drawn | null, changed: boolean,
+   *   later?: (() => Promise<{graded: any, drawn: Drawn | null}>) | null, further: HTMLElement | null, kind?: string, access?: import("./access.js").Access,
    *   receipt?: import("./receipt-dialog.js").Handed | null}} given convention and robot of the table that was handed in; whether
-   *   something was typed since; what is said beyond the verdict; the part that was checked, if it was one alone
+   *   something was typed since; what brings the picture of where the robot departs, if nobody has looked yet; what is said beyond the verdict; the part that was checked, if it was one alone
    */
-  show(graded, { exercise, answer, convention, table, drawn, changed, further, kind, access, receipt }) {
+  show(graded, { exercise, answer, convention, table, drawn, later, changed, further, kind, access, receipt }) {
     this.#moving?.stop();
     this.card.classList.remove("outdated");
     this.card.hidden = false;
@@ -43,13 +45,15 @@ export class VerdictCard {
     /** @param {any} row @param {any} cell */
     const focusRow = (row, cell) => answer.focusRow(row, cell);
     this.#moving = drawn ? together(graded, exercise, drawn) : null;
+    const picture = el("div", {}, this.#moving?.element);
+    if (later) this.#offer(picture, exercise, later);
     const reasons = el("div");
     if (drawn && graded.certificate) void addReasons(reasons, access, exercise, table, drawn);
     fill(
       this.place,
       verdictView(graded, { convention, rows: table?.rows.length ?? 0, focusRow }),
       further,
-      this.#moving?.element,
+      picture,
       reasons,
       Object.values(others).map((report) =>
         partView(report, partName(report.kind), {
@@ -67,6 +71,26 @@ export class VerdictCard {
     const calm = matchMedia("(prefers-reduced-motion: reduce)").matches;
     const own = kind && kind !== "table" ? this.place.querySelector(`[data-kind="${kind}"]`) : null;
     (own ?? this.card).scrollIntoView({ block: "nearest", behavior: calm ? "auto" : "smooth" });
+  }
+
+  /**
+   * Says where the picture would stand that it has not been drawn, and draws it for whoever wants to see it.
+   * @param {HTMLElement} place @param {any} exercise @param {() => Promise<{graded: any, drawn: Drawn | null}>} later
+   */
+  #offer(place, exercise, later) {
+    const problem = el("div");
+    const draw = telling(problem, async () => {
+      const { graded, drawn } = await later();
+      if (!place.isConnected) return;
+      this.#moving = drawn ? together(graded, exercise, drawn) : null;
+      fill(place, this.#moving?.element ?? el("p", { class: "hint", text: t("form-ghost-none") }));
+      this.#moving?.describe();
+      place.tabIndex = -1;
+      place.focus();
+    });
+    const button = el("button", { type: "button", onclick: draw, text: t("form-ghost-draw") });
+    const text = el("span", { class: "grow", text: t("form-ghost-later") });
+    fill(place, el("div", { class: "both no-print" }, el("div", { class: "notice row" }, text, button), problem));
   }
 }
 

@@ -187,10 +187,7 @@ async function run() {
         submission: handed,
         verdict: graded,
       });
-      const drawn =
-        (graded.certificate && graded.figure) || graded.departure
-          ? await robotOf(api, request.table, valuesFor(request.table)).catch(() => null)
-          : null;
+      const drawn = await drawnFor(graded, request.table);
       answer.judged(graded, states);
       access.apply(own);
       const further = answer.help.further(graded, request);
@@ -204,6 +201,7 @@ async function run() {
         convention,
         table,
         drawn,
+        later: graded.departure_later ? () => departing(graded.attempt, request.table) : null,
         changed: changed(),
         further,
         kind,
@@ -232,6 +230,21 @@ async function run() {
     return { ...robot.parameters, ...convertedValues(parameters, kindOf, units, { angle, length }) };
   }
 
+  /**
+   * The robot of a table that was handed in, if its verdict draws it.
+   * @param {Wire.Graded} graded @param {any} table @param {Wire.Exercise} [asked]
+   */
+  function drawnFor({ certificate, figure, departure }, table, asked) {
+    const draws = table && ((certificate && figure) || departure);
+    return draws ? robotOf(api, table, valuesFor(table, asked)).catch(() => null) : null;
+  }
+
+  /** Where the robot of an attempt departs, of which too many answers kept the service when it was judged. @param {number} number @param {any} table */
+  async function departing(number, table) {
+    const { report: graded } = await /** @type {CourseSession} */ (course).reopen(number);
+    return { graded, drawn: await drawnFor(graded, table) };
+  }
+
   /** @param {any} state what was handed in */
   function takeBack(state) {
     restore(state);
@@ -253,10 +266,7 @@ async function run() {
     const mended = !course.isCurrent(attempt) && attempt.version?.startsWith(`${id}-`);
     const then = mended ? await api.get(`exercises/${attempt.version}${query}`) : exercise;
     const { table } = sent;
-    const drawn =
-      table && ((report.certificate && report.figure) || report.departure)
-        ? await robotOf(api, table, valuesFor(table, then)).catch(() => null)
-        : null;
+    const drawn = await drawnFor(report, table, then);
     const convention = table?.convention ?? "standard";
     const further = mended ? mendedNotice(attempt) : null;
     verdict.show(report, { exercise: then, answer, convention, table, drawn, changed: false, further });
