@@ -81,7 +81,9 @@ def test_launch_submit_verdict_score_in_a_frame(page: Page, lms: Lms, service: s
     frame.locator("form button[type=submit]").first.click()
     expect(frame.locator("#verdict")).to_be_visible()
     assert eventually(lambda: lms.result("frida", "framed")) == 1.0
-    expect(frame.locator(".session-banner")).to_contain_text("1")
+    banner = frame.locator(".session-banner")
+    expect(banner).to_contain_text("35 of 35 points")
+    expect(banner).to_contain_text("For the gradebook: 100 %")
     expect(frame.locator("#history-card")).to_contain_text("Kept in your course.")
     expect(frame.locator("#history-card").get_by_role("button", name="Clear history")).to_have_count(0)
     page.reload()
@@ -219,6 +221,7 @@ def test_in_a_crowd_the_picture_of_where_a_robot_departs_is_drawn_when_asked_for
     cell(page, 1, "alpha").fill("18")
     page.locator("form button[type=submit]").first.click()
     expect(page.locator("#verdict-card")).not_to_have_class(re.compile("outdated"))
+    expect(page.locator(".session-banner")).to_contain_text(re.compile(r"31\.2 of 35 .*gradebook: 89 %"))
     expect(page.locator("#verdict robot-scene")).to_be_visible()
     expect(draw).to_have_count(0)
 

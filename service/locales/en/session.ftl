@@ -23,6 +23,7 @@ session-grade =
         [one] { $total } point
        *[other] { $total } points
     }
+session-gradebook = For the gradebook: { $percent }
 session-no-more = No attempts are accepted now
 session-back = Back to the course
 session-received = Attempt { $attempt } has been received and stored. The result will be shown later.

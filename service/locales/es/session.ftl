@@ -23,6 +23,7 @@ session-grade =
         [one] { $total } punto
        *[other] { $total } puntos
     }
+session-gradebook = Para el libro de calificaciones: { $percent }
 session-no-more = Ahora no se admiten intentos
 session-back = Volver al curso
 session-received = El intento { $attempt } se ha recibido y guardado. El resultado se mostrará más adelante.

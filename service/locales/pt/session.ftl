@@ -23,6 +23,7 @@ session-grade =
         [one] { $total } ponto
        *[other] { $total } pontos
     }
+session-gradebook = Para a pauta: { $percent }
 session-no-more = Agora não se aceitam tentativas
 session-back = Voltar à disciplina
 session-received = A tentativa { $attempt } foi recebida e guardada. O resultado será mostrado mais tarde.

@@ -24,6 +24,7 @@ session-grade =
         [few] { $total } puncte
        *[other] { $total } de puncte
     }
+session-gradebook = Pentru catalog: { $percent }
 session-no-more = Acum nu se primesc încercări
 session-back = Înapoi la curs
 session-received = Încercarea { $attempt } a fost primită și păstrată. Rezultatul se arată mai târziu.

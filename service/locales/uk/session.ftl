@@ -23,6 +23,7 @@ session-grade =
         [one] { $total } бала
        *[other] { $total } балів
     }
+session-gradebook = Для журналу: { $percent }
 session-no-more = Зараз спроби не приймаються
 session-back = Назад до курсу
 session-received = Спробу { $attempt } отримано й збережено. Результат буде показано пізніше.

@@ -52,6 +52,7 @@ def session_view(session: CourseSession, standing: StudentStanding, version: str
         "grade": None
         if shown is Shown.RECEIPT or grade is None
         else {"score": grade.worth, "attempt": grade.number},
+        "gradebook": bool(session.link.line_item or session.link.line_items),
         "attempts": [attempt_entry(attempt, shown) for attempt in standing.latest],
         "draft": None if draft is None else {"state": draft.state, "at": draft.at.isoformat()},
         "return_url": session.return_url,

@@ -292,6 +292,7 @@ export class CourseSession {
       opens,
       closes,
       grade,
+      gradebook,
       refusal,
       return_url: back,
     } = this.told;
@@ -313,6 +314,7 @@ export class CourseSession {
             text: t("session-grade", { points: pointsTold(grade.score * this.total), total: pointsTold(this.total) }),
           })
         : null,
+      grade && gradebook ? el("span", { text: t("session-gradebook", { percent: percentOf(grade.score) }) }) : null,
       refusal ? el("span", { class: "badge warn", text: t("session-no-more") }) : null,
       closes && !refusal && !isBefore(closes) ? el("span", { class: "badge warn", text: t("session-late") }) : null,
       this.told.attempts.every((/** @type {any} */ attempt) => this.isCurrent(attempt))
