@@ -77,6 +77,7 @@ TERMS: dict[str, dict[str, str]] = {
     "en": {
         r"\bcount(?:s|ed)? (?:positive|against|the \w* ?way)": "is positive, increases",
         r"\b(?:link|hand|frame) against\b": "relative to",
+        r"\b(?:its|their|no|the) marks?\b": "points are earned; grades are recorded",
     },
     "es": {
         r"[Ff]orma literal": "forma cerrada",
@@ -86,6 +87,7 @@ TERMS: dict[str, dict[str, str]] = {
         r"\bórden(?:es)?\b|\besta orden\b|la orden|cadena serial": "comando; cadena en serie",
         r"[Ee]jes helicoidales|brazo superior|\b[Tt]odas las α": "tornillos; brazo; todos los α",
         r"[Mm]atriz del sistema|\bmuestras\b": "pose de un sistema en otro; ejemplos",
+        r"\b[Nn]otas?\b": "puntos; calificación",
         r"cuentan? (?:en sentido|al revés)|[Ss]e cuenta (?:en|al)": "crece, se mide",
     },
     "fr": {
@@ -131,6 +133,7 @@ TERMS: dict[str, dict[str, str]] = {
         r"[Оо]бернен\w+ (?:кінематик|задач\w+(?! кінематики))": "обернена задача кінематики",
         r"[Оо]бмежен\w+ зчленуван\w*|[Тт]іл(?:о|а|ом) зчленуван\w*": "межі зчленування; корпус зчленування",
         r"[Зз]наченн\w* зчленуван\w*|[Зз]аокругл\w*": "значення у зчленуваннях; округлити",
+        r"\b[Зз]апиту(?:ється|ва\w+)\b": "потрібно подати",
         r"зустріча\w+ (?:вісь|осі)|[Пп]ри \d": "перетинає вісь; якщо … дорівнює",
     },
 }

@@ -7,7 +7,7 @@ error-file_too_large =
     }; a table takes a few kilobytes.
 error-file_missing = There is no file or folder { $file }.
 error-grade_path_needed = A file, a folder or a zip archive is needed: standard input (-, or no argument) is read only with --for.
-error-marks_are_text = { $file } would not be a spreadsheet: marks are written as text, which spreadsheet programs read. Give the file a name that ends in .csv.
+error-marks_are_text = { $file } would not be a spreadsheet: grades are written as text, which spreadsheet programs read. Give the file a name that ends in .csv.
 error-file_unreadable = { $file } cannot be read: { $reason ->
     [empty] it is empty
     [binary] it is not a text file
@@ -41,7 +41,7 @@ evaluation-readable = The answer can be graded.
 evaluation-unreadable = The answer cannot be graded as it stands; this costs no attempt.
 
 scorm-no-script = This exercise needs JavaScript.
-scorm-no-lms = No learning platform was found around this page. You can practise, but no mark will be recorded.
+scorm-no-lms = No learning platform was found around this page. You can practise, but no grade will be recorded.
 
 grade-summary = { $right } right, { $wrong } wrong, { $ungraded } not gradable.
 grade-left-out = Files left out because of their type: { $count } ({ $files }).

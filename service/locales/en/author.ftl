@@ -175,7 +175,7 @@ author-right-shown = { $wrong ->
     [0] All { $count } are accepted; the first is your key.
    *[other] { $wrong } of { $count } are rejected.
 }
-author-wrong = Show the commonest wrong answers and their marks
+author-wrong = Show the commonest wrong answers and their points
 author-wrong-hint = The likeliest first: what a student would be told, and what the whole answer still earns. Add your own words where you like.
 author-wrong-marks =
     { $points } of { $most ->

@@ -350,7 +350,7 @@ task-jacobian =
     }
 
 feedback-jacobian_right = Everything is right.
-feedback-jacobian_follows_table = This follows from your table and earns its marks, although the table is not right.
+feedback-jacobian_follows_table = This follows from your table and earns its points, although the table is not right.
 feedback-jacobian_needs_table = The Jacobian is that of your own table: hand in the table, with all joints, too.
 feedback-jacobian_missing =
     { $what ->

@@ -1,7 +1,7 @@
 ### The page that verifies a folder of receipts.
 
 receipts-title = Receipts
-receipts-lead = Drop the files that your students handed in, or paste their texts: every receipt is verified, and the marks become a file for Moodle or Canvas.
+receipts-lead = Drop the files that your students handed in, or paste their texts: every receipt is verified, and the grades become a file for Moodle or Canvas.
 receipts-files = Files with receipts
 receipts-paste = Or their texts, one after another
 receipts-verify = Verify

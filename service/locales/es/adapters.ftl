@@ -41,7 +41,7 @@ evaluation-readable = La respuesta se puede calificar.
 evaluation-unreadable = La respuesta no se puede calificar tal como está; esto no cuenta como intento.
 
 scorm-no-script = Este ejercicio necesita JavaScript.
-scorm-no-lms = No se ha encontrado ninguna plataforma de aprendizaje alrededor de esta página. Puede practicar, pero no se registrará ninguna nota.
+scorm-no-lms = No se ha encontrado ninguna plataforma de aprendizaje alrededor de esta página. Puede practicar, pero no se registrará ninguna calificación.
 
 grade-summary = Respuestas correctas: { $right }, incorrectas: { $wrong }, imposibles de calificar: { $ungraded }.
 grade-left-out = Archivos omitidos por su tipo: { $count } ({ $files }).

@@ -175,7 +175,7 @@ author-right-shown = { $wrong ->
     [0] Se aceptan las { $count }; la primera es su solución.
    *[other] Se rechazan { $wrong } de { $count }.
 }
-author-wrong = Mostrar las respuestas erróneas más comunes y su nota
+author-wrong = Mostrar las respuestas erróneas más comunes y sus puntos
 author-wrong-hint = Las más probables primero: qué se le diría a un estudiante y qué vale aún la respuesta completa. Añada sus propias palabras donde quiera.
 author-wrong-marks =
     { $points } de { $most ->

@@ -358,7 +358,7 @@ form-home-author-text = Para docentes: convierta el brazo de su propio libro en 
 
 form-matrices-withheld = Las matrices aparecen aquí cuando las partes que las piden estén bien.
 form-sharing = Para docentes: enlaces y paquetes
-form-sharing-text = Un enlace lleva estos ajustes, firmados: los estudiantes que lo siguen no pueden cambiarlos y el propio servicio los hace cumplir. Un paquete SCORM se añade a un curso sin ayuda de un administrador; su nota viene del navegador del estudiante, pero el comprobante de sus comentarios no se puede falsificar.
+form-sharing-text = Un enlace lleva estos ajustes, firmados: los estudiantes que lo siguen no pueden cambiarlos y el propio servicio los hace cumplir. Un paquete SCORM se añade a un curso sin ayuda de un administrador; su puntuación viene del navegador del estudiante, pero el comprobante de sus comentarios no se puede falsificar.
 form-sharing-may = Los estudiantes pueden usar
 form-sharing-catalogue = el catálogo de robots
 form-sharing-playground = el taller

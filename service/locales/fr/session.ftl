@@ -23,7 +23,7 @@ session-grade =
         [one] { $points } point
        *[other] { $points } points
     } sur { $total }
-session-gradebook = Pour le carnet de notes : { $percent }
+session-gradebook = Pour le carnet de notes : { $percent }
 session-no-more = Aucun essai n’est accepté maintenant
 session-back = Retour au cours
 session-received = L’essai { $attempt } est reçu et conservé. Le résultat sera montré plus tard.

@@ -176,7 +176,7 @@ author-right-shown = { $wrong ->
     [0] As { $count } são aceites; a primeira é a sua solução.
    *[other] { $wrong } de { $count } são recusadas.
 }
-author-wrong = Mostrar as respostas erradas mais comuns e a sua pontuação
+author-wrong = Mostrar as respostas erradas mais comuns e os seus pontos
 author-wrong-hint = As mais prováveis primeiro: o que se diria a um estudante e o que a resposta toda ainda vale. Acrescente palavras suas onde quiser.
 author-wrong-marks =
     { $points } de { $most ->

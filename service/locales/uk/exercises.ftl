@@ -1,4 +1,4 @@
-### Вправи: що запитується, що сказано про відповіді, чого не може містити опис вправи.
+### Вправи: що потрібно подати, що сказано про відповіді, чого не може містити опис вправи.
 
 ## Рисунок словами
 
@@ -71,7 +71,7 @@ rule-zero-figure = У положенні на рисунку всі змінні
 rule-direction-free = Ви обираєте, куди спрямована кожна вісь.
 rule-direction-figure = Змінні зчленувань додатні в напрямі стрілок на рисунку.
 
-## Що запитується
+## Що потрібно подати
 
 task-schematic = Опишіть структуру: тип кожного зчленування і те, як вісь кожного зчленування розташована відносно осі наступного.
 task-table = Оберіть системи координат і запишіть таблицю DH. Клітинки можуть містити { $names }, числа та змінні зчленувань q1 … q{ $n }.
@@ -138,14 +138,14 @@ feedback-workspace_right = Обидва радіуси правильні.
 feedback-workspace_inner_wrong = Внутрішній радіус неправильний.
 feedback-workspace_outer_wrong = Зовнішній радіус неправильний.
 feedback-workspace_swapped = Внутрішній і зовнішній радіуси переставлено.
-feedback-workspace_diameters = Це діаметри, а запитуються радіуси.
+feedback-workspace_diameters = Це діаметри, а потрібні радіуси.
 feedback-workspace_other_length_unit = Радіуси правильні в іншій одиниці; вони потрібні в { $unit }.
 
 ## Чому відповідь не можна оцінити
 
 problem-note-ungraded = Цю відповідь не оцінено, і вона не забирає спроби.
-error-answer_empty = Нічого не здано. У вправі запитується: { $known }.
-error-part_not_asked = У вправі не запитується { $part }; запитується: { $known }.
+error-answer_empty = Нічого не здано. У вправі потрібно подати: { $known }.
+error-part_not_asked = У вправі не потрібно подавати { $part }; потрібно: { $known }.
 error-link_matrices_count = У таблиці { $expected ->
     [one] { $expected } рядок
     [few] { $expected } рядки
@@ -211,8 +211,8 @@ error-robot_and_reference = Подайте або robot, або [reference], а�
 error-statement_missing = Немає умови мовою { $language }.
 error-statement_name_unknown = { $name } не є ні розміром робота, ні точкою чи розміром на рисунку.
 error-misconception_unknown = { $name } — не помилка зі списку. Є такі: { $known }.
-error-nothing_asked = Вправа має щось запитувати: додайте частину.
-error-part_twice = { $kind } запитується двічі.
+error-nothing_asked = У вправі має бути завдання: додайте частину.
+error-part_twice = { $kind } стоїть у вправі двічі.
 error-points_not_positive = За частину має даватися більше ніж нуль балів.
 error-draw_empty = Немає з чого вибирати: «from» не може перевищувати «to», а «step» має бути додатним.
 error-draw_too_large =

@@ -411,4 +411,4 @@ form-frames-at-point = у { $name }
 form-frames-at-ground = там, де закріплено робота
 form-frames-along = уздовж осі зчленування { $joint }
 form-frames-against = проти осі зчленування { $joint }
-form-answer-empty = Нічого не здано. У вправі запитується: { $parts }.
+form-answer-empty = Нічого не здано. У вправі потрібно подати: { $parts }.

@@ -19,6 +19,6 @@ error-lti_claim_missing = У повідомленні запуску браку�
 error-lti_claim_wrong = Значення { $claim } у повідомленні запуску не належить до цього запуску.
 error-lti_nonce_used = Це повідомлення запуску вже використано. Відкрийте вправу ще раз зі свого курсу.
 error-lti_deployment_unknown = Розгортання { $deployment } цієї платформи тут невідоме. Його має додати адміністратор.
-error-lti_address_refused = { $address } не запитується: запитуються лише загальнодоступні адреси https і ті, яким довіряє оператор.
+error-lti_address_refused = Служба не звертається до { $address }: вона звертається лише до загальнодоступних адрес https і тих, яким довіряє оператор.
 error-lti_unreachable = { $address } відповіла не так, як очікувалося: { $reason }.
 error-lti_configuration_invalid = У конфігурації платформи бракує придатного { $name }.
