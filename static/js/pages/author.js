@@ -168,7 +168,9 @@ function refusal(faults) {
     const text = group ? named(group, fault.detail) : fault.detail;
     return el("li", {}, el("a", { href: `#${field.id}`, onclick: follow, text }));
   };
-  return el("div", { class: "notice notice-problem", role: "alert" }, el("ul", {}, faults.map(line)));
+  const isBetween = faults.every(({ code }) => code === "nothing_asked"); // one kind ticked off, the next not yet on
+  const look = isBetween ? { class: "notice", role: "status" } : { class: "notice notice-problem", role: "alert" };
+  return el("div", look, el("ul", {}, faults.map(line)));
 }
 
 /** @param {any} view */
