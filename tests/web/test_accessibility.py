@@ -103,6 +103,26 @@ def test_a_violation_is_told_with_its_element(open_page: OpenPage, assert_access
         assert_accessible(page)
 
 
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_a_pale_text_is_told_among_others_of_the_same_colours(
+    open_page: OpenPage, assert_accessible: Check, scheme: str
+) -> None:
+    """Colours are read once: half-transparent ones are blended anew over whatever lies under them."""
+    page = open_page("/version", lang=None, ready=False)
+    clear, dim = "<p class=veil>on the page</p>", "<div class=under><p class=veil>on black</p></div>"
+    page.set_content(f"<html lang=en><title>T</title><main><h1>H</h1>{clear}{dim}{clear}</main>")
+    style = f"""body {{ background: #fff }} .veil {{ color: #000c; background: #fff5 }}
+      @media (prefers-color-scheme: {scheme}) {{ .under {{ background: #000 }} }}"""
+    page.evaluate(
+        "style => document.adoptedStyleSheets.push(new CSSStyleSheet()) "
+        "&& document.adoptedStyleSheets[0].replaceSync(style)",
+        style,
+    )
+    with pytest.raises(AssertionError, match=r"color-contrast.*>on black</p>") as told:
+        assert_accessible(page)
+    assert ">on the page</p>" not in str(told.value)
+
+
 PAGES = ("/", "/exercises/puma560", "/playground", "/trainer/puma560", "/lesson")
 WIDTHS = (320, 390, 640, 768, 1280, 1920)
 """640 is 1280 at 200 % zoom."""
