@@ -3,8 +3,10 @@
 from collections.abc import Iterator
 
 from exercises.definition import Exercise
+from exercises.drawings import end_marks
 from exercises.errors import DefinitionError
 from exercises.figures.geometry import build_scene
+from exercises.grading import ToolRule, ZeroRule
 from exercises.needs import unmet_needs
 from exercises.parts.registry import part_type
 from exercises.statements import names_in
@@ -36,13 +38,22 @@ def _figure_faults(exercise: Exercise) -> list[Fault]:
             build_scene(exercise.figure, exercise.reference.table, values, signed_axes=False, drawn=drawn)
         except DefinitionError as error:
             return [fault.within(FILE, "figure") for fault in error.faults]
+    if exercise.policy.zero is ZeroRule.FIGURE and any(exercise.figure.posture):
+        return [Fault.at("posture_not_zero", FILE, "figure", "posture")]
+    if exercise.policy.tool is ToolRule.POINT and not end_marks(exercise):
+        last = len(exercise.reference.table.rows)
+        return [Fault.at("tool_point_unmarked", FILE, "figure", "marks", last=last)]
     return []
 
 
 def _name_faults(exercise: Exercise) -> list[Fault]:
-    """Names in statements that stand neither in the table nor in the figure."""
+    """Names in statements that stand neither in the table nor in the figure nor among a part's weights."""
+    table = exercise.reference.table
     known = {parameter.name for parameter in exercise.parameters} | set(exercise.figure.marks)
     known |= {mark.name for mark in exercise.figure.dimensions}
+    known |= {weight.name for part in exercise.parts for weight in getattr(part, "weights", ())}
+    known |= {f"q{joint}" for joint in range(1, table.n_joints + 1)}
+    known |= {f"{axis}{frame}" for axis in "xyz" for frame in range(len(table.rows) + 1)}
     return [
         Fault.at("statement_name_unknown", f"statement.{language}.md", name=name)
         for language, text in exercise.statements.items()

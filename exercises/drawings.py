@@ -6,23 +6,26 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
+import numpy as np
+
 from exercises.definition import Exercise
 from exercises.figures.description import Sentence, describe
 from exercises.figures.dimension_layout import DimensionLayout, dimension_layout
 from exercises.figures.drawing import draw_figure
-from exercises.figures.geometry import Scene, build_scene, scene_vector
-from exercises.figures.points import frames_in_figure, posture_in_figure
+from exercises.figures.geometry import Scene, build_scene, close, scene_vector
+from exercises.figures.points import Points, frames_in_figure, posture_in_figure
 from exercises.figures.skeleton import usual_dimensions
 from exercises.figures.specification import DimensionMark
 from exercises.figures.svg import SvgDrawing
-from exercises.grading import DirectionRule, ZeroRule
+from exercises.grading import BaseRule, DirectionRule, ToolRule, ZeroRule
 from exercises.grading.judging.exact_text import expression_text
 from exercises.grading.verdict import Matrix4
 from exercises.instance import Instance
+from kinematics.cells import parameters_in_radians
 from kinematics.expressions import Parameter
-from kinematics.frames.wrong_frames import DrawnFrame
+from kinematics.frames.wrong_frames import DrawnFrame, right_handed
 from kinematics.poses import transform_from_rpy
-from kinematics.se3 import Vector, scale, z_axis
+from kinematics.se3 import Vector, position, scale, x_axis, z_axis
 from kinematics.table import JointType
 
 CACHED_SCENES = 2048
@@ -68,12 +71,25 @@ def figure_drawing(instance: Instance, note: str = "", frames: Sequence[DrawnFra
     Args:
         instance: the exercise with the student's values.
         note: what is written below a figure that is not to scale.
-        frames: frame 0 … N, to be drawn on the robot, which is to scale then.
+        frames: frame 0 … N, to be drawn on the robot, which is to scale then; without them, those that the
+            policy prescribes.
     """
     figure = instance.exercise.figure
     scene = true_scene(instance) if frames else _drawn_scene(instance)
     shown = "" if scene.to_scale else note
-    return draw_figure(scene, figure.view, figure.width, note=shown, frames=frames)
+    numbered = dict(enumerate(frames)) or prescribed_frames(instance, drawn_values(instance))
+    return draw_figure(scene, figure.view, figure.width, shown, numbered)
+
+
+def prescribed_frames(instance: Instance, values: Mapping[str, float]) -> dict[int, DrawnFrame]:
+    """Return the frames that a policy prescribes, by number: they are told, and not asked for."""
+    exercise = instance.exercise
+    poses = frames_in_figure(exercise.figure, exercise.reference.table, values)
+    numbers = [0] if exercise.policy.base is BaseRule.FRAME else []
+    if exercise.policy.tool is ToolRule.FRAME:
+        numbers.append(len(poses) - 1)
+    turned = {i: (position(poses[i]), x_axis(poses[i]), z_axis(poses[i])) for i in numbers}
+    return {i: right_handed(*map(scene_vector, vectors)) for i, vectors in turned.items()}
 
 
 def drawn_values(instance: Instance) -> dict[str, float]:
@@ -100,9 +116,11 @@ def figure_dimensions(instance: Instance, note: str = "") -> FigureDimensions:
     figure = exercise.figure
     scene = _drawn_scene(instance)
     marks = figure.dimensions or tuple(usual_dimensions(exercise.reference.table))
+    frames = prescribed_frames(instance, drawn_values(instance))
+    shown = "" if scene.to_scale else note
     return FigureDimensions(
         marks=tuple(_mark(mark) for mark in marks),
-        layout=dimension_layout(scene, figure.view, figure.width, note="" if scene.to_scale else note),
+        layout=dimension_layout(scene, figure.view, figure.width, shown, frames),
     )
 
 
@@ -118,10 +136,35 @@ def _mark(mark: DimensionMark) -> dict[str, object]:
     return found
 
 
+@lru_cache(maxsize=CACHED_SCENES)
+def end_marks(exercise: Exercise) -> tuple[str, ...]:
+    """Return the marked points that are the key's last origin, or slid from it where zeros are free."""
+    table = exercise.reference.table
+    values = parameters_in_radians(exercise.usual_values, exercise.reference.parameters, exercise.angle_unit)
+    points = Points(exercise.figure, table, values)
+    free = exercise.policy.zero is ZeroRule.FREE
+    slides = np.array(
+        [
+            z_axis(points.motions[frame])
+            for frame, joint in zip(table.axis_frames, table.joint_types, strict=True)
+            if free and joint is JointType.PRISMATIC
+        ]
+    ).reshape(-1, 3)
+
+    def is_end(name: str) -> bool:
+        apart = np.array(points.point(name, "marks")) - position(points.motions[-1])
+        along = np.linalg.lstsq(slides.T, apart, rcond=None)[0] @ slides
+        return close(apart.tolist(), along.tolist())
+
+    return tuple(filter(is_end, exercise.figure.marks))
+
+
 def figure_sentences(instance: Instance) -> tuple[Sentence, ...]:
     """Return the figure in words."""
     exercise = instance.exercise
-    sentences = list(describe(true_scene(instance), exercise.figure.view, exercise.length_unit.value))
+    prescribed = prescribed_frames(instance, instance.values)
+    scene = true_scene(instance)
+    sentences = list(describe(scene, exercise.figure.view, exercise.length_unit.value, prescribed))
     if exercise.figure.lengths:
         names = tuple(exercise.figure.lengths)
         params: dict[str, str | int] = {"names": ", ".join(names), "count": len(names)}
@@ -138,6 +181,7 @@ def figure_geometry(instance: Instance, frames: Sequence[DrawnFrame] = ()) -> di
     nothing.
     """
     scene = true_scene(instance)
+    numbered = dict(enumerate(frames)) or prescribed_frames(instance, instance.values)
     metres = float(instance.exercise.length_unit.metres_per_unit)
 
     def place(point: Vector) -> list[float]:
@@ -165,8 +209,9 @@ def figure_geometry(instance: Instance, frames: Sequence[DrawnFrame] = ()) -> di
         else None,
         "size": scene.size * metres,
         "frames": [
-            {"origin": place(frame.origin), "x": list(frame.x), "y": list(frame.y), "z": list(frame.z)}
-            for frame in frames
+            {"number": i, "origin": place(frame.origin)}
+            | {axis: list(getattr(frame, axis)) for axis in ("x", "y", "z")}
+            for i, frame in numbered.items()
         ],
     }
 

@@ -14,6 +14,7 @@ from exercises.definition_files import files_of_folder, read_definition, read_st
 from exercises.draws import read_draw
 from exercises.errors import DefinitionError
 from exercises.figures.figure_keys import read_figure
+from exercises.figures.specification import FigureSpecification, PointInFrame
 from exercises.grading import BaseRule, ConventionRule, DirectionRule, Policy, Tolerance, ToolRule, ZeroRule
 from exercises.grading.facts import Weights
 from exercises.parts.protocol import RobotFacts
@@ -25,6 +26,7 @@ from exercises.text_reading import checked_statements, read_remarks, read_titles
 from kinematics import catalogue
 from kinematics.cells import AngleUnit, ReadTable, read_table
 from kinematics.errors import Fault
+from kinematics.expressions import ZERO
 from kinematics.keys import is_number
 
 
@@ -123,6 +125,7 @@ def _exercise(exercise_id: str, reader: Reader, statements: Mapping[str, str]) -
     facts = robot_facts(reference, robot)
     parts = _parts(reader, facts)
     figure = read_figure(reader.table("figure"), facts.joint_types, facts.degrees)
+    figure = with_prescribed_points(figure, policy, len(reference.table.rows))
     remarks = read_remarks(reader)
     tests = reader.table("tests")
     misconceptions = tests.texts("misconceptions", default=())
@@ -154,6 +157,17 @@ def _exercise(exercise_id: str, reader: Reader, statements: Mapping[str, str]) -
         aliases=aliases,
         remarks=remarks,
     )
+
+
+def with_prescribed_points(figure: FigureSpecification, policy: Policy, last: int) -> FigureSpecification:
+    """Mark the origins that a policy prescribes: O0, and the key's last one as P if no point is marked."""
+    points, marks = dict(figure.points), figure.marks
+    if policy.tool is ToolRule.POINT and not marks:
+        points.setdefault("P", PointInFrame(frame=last, at=(ZERO, ZERO, ZERO)))
+        marks = ("P",)
+    if policy.base is BaseRule.ORIGIN and "O0" not in marks:
+        marks = (*marks, "O0")
+    return replace(figure, points=points, marks=marks)
 
 
 def _reference(reader: Reader, robot: str | None) -> tuple[ReadTable | None, Mapping[str, Fraction]]:

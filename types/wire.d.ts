@@ -28,7 +28,7 @@ declare namespace Wire {
     dimensions?: { name: string; from: Vector; to: Vector }[];
     points?: { name: string; at: Vector }[];
     ground?: { at: Vector; normal: Vector } | null;
-    frames?: { origin: Vector; x: Vector; y: Vector; z: Vector }[];
+    frames?: { number: number; origin: Vector; x: Vector; y: Vector; z: Vector }[];
   }
   interface AskedPart {
     kind: string;

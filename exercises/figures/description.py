@@ -13,6 +13,7 @@ from typing import TypeAlias
 
 from exercises.figures.geometry import FigureJointAxis, Scene
 from exercises.figures.specification import View
+from kinematics.frames.wrong_frames import DrawnFrame
 from kinematics.se3 import Vector, dot, norm, subtract
 from kinematics.table import JointType
 
@@ -38,8 +39,8 @@ class Sentence:
     params: Mapping[str, str | int]
 
 
-def describe(scene: Scene, view: View, unit: str) -> Iterator[Sentence]:
-    """Yield the sentences of a scene, in the order in which they are read.
+def describe(scene: Scene, view: View, unit: str, frames: Mapping[int, DrawnFrame]) -> Iterator[Sentence]:
+    """Yield the sentences of a scene and of prescribed frames, in the order in which they are read.
 
     Coordinates are those of the figure, in which frames are asked for and drawn, too.
     """
@@ -63,6 +64,9 @@ def describe(scene: Scene, view: View, unit: str) -> Iterator[Sentence]:
         )
     for point in scene.points:
         yield Sentence(code="point", params={"name": point.name, "place": _triple(point.at)})
+    for number, frame in frames.items():
+        told = {"place": _triple(frame.origin), "x": _triple(frame.x), "z": _triple(frame.z)}
+        yield Sentence(code="frame", params={"number": number, **told})
 
 
 def coordinates_told(scene: Scene, view: View) -> dict[str, str]:

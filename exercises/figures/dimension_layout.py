@@ -1,5 +1,6 @@
 """Where the dimensions of a drawing stand, and where else they may."""
 
+from collections.abc import Mapping
 from dataclasses import dataclass
 
 from exercises.figures.camera import Array
@@ -7,6 +8,7 @@ from exercises.figures.dimensioning import OFFSETS, USUAL_OFFSET, DimensionWay, 
 from exercises.figures.drawing import drawn
 from exercises.figures.geometry import Scene
 from exercises.figures.specification import View
+from kinematics.frames.wrong_frames import DrawnFrame
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -43,9 +45,11 @@ class DimensionLayout:
     places: tuple[DimensionPlace, ...]
 
 
-def dimension_layout(scene: Scene, view: View, width: float = 480.0, *, note: str = "") -> DimensionLayout:
+def dimension_layout(
+    scene: Scene, view: View, width: float, note: str, frames: Mapping[int, DrawnFrame]
+) -> DimensionLayout:
     """Return where dimensions stand in a drawing, and where else they may; arguments as in `draw_figure`."""
-    drawing = drawn(scene, view, width, note)
+    drawing = drawn(scene, view, width, note, frames)
     places = []
     for dimension, found in zip(scene.dimensions, drawing.dimensions, strict=True):
         (start, end), ways = dimension_ways(dimension, drawing.camera)

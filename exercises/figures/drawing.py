@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from itertools import pairwise
 from typing import Any
 
@@ -50,14 +50,14 @@ Style = dict[str, Any]
 
 
 def draw_figure(
-    scene: Scene, view: View, width: float = 480.0, *, note: str = "", frames: Sequence[DrawnFrame] = ()
+    scene: Scene, view: View, width: float, note: str, frames: Mapping[int, DrawnFrame]
 ) -> SvgDrawing:
-    """Return the figure of a scene, frames drawn over the robot and a note below it."""
+    """Return the figure of a scene, frames drawn over the robot by their numbers, and a note below it."""
     drawing = drawn(scene, view, width, note, frames)
     return SvgDrawing(box=drawing.box(), elements="".join(drawing.canvas.parts))
 
 
-def drawn(scene: Scene, view: View, width: float, note: str, frames: Sequence[DrawnFrame] = ()) -> Drawing:
+def drawn(scene: Scene, view: View, width: float, note: str, frames: Mapping[int, DrawnFrame]) -> Drawing:
     """Return a finished drawing; arguments as in `draw_figure`."""
     unscaled = camera_for(view)
     bodies = [body_of(axis, scene.size, unscaled) for axis in scene.axes]

@@ -1,6 +1,6 @@
 """Shapes of a figure besides bodies and links: axes, arrows of positive sense, gripper, ground, frames."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping
 from typing import NamedTuple
 
 import numpy as np
@@ -117,10 +117,10 @@ class Arrow(NamedTuple):
     ends: Array
 
 
-def arrows(frames: Sequence[DrawnFrame], size: float, camera: Camera) -> list[Arrow]:
-    """Return the arrows of frame 0 … N."""
+def arrows(frames: Mapping[int, DrawnFrame], size: float, camera: Camera) -> list[Arrow]:
+    """Return the arrows of frames by their numbers."""
     found = []
-    for index, frame in enumerate(frames):
+    for index, frame in frames.items():
         origin = np.array(frame.origin)
         length = LENGTH * size * (1.0 - SHORTER * (index % 3))
         for axis in COLOURS:

@@ -23,12 +23,10 @@ from exercises.figures.specification import (
     PointBetween,
     PointInFrame,
 )
+from exercises.grading.judging.exact_text import expression_text
 from kinematics.expressions import (
     ZERO,
     Expression,
-    Number,
-    Parameter,
-    Product,
     negate,
     number,
     rational_value,
@@ -40,6 +38,9 @@ CLOSE = 0.05
 
 APART = 0.14
 """How far they move, relative to the robot's reach."""
+
+ABOVE = 0.1
+"""From which height above O0 joint 1 stands on the ground there, relative to the robot's reach."""
 
 
 def says_all(specification: FigureSpecification, reference: SymbolicTable) -> bool:
@@ -71,6 +72,8 @@ def completed(
     chain = specification.links or (_chain(reference, joints),)
     ground = specification.ground
     if ground is None and not specification.links:
+        if _stands_on_base(reference, frames, reach):
+            points.setdefault("ground", PointInFrame(frame=0, at=(ZERO, ZERO, ZERO)))
         drop = number(Fraction(round(0.25 * reach * 1e6), 1_000_000))
         points.setdefault("ground", PointBeside(origin=chain[0][0], by=(ZERO, ZERO, negate(drop))))
         chain = (("ground", *chain[0]), *chain[1:])
@@ -110,17 +113,29 @@ def _bodies(
 ) -> list[tuple[int, JointMark]]:
     """A body per joint in the middle of its offset d, moved along the axis where two would meet."""
     standard = table.convention is Convention.STANDARD
-    centres: list[Array] = []
     for joint, i in enumerate(table.joint_rows, 1):
         start, end = (f"O{i}", f"foot{i + 1}") if standard else (f"foot{i + 1}", f"O{i + 1}")
         points.setdefault(f"joint{joint}", PointBetween(start=start, end=end, ratio=0.5))
-        pose = frames[i] if standard else frames[i + 1]
-        other = frames[i + 1] if standard else frames[i]
-        along = (other[:3, 3] - pose[:3, 3]) @ pose[:3, 2]
-        centres.append(pose[:3, 3] + 0.5 * along * pose[:3, 2])
+    centres = [_centre(table, frames, joint) for joint in range(1, table.n_joints + 1)]
     for group in _groups(centres, CLOSE * reach):
         _spread(group, table, frames, points, reach, centres)
     return [(joint, JointMark(at=f"joint{joint}")) for joint in range(1, table.n_joints + 1)]
+
+
+def _centre(table: SymbolicTable, frames: Sequence[Array], joint: int) -> Array:
+    """The middle of a joint's offset d."""
+    i = table.joint_rows[joint - 1]
+    pose, other = frames[i : i + 2] if table.convention is Convention.STANDARD else frames[i : i + 2][::-1]
+    along = (other[:3, 3] - pose[:3, 3]) @ pose[:3, 2]
+    return np.asarray(pose[:3, 3] + 0.5 * along * pose[:3, 2], dtype=np.float64)
+
+
+def _stands_on_base(table: SymbolicTable, frames: Sequence[Array], reach: float) -> bool:
+    """Whether joint 1 stands straight above O0."""
+    if not table.joint_rows:
+        return False
+    x, y, rise = _centre(table, frames, 1) - frames[0][:3, 3]
+    return bool(abs(x) + abs(y) < 1e-6 * reach and rise > ABOVE * reach)
 
 
 def _groups(centres: Sequence[Array], close: float) -> list[list[int]]:
@@ -192,29 +207,22 @@ def _runs_along(axis: Array, direction: Array) -> bool:
 
 
 def usual_dimensions(table: SymbolicTable) -> list[DimensionMark]:
-    """Return one dimension for each constant length, named as in the table; a name is drawn once."""
+    """Return a dimension for each constant length as in the table; one of a length and its opposite."""
     standard = table.convention is Convention.STANDARD
-    marks: dict[str, DimensionMark] = {}
+    marks: list[DimensionMark] = []
     for i, row in enumerate(table.rows, 1):
-        spans = [
-            (
-                row.a,
-                f"a{i if standard else i - 1}",
-                *((f"foot{i}", f"O{i}") if standard else (f"O{i - 1}", f"foot{i}")),
-            )
-        ]
+        spans = [(row.a, *((f"foot{i}", f"O{i}") if standard else (f"O{i - 1}", f"foot{i}")))]
         if row.joint is not JointType.PRISMATIC:
-            span = (f"O{i - 1}", f"foot{i}") if standard else (f"foot{i}", f"O{i}")
-            spans.append((row.d, f"d{i}", *span))
-        for value, usual, start, end in spans:
-            if rational_value(value) != 0:
-                name = _name(value) or usual
-                marks.setdefault(name, DimensionMark(name=name, value=value, start=start, end=end))
-    return list(marks.values())
+            spans.append((row.d, *((f"O{i - 1}", f"foot{i}") if standard else (f"foot{i}", f"O{i}"))))
+        for value, start, end in spans:
+            if rational_value(value) != 0 and all(mark.value != negate(value) for mark in marks):
+                marks.append(DimensionMark(name=_name(value), value=value, start=start, end=end))
+    return marks
 
 
-def _name(value: Expression) -> str | None:
-    match value:
-        case Parameter(name) | Product((Number(), Parameter(name))):
-            return name
-    return None
+def _name(value: Expression) -> str:
+    """A length without its sign, as it is read off a drawing."""
+    size = rational_value(value)
+    if size is not None:
+        return f"{abs(float(size)):.6g}"
+    return min(expression_text(value), expression_text(negate(value)), key=len).replace("*", "")

@@ -65,8 +65,8 @@ SUBSCRIPT = 0.7
 
 
 def split_name(name: str) -> tuple[str, str]:
-    """Return the letters of a name and the index behind them: ("L", "1") of L1 or L_1."""
-    stem = name.rstrip("0123456789")
+    """Return the letters of a name and the index behind them: ("L", "1") of L1 or L_1; a sum has no index."""
+    stem = "" if " " in name else name.rstrip("0123456789")
     return (stem.rstrip("_") or name, name[len(stem) :]) if stem else (name, "")
 
 

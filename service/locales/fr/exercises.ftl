@@ -47,6 +47,7 @@ figure-dimension = { $name } vaut { $length } { $unit }, mesurée { $course ->
    *[oblique] en oblique
 }, entre { $start } et { $end }.
 figure-point = Le point { $name } se trouve en { $place }.
+figure-frame = L’origine du repère { $number } se trouve en { $place } ; son axe x est dirigé selon { $x }, son axe z selon { $z }.
 figure-not-to-scale = Le dessin n’est pas à l’échelle : { $names } { $count ->
     [1] n’y a pas la longueur donnée
    *[other] n’y ont pas les longueurs données
@@ -60,12 +61,12 @@ rule-convention-standard = Écrivez le tableau dans la convention standard.
 rule-convention-modified = Écrivez le tableau dans la convention modifiée.
 rule-base-free = Le repère 0 peut être placé n’importe où sur la base.
 rule-base-axis = L’axe z du repère 0 est porté par l’axe de l’articulation 1, dans un sens ou dans l’autre.
-rule-base-origin = L’origine du repère 0 est imposée ; vous choisissez ses directions.
-rule-base-frame = Le repère 0 est imposé.
+rule-base-origin = L’origine du repère 0 est le point marqué O0 ; vous choisissez ses directions.
+rule-base-frame = Le repère 0 est imposé ; il est dessiné sur la figure.
 rule-tool-free = Le dernier repère peut être placé n’importe où sur le dernier segment.
 rule-tool-point = L’origine du dernier repère se trouve au point marqué { $points }.
 rule-tool-axis = L’axe z du dernier repère est porté par l’axe de la dernière articulation, dans un sens ou dans l’autre ; son origine peut être n’importe où sur cet axe.
-rule-tool-frame = Le dernier repère est imposé.
+rule-tool-frame = Le dernier repère est imposé ; il est dessiné sur la figure.
 rule-zero-free = Vous choisissez où chaque variable articulaire est nulle.
 rule-zero-figure = Dans la configuration de la figure, toutes les variables articulaires sont nulles.
 rule-direction-free = Vous choisissez le sens de chaque axe.
@@ -215,6 +216,8 @@ error-point_without_form = Un point se donne par frame et at ; par between et r
 error-joint_off_axis = Le point { $point } n’est pas sur l’axe de l’articulation { $joint }.
 error-dimension_disagrees = Les points de { $name } sont distants de { $length }, mais { $name } vaut { $value }.
 error-dimension_too_short = { $name } vaut { $length }, trop peu pour être montrée dans la figure : c’est moins d’un millionième de la taille du robot. Donnez-lui une autre valeur, ou écrivez 0 à sa place.
+error-posture_not_zero = Avec zero = figure, on dit aux étudiants que toutes les variables articulaires sont nulles dans la configuration de la figure : dessinez-y le robot (posture 0 pour chaque articulation) ou laissez les zéros libres.
+error-tool_point_unmarked = Avec tool = point, la dernière origine doit se trouver en un point marqué, mais aucun des points marqués n’est la dernière origine de la solution de référence. Marquez l’origine du repère { $last }.
 error-gripper_without_direction = La pince et le point dont elle s’éloigne sont confondus.
 error-jaws_along_gripper = Les mors sont placés côte à côte, perpendiculairement à la pince.
 
@@ -225,7 +228,7 @@ error-name_unknown = { $name } n’est aucune des cotes de cet exercice.{ $unit 
     [0] {""}
    *[one] {" "}Vouliez-vous dire { $close } ?
 } Cotes connues : { $known }.
-error-need_unmet = Avec ces règles, aucune réponse n’a besoin de { $name } : on peut choisir des repères où cette cote n’apparaît pas. Fixez la base (origin ou frame) ou l’outil (point ou frame).
+error-need_unmet = Avec ces règles, aucune réponse n’a besoin de { $name } : on peut choisir des repères où cette cote n’apparaît pas. Fixez la base (origin ou frame), l’outil (point ou frame) ou, si elle est le long d’une articulation prismatique, les zéros (figure).
 error-need_unknown = { $name } n’est pas une cote du tableau. Ses cotes : { $known }.
 error-alias_taken = { $name } a déjà un sens.
 error-title_missing = Il faut un titre dans une langue au moins : [title] avec en = "…".

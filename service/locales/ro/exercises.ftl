@@ -48,6 +48,7 @@ figure-dimension = { $name } este { $length } { $unit }, măsurată { $course ->
    *[oblique] oblic
 }, între { $start } și { $end }.
 figure-point = Punctul { $name } se află la { $place }.
+figure-frame = Sistemul { $number } are originea în { $place }; axa sa x este orientată după { $x }, iar axa z după { $z }.
 figure-not-to-scale = Desenul nu este la scară: în el, { $names } { $count ->
     [one] nu are lungimea dată
    *[other] nu au lungimile date
@@ -61,12 +62,12 @@ rule-convention-standard = Scrieți tabelul în convenția standard.
 rule-convention-modified = Scrieți tabelul în convenția modificată.
 rule-base-free = Sistemul 0 poate fi plasat oriunde pe bază.
 rule-base-axis = Axa z a sistemului 0 este pe axa cuplei 1, în oricare dintre sensuri.
-rule-base-origin = Originea sistemului 0 este impusă; direcțiile lui le alegeți dumneavoastră.
-rule-base-frame = Sistemul 0 este impus.
+rule-base-origin = Originea sistemului 0 este punctul marcat O0; direcțiile lui le alegeți dumneavoastră.
+rule-base-frame = Sistemul 0 este impus; este desenat în figură.
 rule-tool-free = Ultimul sistem poate fi plasat oriunde pe ultimul element.
 rule-tool-point = Originea ultimului sistem se află în punctul marcat { $points }.
 rule-tool-axis = Axa z a ultimului sistem este pe axa ultimei cuple, în oricare dintre sensuri; originea lui poate fi oriunde pe ea.
-rule-tool-frame = Ultimul sistem este impus.
+rule-tool-frame = Ultimul sistem este impus; este desenat în figură.
 rule-zero-free = Alegeți dumneavoastră unde este zero fiecare variabilă a cuplelor.
 rule-zero-figure = În configurația din figură, toate variabilele cuplelor sunt zero.
 rule-direction-free = Alegeți dumneavoastră sensul fiecărei axe.
@@ -238,6 +239,8 @@ error-point_without_form = Un punct se dă prin frame și at; prin between și r
 error-joint_off_axis = Punctul { $point } nu se află pe axa cuplei { $joint }.
 error-dimension_disagrees = Punctele cotei { $name } se află la { $length } unul de altul, dar { $name } este { $value }.
 error-dimension_too_short = { $name } este { $length }, prea puțin pentru a fi arătată în figură: este sub o milionime din mărimea robotului. Dați-i altă valoare sau scrieți 0 în locul ei.
+error-posture_not_zero = Cu zero = figure, studenții sunt informați că în poziția din figură toate variabilele cuplelor sunt zero: desenați robotul în acea poziție (posture 0 pentru fiecare cuplă) sau lăsați zerourile libere.
+error-tool_point_unmarked = Cu tool = point, ultima origine trebuie să fie într-un punct marcat, dar niciunul dintre punctele marcate nu este ultima origine a rezolvării de referință. Marcați originea sistemului { $last }.
 error-gripper_without_direction = Prehensorul și punctul de la care pornește direcția lui coincid.
 error-jaws_along_gripper = Fălcile stau una lângă alta, perpendicular pe prehensor.
 
@@ -248,7 +251,7 @@ error-name_unknown = { $name } nu este niciuna dintre cotele acestui exercițiu.
     [0] {""}
    *[one] {" "}Ați vrut să scrieți { $close }?
 } Se cunosc { $known }.
-error-need_unmet = Cu aceste reguli niciun răspuns nu are nevoie de { $name }: se pot alege sisteme în care nu apare. Fixați baza (origin sau frame) ori scula (point sau frame).
+error-need_unmet = Cu aceste reguli niciun răspuns nu are nevoie de { $name }: se pot alege sisteme în care nu apare. Fixați baza (origin sau frame), scula (point sau frame) ori, dacă se află de-a lungul unei cuple de translație, zerourile (figure).
 error-need_unknown = { $name } nu este o cotă a tabelului. Cotele lui: { $known }.
 error-alias_taken = { $name } are deja un înțeles.
 error-title_missing = Este nevoie de un titlu în cel puțin o limbă: [title] cu en = "…".

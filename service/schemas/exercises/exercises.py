@@ -199,7 +199,7 @@ class FigureGround(Wire):
 
 
 class FigureFrame(Wire):
-    """A frame that the figure shows."""
+    """A frame that is drawn."""
 
     origin: Vector3
     x: Vector3
@@ -207,8 +207,14 @@ class FigureFrame(Wire):
     z: Vector3
 
 
+class NumberedFrame(FigureFrame):
+    """A frame that the figure shows."""
+
+    number: int
+
+
 class FigureModel(Wire):
-    """The geometry of the figure, lengths in metres, z up; frames only to look for a mistake in."""
+    """The geometry of the figure, lengths in metres, z up."""
 
     axes: list[FigureAxis]
     links: list[list[Vector3]] = Field(description="polylines")
@@ -216,8 +222,8 @@ class FigureModel(Wire):
     points: list[FigurePoint]
     ground: FigureGround | None
     size: Real = Field(description="diagonal of the box that holds the robot")
-    frames: list[FigureFrame] = Field(
-        description="frame 0 … N, one of them wrong; empty where no mistake in a figure is asked for"
+    frames: list[NumberedFrame] = Field(
+        description="those that the policy prescribes; or frame 0 … N, one wrong, if that is asked for"
     )
     description: str = Field(description="the figure in words, in the caller's language")
     file: str | None = Field(

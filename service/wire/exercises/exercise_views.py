@@ -7,7 +7,7 @@ from typing import Any
 
 from exercises.access import lowest
 from exercises.definition import Exercise, Part
-from exercises.drawings import figure_geometry, figure_sentences
+from exercises.drawings import end_marks, figure_geometry, figure_sentences
 from exercises.grading import ConventionRule, HelpLevel
 from exercises.instance import Instance, cached_instance
 from exercises.library import Library
@@ -136,11 +136,13 @@ def _rules_told(found: Exercise, language: str) -> tuple[str, ...]:
 def rules(found: Exercise, language: str) -> Iterator[str]:
     """Yield what is free and what is fixed, in sentences."""
     policy = found.policy
-    if not any(part.kind in FRAMED for part in found.parts):
+    framed = [part.kind for part in found.parts if part.kind in FRAMED]
+    if not framed:
         return
-    for name in ("convention", "base", "tool", "zero", "direction"):
+    convention = () if framed == ["screws"] else ("convention",)
+    for name in (*convention, "base", "tool", "zero", "direction"):
         rule = getattr(policy, name).value
-        text = sentence(language, f"rule-{name}-{rule}", {"points": ", ".join(found.figure.marks)})
+        text = sentence(language, f"rule-{name}-{rule}", {"points": ", ".join(end_marks(found))})
         if text:
             yield text
     free = free_dimensions(found)

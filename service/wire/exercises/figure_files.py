@@ -61,7 +61,7 @@ def _drawn_alike(exercise: Exercise) -> bytes:
         revision(),
         repr(exercise.figure),
         repr(exercise.reference),
-        repr((policy.direction, policy.zero, exercise.length_unit, exercise.angle_unit)),
+        repr((policy, exercise.length_unit, exercise.angle_unit)),
     )
     return hashlib.sha256("\n".join(told).encode()).digest()
 

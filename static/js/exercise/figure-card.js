@@ -6,7 +6,8 @@ import { t } from "../i18n.js";
 import { usualRanges } from "../joint-ranges.js";
 import { resetButton } from "../joint-sliders.js";
 import { framesModel } from "../scene/figures.js";
-import { frozen, together } from "../scene/model.js";
+import { inverse, multiply } from "../scene/matrix.js";
+import { frozen, poses, together } from "../scene/model.js";
 import { figureRobot } from "../scene/robots.js";
 import { keep, recall } from "../storage.js";
 
@@ -73,12 +74,21 @@ function insist(drawing) {
   if (drawing.complete && drawing.naturalWidth === 0) again();
 }
 
-/** The robot, with the frames that the figure shows; it then stands still, for they belong to that posture. @param {Wire.Figure} figure */
+/** The robot with the frames that the figure shows. With all of them it stands still, for they belong to that posture; a last frame alone moves with its link. @param {Wire.Figure} figure */
 function withFrames(figure) {
   const robot = figureRobot(figure);
   const drawn = figure.frames ?? [];
   if (!drawn.length) return robot;
-  return frozen(together([robot, framesModel(drawn, figure.size)]), Array(robot.joints).fill(0));
+  const model = together([robot, framesModel(drawn, figure.size)]);
+  const still = Array(robot.joints).fill(0);
+  if (drawn.length > figure.axes.length) return frozen(model, still);
+  const [parent, first] = [robot.nodes.length - 1, robot.nodes.length];
+  const link = inverse(poses(robot, still)[parent]);
+  drawn.forEach(({ number }, i) => {
+    const { constant } = model.nodes[first + i];
+    if (number > 0) model.nodes[first + i] = { parent, constant: multiply(link, constant) };
+  });
+  return model;
 }
 
 /** The robot in space, with a slider for each of its joints, counted from the posture of the drawing. @param {import("../scene/model.js").Model} model @param {Wire.Figure} figure @param {string} title */

@@ -93,7 +93,8 @@ function plantedFrames({ frames, frame, label, mended }, { robot, joints }) {
   scene.describe(t("form-scene-keys"));
   const drawn = robot();
   const bare = drawn ? [frozen(withoutFrames(drawn.model), joints())] : [];
-  scene.model = together([...bare, framesModel(frames, drawn?.size ?? 1)]);
+  const numbered = frames.map((/** @type {any} */ frame, /** @type {number} */ number) => ({ ...frame, number }));
+  scene.model = together([...bare, framesModel(numbered, drawn?.size ?? 1)]);
   return [scene, el("p", { text: t("playground-frame-which") }), buttons, verdict, coordinates];
 }
 

@@ -50,16 +50,16 @@ export function ellipsoidModel(at, { axes, radii }, size) {
 
 /**
  * Frames as somebody drew them: y points where it is drawn.
- * @param {{origin: number[], x: number[], y: number[], z: number[]}[]} frames 0 … N @param {number} size of the robot
+ * @param {{number: number, origin: number[], x: number[], y: number[], z: number[]}[]} frames @param {number} size of the robot
  * @returns {Model}
  */
 export function framesModel(frames, size) {
   /** @type {Model} */
   const model = { nodes: [], items: [], joints: 0 };
-  frames.forEach(({ origin, x, y, z }, i) => {
+  frames.forEach(({ number, origin, x, y, z }) => {
     const constant = [...[0, 1, 2].map((k) => [x[k], y[k], z[k], origin[k]]), [0, 0, 0, 1]];
     const node = model.nodes.push({ parent: -1, constant }) - 1;
-    model.items.push(...triad(node, size * FRAME * (1 - 0.1 * (i % 3)), String(i)));
+    model.items.push(...triad(node, size * FRAME * (1 - 0.1 * (number % 3)), String(number)));
   });
   return model;
 }

@@ -11,7 +11,14 @@ import numpy as np
 import pytest
 
 from exercises.definition import Exercise
-from exercises.drawings import figure_drawing, figure_geometry, figure_sentences, key_pose, true_scene
+from exercises.drawings import (
+    figure_drawing,
+    figure_geometry,
+    figure_sentences,
+    key_pose,
+    prescribed_frames,
+    true_scene,
+)
 from exercises.figures.camera import camera_for
 from exercises.figures.svg import document, split_name
 from exercises.grading import DirectionRule
@@ -66,7 +73,9 @@ def test_every_joint_dimension_and_point_is_named_once_for_each_time_it_is_drawn
     found = exercise(exercise_id)
     numbers = [str(joint) for joint in range(1, found.reference.table.n_joints + 1)]
     dimensions = ["".join(split_name(mark.name)) for mark in found.figure.dimensions]
-    assert sorted(texts(drawn(exercise_id))) == sorted([*numbers, *dimensions, *found.figure.marks])
+    instance = generate(found)
+    frames = [f"{axis}{i}" for i in prescribed_frames(instance, instance.values) for axis in "xyz"]
+    assert sorted(texts(drawn(exercise_id))) == sorted([*numbers, *dimensions, *found.figure.marks, *frames])
 
 
 def boxes(root: ElementTree.Element) -> list[tuple[str, float, float, float, float]]:
