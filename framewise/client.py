@@ -1,7 +1,5 @@
 """Clients of the service, for programs that wait and for programs that do not."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import AsyncIterator, Coroutine, Iterator, Mapping
 from types import TracebackType
@@ -63,7 +61,7 @@ class Client(ExerciseCalls[Json, bytes, Iterator[Json]]):
             timeout=timeout,
         )
 
-    def __enter__(self) -> Client:
+    def __enter__(self) -> "Client":
         return self
 
     def __exit__(
@@ -106,7 +104,7 @@ class AsyncClient(ExerciseCalls[Coroutine[Any, Any, Json], Coroutine[Any, Any, b
             timeout=timeout,
         )
 
-    async def __aenter__(self) -> AsyncClient:
+    async def __aenter__(self) -> "AsyncClient":
         return self
 
     async def __aexit__(

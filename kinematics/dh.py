@@ -8,8 +8,6 @@ their order alone (`MOTIONS`). Whatever is computed from a table, for one config
 from this order and from the two rotations `turn_z` and `turn_x`.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Sequence
 from enum import StrEnum
@@ -87,7 +85,7 @@ def link_transforms(rows: Sequence[NumericRow], convention: Convention, q: Seque
     return poses
 
 
-def _spread(kind: MotionKind, numbers: Sequence[float], counts: Sequence[int]) -> Iterable[Any]:
+def _spread(kind: "MotionKind", numbers: Sequence[float], counts: Sequence[int]) -> Iterable[Any]:
     """Return what a motion holds, (k,) each, or one number where all are the same."""
     found = [
         cos_sin(number) if kind in (MotionKind.TURN_Z, MotionKind.TURN_X) else (number,) for number in numbers

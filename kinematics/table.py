@@ -7,8 +7,6 @@ Angles are in radians. Lengths are in one unit throughout a table (metres unless
 nothing in this package depends on which one it is, and results come out in the same unit.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 from enum import StrEnum
@@ -33,7 +31,7 @@ class Convention(StrEnum):
     MODIFIED = "modified"
 
     @property
-    def other(self) -> Convention:
+    def other(self) -> "Convention":
         """The other of the two."""
         return Convention.MODIFIED if self is Convention.STANDARD else Convention.STANDARD
 

@@ -4,8 +4,6 @@ No line holds personal data: the access log has neither addresses nor queries, i
 and routes by their templates.
 """
 
-from __future__ import annotations
-
 import logging
 import re
 import time
@@ -76,7 +74,7 @@ class JsonFormatter(_Formatter):
         return orjson.dumps(entry, default=str).decode()
 
 
-def log_configuration(settings: Settings) -> dict[str, Any]:
+def log_configuration(settings: "Settings") -> dict[str, Any]:
     """Return the configuration of Python's logging, as `logging.config.dictConfig` takes it."""
     formatter = {LogFormat.TEXT: TextFormatter, LogFormat.JSON: JsonFormatter}[settings.log_format]
     return {

@@ -1,7 +1,5 @@
 """Settings: every limit and every choice of the operator, from the environment (`FRAMEWISE_…`)."""
 
-from __future__ import annotations
-
 from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated, Literal, Self
@@ -240,7 +238,7 @@ class Settings(BaseSettings):
         return self
 
     @property
-    def cell_limits(self) -> Limits:
+    def cell_limits(self) -> "Limits":
         """The bounds on DH tables, as their reader takes them."""
         from kinematics.cells import Limits  # what looks after several servers reads no tables
 

@@ -1,7 +1,5 @@
 """What a report tells, as a path of stable codes: rows beside its attempt, for statistics."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Mapping
 from functools import cache
 from itertools import islice

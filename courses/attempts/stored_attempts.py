@@ -1,7 +1,5 @@
 """Attempts: taken if the policy allows one, stored before they are answered, and never changed."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import fields
 from datetime import datetime, timedelta

@@ -5,8 +5,6 @@ commit) is shared by all that wait. The counted score and the message to the gra
 transaction. A submission that arrives again with its idempotency key is the attempt that it was.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from datetime import datetime, timedelta

@@ -1,7 +1,5 @@
 """Settings of a link as JSON: what a lecturer sends is checked, what is stored is read as it stands."""
 
-from __future__ import annotations
-
 import hashlib
 import json
 from collections.abc import Collection, Mapping
@@ -84,7 +82,7 @@ def stored(exercise_id: str | None, values: Mapping[str, Any]) -> LinkSettings:
     return _understood(exercise_id, _SettingsReader(values))
 
 
-def _understood(exercise_id: str | None, reader: _SettingsReader) -> LinkSettings:
+def _understood(exercise_id: str | None, reader: "_SettingsReader") -> LinkSettings:
     policy = AttemptPolicy(
         attempts=reader.whole("attempts", None, 1, MOST_ATTEMPTS),
         counting=reader.choice("counting", Counting.BEST),

@@ -11,8 +11,6 @@ the answerer's own accepted table, the key's with B, diag(σ), and the point and
 Source: D. E. Whitney (1969); J. J. Craig, Introduction to Robotics, ch. 5; seed 001 eq. 3.22.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass

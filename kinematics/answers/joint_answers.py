@@ -10,8 +10,6 @@ Answers in other frames are carried over by a certificate: q = σ∘(q_s − δ)
 c_s·q_s = (c_s∘σ)·q + constant.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import replace

@@ -10,8 +10,6 @@ and its v has no part along ω. Nothing is compared row by row.
 Source: K. M. Lynch, F. C. Park, Modern Robotics (2017), 4.1; R. M. Murray, Z. Li, S. S. Sastry (1994), 3.2.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 from contextlib import suppress

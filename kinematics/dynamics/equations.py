@@ -9,8 +9,6 @@ and g is the gradient of the potential energy U = −aᵀ Σ m c, a the accelera
 Source: B. Siciliano, L. Sciavicco, L. Villani, G. Oriolo, Robotics (2009), eq. 7.32, 7.45 and 7.38.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from fractions import Fraction

@@ -1,7 +1,5 @@
 """One alignment: move the submission's axis onto plus or minus the reference's by a motion of a group."""
 
-from __future__ import annotations
-
 import math
 from typing import NamedTuple
 

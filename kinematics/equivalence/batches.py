@@ -8,8 +8,6 @@ so tables of either convention are carried along by one product, the candidates 
 of every array.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from functools import lru_cache
 from typing import NamedTuple

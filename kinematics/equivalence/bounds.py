@@ -9,8 +9,6 @@ one product of exponentials against another. Exchanging factor after factor, the
 rotations, of the angles 2α_i. The sum bounds the difference from above wherever the joints stand.
 """
 
-from __future__ import annotations
-
 from itertools import pairwise
 from math import cos, sin
 

@@ -5,8 +5,6 @@ wrong. So the unknown cells join δ, B and E in the least squares, and what come
 edit.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import replace

@@ -1,7 +1,5 @@
 """From the motions that aligned the axes to the certificate (σ, δ, B, E)."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 from kinematics.chain import Chain

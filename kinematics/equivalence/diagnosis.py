@@ -1,7 +1,5 @@
 """What does not fit, fact by fact: force the best alignment at an axis that cannot be aligned, and go on."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
@@ -148,7 +146,7 @@ def _same(group: Group, here: Motion, other: Motion, size: float) -> bool:
     return angle < 1e-6 and length < 1e-6 * size
 
 
-def _onward(trail: Trail, step: Step, axis: Axis, sign: int, judge: _Judge) -> Trail:
+def _onward(trail: Trail, step: Step, axis: Axis, sign: int, judge: "_Judge") -> Trail:
     """The trail one joint longer; what cannot be aligned is forced, so that the next joints can be judged."""
     target = step.axis
     found, wrong, strain = _least_wrong(trail, step, axis, sign, judge)
@@ -177,7 +175,7 @@ def _along_previous(step: Step, gap: Vector) -> Vector:
 
 
 def _least_wrong(
-    trail: Trail, step: Step, axis: Axis, sign: int, judge: _Judge
+    trail: Trail, step: Step, axis: Axis, sign: int, judge: "_Judge"
 ) -> tuple[Alignment, list[Mismatch], float]:
     """The alignment with the fewest wrong facts, these, and the largest misfit of it.
 

@@ -7,8 +7,6 @@ about a line, and the translations in a subspace. Each is a set of rotations tog
 translations.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from enum import Enum, auto
 

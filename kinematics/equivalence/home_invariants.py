@@ -5,8 +5,6 @@ no choice of frames changes, the angles and distances of all its axes, wherever 
 and the lengths along parallel axes past the prismatic joints among them.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import numpy as np

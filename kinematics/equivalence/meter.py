@@ -1,7 +1,5 @@
 """Work counted, not timed: a search that is bounded so ends at the same point on every machine."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass

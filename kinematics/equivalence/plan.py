@@ -8,8 +8,6 @@ the motions that may still be applied to the submission after joint i form a cos
 fixes the zeros of the variables there is no exp(S_i ℝ), and H_i = Stab_i.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import NamedTuple

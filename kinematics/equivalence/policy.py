@@ -1,7 +1,5 @@
 """What an exercise leaves free and what it fixes, when it asks whether two tables are the same robot."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 from enum import StrEnum
 from functools import cached_property

@@ -1,7 +1,5 @@
 """Equation (1) as an identity: from a verified certificate to a proved one."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import TypeAlias

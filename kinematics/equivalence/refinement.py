@@ -6,8 +6,6 @@ best is what such an answer deserves to be judged by. What the policy fixes stay
 keep it are used.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -114,7 +112,7 @@ def refine(
 
 
 def _brought_down(
-    problem: RefinementProblem, candidate: CertificateCandidate
+    problem: "RefinementProblem", candidate: CertificateCandidate
 ) -> tuple[CertificateCandidate, Residual] | None:
     """A certificate near a given one that stands everywhere, and its residual; None if none is found soon.
 
@@ -140,7 +138,7 @@ def _brought_down(
     return None
 
 
-def _settled(problem: RefinementProblem, candidate: CertificateCandidate) -> CertificateCandidate | None:
+def _settled(problem: "RefinementProblem", candidate: CertificateCandidate) -> CertificateCandidate | None:
     """The certificate near a given one with the least sum of squares; None if none nearby can stand."""
     previous = math.inf
     for _ in range(ROUNDS):

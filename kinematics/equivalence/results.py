@@ -1,7 +1,5 @@
 """What a decision says: a certificate, or what does not fit."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from enum import StrEnum
 

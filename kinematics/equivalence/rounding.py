@@ -1,7 +1,5 @@
 """How much the rounding of a table's entries can do: the tolerance that matches a number of decimals."""
 
-from __future__ import annotations
-
 from kinematics.chain import Chain, chain_of_table, frames_at_zero, walk
 from kinematics.equivalence.policy import Tolerance
 from kinematics.equivalence.reference import prepared

@@ -8,8 +8,6 @@ between the axes: where rows without a joint, prismatic joints or frames take pa
 only nearly.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from itertools import pairwise
 from typing import NamedTuple, TypeAlias

@@ -1,7 +1,5 @@
 """Walk down the reference's chain of groups, both signs where both will do, to a verified certificate."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from enum import Enum, auto

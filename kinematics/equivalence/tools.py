@@ -1,7 +1,5 @@
 """The last feature of the chain: where frame N must lie."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass
 

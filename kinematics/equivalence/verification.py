@@ -1,7 +1,5 @@
 """Equation (1) at the sampled configurations: nothing is accepted without it."""
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

@@ -7,8 +7,6 @@ found directly. Going from joint to joint, forward and backward, until nothing i
 joint makes it worse.
 """
 
-from __future__ import annotations
-
 from typing import NamedTuple
 
 import numpy as np

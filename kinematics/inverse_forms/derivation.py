@@ -16,8 +16,6 @@ Source: J. J. Craig, Introduction to robotics, 3rd ed. (2005) ch. 4; R. P. Paul,
 ch. 3.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 from kinematics.errors import Fault, TableError

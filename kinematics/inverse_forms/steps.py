@@ -1,7 +1,5 @@
 """Solutions in symbols: equations one after another, with their branch signs and conditions."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from enum import StrEnum
@@ -86,7 +84,7 @@ class SingularCase:
     at: Expression | None = None
     combination: Expression | None = None
     value: Expression | None = None
-    steps: tuple[InverseStep, ...] = ()
+    steps: "tuple[InverseStep, ...]" = ()
 
     @property
     def values(self) -> tuple[Expression, ...]:

@@ -6,8 +6,6 @@ An answer is right when it is that matrix: its rotation entry by entry, its posi
 There is no freedom in it, for both frames are named.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum

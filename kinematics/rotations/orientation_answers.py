@@ -8,8 +8,6 @@ every triple is asked, both are needed, and of a locked rotation the relation th
 A wrong answer is compared with what the usual slips would have made of the expected one.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace

@@ -3,8 +3,6 @@
 Another way to the same columns as inspection (`motion`, `closed_form`): the two check each other.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from typing import TypeAlias
 

@@ -5,8 +5,6 @@ factor is a symbol or a sum in parentheses. Nothing is ever multiplied out. What
 put in parentheses, after taking out of it what all its terms share.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from dataclasses import dataclass, field, fields
 from fractions import Fraction
@@ -47,7 +45,7 @@ class Arena:
     _circles: dict[Angle, tuple[Nested, Nested]] = field(default_factory=dict)
     _products: dict[Term, Expression] = field(default_factory=dict)
 
-    def branch(self) -> Arena:
+    def branch(self) -> "Arena":
         """Return an independent copy: what is added to one is not seen by the other."""
         return Arena(*(getattr(self, known.name).copy() for known in fields(self)))
 

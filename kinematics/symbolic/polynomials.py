@@ -7,8 +7,6 @@ as it does not in exponentials (`kinematics.symbolic.ring`), where k cosines mak
 arctangents and angles of constants other than quarter turns are left to the ring.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from fractions import Fraction
@@ -73,7 +71,7 @@ class PolynomialReader:
     _beyond: int = 0
     _spent: int = 0
 
-    def copy(self) -> PolynomialReader:
+    def copy(self) -> "PolynomialReader":
         """Return a reader that knows the symbols of this one, and leaves it as it is."""
         return PolynomialReader(
             self.parts, dict(self._names), dict(self._angles), dict(self._pairs), self._end, self._beyond

@@ -7,8 +7,6 @@ translation Σ_j Rot_z(Φ_j) (x_j, y_j, 0) + z ẑ, where Φ_j are partial sums.
 too, for Rot_x(π) Rot_z(θ) = Rot_z(-θ) Rot_x(π). The twists τ between runs are not multiples of π.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from fractions import Fraction
@@ -58,7 +56,7 @@ class Runs:
     _flipped: bool = False
 
     @classmethod
-    def of(cls, arena: Arena, motions: Iterable[Motion]) -> Runs:
+    def of(cls, arena: Arena, motions: Iterable[Motion]) -> "Runs":
         """Return the chain of some motions."""
         chain = cls(arena)
         chain.extend(motions)

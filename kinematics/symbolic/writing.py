@@ -1,7 +1,5 @@
 """Vectors and poses, given where a chain ends, written in the frame where it begins."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from typing import TypeAlias
 
@@ -27,7 +25,7 @@ class MatrixWriter:
         self.arena = Arena()
         self.base = None if base is None else self.read(base)
 
-    def branch(self) -> MatrixWriter:
+    def branch(self) -> "MatrixWriter":
         """Return an independent copy: what is added to one is not seen by the other."""
         branch = MatrixWriter()
         branch.arena, branch.base = self.arena.branch(), self.base

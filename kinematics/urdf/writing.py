@@ -6,8 +6,6 @@ constant: that constant becomes the origin of the next joint, so the link of joi
 stands where frame i-1 stood. A reversed variable is an axis 0 0 -1. A fixed row is a fixed joint.
 """
 
-from __future__ import annotations
-
 import html
 import math
 import re
@@ -127,7 +125,7 @@ def urdf_from_table(
     )
 
 
-def _write_rows(writer: _UrdfWriter, table: NumericTable, bounds: Sequence[tuple[float, float]]) -> None:
+def _write_rows(writer: "_UrdfWriter", table: NumericTable, bounds: Sequence[tuple[float, float]]) -> None:
     numbers = {row: joint for joint, row in enumerate(table.joint_rows)}
     for i, row in enumerate(table.rows):
         writer.where = ("rows", i)

@@ -1,7 +1,5 @@
 """`framewise serve`: the service over HTTP."""
 
-from __future__ import annotations
-
 import argparse
 import gc
 import logging
@@ -169,7 +167,7 @@ def _end(*_: object) -> None:
     os._exit(0)
 
 
-def one_of_several() -> FastAPI:
+def one_of_several() -> "FastAPI":
     """Return the service for one of several processes; what keeps it from starting is told in a line."""
     try:
         return application()
@@ -178,7 +176,7 @@ def one_of_several() -> FastAPI:
         sys.exit(UNUSABLE)
 
 
-def application(settings: Settings | None = None) -> FastAPI:
+def application(settings: Settings | None = None) -> "FastAPI":
     """Return the service; garbage is not looked for before it serves.
 
     Nearly all that is loaded stays: each collection would go over it for nothing.

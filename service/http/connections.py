@@ -9,8 +9,6 @@ What a proxy could read in another way than this server is refused: a request of
 once (RFC 9112, section 3.2), and its body comes whole or in chunks, in no other coding (section 6.1).
 """
 
-from __future__ import annotations
-
 import asyncio
 import resource
 from typing import Any
@@ -144,7 +142,7 @@ class BoundedConnection(HttpToolsProtocol):
                 timer.cancel()
         self._head_timer = self._unread_timer = None
 
-    def _longest_silent(self) -> BoundedConnection:
+    def _longest_silent(self) -> "BoundedConnection":
         """The connection that can go: idle ones before those whose callers owe the rest of a body."""
         silent = [one for one in self.connections if isinstance(one, BoundedConnection) and one._is_waiting]
         return min(silent, key=lambda one: (not one._is_idle, one._heard_at), default=self)

@@ -1,7 +1,5 @@
 """Routes that read their requests strictly, before FastAPI validates them."""
 
-from __future__ import annotations
-
 import asyncio
 import warnings
 from collections.abc import AsyncGenerator, Awaitable, Callable, Coroutine, Sequence
@@ -69,7 +67,7 @@ class ApiRequest(Request):
     json_limits = JsonLimits()
 
     @property
-    def resources(self) -> Resources:
+    def resources(self) -> "Resources":
         """The resources of the application that serves this request."""
         resources: Resources = self.scope["app"].state.resources
         return resources

@@ -3,8 +3,6 @@
 A span says method, route, status and request id: no address, no query, no header, which may name students.
 """
 
-from __future__ import annotations
-
 import logging
 from typing import TYPE_CHECKING, Any
 from urllib.parse import urlsplit
@@ -58,7 +56,7 @@ class TracingMiddleware:
                 span.set_attribute("framewise.request_id", scope.get(REQUEST_ID, ""))
 
 
-def exporting(address: str) -> SdkProvider:
+def exporting(address: str) -> "SdkProvider":
     """Return a provider that sends spans to a collector every few seconds, the last when it is shut down."""
     from opentelemetry.exporter.otlp.proto.http.trace_exporter import OTLPSpanExporter
     from opentelemetry.sdk.resources import Resource

@@ -4,8 +4,6 @@ Lengths are points, from the upper left corner. PDFium is no library for several
 makes a Paper holds the lock until its file is read.
 """
 
-from __future__ import annotations
-
 import ctypes
 import threading
 from collections.abc import Iterator, Sequence
@@ -43,7 +41,7 @@ OutlineStep = tuple[str, Sequence[float]]
 
 
 @contextmanager
-def paper(language: str) -> Iterator[Paper]:
+def paper(language: str) -> "Iterator[Paper]":
     """Give pages to write on; the first one is there."""
     with _ONE_AT_A_TIME:
         document = raw.FPDF_CreateNewDocument()

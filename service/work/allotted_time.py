@@ -1,7 +1,5 @@
 """A list of tasks within a processor time: what is done by then is kept."""
 
-from __future__ import annotations
-
 import signal
 from collections.abc import Callable, Iterable
 from typing import NoReturn, TypeVar

@@ -5,8 +5,6 @@ and may be given a moment to grow: what a transaction costs (statements, round t
 is shared by all that wait for it.
 """
 
-from __future__ import annotations
-
 import asyncio
 import threading
 import time

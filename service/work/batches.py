@@ -4,8 +4,6 @@ A caller who reads slowly gives the slot back, and waits in line again for the n
 slow callers as there are slots would keep everybody else from theirs.
 """
 
-from __future__ import annotations
-
 import asyncio
 from collections.abc import AsyncIterator, Iterator, Mapping
 

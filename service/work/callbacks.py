@@ -1,7 +1,5 @@
 """Feedback sent later to a caller's own address: allow-listed hosts, signed bodies, a few tries."""
 
-from __future__ import annotations
-
 import asyncio
 import logging
 from collections.abc import Callable

@@ -11,8 +11,6 @@ The collector itself counts net new objects: what a full cache forgets counts ag
 may be new before it looks. So new ones are looked at by the clock, too.
 """
 
-from __future__ import annotations
-
 import gc
 import sys
 import threading

@@ -5,8 +5,6 @@ there may be are known from the day on which the link was made. Each process dra
 takes from the database what another one has drawn.
 """
 
-from __future__ import annotations
-
 import logging
 import random
 import time

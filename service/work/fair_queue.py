@@ -10,8 +10,6 @@ queueing (Goyal, Vin and Cheng, 1997): otherwise whoever worked while nobody wai
 a stranger had used as much.
 """
 
-from __future__ import annotations
-
 import asyncio
 import math
 import time
@@ -111,7 +109,7 @@ class FairQueue:
         """Return how many requests wait for a slot."""
         return len(self._line)
 
-    async def acquire(self) -> Slot:
+    async def acquire(self) -> "Slot":
         """Wait for a slot, and take it until it is released.
 
         Raises:
@@ -152,7 +150,7 @@ class FairQueue:
         slot = await self.acquire()
         asyncio.get_running_loop().call_soon(self._end_turn, slot)
 
-    def _end_turn(self, slot: Slot) -> None:
+    def _end_turn(self, slot: "Slot") -> None:
         self._slots = 1 if slot.seconds > ROUND else min(self._slots + 1, self._most)
         slot.release()
 

@@ -1,7 +1,5 @@
 """How the threads of a server process share memory, and take turns."""
 
-from __future__ import annotations
-
 import ctypes
 import sys
 from contextlib import suppress

@@ -1,7 +1,5 @@
 """Work in threads: so many tasks at a time, shared fairly between clients; long waits are refused."""
 
-from __future__ import annotations
-
 import time
 from collections import OrderedDict
 from collections.abc import Callable, Hashable
@@ -51,7 +49,7 @@ class Limiter:
         self.queue = FairQueue(slots=threads, capacity=capacity, timeout=timeout)
         self._turns = turns or self.queue
 
-    async def acquire(self) -> ThreadSlot:
+    async def acquire(self) -> "ThreadSlot":
         """Wait for a slot, and take it until it is released.
 
         Raises:

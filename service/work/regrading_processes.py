@@ -1,7 +1,5 @@
 """Judging stored attempts again in several processes, each answer once."""
 
-from __future__ import annotations
-
 import os
 import pickle
 from collections.abc import Mapping, Sequence
@@ -47,7 +45,7 @@ class RegradingProcesses:
         self._processes: list[WorkerProcess] = []
         self._threads: ThreadPoolExecutor | None = None
 
-    def __enter__(self) -> RegradingProcesses:
+    def __enter__(self) -> "RegradingProcesses":
         return self
 
     def __exit__(self, *_: object) -> None:

@@ -3,8 +3,6 @@
 Several processes do it at the same time without harm: what one has removed the other does not find.
 """
 
-from __future__ import annotations
-
 import logging
 import random
 from datetime import timedelta

@@ -4,8 +4,6 @@ Several processes share the outbox: each score is leased to one of them. A proce
 after a minute, and another one sends what it had.
 """
 
-from __future__ import annotations
-
 import itertools
 import logging
 import random

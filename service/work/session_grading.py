@@ -1,7 +1,5 @@
 """Judging what a signed-in student hands in: stored before it is answered."""
 
-from __future__ import annotations
-
 import secrets
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace

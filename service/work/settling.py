@@ -1,7 +1,5 @@
 """Settles regradings whose request ended before its time: its process was killed, or the database gone."""
 
-from __future__ import annotations
-
 import logging
 import random
 from datetime import timedelta

@@ -5,8 +5,6 @@ process without storage makes what it has not made itself. Nothing depends on it
 does not answer, the answer is made again.
 """
 
-from __future__ import annotations
-
 import hashlib
 import logging
 import threading

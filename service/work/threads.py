@@ -1,7 +1,5 @@
 """Calls in threads, of which nothing stays when they fail, and threads that run until the process ends."""
 
-from __future__ import annotations
-
 import asyncio
 import threading
 import time

@@ -5,8 +5,6 @@ the kernel's hand (SIGPROF) when a task takes more processor time than it may, w
 moment; time that other programs take does not count.
 """
 
-from __future__ import annotations
-
 import gc
 import importlib
 import os

@@ -8,8 +8,6 @@ only a task that itself uses up its limits is refused.
 Functions and arguments must be picklable, and what they import must not import the web framework.
 """
 
-from __future__ import annotations
-
 import asyncio
 import hashlib
 import math

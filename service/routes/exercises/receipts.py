@@ -1,7 +1,5 @@
 """POST /exercises/{exercise_id}/receipts and receipts.pdf: receipts given for a verdict."""
 
-from __future__ import annotations
-
 import io
 from datetime import UTC, datetime
 from functools import partial
@@ -149,7 +147,7 @@ async def _issued(
     return issue(receipt, resources.receipt_keys), receipt
 
 
-def _sheet(instance: Instance, receipt: Receipt, token: str, body: ReceiptRequest, language: str) -> Sheet:
+def _sheet(instance: Instance, receipt: Receipt, token: str, body: ReceiptRequest, language: str) -> "Sheet":
     from service.receipts.sheet import Sheet
 
     def say(message: str, **values: Any) -> str:

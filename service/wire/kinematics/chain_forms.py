@@ -1,7 +1,5 @@
 """Closed forms of SCM chains as the wire shows them: what a worker process computes."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
@@ -52,7 +50,7 @@ class ChainTask:
     @classmethod
     def of(
         cls, read: ReadChain, wanted: Wanted, formats: Sequence[Format] | None, notation: Notation
-    ) -> ChainTask:
+    ) -> "ChainTask":
         """Return the task of a request."""
         return cls(
             chain=read.chain,

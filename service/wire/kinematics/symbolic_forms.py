@@ -1,7 +1,5 @@
 """What a worker process does for a symbolic answer: closed forms, written in the wanted formats, as JSON."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
@@ -60,7 +58,7 @@ class FormTask(Generic[AnyFormat]):
         """Names of the parameters that are left."""
         return table_parameters(self.table)
 
-    def writing(self: FormTask[Format], parameters: tuple[str, ...]) -> Writing:
+    def writing(self: "FormTask[Format]", parameters: tuple[str, ...]) -> "Writing":
         """Return what writes its matrices, whose functions take these parameters."""
         return Writing(self.formats, self.notation, self.table.n_joints, parameters, self.variables)
 

@@ -1,7 +1,5 @@
 """A robot as every source describes it and every target takes it."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, TypeAlias
@@ -69,7 +67,7 @@ class RobotDescription:
         """What one unit of the table's angles is in [rad]."""
         return self.read.angle_unit.radians
 
-    def between(self, base: ArrayLike | None, tool: ArrayLike | None) -> RobotDescription:
+    def between(self, base: ArrayLike | None, tool: ArrayLike | None) -> "RobotDescription":
         """Return the robot with a further base before it and a further tool behind it.
 
         Raises:
@@ -83,7 +81,7 @@ class RobotDescription:
 
     def with_joints(
         self, names: Sequence[str] | None, links: Sequence[str] | None, limits: Ranges | None
-    ) -> RobotDescription:
+    ) -> "RobotDescription":
         """Return the robot with these names and limits of its joints, or its own where they are left out.
 
         Raises:
