@@ -21,16 +21,14 @@ def parse(instance: Instance, raw: RawAnswer, limits: Limits = DEFAULT) -> Answe
     """
     faults = _not_asked(instance, raw)
     parts: dict[str, Any] = {}
-    reading = Reading(instance=instance, raw=raw, table=None, limits=limits, faults=faults)
-    if raw.get(TABLE) is not None:
-        parts[TABLE] = part_type(TABLE).read(raw.get(TABLE), reading)
-        reading = Reading(instance=instance, raw=raw, table=parts[TABLE], limits=limits, faults=faults)
-    for kind, given in raw.parts.items():
-        if kind != TABLE and instance.exercise.part(kind) is not None:
-            parts[kind] = part_type(kind).read(given, reading)
+    asked = (kind for kind in raw.parts if kind == TABLE or instance.exercise.part(kind) is not None)
+    for kind in sorted(asked, key=lambda kind: kind != TABLE):
+        reading = Reading(instance=instance, raw=raw, table=parts.get(TABLE), limits=limits)
+        parts[kind] = part_type(kind).read(raw.parts[kind], reading)
+        faults += (fault.within(kind) for fault in reading.faults)
     if faults:
         raise AnswerError(faults)
-    source = reading.source
+    source = parts.get(TABLE) or instance.exercise.reference
     return Answer(parts=MappingProxyType(parts), angle_unit=source.angle_unit, length_unit=source.length_unit)
 
 

@@ -1,7 +1,5 @@
 """The figure of an instance: as a scene, as geometry for programs, as SVG."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache

@@ -1,7 +1,5 @@
 """Dimension lines: extension lines, arrows, and the places that they may take."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, replace
 
 import numpy as np

@@ -1,7 +1,5 @@
 """A scene as SVG."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from itertools import pairwise
 from typing import Any
@@ -57,7 +55,7 @@ def draw_figure(
     return SvgDrawing(box=drawing.box(), elements="".join(drawing.canvas.parts))
 
 
-def drawn(scene: Scene, view: View, width: float, note: str, frames: Mapping[int, DrawnFrame]) -> Drawing:
+def drawn(scene: Scene, view: View, width: float, note: str, frames: Mapping[int, DrawnFrame]) -> "Drawing":
     """Return a finished drawing; arguments as in `draw_figure`."""
     unscaled = camera_for(view)
     bodies = [body_of(axis, scene.size, unscaled) for axis in scene.axes]

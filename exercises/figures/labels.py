@@ -1,7 +1,5 @@
 """Where joints' numbers and points' names may stand."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Where labels and dimension lines stand: a map of what is taken, and the cheapest place on it."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from math import ceil

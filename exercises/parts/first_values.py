@@ -1,7 +1,5 @@
 """What the definition of a part begins with, on a page on which exercises are made."""
 
-from __future__ import annotations
-
 from typing import TYPE_CHECKING, Any
 
 from kinematics.table import JointType
@@ -22,7 +20,7 @@ def joint_names(count: int) -> tuple[str, ...]:
     return tuple(f"q{i}" for i in range(1, count + 1))
 
 
-def usual_joints(robot: RobotFacts) -> list[int | float]:
+def usual_joints(robot: "RobotFacts") -> list[int | float]:
     """Return joint values to begin with [the exercise's units]."""
     turns: tuple[int | float, ...] = DEGREES if robot.degrees else RADIANS
     return [

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from fractions import Fraction
 from random import Random
 from types import MappingProxyType
@@ -112,21 +112,21 @@ class Answer:
 
 @dataclass(frozen=True, kw_only=True, eq=False)
 class Reading:
-    """What an answer to a part is read beside.
+    """What the answer to one part is read beside.
 
     Attributes:
         instance: the exercise with the student's values.
         raw: everything that was handed in.
         table: the student's own table, if one was handed in and could be read.
         limits: how large a table may be.
-        faults: what was found wrong, seen from the whole answer.
+        faults: what was found wrong with the part, seen from there.
     """
 
     instance: Instance
     raw: RawAnswer
     table: ReadTable | None
     limits: Limits
-    faults: list[Fault]
+    faults: list[Fault] = field(default_factory=list)
 
     @property
     def source(self) -> ReadTable:
@@ -149,7 +149,7 @@ class Reading:
         return self.instance.values_in(self.source.length_unit)
 
     def fault(self, code: str, *where: str | int, **params: Any) -> None:
-        """Keep a fault at a place in the whole answer."""
+        """Keep a fault at a place in the answer to the part."""
         self.faults.append(Fault.at(code, *where, **params))
 
     def is_row_of(
@@ -160,24 +160,21 @@ class Reading:
             self.fault(code, *where, expected=count, given=len(row))
         return len(row) == count
 
-    def own_table(self, part: str, read: ReadTable) -> ReadTable | None:
+    def own_table(self, read: ReadTable) -> ReadTable | None:
         """Return a table in the exercise's own names, or None.
 
         Faults are kept: names that the exercise does not know, and cells that have no value for the student's
         dimensions, as `sqrt(L2 - L1)` where L1 is the longer one.
         """
         exercise = self.instance.exercise
-        unknown = table_faults(read, exercise)
-        self.faults.extend(fault.within(part) for fault in unknown)
-        if unknown:
-            return None
-        own = self.keep(part, lambda: without_aliases(read, exercise))
+        self.faults.extend(table_faults(read, exercise))
+        own = None if self.faults else self.keep(lambda: without_aliases(read, exercise))
         if own is None:
             return None
         values = parameters_in_radians(
             self.instance.values_in(own.length_unit), exercise.reference.parameters, exercise.angle_unit
         )
-        return None if self.keep(part, lambda: bind(own.table, values)) is None else own
+        return None if self.keep(lambda: bind(own.table, values)) is None else own
 
     def own_names(
         self,
@@ -190,7 +187,7 @@ class Reading:
 
         Args:
             expression: what was read.
-            where: the place of its cell in the whole answer.
+            where: the place of its cell in the part.
             others: names that may stand in it besides the exercise's own.
             idle: names in its cell that make no difference.
         """
@@ -200,12 +197,12 @@ class Reading:
             self.faults.extend(error.faults)
             return None
 
-    def keep(self, part: str, read: Callable[[], Kept]) -> Kept | None:
-        """Return what a function reads, or None; its faults are kept, seen from the whole answer."""
+    def keep(self, read: Callable[[], Kept]) -> Kept | None:
+        """Return what a function reads, or None; its faults are kept."""
         try:
             return read()
         except KinematicsError as error:
-            self.faults.extend(fault.within(part) for fault in error.faults)
+            self.faults.extend(error.faults)
             return None
 
 

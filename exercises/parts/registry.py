@@ -1,7 +1,5 @@
 """The kinds of part that there are: every module of this package and those in it that defines `PART`."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from functools import cache
 from importlib import import_module
@@ -16,7 +14,7 @@ PACKAGE = "exercises.parts"
 
 
 @cache
-def part_types() -> Mapping[str, PartType[Any, Any, Any]]:
+def part_types() -> "Mapping[str, PartType[Any, Any, Any]]":
     """Return every part type by its kind, in alphabetical order."""
     path = import_module(PACKAGE).__path__
     modules = (import_module(found.name) for found in walk_packages(path, f"{PACKAGE}."))
@@ -24,7 +22,7 @@ def part_types() -> Mapping[str, PartType[Any, Any, Any]]:
     return MappingProxyType({found.kind: found for found in sorted(types, key=lambda found: found.kind)})
 
 
-def part_type(kind: str) -> PartType[Any, Any, Any]:
+def part_type(kind: str) -> "PartType[Any, Any, Any]":
     """Return the part type of a kind.
 
     Raises:

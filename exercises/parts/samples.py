@@ -1,7 +1,5 @@
 """Points at which functions of the joint variables and of the dimensions are compared."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
@@ -47,16 +45,16 @@ class Samples:
         return {}
 
     @cached_property
-    def first(self) -> Samples:
+    def first(self) -> "Samples":
         """The first set alone."""
         return Samples(self.points[:1])
 
     @cached_property
-    def but_last(self) -> Samples:
+    def but_last(self) -> "Samples":
         """All sets but the last one."""
         return Samples(self.points[:-1])
 
     @cached_property
-    def at_zero(self) -> Samples:
+    def at_zero(self) -> "Samples":
         """The same sets with joint values of zero."""
         return Samples(tuple((values, np.zeros_like(joints)) for values, joints in self.points))

@@ -1,7 +1,5 @@
 """All checks of one exercise, over many seeds."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Iterator
 from contextlib import contextmanager

@@ -1,7 +1,5 @@
 """What students get wrong, done to a right table; named as in the catalogue of misconceptions."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from dataclasses import replace
 from fractions import Fraction

@@ -1,7 +1,5 @@
 """What students really type: rounded numbers, other rules, several mistakes at once. Nothing may crash."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 from dataclasses import replace

@@ -1,7 +1,5 @@
 """Whether the values that students may have leave the robot its structure: which axes meet, and how."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction

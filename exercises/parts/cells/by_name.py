@@ -6,8 +6,6 @@ that are used change, and none for whose value a number may stand. An answer wit
 alone says nothing of other values, and is left alone.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, replace

@@ -1,7 +1,5 @@
 """Matrices as students write them: a 4×4 of cells, in the table's variables and in short forms."""
 
-from __future__ import annotations
-
 from collections.abc import Collection, Sequence
 from dataclasses import replace
 from typing import TypeAlias, cast
@@ -78,20 +76,18 @@ def _read_cells(
     ]
 
 
-def read_known_matrix(
-    cells: CellMatrix, reading: Reading, part: str, *where: str | int
-) -> SymbolicMatrix | None:
+def read_known_matrix(cells: CellMatrix, reading: Reading, *where: str | int) -> SymbolicMatrix | None:
     """Return the matrix that a 4×4 of cells means in the joint variables of a student's answer.
 
-    Its faults are kept in the reading, at `where` inside the part.
+    Its faults are kept in the reading, at `where`.
     """
-    read = reading.keep(part, lambda: read_matrix(cells, reading.joint_types, reading.angle_unit, where))
-    known = None if read is None else _in_known_names(read, reading, part, *where)
+    read = reading.keep(lambda: read_matrix(cells, reading.joint_types, reading.angle_unit, where))
+    known = None if read is None else _in_known_names(read, reading, *where)
     if known is None or not known.decimal:
         return known
 
     def read_again(texts: Sequence[str]) -> tuple[Expression, ...] | None:
-        return read_row(texts, replace(reading, faults=[]), part)
+        return read_row(texts, replace(reading, faults=[]))
 
     pairs = [(cells[r][c], known.entries[r][c]) for r, c in sorted(known.decimal)]
     rounded = roundings(pairs, (), read_again)
@@ -115,52 +111,49 @@ def read_functions(
 
 
 def read_row(
-    cells: Sequence[Cell], reading: Reading, part: str, *where: str | int, names: Collection[str] = ()
+    cells: Sequence[Cell], reading: Reading, *where: str | int, names: Collection[str] = ()
 ) -> tuple[Expression, ...] | None:
     """Return what a row of cells means in the joint variables of a student's answer.
 
     Other names than the exercise's own may stand in it, if `names` holds them; faults go to the reading.
     """
-    read = read_functions(cells, reading.joint_types, reading.angle_unit, (part, *where))
+    read = read_functions(cells, reading.joint_types, reading.angle_unit, where)
     found = [entry for entry in read if not isinstance(entry, Fault)]
     reading.faults.extend(entry for entry in read if isinstance(entry, Fault))
     if len(found) < len(cells):
         return None
     own = [
-        reading.own_names(entry.expression, (part, *where, k), names, entry.idle)
-        for k, entry in enumerate(found)
+        reading.own_names(entry.expression, (*where, k), names, entry.idle) for k, entry in enumerate(found)
     ]
     row = tuple(entry for entry in own if entry is not None)
     return row if len(row) == len(own) else None
 
 
-def read_numbers(cells: CellMatrix, reading: Reading, part: str, *where: str) -> NDArray[np.float64] | None:
+def read_numbers(cells: CellMatrix, reading: Reading, *where: str) -> NDArray[np.float64] | None:
     """Return (4, 4) the values of cells that hold numbers and dimensions but no joint variables.
 
-    Lengths are in the student's unit; faults are kept in the reading, at `where` inside the part.
+    Lengths are in the student's unit; faults are kept in the reading, at `where`.
     """
-    matrix = reading.keep(part, lambda: read_matrix(cells, (), reading.angle_unit, where))
+    matrix = reading.keep(lambda: read_matrix(cells, (), reading.angle_unit, where))
     if matrix is None:
         return None
-    known = _in_known_names(matrix, reading, part, *where)
+    known = _in_known_names(matrix, reading, *where)
     if known is None:
         return None
     numbers = known.at(reading.values, ())
     for r, c in np.argwhere(~np.isfinite(numbers)).tolist():
-        reading.fault("value_not_real", part, *where, r, c)
+        reading.fault("value_not_real", *where, r, c)
     return numbers
 
 
-def _in_known_names(
-    matrix: SymbolicMatrix, reading: Reading, part: str, *where: str | int
-) -> SymbolicMatrix | None:
+def _in_known_names(matrix: SymbolicMatrix, reading: Reading, *where: str | int) -> SymbolicMatrix | None:
     """Return a matrix in the exercise's own names; None if it holds one that means nothing there."""
     if matrix.names() <= reading.instance.exercise.reference.parameters.keys() and not matrix.idle:
         return matrix  # with what is known of it: it is read once for all who write the same
     rows: list[tuple[Expression, ...]] = []
     for r, row in enumerate(matrix.entries):
         own = [
-            reading.own_names(entry, (part, *where, r, c), idle=matrix.idle.get((r, c), ()))
+            reading.own_names(entry, (*where, r, c), idle=matrix.idle.get((r, c), ()))
             for c, entry in enumerate(row)
         ]
         rows.append(tuple(entry for entry in own if entry is not None))

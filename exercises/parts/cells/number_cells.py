@@ -56,16 +56,15 @@ def read_numbers_of(
     cells: Sequence[Cell],
     position: Position | Sequence[Position],
     reading: Reading,
-    part: str,
     *where: str | int,
 ) -> tuple[float, ...] | None:
-    """Return the values of some cells, or None; faults are kept in the reading, at `where` in the part.
+    """Return the values of some cells, or None; faults are kept in the reading, at `where`.
 
     The position is what stands in them, or in each of them.
     """
     positions = [position] * len(cells) if isinstance(position, Position) else position
     found = [
-        reading.keep(part, partial(number_of, cell, meant, reading.instance, (*where, k)))
+        reading.keep(partial(number_of, cell, meant, reading.instance, (*where, k)))
         for k, (cell, meant) in enumerate(zip(cells, positions, strict=True))
     ]
     values = tuple(value for value in found if value is not None)

@@ -60,15 +60,15 @@ def lengths_in_frame(origin: Sequence[float], directions: Iterable[Sequence[floa
     return found
 
 
-def read_vector(cells: Sequence[Cell], reading: Reading, part: str, *where: str | int) -> Vector | None:
+def read_vector(cells: Sequence[Cell], reading: Reading, *where: str | int) -> Vector | None:
     """Return a point or a direction that was typed as three cells, or None; faults go to the reading.
 
     Where the last name of their place is no origin, they are a direction.
     """
-    numbers = read_numbers_of(cells, Position.LENGTH, reading, part, *where)
+    numbers = read_numbers_of(cells, Position.LENGTH, reading, *where)
     if numbers is None:
         return None
     check = read_point if str(where[-1]).endswith("origin") else read_direction
-    check(numbers, (part, *where), reading.faults)
+    check(numbers, where, reading.faults)
     x, y, z = numbers
     return x, y, z

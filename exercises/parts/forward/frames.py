@@ -101,16 +101,15 @@ class FramesPart(PartType[Part, FramesCells, ByName[FramesAnswer]]):
 
     def _read(self, raw: FramesCells, reading: Reading) -> FramesAnswer | None:
         n = reading.instance.exercise.reference.table.n_joints
-        before = len(reading.faults)
         if len(raw.frames) != n + 1:
-            reading.fault("frames_count", self.kind, "frames", expected=n + 1, given=len(raw.frames))
+            reading.fault("frames_count", "frames", expected=n + 1, given=len(raw.frames))
         rule = reading.instance.exercise.policy.convention
         if rule is not ConventionRule.ANY and rule.value != raw.convention.value:
-            reading.fault("convention_not_asked", self.kind, "convention", asked=rule.value)
+            reading.fault("convention_not_asked", "convention", asked=rule.value)
         frames = tuple(
             None if frame is None else _read_frame(frame, reading, i) for i, frame in enumerate(raw.frames)
         )
-        if len(reading.faults) > before:
+        if reading.faults:
             return None
         return FramesAnswer(convention=raw.convention, frames=frames)
 
@@ -190,7 +189,7 @@ def _lengths(answer: FramesAnswer) -> list[float]:
 
 
 def _read_frame(frame: FrameCells, reading: Reading, i: int) -> ChosenFrame:
-    place = FramesPart.kind, "frames", i
+    place = "frames", i
     return ChosenFrame(**{name: read_vector(getattr(frame, name), reading, *place, name) for name in PARTS})
 
 

@@ -1,7 +1,5 @@
 """The link matrices {}^{i-1}T_i: each is judged by the student's own row; a wrong row is marked once."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Sequence
 from random import Random
@@ -100,13 +98,12 @@ class LinkMatricesPart(PartType[Part, Sequence[CellMatrix | None], tuple[Symboli
         """Return the matrices; without a table none may be missing."""
         table = reading.raw.get(TABLE)
         if table is not None and len(raw) != len(table.rows):
-            reading.fault("link_matrices_count", self.kind, expected=len(table.rows), given=len(raw))
+            reading.fault("link_matrices_count", expected=len(table.rows), given=len(raw))
         elif table is None and (not raw or any(matrix is None for matrix in raw)):
-            reading.fault("link_matrices_need_table", self.kind)
+            reading.fault("link_matrices_need_table")
         elif table is None or reading.table is not None:
             return tuple(
-                None if cells is None else read_known_matrix(cells, reading, self.kind, i)
-                for i, cells in enumerate(raw)
+                None if cells is None else read_known_matrix(cells, reading, i) for i, cells in enumerate(raw)
             )
         return None
 

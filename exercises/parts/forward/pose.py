@@ -5,8 +5,6 @@ both), so the pose is the one of the student's own table. It earns its marks if 
 right or wrong.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
@@ -138,8 +136,8 @@ class PosePartType(PartType[PosePart, CellMatrix, Matrices]):
         """Return (4, 4) numbers, lengths in the student's unit."""
         fixed = policy_fixes_pose(reading.instance.exercise.policy)
         if not fixed and reading.raw.get(TABLE) is None and reading.raw.get("transform") is None:
-            reading.fault("pose_needs_table", self.kind)
-        return read_numbers(raw, reading, self.kind)
+            reading.fault("pose_needs_table")
+        return read_numbers(raw, reading)
 
     def grade(self, part: PosePart, answer: Matrices, context: Context) -> PartReport:
         """Judge a pose: its rotation and its position count half each."""

@@ -197,9 +197,8 @@ class SchematicPart(PartType[Part, Schematic, Schematic]):
 
     def read(self, raw: Schematic, reading: Reading) -> Schematic | None:
         """Return the structure, if its counts fit."""
-        faults = schematic_faults(raw)
-        reading.faults.extend(fault.within(self.kind) for fault in faults)
-        return None if faults else raw
+        reading.faults.extend(schematic_faults(raw))
+        return None if reading.faults else raw
 
     def grade(self, part: Part, answer: Schematic, context: Context) -> PartReport:
         """Judge each joint's type and each relation, less what turns about one axis have right."""

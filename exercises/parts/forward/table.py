@@ -30,8 +30,8 @@ class DHTablePart(PartType[Part, RawTable, ReadTable]):
 
     def read(self, raw: RawTable, reading: Reading) -> ReadTable | None:
         """Return the table in exact expressions and in the exercise's own names."""
-        read = reading.keep(self.kind, lambda: read_table(raw, reading.limits))
-        return None if read is None else reading.own_table(self.kind, read)
+        read = reading.keep(lambda: read_table(raw, reading.limits))
+        return None if read is None else reading.own_table(read)
 
     def grade(self, part: Part, answer: ReadTable, context: Context) -> PartReport:
         """Return the verdict's score; what there is to tell stands in the verdict."""

@@ -1,7 +1,5 @@
 """⁰T_N in closed form: right if it follows from the student's own table, or is the robot's by itself."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from functools import reduce
 from itertools import accumulate
@@ -106,7 +104,7 @@ class TransformPart(PartType[Part, CellMatrix, SymbolicMatrix]):
 
     def read(self, raw: CellMatrix, reading: Reading) -> SymbolicMatrix | None:
         """Return the matrix in expressions."""
-        return read_known_matrix(raw, reading, self.kind)
+        return read_known_matrix(raw, reading)
 
     def grade(self, part: Part, answer: SymbolicMatrix, context: Context) -> PartReport:
         """Judge by the student's own table, then as the robot's; rotation and position count half."""

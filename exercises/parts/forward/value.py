@@ -5,8 +5,6 @@ are exact differences, and they are the joint screws: S_i = ∂T/∂q_i · T⁻�
 compared with T itself, then with the robot as any table's would be (`kinematics.equivalence`).
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace

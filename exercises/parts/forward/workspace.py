@@ -1,7 +1,5 @@
 """The radii of the workspace: how near and how far a point of the last link can be brought."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
@@ -167,8 +165,7 @@ class WorkspacePartType(PartType[WorkspacePart, RadiiCells, ByName[Reach]]):
 
     def _read(self, raw: RadiiCells, reading: Reading) -> Reach | None:
         inner, outer = (
-            reading.keep(self.kind, partial(_radius, getattr(raw, name), name, reading))
-            for name in ("inner", "outer")
+            reading.keep(partial(_radius, getattr(raw, name), name, reading)) for name in ("inner", "outer")
         )
         return None if inner is None or outer is None else Reach(inner=inner, outer=outer)
 

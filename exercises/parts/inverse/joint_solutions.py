@@ -135,21 +135,18 @@ class InverseKinematicsType(PartType[InverseKinematicsPart, JointAnswerCells, Jo
 
     def read(self, raw: JointAnswerCells, reading: Reading) -> JointAnswer | None:
         """Return the rows in [rad] and in the exercise's length unit."""
-        before = len(reading.faults)
         types = reading.instance.exercise.reference.table.joint_types
         positions = [Position.LENGTH if kind is JointType.PRISMATIC else Position.ANGLE for kind in types]
         rows, combinations = [], []
         for i, row in enumerate(raw.solutions):
-            if reading.is_row_of(len(types), row, self.kind, "solutions", i):
-                place = "solutions", i
-                rows.append(read_numbers_of(row, positions, reading, self.kind, *place) or ())
+            if reading.is_row_of(len(types), row, "solutions", i):
+                rows.append(read_numbers_of(row, positions, reading, "solutions", i) or ())
         for i, row in enumerate(raw.combinations):
-            if reading.is_row_of(len(types), row, self.kind, "combinations", i):
-                place = "combinations", i
-                combinations.append(read_numbers_of(row, Position.RATIO, reading, self.kind, *place) or ())
+            if reading.is_row_of(len(types), row, "combinations", i):
+                combinations.append(read_numbers_of(row, Position.RATIO, reading, "combinations", i) or ())
         if raw.claim in (JointClaim.FINITE, JointClaim.INFINITE) and not raw.solutions:
-            reading.fault("joint_rows_empty", self.kind, "solutions")
-        if len(reading.faults) > before:
+            reading.fault("joint_rows_empty", "solutions")
+        if reading.faults:
             return None
         return JointAnswer(claim=raw.claim, rows=tuple(rows), combinations=tuple(combinations))
 

@@ -96,7 +96,7 @@ class FindMistakeType(MistakeType[MistakePart, FoundMistakeCells, FoundMistake])
         row = self.number(raw.row, "row", range(1, count + 1), reading, "row_unknown")
         given = None if raw.mended is None or all(cell == "" for cell in raw.mended) else raw.mended
         if raw.row in (None, "") and given is not None:
-            reading.fault("row_unknown", self.kind, "row", count=count)
+            reading.fault("row_unknown", "row", count=count)
         name = self.known_name(raw.name, reading, PLANTABLE)
         if reading.faults:
             return None
@@ -156,11 +156,10 @@ def _mended(
     typed: dict[str, Any] = dict(zip(names, cells, strict=True))
     changed = replace(raw.rows[row], joint=None, **typed)
     whole: RawTable = replace(raw, rows=(*raw.rows[:row], changed, *raw.rows[row + 1 :]))
-    before = len(reading.faults)
-    found = reading.keep(FindMistakeType.kind, lambda: read_table(whole, reading.limits))
-    own = None if found is None else reading.own_table(FindMistakeType.kind, found)
-    placed = [_placed(fault, names) for fault in reading.faults[before:]]
-    reading.faults[before:] = sorted(placed, key=lambda fault: [str(step) for step in fault.where])
+    found = reading.keep(lambda: read_table(whole, reading.limits))
+    own = None if found is None else reading.own_table(found)
+    placed = [_placed(fault, names) for fault in reading.faults]
+    reading.faults[:] = sorted(placed, key=lambda fault: [str(step) for step in fault.where])
     return own
 
 
@@ -205,7 +204,7 @@ def _placed(fault: Fault, names: list[str]) -> Fault:
     """Return a fault of a table's cell as one of the mended row."""
     cell = fault.where[-1] if fault.where else ""
     column = (names.index(str(cell)),) if cell in names else ()
-    return replace(fault, where=(FindMistakeType.kind, "mended", *column))
+    return replace(fault, where=("mended", *column))
 
 
 PART = FindMistakeType()

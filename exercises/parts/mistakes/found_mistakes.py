@@ -104,7 +104,7 @@ class MistakeType(PartType[M, Raw, Read]):
         """Return whether none of the fields holds anything; if so, keep a fault."""
         empty = all(is_blank(getattr(raw, field.name)) for field in fields(self.raw))
         if empty:
-            reading.fault("mistake_empty", self.kind)
+            reading.fault("mistake_empty")
         return empty
 
     def name_field(self, mistakes: Collection[str]) -> FormField:
@@ -115,7 +115,7 @@ class MistakeType(PartType[M, Raw, Read]):
         """Return the name of a mistake as it was given; one that is not in the catalogue is a fault."""
         if given and given not in known:
             params = {"name": given, "known": ", ".join(known)}
-            reading.fault("misconception_unknown", self.kind, self.fields[1], **params)
+            reading.fault("misconception_unknown", self.fields[1], **params)
         return given or None
 
     def number(
@@ -128,7 +128,7 @@ class MistakeType(PartType[M, Raw, Read]):
         number = int(digits) if digits.isascii() and digits.isdecimal() and len(digits) < 4 else -1
         if number in within:
             return number
-        reading.fault(code, self.kind, field, count=within[-1], **params)
+        reading.fault(code, field, count=within[-1], **params)
         return None
 
     def report(self, part: M, place: FoundStep, name: FoundStep, mended: FoundStep) -> PartReport:

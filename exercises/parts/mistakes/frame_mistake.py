@@ -142,15 +142,14 @@ class FrameMistakeType(MistakeType[MistakePart, FoundFrameMistakeCells, ByName[F
         return read_by_name(raw, reading, self._read, _lengths)
 
     def _read(self, raw: FoundFrameMistakeCells, reading: Reading) -> FoundFrameMistake | None:
-        before = len(reading.faults)
         last = len(key_frames(reading.instance)) - 1
         shown = str(raw.wrong_frame)[:20]
         frames = range(last + 1)
         frame = self.number(raw.wrong_frame, "wrong_frame", frames, reading, "frame_unknown", given=shown)
         mistake = self.known_name(raw.mistake, reading, FRAME_MISTAKES)
         cells = {name: getattr(raw, name) for name in MENDED if not is_blank(getattr(raw, name))}
-        vectors = [read_vector(typed, reading, self.kind, name) for name, typed in cells.items()]
-        if len(reading.faults) > before:
+        vectors = [read_vector(typed, reading, name) for name, typed in cells.items()]
+        if reading.faults:
             return None
         given = [vector for vector in vectors if vector is not None]
         mended = DrawnFrame(*given) if len(given) == len(MENDED) else None

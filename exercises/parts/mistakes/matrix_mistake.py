@@ -138,14 +138,13 @@ class MatrixMistakeType(MistakeType[MatrixMistakePart, FoundMatrixMistakeCells, 
         """Return the answer with the mended matrix."""
         if self.is_empty(raw, reading):
             return None
-        before = len(reading.faults)
         row = self.number(raw.cell_row, "cell_row", range(1, 4), reading, "row_unknown")
         column = self.number(raw.cell_column, "cell_column", range(1, 5), reading, "column_unknown")
         mistake = self.known_name(raw.mistake, reading, sorted(self.catalogue))
         mended = None
         if raw.mended_matrix is not None and any(cell != "" for cells in raw.mended_matrix for cell in cells):
-            mended = read_known_matrix(raw.mended_matrix, reading, self.kind, "mended_matrix")
-        if len(reading.faults) > before:
+            mended = read_known_matrix(raw.mended_matrix, reading, "mended_matrix")
+        if reading.faults:
             return None
         cell = None if row is None or column is None else (row - 1, column - 1)
         return FoundMatrixMistake(cell=cell, mistake=mistake, mended=mended)

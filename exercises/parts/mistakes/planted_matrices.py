@@ -4,8 +4,6 @@ The matrix of a row, or ⁰T_N, of a given table is one function of the joint va
 it is known entry by entry. A mistake may be called by every name whose doing gives the matrix that is shown.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from enum import StrEnum

@@ -5,8 +5,6 @@ angles holds whatever full turns they differ by: lhs ≡ rhs means sin((lhs - rh
 its right sin(N(lhs - rhs)/2) = 0.
 """
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace

@@ -4,8 +4,6 @@ The robot's table is given, with names and values for what its links weigh. Ever
 right; whether Ṁ − 2C is skew-symmetric is asked for separately (`kinematics.answers.dynamics_answers`).
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 from enum import StrEnum
@@ -180,7 +178,7 @@ class MotionType(PartType[MotionPart, MotionCells, EquationsAnswer]):
         """Return the functions."""
         part = reading.instance.exercise.part(self.kind)
         assert isinstance(part, MotionPart)
-        return read_motion(raw, reading, self.kind, {weight.name for weight in part.weights})
+        return read_motion(raw, reading, {weight.name for weight in part.weights})
 
     def grade(self, part: MotionPart, answer: EquationsAnswer, context: Context) -> PartReport:
         """Judge M entry by entry, C q̇ and g row by row; what is asked counts the same.

@@ -146,19 +146,18 @@ def answer_fields(ask: tuple[JacobianAsk, ...], exercise: Exercise) -> tuple[For
     return tuple(fields)
 
 
-def is_well_shaped(raw: JacobianCells, reading: Reading, kind: str) -> bool:
+def is_well_shaped(raw: JacobianCells, reading: Reading) -> bool:
     """Keep a fault for each row without an entry for every joint, and for what is missing altogether."""
-    before = len(reading.faults)
     n = len(reading.joint_types)
     for i, row in enumerate(raw.jacobian or ()):
-        reading.is_row_of(n, row, kind, "jacobian", i)
+        reading.is_row_of(n, row, "jacobian", i)
     if raw.forces is not None:
-        reading.is_row_of(n, raw.forces, kind, "forces")
+        reading.is_row_of(n, raw.forces, "forces")
     if raw.jacobian is not None and raw.order is None:
-        reading.fault("row_order_missing", kind, "order")
+        reading.fault("row_order_missing", "order")
     if raw.jacobian is None and raw.forces is None:
-        reading.fault("jacobian_empty", kind)
-    return len(reading.faults) == before
+        reading.fault("jacobian_empty")
+    return not reading.faults
 
 
 Terms = TypeVar("Terms", bound=JacobianTerms)

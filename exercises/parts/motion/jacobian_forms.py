@@ -4,8 +4,6 @@ Beside a table they are those of the student's own table, in its own joint varia
 they follow from it; alone they are those of the key, which is then given.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
@@ -127,21 +125,20 @@ class JacobianFormType(JacobianType[JacobianFormPart, JacobianForm]):
 
     def read(self, raw: JacobianCells, reading: Reading) -> JacobianForm | None:
         """Return the functions, linear rows first."""
-        if not is_well_shaped(raw, reading, self.kind):
+        if not is_well_shaped(raw, reading):
             return None
-        before = len(reading.faults)
-        read = [read_row(row, reading, self.kind, "jacobian", i) for i, row in enumerate(raw.jacobian or ())]
+        read = [read_row(row, reading, "jacobian", i) for i, row in enumerate(raw.jacobian or ())]
         forces = None
         if raw.forces is not None:
-            forces = read_row(raw.forces, reading, self.kind, "forces", names=COMPONENTS)
-        if len(reading.faults) > before:
+            forces = read_row(raw.forces, reading, "forces", names=COMPONENTS)
+        if reading.faults:
             return None
         jacobian = tuple(row for row in read if row is not None)
         typed = in_turn.from_iterable((*(raw.jacobian or ()), raw.forces or ()))
         meant = in_turn.from_iterable((*jacobian, forces or ()))
 
         def read_again(texts: Sequence[str]) -> tuple[Expression, ...] | None:
-            return read_row(texts, replace(reading, faults=[]), self.kind, names=COMPONENTS)
+            return read_row(texts, replace(reading, faults=[]), names=COMPONENTS)
 
         rounded = roundings(zip(typed, meant, strict=True), COMPONENTS, read_again)
         if raw.order is ScrewOrder.ANGULAR_FIRST:

@@ -5,8 +5,6 @@ their marks if they follow from it; alone they are those of the key, which is th
 exercise's unit, as the task says; those of an answer beside a table in another unit may be in that one.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
@@ -152,17 +150,16 @@ class JacobianPartType(JacobianType[JacobianPart, JacobianNumbers]):
 
     def read(self, raw: JacobianCells, reading: Reading) -> JacobianNumbers | None:
         """Return the matrix, linear rows first, and the forces."""
-        if not is_well_shaped(raw, reading, self.kind):
+        if not is_well_shaped(raw, reading):
             return None
-        before = len(reading.faults)
         rows = [
-            read_numbers_of(row, Position.LENGTH, reading, self.kind, "jacobian", i)
+            read_numbers_of(row, Position.LENGTH, reading, "jacobian", i)
             for i, row in enumerate(raw.jacobian or ())
         ]
         forces = None
         if raw.forces is not None:
-            forces = read_numbers_of(raw.forces, Position.LENGTH, reading, self.kind, "forces")
-        if len(reading.faults) > before:
+            forces = read_numbers_of(raw.forces, Position.LENGTH, reading, "forces")
+        if reading.faults:
             return None
         jacobian = np.array(rows, dtype=np.float64) if rows else None
         if jacobian is not None and raw.order is ScrewOrder.ANGULAR_FIRST:

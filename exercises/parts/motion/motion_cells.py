@@ -1,7 +1,5 @@
 """The equations of motion as they are typed, and the functions that they mean."""
 
-from __future__ import annotations
-
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 from typing import Annotated, Any
@@ -35,11 +33,8 @@ class MotionCells:
     gravity: CellRow | None = None
 
 
-def read_motion(
-    raw: MotionCells, reading: Reading, kind: str, weights: Collection[str]
-) -> EquationsAnswer | None:
+def read_motion(raw: MotionCells, reading: Reading, weights: Collection[str]) -> EquationsAnswer | None:
     """Return the functions that were typed; faults are kept in the reading."""
-    before = len(reading.faults)
     n = len(reading.joint_types)
     rates = {rate_name(i) for i in range(1, n + 1)}
     names = {*weights, *rates}
@@ -52,22 +47,22 @@ def read_motion(
         is_matrix = field in ("mass", "coriolis")
         rows = given if is_matrix else (given,)
         if is_matrix and len(rows) != n:
-            reading.fault("motion_row_count", kind, field, expected=n, given=len(rows))
+            reading.fault("motion_row_count", field, expected=n, given=len(rows))
             continue
         read = []
         for i, row in enumerate(rows):
             place = (field, i) if is_matrix else (field,)
-            if reading.is_row_of(n, row, kind, *place):
-                entries = read_row(row, reading, kind, *place, names=names)
+            if reading.is_row_of(n, row, *place):
+                entries = read_row(row, reading, *place, names=names)
                 read.append(entries)
                 cells += zip(row, entries or (), strict=False)
         found[field] = tuple(read) if is_matrix else read[0] if read else None
-    if not found and len(reading.faults) == before:
-        reading.fault("motion_empty", kind)
-    if len(reading.faults) > before:
+    if not found and not reading.faults:
+        reading.fault("motion_empty")
+    if reading.faults:
         return None
 
     def read_again(texts: Sequence[str]) -> tuple[Expression, ...] | None:
-        return read_row(texts, replace(reading, faults=[]), kind, names=names)
+        return read_row(texts, replace(reading, faults=[]), names=names)
 
     return EquationsAnswer(**found, rounded=roundings(cells, rates, read_again))

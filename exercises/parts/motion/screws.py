@@ -90,16 +90,14 @@ class ScrewsPart(PartType[Part, ScrewsCells, ByName[ScrewAnswer]]):
         return read_by_name(raw, reading, self._read, _lengths)
 
     def _read(self, raw: ScrewsCells, reading: Reading) -> ScrewAnswer | None:
-        before = len(reading.faults)
         n = reading.instance.exercise.reference.table.n_joints
         if len(raw.screws) != n:
-            reading.fault("screw_count", self.kind, "screws", expected=n, given=len(raw.screws))
+            reading.fault("screw_count", "screws", expected=n, given=len(raw.screws))
         rows = [
-            read_numbers_of(row, Position.LENGTH, reading, self.kind, "screws", i)
-            for i, row in enumerate(raw.screws)
+            read_numbers_of(row, Position.LENGTH, reading, "screws", i) for i, row in enumerate(raw.screws)
         ]
-        home = read_numbers(raw.home, reading, self.kind, "home")
-        if len(reading.faults) > before or home is None:
+        home = read_numbers(raw.home, reading, "home")
+        if reading.faults or home is None:
             return None
         screws = np.array(rows, dtype=np.float64)
         if raw.order is ScrewOrder.ANGULAR_FIRST:

@@ -124,7 +124,7 @@ class SingularitiesType(PartType[SingularitiesPart, SingularityCells, Singularit
         """Return the functions that vanish, row by row, and the motion."""
         part = reading.instance.exercise.part(self.kind)
         assert isinstance(part, SingularitiesPart)
-        return read_singularities(raw, reading, self.kind, len(_labels(part)))
+        return read_singularities(raw, reading, len(_labels(part)))
 
     def grade(self, part: SingularitiesPart, answer: SingularityAnswer, context: Context) -> PartReport:
         """Judge the conditions as a set; the lost motion counts a quarter, if it is asked."""

@@ -44,18 +44,15 @@ class SingularityAnswer:
     rounded: Rounded = field(default_factory=dict)
 
 
-def read_singularities(
-    raw: SingularityCells, reading: Reading, kind: str, count: int
-) -> SingularityAnswer | None:
+def read_singularities(raw: SingularityCells, reading: Reading, count: int) -> SingularityAnswer | None:
     """Return the functions that vanish, row by row, and the motion; faults are kept in the reading."""
-    before = len(reading.faults)
     exercise = reading.instance.exercise
     types = exercise.reference.table.joint_types
     again = replace(reading, faults=[])
     rows: list[tuple[Expression, ...]] = []
     rounded: dict[Expression, tuple[Expression, ...]] = {}
     for i, (cell,) in enumerate(raw.conditions or ()):
-        where = (kind, "conditions", i, 0)
+        where = ("conditions", i, 0)
         found = read_conditions(cell, types, exercise.angle_unit, where)
         read = [entry for entry in found if not isinstance(entry, Fault)]
         reading.faults.extend(entry for entry in found if isinstance(entry, Fault))
@@ -66,11 +63,11 @@ def read_singularities(
             if function is not None and near:
                 rounded[function] = tuple(other for other in near if other is not None)
     lost = None
-    if raw.lost is not None and reading.is_row_of(count, raw.lost, kind, "lost", code="vector_length"):
-        lost = read_numbers_of(raw.lost, Position.LENGTH, reading, kind, "lost")
+    if raw.lost is not None and reading.is_row_of(count, raw.lost, "lost", code="vector_length"):
+        lost = read_numbers_of(raw.lost, Position.LENGTH, reading, "lost")
     if raw.conditions is None and raw.lost is None:
-        reading.fault("conditions_empty", kind)
-    if len(reading.faults) > before:
+        reading.fault("conditions_empty")
+    if reading.faults:
         return None
     conditions = tuple(rows) if raw.conditions is not None else None
     return SingularityAnswer(conditions=conditions, lost=lost, rounded=rounded)

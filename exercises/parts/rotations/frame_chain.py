@@ -144,7 +144,7 @@ class FrameChainType(PartType[FrameChainPart, FrameChainCells, ByName[Matrices]]
         return read_by_name(raw, reading, self._read, lambda pose: pose[:3, 3].tolist())
 
     def _read(self, raw: FrameChainCells, reading: Reading) -> Matrices | None:
-        return read_numbers(raw.pose, reading, self.kind, "pose")
+        return read_numbers(raw.pose, reading, "pose")
 
     def grade(self, part: FrameChainPart, answer: ByName[Matrices], context: Context) -> PartReport:
         """Judge a pose at the student's lengths and, if it is right there and in names, at others."""

@@ -146,7 +146,7 @@ class OrientationPartType(PartType[OrientationPart, OrientationCells, Orientatio
 
     def read(self, raw: OrientationCells, reading: Reading) -> OrientationAnswer | None:
         """Return the notations in numbers."""
-        return read_orientation(raw, reading, self.kind)
+        return read_orientation(raw, reading)
 
     def grade(self, part: OrientationPart, answer: OrientationAnswer, context: Context) -> PartReport:
         """Judge notation by notation; each counts the same."""

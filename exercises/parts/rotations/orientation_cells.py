@@ -1,7 +1,5 @@
 """An orientation as it is handed in: the notations, the cells as typed, and what they mean."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from enum import StrEnum
@@ -74,19 +72,18 @@ class OrientationAnswer:
     family: GimbalFamily | None = None
 
 
-def read_orientation(raw: OrientationCells, reading: Reading, kind: str) -> OrientationAnswer | None:
+def read_orientation(raw: OrientationCells, reading: Reading) -> OrientationAnswer | None:
     """Return the notations in numbers; faults are kept in the reading."""
-    before = len(reading.faults)
 
     def numbers(
         cells: tuple[Cell, ...] | None, position: Position, *where: str | int
     ) -> tuple[float, ...] | None:
-        return None if cells is None else read_numbers_of(cells, position, reading, kind, *where)
+        return None if cells is None else read_numbers_of(cells, position, reading, *where)
 
     def one(cell: Cell | None, position: Position, name: str) -> float | None:
         if cell is None:
             return None
-        return reading.keep(kind, partial(number_of, cell, position, reading.instance, (name,)))
+        return reading.keep(partial(number_of, cell, position, reading.instance, (name,)))
 
     rows = [numbers(row, Position.RATIO, "matrix", i) for i, row in enumerate(raw.matrix or ())]
     triples = [numbers(row, Position.ANGLE, "angles", i) for i, row in enumerate(raw.angles or ())]
@@ -102,14 +99,14 @@ def read_orientation(raw: OrientationCells, reading: Reading, kind: str) -> Orie
     if middle is not None and value is not None and raw.combination is not None:
         answer = replace(answer, family=GimbalFamily(middle=middle, combination=raw.combination, value=value))
     if raw.quaternion is not None and raw.component_order is None:
-        reading.fault("component_order_missing", kind, "component_order")
+        reading.fault("component_order_missing", "component_order")
     if (raw.axis is None) != (raw.angle is None):
-        reading.fault("axis_and_angle", kind, "angle" if raw.angle is None else "axis")
+        reading.fault("axis_and_angle", "angle" if raw.angle is None else "axis")
     if len({raw.middle is None, raw.value is None, raw.combination is None}) > 1:
-        reading.fault("family_incomplete", kind, "combination")
-    if len(reading.faults) == before and answer == OrientationAnswer(component_order=raw.component_order):
-        reading.fault("orientation_empty", kind)
-    return answer if len(reading.faults) == before else None
+        reading.fault("family_incomplete", "combination")
+    if not reading.faults and answer == OrientationAnswer(component_order=raw.component_order):
+        reading.fault("orientation_empty")
+    return None if reading.faults else answer
 
 
 def rounded(values: Sequence[float]) -> tuple[float, ...]:

@@ -76,7 +76,7 @@ class Student:
 
     def judged(self, raw: FoundMatrixMistakeCells) -> PartReport:
         """Return what is said of an answer."""
-        reading = Reading(instance=self.instance, raw=RawAnswer(), table=None, limits=CELL_LIMITS, faults=[])
+        reading = Reading(instance=self.instance, raw=RawAnswer(), table=None, limits=CELL_LIMITS)
         answer = PART.read(raw, reading)
         assert answer is not None, (raw, reading.faults)
         return PART.grade(self.part, answer, self.context)

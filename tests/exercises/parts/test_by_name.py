@@ -193,7 +193,7 @@ SCREW = ScrewsCells(
 )
 def test_only_an_answer_that_may_hold_names_is_read_at_other_lengths(raw: Any, times: int) -> None:
     instance = generate(exercise("scara"), "ana")
-    here = Reading(instance=instance, raw=RawAnswer(), table=None, limits=CELL_LIMITS, faults=[])
+    here = Reading(instance=instance, raw=RawAnswer(), table=None, limits=CELL_LIMITS)
     lengths: list[float] = []
 
     def read(_: Any, at: Reading) -> list[float]:

@@ -40,7 +40,7 @@ def context(exercise_id: str, seed: int) -> tuple[MistakePart, Context]:
 
 def judged(part: MistakePart, known: Context, raw: FoundFrameMistakeCells) -> PartReport:
     """What is said of an answer."""
-    reading = Reading(instance=known.instance, raw=RawAnswer(), table=None, limits=CELL_LIMITS, faults=[])
+    reading = Reading(instance=known.instance, raw=RawAnswer(), table=None, limits=CELL_LIMITS)
     answer = PART.read(raw, reading)
     assert answer is not None, reading.faults
     return PART.grade(part, answer, known)
@@ -113,10 +113,10 @@ def test_what_cannot_be_read_is_refused_with_its_place(
     raw: FoundFrameMistakeCells, code: str, where: tuple[str | int, ...]
 ) -> None:
     _, known = context("scara-frame-mistake", 1)
-    reading = Reading(instance=known.instance, raw=RawAnswer(), table=None, limits=CELL_LIMITS, faults=[])
+    reading = Reading(instance=known.instance, raw=RawAnswer(), table=None, limits=CELL_LIMITS)
     assert PART.read(raw, reading) is None
     found: list[Fault] = reading.faults
-    assert [(fault.code, fault.where) for fault in found] == [(code, (PART.kind, *where))]
+    assert [(fault.code, fault.where) for fault in found] == [(code, where)]
 
 
 def test_mistakes_that_the_robot_cannot_show_are_refused() -> None:

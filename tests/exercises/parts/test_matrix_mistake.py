@@ -103,18 +103,18 @@ def test_students_get_different_matrices_and_each_the_same_again() -> None:
 @pytest.mark.parametrize(
     ("raw", "code", "where"),
     [
-        (FoundMatrixMistakeCells(cell_row=5), "row_unknown", ("matrix_mistake", "cell_row")),
-        (FoundMatrixMistakeCells(cell_column="x"), "column_unknown", ("matrix_mistake", "cell_column")),
-        (FoundMatrixMistakeCells(mistake="typo"), "misconception_unknown", ("matrix_mistake", "mistake")),
+        (FoundMatrixMistakeCells(cell_row=5), "row_unknown", ("cell_row",)),
+        (FoundMatrixMistakeCells(cell_column="x"), "column_unknown", ("cell_column",)),
+        (FoundMatrixMistakeCells(mistake="typo"), "misconception_unknown", ("mistake",)),
         (
             FoundMatrixMistakeCells(mended_matrix=(("1/0", 0, 0, 0), *((0, 0, 0, 0),) * 3)),
             "division_by_zero",
-            ("matrix_mistake", "mended_matrix", 0, 0),
+            ("mended_matrix", 0, 0),
         ),
         (
             FoundMatrixMistakeCells(mended_matrix=((0, 0, "zz", 0), *((0, 0, 0, 0),) * 3)),
             "name_unknown",
-            ("matrix_mistake", "mended_matrix", 0, 2),
+            ("mended_matrix", 0, 2),
         ),
     ],
 )
@@ -122,6 +122,6 @@ def test_what_cannot_be_read_is_refused_with_its_place(
     raw: FoundMatrixMistakeCells, code: str, where: tuple[str | int, ...]
 ) -> None:
     found = student("puma560-matrix-mistake", 1)
-    reading = Reading(instance=found.instance, raw=RawAnswer(), table=None, limits=CELL_LIMITS, faults=[])
+    reading = Reading(instance=found.instance, raw=RawAnswer(), table=None, limits=CELL_LIMITS)
     assert PART.read(raw, reading) is None
     assert [(fault.code, fault.where) for fault in reading.faults] == [(code, where)]
