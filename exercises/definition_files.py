@@ -40,8 +40,7 @@ def read_definition(files: Mapping[str, bytes]) -> Mapping[str, Any]:
         ValueError,
         RecursionError,
     ) as error:  # what is no TOML, no UTF-8, a number of endless digits, too deep
-        fault = Fault.at("exercise_file_not_toml", FILE, reason=str(error))
-        raise DefinitionError(fault) from error
+        raise DefinitionError(Fault.at("exercise_file_not_toml", FILE, reason=str(error))) from error
 
 
 def read_statements(files: Mapping[str, bytes]) -> Mapping[str, str]:

@@ -74,9 +74,8 @@ def figure_drawing(instance: Instance, note: str = "", frames: Sequence[DrawnFra
     """
     figure = instance.exercise.figure
     scene = true_scene(instance) if frames else _drawn_scene(instance)
-    shown = "" if scene.to_scale else note
     numbered = dict(enumerate(frames)) or prescribed_frames(instance, drawn_values(instance))
-    return draw_figure(scene, figure.view, figure.width, shown, numbered)
+    return draw_figure(scene, figure.view, figure.width, note="" if scene.to_scale else note, frames=numbered)
 
 
 def prescribed_frames(instance: Instance, values: Mapping[str, float]) -> dict[int, DrawnFrame]:

@@ -131,8 +131,7 @@ def _exercise(exercise_id: str, reader: Reader, statements: Mapping[str, str]) -
     misconceptions = tests.texts("misconceptions", default=())
     for i, code in enumerate(misconceptions):
         if code not in MISTAKES:
-            known = ", ".join(MISTAKES)
-            tests.fault("misconception_unknown", "misconceptions", i, name=code, known=known)
+            tests.fault("misconception_unknown", "misconceptions", i, name=code, known=", ".join(MISTAKES))
     samples = read_samples(tests, reference)
     tests.finish()
     reader.finish()

@@ -91,8 +91,7 @@ def fixed_row(screw: XScrew[Entry]) -> DHRow[Entry]:
 
 def screw_transform(screw: XScrew[float] | None) -> Transform:
     """Return the motion as a (4, 4) transform; the identity of None."""
-    motion = screw or XScrew(a=0.0, alpha=0.0)
-    return link_transform(fixed_row(motion), Convention.STANDARD)
+    return link_transform(fixed_row(screw or XScrew(a=0.0, alpha=0.0)), Convention.STANDARD)
 
 
 def _joined(first: XScrew[Entry], second: XScrew[Entry] | None) -> XScrew[Entry]:

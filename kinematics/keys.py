@@ -139,8 +139,7 @@ class KeyReader:
 
     def exact(self, key: str, default: Any = MISSING) -> Fraction:
         """Return a number, as it is written: 0.1 is a tenth."""
-        value = self.value(key, (int, float, Fraction), ValueKind.NUMBER, default)
-        return self._fraction(value, key)
+        return self._fraction(self.value(key, (int, float, Fraction), ValueKind.NUMBER, default), key)
 
     def exacts(self, key: str, default: Any = MISSING) -> tuple[Fraction, ...]:
         """Return a list of numbers, as they are written."""

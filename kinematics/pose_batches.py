@@ -45,8 +45,7 @@ def rpys_from_transforms(transforms: Floats) -> Floats:
     s = np.where(locked, 0.0, r[..., 1, 0] / safe)
     roll = _directions(s * r[..., 0, 2] - c * r[..., 1, 2], c * r[..., 1, 1] - s * r[..., 0, 1])
     pitch = np.arctan2(-r[..., 2, 0], level) + 0.0
-    yaw = np.where(locked, 0.0, _directions(r[..., 1, 0], r[..., 0, 0]))
-    return np.stack([roll, pitch, yaw], axis=-1)
+    return np.stack([roll, pitch, np.where(locked, 0.0, _directions(r[..., 1, 0], r[..., 0, 0]))], axis=-1)
 
 
 def axis_angles_from_transforms(transforms: Floats) -> tuple[Floats, Floats]:

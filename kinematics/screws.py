@@ -162,8 +162,7 @@ def exponential(screw: Screw, q: float) -> Transform:
     Source: Murray, Li, Sastry, eq. 2.36.
     """
     v, w = np.array(screw.linear) * q, np.array(screw.angular) * q
-    angle = math.hypot(*w.tolist())
-    first, second, third = _coefficients(angle)
+    first, second, third = _coefficients(math.hypot(*w.tolist()))
     W = skew(w)
     square = W @ W
     pose = np.eye(4)

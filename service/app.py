@@ -118,8 +118,7 @@ def create_app(settings: Settings | None = None) -> FastAPI:
     )
     app.state.resources = Resources(settings)
     app.state.endings = [app.state.resources.close]
-    found = [route for router in routers() for route in router.routes]
-    app.router.routes.extend(sorted(found, key=_rank))
+    app.router.routes.extend(sorted([route for router in routers() for route in router.routes], key=_rank))
     app.add_exception_handler(KinematicsError, _refuse)
     app.add_exception_handler(ServiceError, _refuse)
     app.add_exception_handler(RequestValidationError, _refuse_invalid)

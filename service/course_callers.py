@@ -56,8 +56,7 @@ def grader_of(request: ApiRequest) -> Grader:
 
 def json_response(body: Any, status: int = 200) -> Response:
     """Return a body that no cache keeps."""
-    headers = {"Cache-Control": "no-store"}
-    return Response(encoded(body), status_code=status, media_type=JSON, headers=headers)
+    return Response(encoded(body), status_code=status, media_type=JSON, headers={"Cache-Control": "no-store"})
 
 
 class Staff:

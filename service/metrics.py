@@ -85,8 +85,7 @@ class Metrics:
     def requested(self, method: str, route: str, status: int, seconds: float) -> None:
         """Count a request that is over; status 0 says that the caller went away before its answer."""
         self._asked = time.monotonic()
-        known = method if method in METHODS else UNMATCHED
-        self._requests.labels(known, route, str(status)).observe(seconds)
+        self._requests.labels(method if method in METHODS else UNMATCHED, route, str(status)).observe(seconds)
 
     def refused(self, code: str) -> None:
         """Count a refusal."""

@@ -124,13 +124,12 @@ def _to_send(row: Any) -> ScoreToSend:
 
 def delivered(store: Store, sent: ScoreToSend, now: datetime) -> None:
     """Note that the platform has taken a score; a newer one that came meanwhile is due at once."""
-    newer = _OUTBOX.c.revision > sent.revision
     values = {
         "sent_revision": sent.revision,
         "lease": None,
         "tries": 0,
         "problem": None,
-        "due": sa.case((newer, now), else_=None),
+        "due": sa.case((_OUTBOX.c.revision > sent.revision, now), else_=None),
     }
     _report(store, sent, values)
 

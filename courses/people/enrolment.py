@@ -55,8 +55,7 @@ def arrive(store: Store, arrival: Arrival, now: datetime) -> tuple[str, int]:
     )
     with store.writing() as connection:
         person_id = _person(connection, arrival, key, now)
-        course_id = _course(connection, arrival)
-        link_id = _link(connection, arrival, course_id)
+        link_id = _link(connection, arrival, _course(connection, arrival))
         took_part = {"link_id": link_id, "person_id": person_id}
         counted_as = Role.STAFF if arrival.is_test_user else arrival.role
         arrived = {**took_part, "role": counted_as.value, "began": now}

@@ -114,8 +114,7 @@ def add_deployment(store: Store, platform_id: int, deployment: str) -> None:
         own = sa.select(_PLATFORM.c.id).where(_PLATFORM.c.id == platform_id)
         if connection.execute(own.with_for_update()).first() is None:
             raise unknown_record("platform")
-        values = {"platform_id": platform_id, "deployment": deployment}
-        insert_once(connection, records.deployment, values)
+        insert_once(connection, records.deployment, {"platform_id": platform_id, "deployment": deployment})
 
 
 def set_status(store: Store, platform_id: int, status: PlatformStatus) -> None:

@@ -140,8 +140,7 @@ def _lines_about(key: str, course_id: int | None) -> list[sa.ColumnElement[bool]
 def _in_course(table: sa.Table, course_id: int | None) -> list[sa.ColumnElement[bool]]:
     if course_id is None:
         return []
-    links = sa.select(records.link.c.id).where(records.link.c.course_id == course_id)
-    return [table.c.link_id.in_(links)]
+    return [table.c.link_id.in_(sa.select(records.link.c.id).where(records.link.c.course_id == course_id))]
 
 
 def purge(store: Store, now: datetime, *, people: timedelta, log: timedelta) -> dict[str, int]:

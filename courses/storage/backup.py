@@ -50,8 +50,7 @@ def back_up(store: Store, file: Path) -> int:
 def _replaced(store: Store, file: Path) -> int:
     unfinished = file.with_name(file.name + ".part")
     try:
-        descriptor = os.open(unfinished, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600)
-        with os.fdopen(descriptor, "wb") as raw:
+        with os.fdopen(os.open(unfinished, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600), "wb") as raw:
             count = _compressed(store, raw)
             raw.flush()
             os.fsync(raw.fileno())

@@ -33,9 +33,8 @@ def change_settings(
     """
     with store.writing() as connection:
         if seen is not None:
-            own = sa.select(_LINK).where(_LINK.c.id == link_id)
             row = connection.execute(
-                own.with_for_update(key_share=True)
+                sa.select(_LINK).where(_LINK.c.id == link_id).with_for_update(key_share=True)
             ).one()  # attempts refer to it meanwhile
             if seen != version_of(stored(row.exercise_id, row.settings)):
                 raise OutdatedError(Fault.at("settings_changed"))

@@ -155,8 +155,7 @@ def _waiting(store: Store, run: int, last: int) -> list[Attempt]:
             grade = records.grade
             own_grade = of_student(grade, _ATTEMPT.c.link_id, _ATTEMPT.c.person_id)
             wanted = wanted.join(grade, own_grade & (grade.c.number == _ATTEMPT.c.number))
-        rows = connection.execute(wanted.order_by(_ATTEMPT.c.id).limit(BATCH))
-        return [attempt_of(row) for row in rows]
+        return [attempt_of(row) for row in connection.execute(wanted.order_by(_ATTEMPT.c.id).limit(BATCH))]
 
 
 def changes(store: Store, run: int) -> list[dict[str, Any]]:

@@ -72,8 +72,7 @@ def files_of_draft(draft: ExerciseDraft) -> dict[str, bytes]:
     try:
         files = {FILE: toml_text(draft.definition).encode()}
     except ValueError as error:
-        fault = Fault.at("exercise_file_not_toml", FILE, reason=str(error))
-        raise DefinitionError(fault) from error
+        raise DefinitionError(Fault.at("exercise_file_not_toml", FILE, reason=str(error))) from error
     for language in sorted(draft.statements):
         files[statement_file(language)] = f"{draft.statements[language].strip()}\n".encode()
     return files

@@ -68,8 +68,7 @@ def keys_of(path: Path) -> Reader:
         text = path.read_text(encoding=ENCODING)
         document = json.loads(text) if path.suffix == ".json" else tomllib.loads(text)
     except (OSError, ValueError, RecursionError) as error:
-        reason = getattr(error, "strerror", None) or str(error)
-        raise DefinitionError(_unreadable(path, reason)) from error
+        raise DefinitionError(_unreadable(path, getattr(error, "strerror", None) or str(error))) from error
     if not isinstance(document, dict):
         raise DefinitionError(_unreadable(path, "it holds no table of keys"))
     return Reader(document, (path.name,), [])

@@ -106,8 +106,7 @@ def _cells_of_lines(drawn: Array, offsets: Array, paper: PaperMap) -> Cells:
 
 def _cells_of_extensions(ends: Array, units: Array, paper: PaperMap) -> Cells:
     """(n, k) cells under both extension lines, for each direction and each of the distances."""
-    runs = ends[:, None, None, None] + units[:, None, None] * _EXTENSIONS[:, :, None]
-    cells = paper.cells(runs)
+    cells = paper.cells(ends[:, None, None, None] + units[:, None, None] * _EXTENSIONS[:, :, None])
     cells[:, :, 0] = paper.nowhere  # a line that was not moved has none
     return np.moveaxis(cells, 0, 2).reshape(len(units) * len(OFFSETS), -1)
 

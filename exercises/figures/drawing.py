@@ -193,8 +193,7 @@ class Drawing:
     def strokes(self, axes: Sequence[tuple[Array, Array]]) -> None:
         """Axes and links, the bodies over them, and whatever passes before a body once more."""
         dash: Style = {"stroke": "currentColor", "stroke_width": 1.3, "stroke_dasharray": "11 3.5 1 3.5"}
-        chains = [line(self.camera.project(chain)) for chain in self.links]
-        self.draw_links(chains, "round")
+        self.draw_links([line(self.camera.project(chain)) for chain in self.links], "round")
         for ends in axes:
             self.canvas.path(line(self.camera.project(np.array(ends))), "axis", **dash)
         for body in sorted(self.bodies, key=lambda body: float(body.centre @ self.camera.eye)):

@@ -114,8 +114,7 @@ class Points:
                 return plus(self.point(origin, *where, "from"), self._triple(by, *where, "by"))
             case PointAlongAxis(origin=origin, joint=joint, distance=distance):
                 if not 1 <= joint <= self.reference.n_joints:
-                    n = self.reference.n_joints
-                    self.fault("unknown_joint", (*where, "joint"), joint=joint, last=n)
+                    self.fault("unknown_joint", (*where, "joint"), joint=joint, last=self.reference.n_joints)
                     return ORIGIN
                 length = self.number(distance, *where, "distance")
                 return along(self.point(origin, *where, "from"), length, z_axis(self.axis_pose(joint)))

@@ -257,9 +257,9 @@ class PartType(ABC, Generic[P, Raw, Read]):
         """Return what is drawn for one student beside the robot's dimensions; None if nothing is."""
         return None
 
-    @abstractmethod
     def task(self, part: P, instance: Instance) -> PartTask:
-        """Return what the part asks of one student."""
+        """Return what the part asks of one student: of all the same, if nothing else is said."""
+        return PartTask(message=f"task-{self.kind.replace('_', '-')}")
 
     @abstractmethod
     def read(self, raw: Raw, reading: Reading) -> Read | None:

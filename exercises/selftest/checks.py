@@ -127,8 +127,7 @@ def _crashes(findings: Findings, seed: int | str | None) -> Iterator[None]:
 
 def _check_drawn(findings: Findings, instance: Instance) -> None:
     """A student's own values leave the structure as it is, and the figure can be drawn."""
-    exercise = instance.exercise
-    usual = structure_of(generate(exercise))
+    usual = structure_of(generate(instance.exercise))
     findings.expect("structure", structure_of(instance) == usual, seed=instance.seed)
     try:
         true_scene(instance)
@@ -166,8 +165,7 @@ def _check_mistakes(findings: Findings, instance: Instance, rng: Random, most: i
         verdict = judged_answer(instance, RawAnswer(table=raw)).verdict
         assert verdict is not None
         if verdict.correct:
-            holds = certificate_holds(instance, wrong, verdict, rng)
-            findings.expect("harmless", holds, table=raw)
+            findings.expect("harmless", certificate_holds(instance, wrong, verdict, rng), table=raw)
             continue
         explained = any(len(repair.edits) == 1 for repair in verdict.repairs)
         known = explained or code in LOST or told_at_most(instance)
@@ -178,8 +176,7 @@ def _check_parts(findings: Findings, instance: Instance, rng: Random) -> None:
     """All parts of a right table earn full marks; what follows from a wrong one earns its own."""
     exercise = instance.exercise
     read = other_frames(instance, rng)
-    right = judged_answer(instance, answer_from(instance, read))
-    for report in right.parts:
+    for report in judged_answer(instance, answer_from(instance, read)).parts:
         findings.expect("part", report.correct, part=report.kind, seed=instance.seed)
     _check_wrong_parts(findings, instance, read, rng)
     wrong = next(iter(MISTAKES["a_d_swapped"](key_as_asked(exercise.reference, exercise.policy))), None)

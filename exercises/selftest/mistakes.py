@@ -125,13 +125,11 @@ def _twists_early(read: ReadTable) -> Iterator[ReadTable]:
 
 
 def _columns_late(read: ReadTable) -> Iterator[ReadTable]:
-    columns = [(ZERO, ZERO), *((row.alpha, row.a) for row in read.table.rows[:-1])]
-    yield _shifted(read, columns)
+    yield _shifted(read, [(ZERO, ZERO), *((row.alpha, row.a) for row in read.table.rows[:-1])])
 
 
 def _columns_early(read: ReadTable) -> Iterator[ReadTable]:
-    columns = [*((row.alpha, row.a) for row in read.table.rows[1:]), (ZERO, ZERO)]
-    yield _shifted(read, columns)
+    yield _shifted(read, [*((row.alpha, row.a) for row in read.table.rows[1:]), (ZERO, ZERO)])
 
 
 def _shifted(read: ReadTable, columns: list[tuple[Expression, Expression]]) -> ReadTable:
@@ -175,8 +173,7 @@ def _length_unit(read: ReadTable) -> Iterator[ReadTable]:
 
 
 def _parameters_swapped(read: ReadTable) -> Iterator[ReadTable]:
-    names = tuple(read.parameters)
-    for first, second in pairwise(names):
+    for first, second in pairwise(tuple(read.parameters)):
         yield _renamed(read, {first: second, second: first})
 
 

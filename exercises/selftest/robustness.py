@@ -107,8 +107,7 @@ def _check_rounded(findings: Findings, instance: Instance, read: ReadTable) -> N
 
 
 def _held_to(instance: Instance, policy: Policy) -> Instance:
-    exercise = replace(instance.exercise, policy=policy)
-    return generate(exercise, instance.seed)
+    return generate(replace(instance.exercise, policy=policy), instance.seed)
 
 
 def _verdict(findings: Findings, instance: Instance, raw: RawTable) -> Verdict | None:

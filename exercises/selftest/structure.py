@@ -34,8 +34,7 @@ def values_of_other_structure(exercise: Exercise) -> Iterator[tuple[str, Fractio
         if parameter.draw is None:
             continue
         is_angle = exercise.reference.parameters.get(parameter.name) is ParameterKind.ANGLE
-        turns = is_angle and exercise.angle_unit is AngleUnit.DEG
-        for value in _tried(parameter.draw, turns=turns):
+        for value in _tried(parameter.draw, turns=is_angle and exercise.angle_unit is AngleUnit.DEG):
             exact = MappingProxyType({**usual.exact, parameter.name: value})
             if structure_of(replace(usual, exact=exact)) != structure:
                 yield parameter.name, value

@@ -97,5 +97,4 @@ class DynamicsVerdict:
     @property
     def right(self) -> bool:
         """Everything that was answered is right, whether or not Ṁ − 2C is skew-symmetric."""
-        rows = (*(self.mass or ()), self.velocity or (), self.gravity or ())
-        return all(all(row) for row in rows)
+        return all(all(row) for row in (*(self.mass or ()), self.velocity or (), self.gravity or ()))

@@ -136,5 +136,4 @@ def _off(question: JointQuestion, found: IKSolution, member: Sequence[float], ro
     direction = family.direction
     k = max(range(len(direction)), key=lambda i: abs(direction[i]))
     t = (row[k] - member[k]) / direction[k]
-    along = [value + t * rate for value, rate in zip(member, direction, strict=True)]
-    return question.apart(row, along)
+    return question.apart(row, [value + t * rate for value, rate in zip(member, direction, strict=True)])

@@ -264,6 +264,5 @@ def _explained(
 def _certified(key: NumericTable, answer: ScrewAnswer, policy: Policy) -> Certificate | None:
     """Return the certificate of an answer, if it is found with the work that a table is granted."""
     with np.errstate(all="ignore"), suppress(WorkExhaustedError, np.linalg.LinAlgError):
-        meter = Meter(WORK_OF_ACCEPTANCE)
-        return certify([prepared(key)], [screw_chain(answer)], policy, meter=meter)
+        return certify([prepared(key)], [screw_chain(answer)], policy, meter=Meter(WORK_OF_ACCEPTANCE))
     return None

@@ -86,14 +86,12 @@ class SingularArm(ValuedRobot):
     def _singular_values(self, joints: Floats) -> Floats:
         J = self.chain.jacobian(joints) * self.units
         J[:, :3] /= self.size
-        kept = J if self.rows is MotionRows.TWIST else J[:, :3]
-        return np.asarray(np.linalg.svd(kept, compute_uv=False))
+        return np.asarray(np.linalg.svd(J if self.rows is MotionRows.TWIST else J[:, :3], compute_uv=False))
 
     @cached_property
     def units(self) -> Floats:
         """(n,) a radian, or the arm's size for a slide."""
-        slides = np.array([axis.prismatic for axis in self.chain.axes], dtype=bool)
-        return np.where(slides, self.size, 1.0)
+        return np.where(np.array([axis.prismatic for axis in self.chain.axes], dtype=bool), self.size, 1.0)
 
     @cached_property
     def moving(self) -> NDArray[np.bool_]:

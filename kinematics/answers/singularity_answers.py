@@ -270,10 +270,9 @@ def _verified(arm: SingularArm, factor: Expression, near: Sequence[Expression]) 
     limit = ROUNDED if holds_decimals(factor) else LOST
     if (lost <= limit).all() or (lost <= _lost_by_rounding(arm, factor, near, zeros)).all():
         return JudgedCondition(status=ConditionStatus.SINGULAR)
-    worst = zeros[:, int(np.argmax(lost))]
     return JudgedCondition(
         status=ConditionStatus.INVENTED,
-        example=tuple(worst.tolist()),
+        example=tuple(zeros[:, int(np.argmax(lost))].tolist()),
         is_close=holds_decimals(factor) and bool((lost <= CLOSE).all()),
     )
 
@@ -328,8 +327,7 @@ def _turned(expression: Expression, joint: JointVariable, by: Expression) -> Exp
 
 def _together(statuses: Sequence[JudgedCondition]) -> JudgedCondition:
     """Return what is said of a condition whose factors are judged."""
-    order = (ConditionStatus.EVERYWHERE, ConditionStatus.INVENTED, ConditionStatus.SINGULAR)
-    for status in order:
+    for status in (ConditionStatus.EVERYWHERE, ConditionStatus.INVENTED, ConditionStatus.SINGULAR):
         for found in statuses:
             if found.status is status:
                 return found

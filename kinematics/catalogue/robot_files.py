@@ -115,8 +115,7 @@ def _raw_table(keys: RobotKeys) -> RawTable:
     angle_unit, length_unit = keys.choice("angle_unit", AngleUnit), keys.choice("length_unit", LengthUnit)
     rows = []
     for row in keys.entries("rows", needed=True):
-        cells = {cell: row.cell(cell) for cell in CELLS}
-        rows.append(RawRow(joint=row.choice("joint", JointType), **cells))
+        rows.append(RawRow(joint=row.choice("joint", JointType), **{cell: row.cell(cell) for cell in CELLS}))
         row.finish()
     keys.finish()
     return RawTable(convention=convention, rows=tuple(rows), angle_unit=angle_unit, length_unit=length_unit)

@@ -28,8 +28,7 @@ def bind_parameters(read: ReadTable, parameters: Mapping[str, float]) -> Numeric
     """
     if not parameters and not read.parameters:
         return _bound(read, ())
-    values = parameter_values(read.parameters, read.angle_unit, parameters)
-    return _bound(read, tuple(values.items()))
+    return _bound(read, tuple(parameter_values(read.parameters, read.angle_unit, parameters).items()))
 
 
 def parameter_values(

@@ -272,8 +272,7 @@ def _comma_refusal(comma: Token, tokens: list[Token]) -> CellRefusal:
     around = tokens[max(index - 1, 0) : index + 2]
     if len(around) == 3 and around[0].type == around[2].type == "NUMBER":
         if "." in around[0] + around[2]:
-            text = f"{around[0]},{around[2]}"
-            return CellRefusal("number_malformed", column=_column(around[0]), text=text)
+            return CellRefusal("number_malformed", column=_column(around[0]), text=f"{around[0]},{around[2]}")
         return CellRefusal("decimal_comma", column=_column(comma), suggestion=f"{around[0]}.{around[2]}")
     if around[-1].type == "NUMBER" and around[-1].isdecimal() and around[0].type in _BEFORE_A_VALUE:
         return CellRefusal("decimal_comma", column=_column(comma), suggestion=f"0.{around[-1]}")

@@ -56,8 +56,7 @@ class Limits:
 @lru_cache(maxsize=64)
 def _exact_range(smallest: float, largest: float) -> tuple[Fraction, Fraction]:
     # 1e15 is meant, not the double nearest to it
-    below = math.nextafter(smallest, 0.0)
-    return (Fraction(below) + Fraction(smallest)) / 2, Fraction(repr(largest))
+    return (Fraction(math.nextafter(smallest, 0.0)) + Fraction(smallest)) / 2, Fraction(repr(largest))
 
 
 DEFAULT = Limits()

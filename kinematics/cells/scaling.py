@@ -28,8 +28,7 @@ def scaled_cell(expression: Expression, kind: ParameterKind, kinds: Kinds, ratio
     `ratio` is how many old units a new one has: 1000 from millimetres to metres.
     """
     weight = 1 / ratio if kind is ParameterKind.LENGTH else Fraction(1)
-    terms = terms_of(expression)
-    return add(_scaled_term(term, weight, kinds, ratio) for term in terms)
+    return add(_scaled_term(term, weight, kinds, ratio) for term in terms_of(expression))
 
 
 def _scaled_term(term: Expression, weight: Fraction, kinds: Kinds, ratio: Fraction) -> Expression:

@@ -139,8 +139,7 @@ class MovingRobot:
         momenta = _momentum_crosses(_applied(G, V))
         B = _beyond(0.5 * (_force_crosses(V) @ G + momenta - G @ _motion_crosses(V)), -3)
         G = here.composites
-        rows = _applied(G, rate) + _applied(B, S)
-        upper = np.triu(S @ np.swapaxes(rows, -1, -2))
+        upper = np.triu(S @ np.swapaxes(_applied(G, rate) + _applied(B, S), -1, -2))
         columns = _applied(G, S) @ np.swapaxes(rate, -1, -2)
         columns = columns + _applied(np.swapaxes(B, -1, -2), S) @ np.swapaxes(S, -1, -2)
         return np.asarray(upper + np.tril(columns, -1))
@@ -258,8 +257,7 @@ def _crosses(vectors: Floats) -> Floats:
     """Return the matrices [v]× of (…, 3) vectors, (…, 3, 3)."""
     x, y, z = vectors[..., 0], vectors[..., 1], vectors[..., 2]
     o = np.zeros_like(x)
-    rows = (o, -z, y, z, o, -x, -y, x, o)
-    return np.stack(rows, axis=-1).reshape(*vectors.shape[:-1], 3, 3)
+    return np.stack((o, -z, y, z, o, -x, -y, x, o), axis=-1).reshape(*vectors.shape[:-1], 3, 3)
 
 
 def _blocks(a: Floats, b: Floats, c: Floats, d: Floats) -> Floats:

@@ -42,8 +42,7 @@ def home_invariants_of(reference: Reference, policy: Policy) -> Invariants:
         found += _past_sliders(axes, first, last, reference.size, policy)
     shapes = tuple(shape for shape, _ in found)
     slacks = np.array([slack for _, slack in found], dtype=np.float64).reshape(-1, 1)
-    values = measured(shapes, axis_batch([axes])) if shapes else np.empty((0, 1))
-    return Invariants(shapes, values, slacks)
+    return Invariants(shapes, measured(shapes, axis_batch([axes])) if shapes else np.empty((0, 1)), slacks)
 
 
 def _between(

@@ -99,5 +99,4 @@ class Policy:
     @cached_property
     def _hash(self) -> int:
         """Computed once: most of what is known of a key is looked up by a policy as well."""
-        rules = (self.convention, self.base, self.tool, self.zero, self.direction)
-        return hash((rules, self.tolerance))
+        return hash(((self.convention, self.base, self.tool, self.zero, self.direction), self.tolerance))

@@ -54,8 +54,7 @@ def _draw_trailing(drawn: list[AxisLine], last: int, size: float, end: Vector | 
         before = drawn[last - 1] if last else None
         if before is not None and before.joint is not JointType.PRISMATIC:
             normal = common_normal(before, drawn[last], size)
-            slides = normal.relation.slides
-            through = _level_from_left(drawn, last, size) if slides else normal.far
+            through = _level_from_left(drawn, last, size) if normal.relation.slides else normal.far
     for k in range(last + 1, len(drawn)):
         drawn[k] = AxisLine(drawn[k].joint, through, drawn[k].direction)
 

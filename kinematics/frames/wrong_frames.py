@@ -145,8 +145,7 @@ def _spoilt(
     yield right_handed(frame.origin, frame.y, frame.z)
     turned = subtract(scale(frame.x, math.cos(TILT)), scale(frame.y, math.sin(TILT)))
     yield right_handed(frame.origin, turned, frame.z)
-    tilted = subtract(scale(frame.x, math.cos(TILT)), scale(frame.z, math.sin(TILT)))
-    yield replace(frame, x=tilted)
+    yield replace(frame, x=subtract(scale(frame.x, math.cos(TILT)), scale(frame.z, math.sin(TILT))))
     for other in (*frames[max(index - 1, 0) : index], *frames[index + 1 : index + 2]):
         if norm(subtract(other.origin, frame.origin)) > ANGLE_TOLERANCE * size:
             yield replace(frame, origin=other.origin)

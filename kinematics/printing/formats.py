@@ -180,6 +180,5 @@ class MatrixPrinter:
         }
 
     def _refuse_large(self, matrix: Entered) -> None:
-        operations = sum(self._ledger.operations[number] for number in chain.from_iterable(matrix.rows))
-        if operations > LIMIT:
+        if sum(self._ledger.operations[number] for number in chain.from_iterable(matrix.rows)) > LIMIT:
             raise FormSizeError(Fault.at("closed_form_too_large", limit=LIMIT))

@@ -140,7 +140,6 @@ class C(Language, C99CodePrinter):
         result = f"double {self.result}[{rows}][{columns}]" if columns else f"double *{self.result}"
         steps = self.steps("    const double {} = {};")
         entries = self.assigned(f"    {self.result}[{{}}][{{}}] = {{}};")
-        unused = self.unused([*steps, *entries], "q", self.result)
         return [
             "#include <math.h>",
             "",
@@ -149,7 +148,7 @@ class C(Language, C99CodePrinter):
             " */",
             f"void {self.function}(const double *q{self.signature('double {}')}, {result})",
             "{",
-            *(f"    (void){name};" for name in unused),
+            *(f"    (void){name};" for name in self.unused([*steps, *entries], "q", self.result)),
             *steps,
             *entries,
             "}",

@@ -37,8 +37,7 @@ class LatexWriter(Typesetter):
 
     def table(self, matrix: Entered) -> str:
         """Return a matrix in square brackets."""
-        rows = map(" & ".join, self.lines(matrix))
-        return "\\begin{bmatrix}\n" + " \\\\\n".join(rows) + "\n\\end{bmatrix}"
+        return "\\begin{bmatrix}\n" + " \\\\\n".join(map(" & ".join, self.lines(matrix))) + "\n\\end{bmatrix}"
 
     def _short(self, short: ShortName) -> str:
         return f"{short.letter}_{{{short.index.replace('−', '-')}}}"

@@ -150,8 +150,7 @@ def judge_quaternion(
         tolerance: largest angle from the expected rotation [rad], and error of the length.
         built: how the rotation was described, to recognise slips.
     """
-    length = math.hypot(*given)
-    if abs(length - 1.0) > tolerance:
+    if abs(math.hypot(*given) - 1.0) > tolerance:
         return _wrong(RotationMistake.NOT_UNIT)
     found = _of_quaternion(given, order)
     if angle_between(expected, found) <= tolerance:
@@ -222,8 +221,7 @@ def judge_triples(
     solutions = euler_solutions(expected, sequence)
     if solutions.family is not None:
         return OrientationVerdict(right=False, share=0.5, mistakes=(RotationMistake.FAMILY_MISSING,))
-    reached = {_nearer(triple, solutions.triples) for triple in given}
-    if len(reached) == len(solutions.triples):
+    if len({_nearer(triple, solutions.triples) for triple in given}) == len(solutions.triples):
         return RIGHT
     twice = RotationMistake.SOLUTION_TWICE if len(given) > 1 else RotationMistake.SOLUTION_MISSING
     return OrientationVerdict(right=False, share=0.5, mistakes=(twice,))

@@ -119,8 +119,7 @@ class _ChainReader:
         turns = {e: self._entry(e, cells, i, f"a{i + 1}") for e in Entry if e.is_turn}
         turning = any(joint_variables_in(expression) for expression in turns.values())
         own = None if turning else f"d{i + 1}"
-        shifts = {e: self._entry(e, cells, i, own) for e in Entry if not e.is_turn}
-        entries = {**shifts, **turns}
+        entries = {**{e: self._entry(e, cells, i, own) for e in Entry if not e.is_turn}, **turns}
         holding = [entry for entry in Entry if joint_variables_in(entries[entry])]
         variable, sign = Entry.A, 1
         if len(self.faults) == before:

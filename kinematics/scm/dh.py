@@ -70,8 +70,7 @@ def modified_dh_from_scm(chain: ScmChain) -> SymbolicTable:
     here = _Frame(origin=_ORIGIN, x=_X, z=_Z)
     point = _ORIGIN
     for row in chain.rows:
-        revolute = row.joint is JointType.REVOLUTE
-        if revolute:
+        if row.joint is JointType.REVOLUTE:
             point = _moved(point, row.constant)
         axis = tuple(row.sign if k == row.variable.axis else 0 for k in range(3))
         there = _frame_on_axis(here, point, (axis[0], axis[1], axis[2]))
@@ -159,8 +158,7 @@ def _along(p: Point, direction: Direction) -> Expression:
 def _angle(start: Direction, end: Direction, about: Direction) -> Expression:
     """Angle from `start` to `end` about `about`, both perpendicular to it: a multiple of π/2."""
     cosine, sine = dot(start, end), dot(cross(start, end), about)
-    quarter_turns = {(1, 0): 0, (0, 1): 1, (-1, 0): 2, (0, -1): -1}[(cosine, sine)]
-    return pi_times(Fraction(quarter_turns, 2))
+    return pi_times(Fraction({(1, 0): 0, (0, 1): 1, (-1, 0): 2, (0, -1): -1}[(cosine, sine)], 2))
 
 
 def _starts_negative(expression: Expression) -> bool:

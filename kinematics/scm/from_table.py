@@ -104,8 +104,7 @@ def scm_from_numbers(
         variable = Entry.Z if kind is JointType.PRISMATIC else Entry.A
         rows.append(ChainRow(constant=_placement(entries), variable=variable))
         carried = constant[:3, :3].T @ constant[:3, 3]
-    final = _placement((*carried.tolist(), 0.0, 0.0, 0.0))
-    return constants[0], ScmChain(rows=tuple(rows), final=final)
+    return constants[0], ScmChain(rows=tuple(rows), final=_placement((*carried.tolist(), 0.0, 0.0, 0.0)))
 
 
 def _check_joints(count: int) -> None:

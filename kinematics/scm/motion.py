@@ -100,10 +100,8 @@ def jacobian_base_by_inspection(
     motion = forward_kinematics_scm(chain, joints, parameters)
     columns = []
     for i, row in enumerate(chain.rows):
-        rotation = motion.frames[i, :3, :3]
-        axis = rotation @ _unit_vector(row, parameters or {})
-        arm = motion.transform[:3, 3] - motion.frames[i, :3, 3]
-        columns.append(_column(row, axis, arm))
+        axis = motion.frames[i, :3, :3] @ _unit_vector(row, parameters or {})
+        columns.append(_column(row, axis, motion.transform[:3, 3] - motion.frames[i, :3, 3]))
     return np.stack(columns, axis=1)
 
 
@@ -123,8 +121,7 @@ def jacobian_end_by_inspection(
     for row, link in zip(reversed(chain.rows), reversed(motion.links), strict=True):
         pose = to_tool @ motion.end
         rotation = pose[:3, :3].T
-        arm = rotation @ pose[:3, 3]
-        columns.append(_column(row, rotation @ _unit_vector(row, parameters or {}), arm))
+        columns.append(_column(row, rotation @ _unit_vector(row, parameters or {}), rotation @ pose[:3, 3]))
         to_tool = link @ to_tool
     return np.stack(columns[::-1], axis=1)
 

@@ -56,8 +56,7 @@ def joined(rows: list[SymbolicRow], more: Iterable[SymbolicRow]) -> list[Symboli
     for row in more:
         if row.a == ZERO and row.alpha == ZERO and result:
             last = result[-1]
-            theta = principal(add((last.theta, row.theta)))
-            result[-1] = replace(last, theta=theta, d=add((last.d, row.d)))
+            result[-1] = replace(last, theta=principal(add((last.theta, row.theta))), d=add((last.d, row.d)))
         else:
             result = appended(result, row)
     return result

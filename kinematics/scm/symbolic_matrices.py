@@ -40,11 +40,10 @@ def closed_form_scm(chain: ScmChain) -> ScmClosedForm:
     """
     n = chain.n_joints
     arms = [replace(chain, rows=chain.rows[: i + 1], final=Placement(), tool=Placement()) for i in range(n)]
-    ends = replace(chain, rows=())
     return ScmClosedForm(
         links=tuple(link_matrix(row, i) for i, row in enumerate(chain.rows, start=1)),
         frames=tuple(closed_form(table_of_chain(arm)).transform for arm in arms),
-        end=closed_form(table_of_chain(ends)).transform,
+        end=closed_form(table_of_chain(replace(chain, rows=()))).transform,
         transform=closed_form(table_of_chain(chain)).transform,
     )
 
@@ -71,8 +70,7 @@ def link_matrix(row: ChainRow, number: int) -> Matrix:
     Source: seed 001 eq. 2.4.
     """
     variable = multiply((MINUS_ONE if row.sign < 0 else ONE, JointVariable(number)))
-    offset = row.constant.entry(row.variable)
-    moving = replace(row.constant, **{row.variable.value: add((variable, offset))})
+    moving = replace(row.constant, **{row.variable.value: add((variable, row.constant.entry(row.variable)))})
     p = (moving.x, moving.y, moving.z)
     R = _rotation(moving)
     return (*((*R[i], p[i]) for i in range(3)), (ZERO, ZERO, ZERO, ONE))

@@ -102,8 +102,7 @@ class Workings:
             point = writer.projected(end[:3], writer.combined(AXES, point, end[3]))
         arena = writer.arena
         p = [arena.expression(arena.gathered(arena.negative(entry))) for entry in point]
-        rows = [(R[0][i], R[1][i], R[2][i], p[i]) for i in range(3)]
-        return (*rows, (ZERO, ZERO, ZERO, ONE))
+        return (*[(R[0][i], R[1][i], R[2][i], p[i]) for i in range(3)], (ZERO, ZERO, ZERO, ONE))
 
     def jacobian(self, frame: JacobianFrame) -> Matrix:
         """Return the geometric Jacobian in the axes of the base or of the end frame."""

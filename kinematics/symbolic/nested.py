@@ -196,8 +196,7 @@ class Arena:
         if len(a) == 1:
             return self._product(*a[0])
         first = next((i for i, (weight, _) in enumerate(a) if weight > 0), 0)
-        ordered = a[first:] + a[:first]
-        return Sum(tuple([self._product(weight, factors) for weight, factors in ordered]))
+        return Sum(tuple([self._product(weight, factors) for weight, factors in a[first:] + a[:first]]))
 
     def _product(self, weight: Rational, factors: tuple[int, ...]) -> Expression:
         known = self._products.get((weight, factors))

@@ -77,8 +77,7 @@ class MatrixWriter:
 
     def projected(self, axes: Sequence[Vector], vector: Vector) -> Vector:
         """Return the components of a vector along three axes."""
-        columns = tuple((axes[0][i], axes[1][i], axes[2][i]) for i in range(3))
-        return self.combined(columns, vector)
+        return self.combined(tuple((axes[0][i], axes[1][i], axes[2][i]) for i in range(3)), vector)
 
     def written(self, columns: Sequence[Vector]) -> Matrix:
         """Return the columns of a pose as a 4×4 matrix of expressions."""

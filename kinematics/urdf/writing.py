@@ -104,8 +104,7 @@ def urdf_from_table(
     before = np.eye(4) if base is None else check_transform(base, where=("base",))
     if not np.array_equal(before, np.eye(4)):
         writer.fixed("base", before)
-    bounds = list(zip(box.low.tolist(), box.high.tolist(), strict=True))
-    _write_rows(writer, table, bounds)
+    _write_rows(writer, table, list(zip(box.low.tolist(), box.high.tolist(), strict=True)))
     end = np.eye(4) if tool is None else check_transform(tool, where=("tool",))
     if tool is not None and not np.array_equal(
         end, np.eye(4)
@@ -289,5 +288,4 @@ def _axis(direction: Sequence[float]) -> str:
 
 def _text(value: float) -> str:
     """The shortest decimal that is this number."""
-    text = repr(value + 0.0)
-    return text.removesuffix(".0")
+    return repr(value + 0.0).removesuffix(".0")

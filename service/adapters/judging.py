@@ -102,9 +102,8 @@ def judge(
         report = grade(instance, parse(instance, wire.raw(), DEFAULT), wire.help)
     except (KinematicsError, ExerciseError, ServiceError) as error:
         return NotGraded(faults=error.faults)
-    body = orjson.loads(encoded(report_body(report, language)))
     return JudgedAnswer(
-        body=body,
+        body=orjson.loads(encoded(report_body(report, language))),
         points=report.points,
         max_points=sum(part.max_points for part in report.parts),
         correct=report.correct,
@@ -129,8 +128,7 @@ def with_joint_types(
         return table
     if any("joint" in row or _is_variable(row.get("theta")) or _is_variable(row.get("d")) for row in rows):
         return table
-    typed = [{**row, "joint": kind.value} for row, kind in zip(rows, types, strict=True)]
-    return {**table, "rows": typed}
+    return {**table, "rows": [{**row, "joint": kind.value} for row, kind in zip(rows, types, strict=True)]}
 
 
 def _is_variable(cell: object) -> bool:

@@ -136,8 +136,7 @@ def feedback_of(
     repairs = judged.body["repairs"][:1]
     for number, edit in enumerate((edit for repair in repairs for edit in repair["edits"]), 1):
         title = sentence(language, f"option-{edit['code']}") or _title("table", edit, language)
-        told = _entry(f"repair-{number}", title, edit, kind)
-        entries.append({**told, "suggestedAction": edit["message"]})
+        entries.append({**_entry(f"repair-{number}", title, edit, kind), "suggestedAction": edit["message"]})
     for part, report in judged.body["parts"].items():
         for number, entry in enumerate(report["feedback"], 1):
             entries.append(_entry(f"{part}-{number}", _title(part, entry, language), entry, kind))

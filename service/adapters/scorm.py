@@ -106,5 +106,4 @@ def _page(what: ScormPackage) -> str:
 
 
 def _rendered(name: str, **values: object) -> str:
-    template = (_PACKAGE / name).read_text(encoding="utf-8")
-    return _TEMPLATES.from_string(template).render(values)
+    return _TEMPLATES.from_string((_PACKAGE / name).read_text(encoding="utf-8")).render(values)

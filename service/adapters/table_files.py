@@ -258,8 +258,7 @@ def _cell(value: object) -> object:
         return ""
     if isinstance(value, bool | int | float):
         return value
-    text = str(value).strip()
-    return re.sub(r"(?<=\d),(?=\d)", ".", text)
+    return re.sub(r"(?<=\d),(?=\d)", ".", str(value).strip())
 
 
 def _column(title: str) -> str:

@@ -29,8 +29,7 @@ def add(subparsers: Subparsers) -> None:
     made.add_argument("--cost-per-minute", type=count, help="its own limit")
     made.set_defaults(run=_add)
 
-    listed = commands.add_parser("list", help="all keys")
-    listed.set_defaults(run=_list)
+    commands.add_parser("list", help="all keys").set_defaults(run=_list)
 
     revoked = commands.add_parser("revoke", help="refuse a key from now on")
     revoked.add_argument("id", help="its id, as `list` shows it")

@@ -44,8 +44,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     if not given or (given[0].startswith("-") and given[0] not in ("-h", "--help", "--lang", "--version")):
         given = ["serve", *given]
     named = next((word for word in given if word in COMMANDS), None)
-    modules = (COMMANDS[named],) if named else dict.fromkeys(COMMANDS.values())
-    options = _parser(modules).parse_args(given)
+    options = _parser((COMMANDS[named],) if named else dict.fromkeys(COMMANDS.values())).parse_args(given)
     run: Callable[[argparse.Namespace], int | None] = options.run
     try:
         status = run(options) or 0

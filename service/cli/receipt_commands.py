@@ -63,8 +63,7 @@ def _verify(options: argparse.Namespace) -> int:
 
 
 def _rotate(options: argparse.Namespace) -> None:
-    keys = rotate(options.file, options.retire)
-    sys.stdout.write(f"{keys.signing.kid}\n")
+    sys.stdout.write(f"{rotate(options.file, options.retire).signing.kid}\n")
 
 
 def _receipts(path: Path) -> Iterator[str]:

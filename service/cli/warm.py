@@ -101,8 +101,7 @@ def _prepare(
     failed = 0
     for seed in prepared.seeds:
         if not options.untested:
-            findings = check_values((seed,), exercise, MISTAKES)
-            for failure in findings.failures:
+            for failure in check_values((seed,), exercise, MISTAKES).failures:
                 failed += 1
                 reason = sentence(options.lang, f"check-{failure.check}", failure.params) or failure.check
                 sys.stdout.write(f"  {exercise.id} {seed or '–'}: {reason}\n")

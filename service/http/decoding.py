@@ -165,8 +165,7 @@ def _texts(value: Any) -> int:
     while stack:
         node = stack.pop()
         if type(node) is list:
-            kinds = set(map(type, node))
-            if not kinds.isdisjoint((str, list, dict)):
+            if not set(map(type, node)).isdisjoint((str, list, dict)):
                 stack.extend(item for item in node if type(item) in (str, list, dict))
         elif type(node) is dict:
             found += len(node)

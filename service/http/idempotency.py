@@ -79,8 +79,7 @@ class IdempotencyMiddleware:
             elif not answer.asked:
                 raise _conflict()
             elif await _digest(receive) != answer.asked:
-                fault = Fault.at("idempotency_key_reused", *_WHERE)
-                raise RequestError(fault, part=RequestPart.HEADER)
+                raise RequestError(Fault.at("idempotency_key_reused", *_WHERE), part=RequestPart.HEADER)
             else:
                 await _replay(answer, send)
         except ServiceError as error:

@@ -66,8 +66,7 @@ def npy_header(shape: tuple[int, ...]) -> bytes:
 
 def npy_data(array: NDArray[np.float64]) -> memoryview:
     """Return the data of an npy file of little-endian float64 in C order, copied only if it is not so."""
-    flat = np.ascontiguousarray(array, dtype="<f8").reshape(-1)
-    return flat.view(np.uint8).data
+    return np.ascontiguousarray(array, dtype="<f8").reshape(-1).view(np.uint8).data
 
 
 def _header(body: bytes) -> tuple[tuple[int, ...], bool, np.dtype[np.generic], int]:

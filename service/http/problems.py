@@ -146,8 +146,7 @@ class UnavailableError(ServiceError):
 
 def busy() -> BusyError:
     """Return the refusal of work for which there is no slot."""
-    fault = Fault.at("busy", seconds=RETRY_SECONDS)
-    return BusyError(fault, headers={"Retry-After": str(RETRY_SECONDS)})
+    return BusyError(Fault.at("busy", seconds=RETRY_SECONDS), headers={"Retry-After": str(RETRY_SECONDS)})
 
 
 STATUS: dict[type[Exception], int] = {

@@ -163,8 +163,7 @@ def line_item_for(
                 return str(item["id"])
         page = answer.next_page()
     content = {"label": (label or resource)[:LONGEST_LABEL], "scoreMaximum": maximum, "resourceId": resource}
-    linked = {**content, "resourceLinkId": resource}
-    answer = _new_line_item(services, platform, line_items, linked)
+    answer = _new_line_item(services, platform, line_items, {**content, "resourceLinkId": resource})
     if answer.status in _UNLINKED:
         answer = _new_line_item(services, platform, line_items, content)
     made = answer.succeeded().json()
@@ -195,8 +194,7 @@ def below(address: str, name: str) -> str:
 
 def _with_query(address: str, values: Mapping[str, str]) -> str:
     parts = urlsplit(address)
-    query = "&".join(filter(None, (parts.query, urlencode(values))))
-    return urlunsplit(parts._replace(query=query))
+    return urlunsplit(parts._replace(query="&".join(filter(None, (parts.query, urlencode(values))))))
 
 
 def _written(instant: datetime) -> str:

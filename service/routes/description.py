@@ -34,8 +34,7 @@ class Refusal(Wire):
 async def openapi_document(request: Request) -> Response:
     """Return the OpenAPI document, with the address under which the caller reached it."""
     document = await _drawn(request, request.app.openapi)
-    prefix = request.scope.get("root_path", "")
-    body = orjson.dumps({**document, "servers": [{"url": prefix or "/"}]})
+    body = orjson.dumps({**document, "servers": [{"url": request.scope.get("root_path", "") or "/"}]})
     return text_response(request, body, JSON, {"Cache-Control": "no-cache"})
 
 
@@ -61,8 +60,7 @@ async def problem(
     """Return the sentence behind a code, its parameters in braces: where the `type` of a problem leads."""
     language = language_for(request.headers.get("accept-language"))
     if code not in refusal_codes():
-        fault = Fault.at("problem_unknown", "code", code=code[:80])
-        raise NotFoundError(fault, part=RequestPart.PATH)
+        raise NotFoundError(Fault.at("problem_unknown", "code", code=code[:80]), part=RequestPart.PATH)
     response.headers["Content-Language"] = language
     response.headers["Vary"] = "Accept-Language"
     return Refusal(code=code, language=language, message=template(language, f"error-{code}"))

@@ -78,8 +78,7 @@ def _section(method: str, path: str, operation: Mapping[str, Any]) -> str:
 
 def _examples(examples: Mapping[str, Any]) -> Iterator[str]:
     for name, example in examples.items():
-        value = json.dumps(example["value"], ensure_ascii=False, indent=1)
-        flat = re.sub(r"\n\s{3,}", " ", value)
+        flat = re.sub(r"\n\s{3,}", " ", json.dumps(example["value"], ensure_ascii=False, indent=1))
         yield f"<details><summary>{escape(name)}</summary><pre>{escape(flat)}</pre></details>"
 
 

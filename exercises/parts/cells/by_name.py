@@ -151,8 +151,7 @@ def _held_to(instance: Instance, exact: float) -> Instance:
     exercise = instance.exercise
     usual = exercise.policy.tolerance
     tolerance = Tolerance(length=min(usual.length, exact), angle=min(usual.angle, exact))
-    policy = replace(exercise.policy, tolerance=tolerance)
-    return replace(instance, exercise=replace(exercise, policy=policy))
+    return replace(instance, exercise=replace(exercise, policy=replace(exercise.policy, tolerance=tolerance)))
 
 
 def _with_lengths(instance: Instance, names: Collection[str], factor: Callable[[int], Fraction]) -> Instance:

@@ -25,7 +25,7 @@ from exercises.parts.forward.figure_frames import (
     read_vector,
 )
 from exercises.parts.protocol import Length, PartType, Reading
-from exercises.parts.report import Credit, Disclosure, Fact, PartReport, fact, judged, share_earned, told_from
+from exercises.parts.report import Credit, Fact, PartReport, fact, judged, share_earned, told_from
 from exercises.parts.task import PartTask
 from kinematics.cells import Cell, ReadTable
 from kinematics.frames.axes import JointAxis
@@ -81,12 +81,9 @@ class FramesPart(PartType[Part, FramesCells, ByName[FramesAnswer]]):
     raw: ClassVar = FramesCells
     meaning = "frames 0 … N, placed in the figure"
     disclosures: ClassVar = {
-        **told_from(HelpLevel.ROW, "frame_wrong", "frame_missing"),
-        **{
-            f"frame_{rule.value}": Disclosure(level=HelpLevel.KIND, instead="frame_wrong") for rule in BINDING
-        },
+        **told_from(HelpLevel.ROW, "frame_wrong", "frame_missing", "frames_not_as_asked"),
+        **told_from(HelpLevel.KIND, *(f"frame_{rule.value}" for rule in BINDING), instead="frame_wrong"),
         **told_from(HelpLevel.REPAIR, "frames_other_convention"),
-        **told_from(HelpLevel.ROW, "frames_not_as_asked"),
     }
 
     def task(self, part: Part, instance: Instance) -> PartTask:

@@ -10,7 +10,6 @@ import numpy as np
 from exercises.definition import Part
 from exercises.grading import Feedback, Finding, HelpLevel
 from exercises.grading.verdict import ParamValue
-from exercises.instance import Instance
 from exercises.parts.cells.comparison import (
     Compared,
     Expected,
@@ -28,7 +27,6 @@ from exercises.parts.context import Context
 from exercises.parts.forward.value import is_robot, reads_as_robot
 from exercises.parts.protocol import TABLE, Length, PartType, Reading
 from exercises.parts.report import Credit, Fact, PartReport, fact, judged, told_from
-from exercises.parts.task import PartTask
 from kinematics.se3 import inverse_transform
 from kinematics.table import JointType, NumericRow
 
@@ -49,8 +47,7 @@ def _what_is_off(context: Context, i: int, compared: Compared) -> Feedback:
     def looks_like(other: Matrices) -> bool:
         return bool(agreeing(compared.actual, other, context.size, context.policy.tolerance).all())
 
-    table = context.own.table
-    if looks_like(context.own_links(samples, table.convention.other)[i]):
+    if looks_like(context.own_links(samples, context.own.table.convention.other)[i]):
         return Feedback(code="matrix_other_convention", row=i + 1, params=params)
     if looks_like(inverse_transform(own)):
         return Feedback(code="matrix_inverse", row=i + 1, params=params)
@@ -87,10 +84,6 @@ class LinkMatricesPart(PartType[Part, Sequence[CellMatrix | None], tuple[Symboli
         ),
         **told_from(HelpLevel.KIND, "matrix_not_rigid", instead="matrix_wrong"),
     }
-
-    def task(self, part: Part, instance: Instance) -> PartTask:
-        """Ask for a matrix for each row."""
-        return PartTask(message="task-link-matrices")
 
     def read(
         self, raw: Sequence[CellMatrix | None], reading: Reading
@@ -164,8 +157,7 @@ def _by_own_rows(context: Context, answer: Sequence[SymbolicMatrix | None], part
     right = [fact.finding is Finding.OK for fact in facts if len(fact.where) == 1]
     weights = _weights(context, right)
     if all(right):
-        code = "matrices_right" if context.own_correct else "matrices_follow_table"
-        feedback.append(Feedback(code=code))
+        feedback.append(Feedback(code="matrices_right" if context.own_correct else "matrices_follow_table"))
     earned = sum(weight for weight, good in zip(weights, right, strict=True) if good)
     return judged(part, earned / sum(weights), context.own_credit, facts=facts, feedback=feedback)
 

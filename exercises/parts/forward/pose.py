@@ -182,8 +182,7 @@ def joints_at(context: Context, drawn: Sequence[Fraction]) -> list[float]:
 
 
 def _score(given: Matrices, pose: Matrices, size: float, allowed: Tolerance) -> float:
-    cells = agreeing(given[None], pose[None], size, allowed)
-    return halves_right(cells, pose[None], size, allowed)
+    return halves_right(agreeing(given[None], pose[None], size, allowed), pose[None], size, allowed)
 
 
 def _in_either_unit(context: Context, answer: Matrices) -> Iterator[Matrices]:

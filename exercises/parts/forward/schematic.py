@@ -16,11 +16,9 @@ import numpy as np
 
 from exercises.definition import Part
 from exercises.grading import Feedback, Finding, HelpLevel
-from exercises.instance import Instance
 from exercises.parts.context import Context
 from exercises.parts.protocol import Length, PartType, Reading
 from exercises.parts.report import Credit, Fact, PartReport, judged, share_earned, told_from
-from exercises.parts.task import PartTask
 from kinematics.chain import Axis, chain_of_table, size_of
 from kinematics.errors import Fault
 from kinematics.se3 import cross_arrays
@@ -143,8 +141,7 @@ def _relation_facts(key: Schematic, answer: Schematic, feedback: list[Feedback])
     for i in range(max(len(key.relations), len(answer.relations))):
         directions_only = JointType.PRISMATIC in key.joints[i : i + 2]
         expected = [_comparable(r, directions_only) for r in key.relations]
-        given = [_comparable(r, directions_only) for r in answer.relations]
-        finding = _finding(expected, given, i)
+        finding = _finding(expected, [_comparable(r, directions_only) for r in answer.relations], i)
         facts.append(Fact(where=("relations", i), finding=finding))
         if finding is Finding.WRONG and i < len(key.relations):
             feedback.append(
@@ -190,10 +187,6 @@ class SchematicPart(PartType[Part, Schematic, Schematic]):
             HelpLevel.KIND, "schematic_angle_right", "schematic_meeting_right", instead="schematic_relation"
         ),
     }
-
-    def task(self, part: Part, instance: Instance) -> PartTask:
-        """Ask for the structure."""
-        return PartTask(message="task-schematic")
 
     def read(self, raw: Schematic, reading: Reading) -> Schematic | None:
         """Return the structure, if its counts fit."""

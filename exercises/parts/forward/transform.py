@@ -10,7 +10,6 @@ import numpy as np
 
 from exercises.definition import Part
 from exercises.grading import Feedback, HelpLevel
-from exercises.instance import Instance
 from exercises.parts.cells.comparison import (
     Compared,
     Expected,
@@ -30,7 +29,6 @@ from exercises.parts.context import Context
 from exercises.parts.forward.value import is_robot, reads_as_robot
 from exercises.parts.protocol import TABLE, PartType, Reading
 from exercises.parts.report import Credit, PartReport, judged, told_from
-from exercises.parts.task import PartTask
 from kinematics.se3 import inverse_transform
 
 
@@ -97,10 +95,6 @@ class TransformPart(PartType[Part, CellMatrix, SymbolicMatrix]):
             instead="transform_cells_wrong",
         ),
     }
-
-    def task(self, part: Part, instance: Instance) -> PartTask:
-        """Ask for the product of all link matrices."""
-        return PartTask(message="task-transform")
 
     def read(self, raw: CellMatrix, reading: Reading) -> SymbolicMatrix | None:
         """Return the matrix in expressions."""

@@ -122,8 +122,7 @@ def _is_robot_at(
     if not agreeing(poses_of(samples), chain.poses(samples), context.size, tolerance).all():
         return False
     in_units = scaled_chain(chain, 1.0 / context.unit_ratio)
-    policy = replace(context.policy, tolerance=tolerance)
-    return is_certified([prepared(key)], [in_units], policy)
+    return is_certified([prepared(key)], [in_units], replace(context.policy, tolerance=tolerance))
 
 
 def chain_of_poses(
@@ -177,8 +176,7 @@ def _axis(screw: Matrix, joint_type: JointType, tolerance: Tolerance, size: floa
 def scaled_chain(chain: Chain, factor: float) -> Chain:
     """Return a chain with its lengths in another unit."""
     axes = tuple(axis._replace(point=scale(axis.point, factor)) for axis in chain.axes)
-    end = (*chain.end[:9], *scale(chain.end[9:], factor))
-    return Chain(axes, end, chain.extent * factor)
+    return Chain(axes, (*chain.end[:9], *scale(chain.end[9:], factor)), chain.extent * factor)
 
 
 def _triple(array: Matrix) -> tuple[float, float, float]:

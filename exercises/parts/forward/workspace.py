@@ -84,8 +84,7 @@ class WorkspaceTask:
 def workspace_of(context: Context, part: WorkspacePart) -> Reach:
     """Return the radii of the robot's workspace, in the exercise's unit."""
     table = context.reference_numbers
-    values = context.reference_values
-    points = Points(context.instance.exercise.figure, context.reference.table, values)
+    points = Points(context.instance.exercise.figure, context.reference.table, context.reference_values)
     to_base, to_last = inverse_transform(points.frames[0]), inverse_transform(points.frames[-1])
     point = to_last[:3, :3] @ points.point(part.point) + to_last[:3, 3]
     if part.origin is not None:
@@ -116,9 +115,8 @@ class WorkspacePartType(PartType[WorkspacePart, RadiiCells, ByName[Reach]]):
     given: ClassVar = WorkspaceTask
     disclosures: ClassVar = {
         **told_from(HelpLevel.ROW, "workspace_inner_wrong", "workspace_outer_wrong"),
-        **told_from(HelpLevel.KIND, "workspace_swapped"),
+        **told_from(HelpLevel.KIND, "workspace_swapped", "workspace_other_length_unit"),
         **told_from(HelpLevel.REPAIR, "workspace_diameters"),
-        **told_from(HelpLevel.KIND, "workspace_other_length_unit"),
     }
 
     def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> WorkspacePart:
@@ -240,8 +238,7 @@ def _interval(limit: tuple[Fraction, Fraction], unit: AngleUnit | None) -> tuple
 def _radius(cell: Cell, name: str, reading: Reading) -> float:
     try:
         typed = read_cell(cell, ParameterKind.LENGTH, angle_unit=reading.angle_unit, variable=lambda _: None)
-        expression = in_own_names(typed, reading.instance.exercise, is_constant=True)
-        value = evaluate(expression, reading.values)
+        value = evaluate(in_own_names(typed, reading.instance.exercise, is_constant=True), reading.values)
     except KinematicsError as error:
         raise type(error)(Fault.at(fault.code, name, **fault.params) for fault in error.faults) from None
     if value < 0:

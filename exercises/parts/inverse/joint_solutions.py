@@ -49,14 +49,13 @@ class InverseKinematicsType(PartType[InverseKinematicsPart, JointAnswerCells, Jo
     raw: ClassVar = JointAnswerCells
     meaning = "the joint values that reach the pose of the task"
     disclosures: ClassVar = {
-        **told_from(HelpLevel.ROW, "joints_wrong", "joints_twice", "joints_missing"),
-        **told_from(HelpLevel.KIND, *(f"branch_{branch.value}" for branch in Branch)),
+        **told_from(HelpLevel.ROW, "joints_wrong", "joints_twice", "joints_missing", "joints_taken_off"),
+        **told_from(HelpLevel.ROW, "claim_wrong"),
+        **told_from(HelpLevel.KIND, "joints_family_missing", *(f"branch_{branch}" for branch in Branch)),
         **told_from(
             HelpLevel.REPAIR, *(f"joints_{mistake.value}" for mistake in JointMistake), instead="joints_wrong"
         ),
-        **told_from(HelpLevel.KIND, "joints_family_missing"),
         **told_from(HelpLevel.ROW, *(f"joints_combination_{said}" for said in ("wrong", "loose", "zero"))),
-        **told_from(HelpLevel.ROW, "claim_wrong", "joints_taken_off"),
     }
 
     def define(self, reader: Reader, points: Fraction, robot: RobotFacts) -> InverseKinematicsPart:

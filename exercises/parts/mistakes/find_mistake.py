@@ -76,11 +76,10 @@ class FindMistakeType(MistakeType[MistakePart, FoundMistakeCells, FoundMistake])
         """Show the table."""
         found: Planted = instance.drawn[self.kind]
         labels = tuple(label for _, label in columns_of(found.table))
-        rows = tuple(str(i) for i in range(1, len(found.table.table.rows) + 1))
         return PartTask(
             message="task-find-mistake",
             form=(
-                choice_field("row", rows),
+                choice_field("row", tuple(str(i) for i in range(1, len(found.table.table.rows) + 1))),
                 self.name_field(PLANTABLE),
                 FormField(name="mended", shape=FieldShape.VECTOR, labels=labels),
             ),

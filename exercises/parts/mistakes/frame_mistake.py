@@ -123,12 +123,11 @@ class FrameMistakeType(MistakeType[MistakePart, FoundFrameMistakeCells, ByName[F
         shown = GivenNumbers(
             name="drawn-frames", labels=("i", f"O [{unit}]", "x", "y", "z"), rows=rows, values={}
         )
-        numbers = tuple(str(i) for i in range(len(found.shown)))
         return PartTask(
             message="task-frame-mistake",
             values={"convention": convention, **figure_coordinates(instance)},
             form=(
-                choice_field("wrong_frame", numbers),
+                choice_field("wrong_frame", tuple(str(i) for i in range(len(found.shown)))),
                 self.name_field(FRAME_MISTAKES),
                 *(FormField(name=name, shape=FieldShape.VECTOR, labels=("X", "Y", "Z")) for name in MENDED),
             ),

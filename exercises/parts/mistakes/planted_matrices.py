@@ -119,8 +119,7 @@ def _entry(change: Callable[[Expression], Expression | None], columns: range) ->
             for c in columns:
                 changed = change(matrix[r][c])
                 if changed is not None:
-                    row = (*matrix[r][:c], changed, *matrix[r][c + 1 :])
-                    yield (*matrix[:r], row, *matrix[r + 1 :])
+                    yield (*matrix[:r], (*matrix[r][:c], changed, *matrix[r][c + 1 :]), *matrix[r + 1 :])
 
     return ways
 

@@ -29,7 +29,7 @@ from exercises.parts.motion.weighed_links import (
     units_of_names,
 )
 from exercises.parts.protocol import PartType, Reading, RobotFacts
-from exercises.parts.report import Credit, Disclosure, Fact, PartReport, fact, judged, share_earned, told_from
+from exercises.parts.report import Credit, Fact, PartReport, fact, judged, share_earned, told_from
 from exercises.parts.task import FieldShape, FormField, GivenNumbers, PartTask
 from exercises.reading import Reader
 from kinematics.answers.dynamics_answers import judge_dynamics
@@ -90,7 +90,7 @@ class MotionType(PartType[MotionPart, MotionCells, EquationsAnswer]):
         "the mass matrix, Coriolis and gravity terms as functions of the joint variables and their rates"
     )
     disclosures: ClassVar = {
-        **{f"motion_{question.value}_wrong": Disclosure(level=HelpLevel.ROW) for question in MotionAsk},
+        **told_from(HelpLevel.ROW, *(f"motion_{question.value}_wrong" for question in MotionAsk)),
         **told_from(HelpLevel.REPAIR, *(f"motion_{mistake.value}" for mistake in DynamicsMistake)),
     }
 
@@ -232,12 +232,10 @@ class MotionType(PartType[MotionPart, MotionCells, EquationsAnswer]):
         """Yield gravity of the wrong sign, and an M with a wrong corner."""
         right = self.right(part, context)
         if right.gravity is not None and any(cell != "0" for cell in right.gravity):
-            opposite = tuple(f"-({cell})" for cell in right.gravity)
-            yield "motion_gravity_sign", replace(right, gravity=opposite)
+            yield "motion_gravity_sign", replace(right, gravity=tuple(f"-({cell})" for cell in right.gravity))
         if right.mass is not None:
             first, *rest = right.mass
-            changed = (f"2*({first[0]})", *first[1:])
-            yield "motion_mass_wrong", replace(right, mass=(changed, *rest))
+            yield "motion_mass_wrong", replace(right, mass=((f"2*({first[0]})", *first[1:]), *rest))
 
 
 def _asks_matrix(part: MotionPart) -> bool:

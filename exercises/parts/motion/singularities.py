@@ -56,14 +56,11 @@ class SingularitiesType(PartType[SingularitiesPart, SingularityCells, Singularit
     raw: ClassVar = SingularityCells
     meaning = "the conditions for a singularity, and a motion that is lost"
     disclosures: ClassVar = {
-        **told_from(HelpLevel.ROW, "singularities_missing"),
-        **told_from(HelpLevel.REPAIR, "singularity_missing_at"),
-        **told_from(HelpLevel.ROW, "singularity_invented"),
-        **told_from(HelpLevel.REPAIR, "singularity_invented_at", "singularity_sine_for_cosine"),
-        **told_from(HelpLevel.REPAIR, "singularity_rounded"),
-        **told_from(HelpLevel.ROW, "singularity_everywhere"),
-        **told_from(HelpLevel.REPAIR, "singularity_half"),
+        **told_from(HelpLevel.ROW, "singularities_missing", "singularity_invented", "singularity_everywhere"),
         **told_from(HelpLevel.ROW, "lost_motion_wrong", "lost_motion_zero"),
+        **told_from(HelpLevel.REPAIR, "singularity_missing_at", "singularity_invented_at"),
+        **told_from(HelpLevel.REPAIR, "singularity_sine_for_cosine", "singularity_rounded"),
+        **told_from(HelpLevel.REPAIR, "singularity_half"),
         **told_from(
             HelpLevel.REPAIR, "lost_motion_is_kept", "lost_motion_never", instead="lost_motion_wrong"
         ),
@@ -146,8 +143,7 @@ class SingularitiesType(PartType[SingularitiesPart, SingularityCells, Singularit
         n, names = arm.table.n_joints, tuple(context.reference.parameters)
         printer = MatrixPrinter(n_joints=n, parameters=names, notation=Notation.FULL)
         purpose = Purpose(name="conditions", meaning="Conditions.")
-        rows = tuple((family,) for family in arm.families)
-        written = printer.write(rows, (Format.TEXT,), purpose)["text"]
+        written = printer.write(tuple((family,) for family in arm.families), (Format.TEXT,), purpose)["text"]
         answer = SingularityCells(conditions=tuple((row[0],) for row in written))
         if part.joints is None:
             return answer

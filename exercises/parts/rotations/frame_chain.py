@@ -161,8 +161,7 @@ class FrameChainType(PartType[FrameChainPart, FrameChainCells, ByName[Matrices]]
     def _judged(self, part: FrameChainPart, answer: Matrices, context: Context) -> PartReport:
         """Judge a pose: its rotation and its position count half each."""
         factors = _factors(part, context.instance)
-        size = context.size / context.unit_ratio
-        found = judge_chain(factors, answer, size=size, tolerance=part.tolerance)
+        found = judge_chain(factors, answer, size=context.size / context.unit_ratio, tolerance=part.tolerance)
         facts = [
             fact(good, "pose", r, c)
             for r in range(3)

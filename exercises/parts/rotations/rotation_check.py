@@ -91,8 +91,7 @@ class RotationCheckType(PartType[RotationCheckPart, RotationClaimCells, Rotation
         """Return the student's matrix: a rotation, or one with a planted defect."""
         triple = drawn_triple(exercise, picker, part.angles, (part.turns,) * 3, "rotation_check")
         claim = picker.choice(tuple(RotationClaim)[::-1], "rotation_check claim")
-        column = picker.choice((2, 0, 1), "rotation_check column")
-        return planted(part.sequence.matrix(triple), claim, column)
+        return planted(part.sequence.matrix(triple), claim, picker.choice((2, 0, 1), "rotation_check column"))
 
     def task(self, part: RotationCheckPart, instance: Instance) -> PartTask:
         """Show the matrix."""
@@ -155,8 +154,7 @@ def planted(rotation: Matrix3, claim: RotationClaim, column: int) -> Matrix3:
             columns[column] = [-value for value in chosen]
         case RotationClaim.ROTATION:
             pass
-    rows = zip(*columns, strict=True)
-    return matrix3([[round(value, DECIMALS) + 0.0 for value in row] for row in rows])
+    return matrix3([[round(value, DECIMALS) + 0.0 for value in row] for row in zip(*columns, strict=True)])
 
 
 PART = RotationCheckType()

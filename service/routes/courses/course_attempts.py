@@ -26,11 +26,10 @@ async def list_attempts(request: ApiRequest) -> Response:
     staff = await staff_of(request)
     link, asked = await staff.link(), request.query_params
     named = asked.get("ids", "").split(",")[:200]
-    ids = tuple(int(text) for text in named if text.isdecimal() and len(text) <= MOST_DIGITS)
     chosen = AttemptFilter(
         kind=asked.get("kind"),
         code=asked.get("code"),
-        ids=ids,
+        ids=tuple(int(text) for text in named if text.isdecimal() and len(text) <= MOST_DIGITS),
         person=asked.get("person"),
         day=_day(asked.get("day")),
         number=int(text) if (text := asked.get("number", "")).isdecimal() and len(text) < 7 else None,

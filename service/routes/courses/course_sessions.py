@@ -159,8 +159,7 @@ async def _judged(request: ApiRequest, begun: datetime) -> Response:
             attempt = await courses.keep(submission)
             is_new = attempt.at == submission.attempt.at
             told = report_body(found, language) if is_new else None
-            metrics = request.resources.metrics
-            metrics.graded(correct=attempt.correct, score=attempt.score, kept=True)
+            request.resources.metrics.graded(correct=attempt.correct, score=attempt.score, kept=True)
         except AttemptError:  # the last attempt that there is may be sent again, with its key
             known = await in_thread(request, by_key, courses.store, session, key) if key else None
             if known is None:
@@ -204,6 +203,5 @@ async def put_draft(request: ApiRequest) -> Response:
     """Keep what has been typed, for any device."""
     courses, session = await signed_in(request)
     state = await request.json()
-    kept = state if isinstance(state, dict) else None
-    await courses.keep_draft((session, kept))
+    await courses.keep_draft((session, state if isinstance(state, dict) else None))
     return Response(status_code=204)

@@ -92,8 +92,7 @@ async def show_exercise(request: ApiRequest) -> Response:
     language = language_of(request)
 
     def work() -> bytes:
-        figures = resources_of(request).figures
-        return _view(figures, _asked_instance(request), language, context_of(request))
+        return _view(resources_of(request).figures, _asked_instance(request), language, context_of(request))
 
     body = await _first(request, "view", work)
     return _text(request, body, language, JSON)
@@ -191,8 +190,7 @@ async def grade_answer(request: ApiRequest) -> Response:
     with answer_refused():
         report = await _judged(request)
     resources_of(request).metrics.graded(correct=report.correct, score=report.score, kept=False)
-    body = encoded(report_body(report, language))
-    return Response(body, media_type=JSON, headers=_headers(language))
+    return Response(encoded(report_body(report, language)), media_type=JSON, headers=_headers(language))
 
 
 async def _judged(request: ApiRequest) -> Report:
@@ -239,8 +237,7 @@ def refuse_beyond(attempts: int | None, attempt: int | None) -> None:
         ForbiddenError: there are no more attempts.
     """
     if attempts is not None and attempt is not None and attempt > attempts:
-        fault = Fault.at("attempts_used_up", "attempt", limit=attempts)
-        raise ForbiddenError(fault)
+        raise ForbiddenError(Fault.at("attempts_used_up", "attempt", limit=attempts))
 
 
 def _text(request: Request, body: bytes, language: str, media_type: str) -> Response:

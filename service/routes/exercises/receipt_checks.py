@@ -93,8 +93,7 @@ async def verify_receipts(
     A forged one says why it is not believed.
     """
     language = language_of(request)
-    check = partial(check_receipts, body.receipts, resources.receipt_keys)
-    checked = await resources.grading.run(check)
+    checked = await resources.grading.run(partial(check_receipts, body.receipts, resources.receipt_keys))
     if gradebook is not None:
         stream = io.StringIO()
         write_marks(marks_of(checked), stream, gradebook)

@@ -116,8 +116,7 @@ async def receipt_page(
 
         instance = instance_of(resources.exercises, exercise_id, receipt.seed)
         sheet = _sheet(instance, receipt, token, body, language)
-        figure = figure_file(instance, language).decode()
-        return pdf_of(sheet, figure=figure, code=_code(token).matrix)
+        return pdf_of(sheet, figure=figure_file(instance, language).decode(), code=_code(token).matrix)
 
     page = await resources.limiters[WorkKind.DRAWING].run(work)
     headers = {

@@ -230,8 +230,7 @@ def _matrix(transform: Transform | None) -> list[list[float]] | None:
 
 
 def _broken(finding: FrameFinding, language: str) -> Broken:
-    said = _said(f"rule-{finding.rule.value}", finding.params, language)
-    return Broken.from_record(finding, message=said)
+    return Broken.from_record(finding, message=_said(f"rule-{finding.rule.value}", finding.params, language))
 
 
 def _said(message: str, params: Mapping[str, object], language: str) -> str:

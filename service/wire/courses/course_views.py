@@ -33,7 +33,6 @@ _BLOCK = 65_536
 def attempt_record(found: ExportedAttempt) -> dict[str, Any]:
     """Return one attempt of an export: the student by pseudonym, and the path of codes."""
     attempt = found.attempt
-    codes = [f"{kind}:{code}" + (f"@{row}" if row else "") for kind, code, row in found.path]
     return {
         "person": found.person,
         "attempt": attempt.number,
@@ -46,7 +45,7 @@ def attempt_record(found: ExportedAttempt) -> dict[str, Any]:
         "max_points": found.max_points,
         "counted": found.counted,
         "correct": attempt.correct,
-        "codes": codes,
+        "codes": [f"{kind}:{code}" + (f"@{row}" if row else "") for kind, code, row in found.path],
         "answer": attempt.answer,
         "report": attempt.report,
     }

@@ -102,9 +102,8 @@ def _most(found: Exercise, context: LinkContext | None) -> HelpLevel:
 
 def _access(found: Exercise, context: LinkContext | None) -> dict[str, Any]:
     own, most = found.access, _most(found, context)
-    off = own.off | (context.off if context else frozenset())
     return {
-        "off": sorted(off),
+        "off": sorted(own.off | (context.off if context else frozenset())),
         "ladder": [lowest((level, most)) for level in own.ladder],
         "attempts": attempts_of(found, context),
         "attempt": context.attempt if context else None,

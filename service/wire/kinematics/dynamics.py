@@ -180,7 +180,6 @@ def dynamics_task(question: SymbolicDynamicsRequest, settings: Settings) -> Dyna
     x, y, z = (substitute(entry, values) for entry in bodies.gravity)
     entries = [entry for link in links for _, entry in link.entries()]
     used = set(table_parameters(table)).union(*map(parameters_in, (*entries, x, y, z)))
-    parameters = [name for name in kinds if name in used]
     return DynamicsTask(
         table=table,
         links=links,
@@ -192,7 +191,7 @@ def dynamics_task(question: SymbolicDynamicsRequest, settings: Settings) -> Dyna
         head={
             **units_of(read),
             "variables": list(read.joint_names),
-            "parameters": parameters,
+            "parameters": [name for name in kinds if name in used],
             "rates": rates,
             "notation": question.notation.value,
         },

@@ -53,8 +53,7 @@ async def solved(
         ServiceError: as `answer_to`.
     """
     with traced(request):
-        question = _question(request, robot)
-        answer = await answer_to(question, workers)
+        answer = await answer_to(_question(request, robot), workers)
     return InverseKinematicsAnswer(**robot.units, **target_answer(answer, robot))
 
 

@@ -95,8 +95,7 @@ def _robot(question: RobotQuestion, limits: Limits) -> PreparedRobot:
     if question.table is None:
         listed = listed_robot(str(question.robot))
         return robot_of(listed.table, {**listed.parameters, **question.parameters})
-    read = question.table.read(limits, "table")
-    return robot_of(read, question.parameters)
+    return robot_of(question.table.read(limits, "table"), question.parameters)
 
 
 def listed_robot(robot_id: str) -> catalogue.Robot:

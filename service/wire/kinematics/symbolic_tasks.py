@@ -56,8 +56,7 @@ async def answered(
         lookup = partial(resources.closed_forms.stored, address)
         answer = await resources.limiters[WorkKind.COURSES].run(lookup)
     if answer is None:
-        lane = Lane.QUICK if task.is_quick() else Lane.SLOW
-        answer = await resources.workers.run(lane, write, task)
+        answer = await resources.workers.run(Lane.QUICK if task.is_quick() else Lane.SLOW, write, task)
         resources.closed_forms.keep(address, answer)
     resources.symbolic_answers.put(question, answer)
     return BytesResponse(answer)

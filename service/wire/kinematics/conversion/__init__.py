@@ -47,8 +47,7 @@ def converted(request: ConvertRequest, settings: Settings) -> ConvertAnswer:
     Raises:
         KinematicsError: the description cannot be read, or not be written in the other form.
     """
-    source = next(name for name in SOURCES if getattr(request, name) is not None)
-    robot = SOURCES[source](request, settings)
+    robot = SOURCES[next(name for name in SOURCES if getattr(request, name) is not None)](request, settings)
     robot = robot.between(*_ends(request, robot))
     robot = robot.with_joints(request.joint_names, request.link_names, request.limits)
     return TARGETS[request.to](robot, request)

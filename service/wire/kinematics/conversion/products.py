@@ -39,8 +39,7 @@ def described_product(request: ConvertRequest, _settings: Settings) -> RobotDesc
                 raise DescriptionError(Fault.at("screw_of_other_type", "screws", i, **params))
         unit = request.angle_unit or AngleUnit.RAD
         home = check_transform(pose_matrix(given.home, unit.radians, "home"), where=("home",))
-        product = screws_module.ProductOfExponentials(screws=screws, home=home)
-        assigned = table_of_product(product, convention)
+        assigned = table_of_product(screws_module.ProductOfExponentials(screws=screws, home=home), convention)
     read = ReadTable(
         table=exact_table(assigned.table), angle_unit=unit, length_unit=given.length_unit, parameters={}
     )

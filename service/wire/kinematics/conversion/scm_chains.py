@@ -76,10 +76,9 @@ def scm_answer(robot: RobotDescription, request: ConvertRequest) -> ScmAnswer:
             first, chain = scm_from_numbers(table, robot.base, robot.tool)
             base = plain_lists(first)
     units = units_of(robot.read)
-    rows = [_row(row, i, writer) for i, row in enumerate(chain.rows, 1)]
     written = ScmChainModel.model_validate(
         {
-            "joints": rows,
+            "joints": [_row(row, i, writer) for i, row in enumerate(chain.rows, 1)],
             "final": _placement(chain.final, writer),
             "tool": _placement(chain.tool, writer),
             **units,
