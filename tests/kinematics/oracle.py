@@ -4,8 +4,6 @@ Sines and cosines are power series summed in 50-digit arithmetic; links are prod
 matrices; Jacobians are central differences of poses. Slow, plain, and not shared with what it judges.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 import mpmath

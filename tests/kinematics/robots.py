@@ -1,7 +1,5 @@
 """Arms that many tests need, with where their figures come from."""
 
-from __future__ import annotations
-
 import math
 
 from kinematics.table import Convention, DHRow, DHTable, JointType, NumericTable

@@ -1,7 +1,5 @@
 """Hypothesis strategies for numeric tables and configurations, degenerate ones on purpose."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

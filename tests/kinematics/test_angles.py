@@ -1,7 +1,5 @@
 """Cosines and sines against 400-digit arithmetic."""
 
-from __future__ import annotations
-
 import math
 
 import mpmath

@@ -1,7 +1,5 @@
 """What is remembered is bounded, however long the cells and tables are that callers send."""
 
-from __future__ import annotations
-
 import gc
 import tracemalloc
 

@@ -1,7 +1,5 @@
 """Chains: the product of exponentials against the product of link transforms."""
 
-from __future__ import annotations
-
 from random import Random
 
 import numpy as np
@@ -101,7 +99,7 @@ def test_frames_and_jacobian_are_those_of_the_table(seed: int) -> None:
 
 
 @pytest.mark.parametrize("robot", catalogue.robots(), ids=lambda robot: robot.id)
-def test_every_description_of_a_robot_is_one_chain(robot: catalogue.RobotModel) -> None:
+def test_every_description_of_a_robot_is_one_chain(robot: catalogue.Robot) -> None:
     """From the table, its screws, the SCM chain and a URDF: the same poses and Jacobians."""
     table = bind_parameters(robot.table, robot.parameters)
     of_table = chain_of_table(table)

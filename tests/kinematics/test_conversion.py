@@ -1,7 +1,5 @@
 """Standard to modified and back: nothing lost, nothing computed."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from fractions import Fraction

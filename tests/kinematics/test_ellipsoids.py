@@ -1,7 +1,5 @@
 """Velocity ellipsoids: against the planar arm by hand, and as laws over the catalogue."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

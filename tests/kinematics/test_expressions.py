@@ -1,7 +1,5 @@
 """Exact expressions: folding never changes a value, and what is exact stays exact."""
 
-from __future__ import annotations
-
 import math
 from fractions import Fraction
 

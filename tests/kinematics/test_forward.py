@@ -1,7 +1,5 @@
 """Forward kinematics: against a second derivation, and by its laws."""
 
-from __future__ import annotations
-
 import contextlib
 import copy
 import math

@@ -1,7 +1,5 @@
 """Jacobians: against finite differences in 50 digits, and by their laws."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 

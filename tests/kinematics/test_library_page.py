@@ -1,7 +1,5 @@
 """The examples of docs/library.md give what they say."""
 
-from __future__ import annotations
-
 import doctest
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Notations of a pose: round trips, edges, and what the notations mean."""
 
-from __future__ import annotations
-
 import itertools
 import math
 

@@ -1,7 +1,5 @@
 """Rates of Jacobians, analytic Jacobians and forces: against differences and virtual work."""
 
-from __future__ import annotations
-
 from random import Random
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The laws of the numeric core on every robot of the catalogue, in both conventions."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Products of exponentials, and exponentials of twists, against power series."""
 
-from __future__ import annotations
-
 import math
 
 import mpmath

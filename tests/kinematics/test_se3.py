@@ -1,7 +1,5 @@
 """What is a rigid transform, and what is not."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

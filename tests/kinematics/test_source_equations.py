@@ -1,7 +1,5 @@
 """Equations of the source documents, written out as they are printed (docs/sources.md lists them)."""
 
-from __future__ import annotations
-
 import math
 import re
 

@@ -1,7 +1,5 @@
 """Tables: joints among the rows, and numbers in the place of symbols."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import pytest

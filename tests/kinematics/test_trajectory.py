@@ -1,7 +1,5 @@
 """Joint trajectories: the polynomials by hand, rest at both ends, no overshoot, rates that integrate."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from hypothesis import given

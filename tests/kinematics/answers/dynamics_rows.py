@@ -3,8 +3,6 @@
 Nothing of the package derives them; other C with the same C q̇ are made by adding what vanishes on q̇.
 """
 
-from __future__ import annotations
-
 import random
 import statistics
 import sys

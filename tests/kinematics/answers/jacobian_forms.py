@@ -1,7 +1,5 @@
 """Jacobians as functions, and what is wrong about them: made from products of DH matrices by SymPy."""
 
-from __future__ import annotations
-
 import random
 from collections.abc import Iterator
 from functools import cache

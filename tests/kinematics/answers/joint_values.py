@@ -1,7 +1,5 @@
 """⁰T_N by the product of DH matrices as the seeds print it, and the robots that oracles use."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 

@@ -4,8 +4,6 @@ Axes are the z columns of products of DH matrices; a screw is (p × ω, ω) ther
 before the axes are read off, other frames move everything.
 """
 
-from __future__ import annotations
-
 import math
 import random
 

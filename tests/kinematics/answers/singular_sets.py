@@ -4,8 +4,6 @@ What is right is known from the
 textbooks' determinants, written down here; that these are right is tested by differences of DH products.
 """
 
-from __future__ import annotations
-
 import random
 from collections.abc import Iterator
 

@@ -1,7 +1,5 @@
 """Equations of motion as an answer: any form, any C with the right C q̇; slips are told."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import pytest

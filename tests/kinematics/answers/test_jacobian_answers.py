@@ -1,7 +1,5 @@
 """Jacobians and joint forces against differences of poses; slips are told."""
 
-from __future__ import annotations
-
 import random
 
 import numpy as np

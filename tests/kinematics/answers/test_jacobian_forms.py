@@ -1,7 +1,5 @@
 """Jacobians and joint forces as functions, against derivatives of products of DH matrices."""
 
-from __future__ import annotations
-
 import random
 from fractions import Fraction
 

@@ -1,7 +1,5 @@
 """Joint values that reach a pose: right ones however they are written, families, none, and usual slips."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 

@@ -1,7 +1,5 @@
 """Screws and a home pose: right in any frame, sense and zero; slips are told."""
 
-from __future__ import annotations
-
 import math
 import random
 from dataclasses import replace

@@ -1,7 +1,5 @@
 """Singularities as sets: against textbook determinants, which are tested by differences of poses."""
 
-from __future__ import annotations
-
 import math
 import random
 

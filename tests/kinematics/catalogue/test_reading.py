@@ -1,7 +1,5 @@
 """Malformed catalogue files: every fault at once, each with the file and the path of its key."""
 
-from __future__ import annotations
-
 import re
 from importlib.resources import files
 

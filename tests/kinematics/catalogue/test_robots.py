@@ -1,7 +1,5 @@
 """Every robot of the catalogue, because its file exists: table, chain, reference, configurations, axes."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Short ways to write tables for the tests of the cell grammar."""
 
-from __future__ import annotations
-
 from kinematics.cells import AngleUnit, LengthUnit, RawRow, RawTable, ReadTable, read_table
 from kinematics.errors import KinematicsError
 from kinematics.table import Convention, JointType

@@ -4,8 +4,6 @@ None of it may take long: a cell longer than the limit is refused before it is l
 or computes with large numbers.
 """
 
-from __future__ import annotations
-
 import re
 from fractions import Fraction
 from pathlib import Path

@@ -1,7 +1,5 @@
 r"""Functions, fractions and rates as they are printed."""
 
-from __future__ import annotations
-
 import pytest
 
 from kinematics.cells.scanner import scan

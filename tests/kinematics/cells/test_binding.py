@@ -1,7 +1,5 @@
 """Parameters get values; lengths change their unit."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

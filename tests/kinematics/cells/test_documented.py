@@ -1,7 +1,5 @@
 """The examples of docs/cells.md."""
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """What students type for a joint variable, a unit or a name: understood, or told."""
 
-from __future__ import annotations
-
 import pytest
 
 from kinematics.cells import AngleUnit, ParameterKind, nearest_name, rate_in_marks, read_cell

@@ -1,7 +1,5 @@
 """What cells mean: exact values, degrees and radians, kinds of parameters."""
 
-from __future__ import annotations
-
 import math
 from fractions import Fraction
 

@@ -1,7 +1,5 @@
 """Cells as people paste them from a PDF, a word processor, a spreadsheet or LaTeX."""
 
-from __future__ import annotations
-
 import pytest
 
 from kinematics.cells import AngleUnit, ParameterKind, canonical_name, read_cell

@@ -1,7 +1,5 @@
 """Laws: what is read evaluates as written, prints to text that reads the same, and no text does harm."""
 
-from __future__ import annotations
-
 import math
 from fractions import Fraction
 

@@ -1,7 +1,5 @@
 """Values in the place of parameters: the value of the replaced is the replaced value."""
 
-from __future__ import annotations
-
 import random
 
 import pytest

@@ -1,7 +1,5 @@
 """Joint variables: where they may stand, how they are numbered, and why anything else is refused."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 
 import pytest

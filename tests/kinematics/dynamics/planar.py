@@ -1,7 +1,5 @@
 """Links in a plane, with names for all that they weigh, and their equations as text."""
 
-from __future__ import annotations
-
 from kinematics.dynamics import Derivation, RigidBody, SymbolicBody
 from kinematics.expressions import ZERO, Parameter, add, negate
 from kinematics.printing import Format, MatrixPrinter, Notation, Purpose

@@ -1,7 +1,5 @@
 """Closed forms: as books print them, as SymPy derives them, and worth what the recursion computes."""
 
-from __future__ import annotations
-
 import os
 import subprocess
 import sys

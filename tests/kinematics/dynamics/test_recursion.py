@@ -1,7 +1,5 @@
 """Numbers: golden values of peers, Lagrange's equations, and the laws of mechanics."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from hypothesis import given, settings

@@ -4,8 +4,6 @@ The oracle is Uicker's form of Lagrange's equations: with T_k the pose of link k
 and J_k its pseudo-inertia, M_ij = Σ_k tr(∂T_k/∂q_i J_k ∂T_k/∂q_jᵀ). Derivatives are complex steps.
 """
 
-from __future__ import annotations
-
 from fractions import Fraction
 
 import numpy as np

@@ -3,8 +3,6 @@
 Runs the campaigns at length and prints what came of them; the exit code is 1 if one missed its bar.
 """
 
-from __future__ import annotations
-
 import argparse
 import os
 import sys

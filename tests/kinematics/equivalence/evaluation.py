@@ -4,8 +4,6 @@ Both sides of F_s(σ∘q + δ) = B · F_r(q) · E are computed at random configu
 within rounding errors, the worst of these configurations are made worse, one joint at a time, on a grid.
 """
 
-from __future__ import annotations
-
 import math
 from typing import NamedTuple
 

@@ -5,8 +5,6 @@ every z axis one way or the other, put prismatic axes anywhere, choose a common 
 choice, slip in dummy lines if wanted, and read off θ, d, a and α.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import dataclass, replace
 from functools import lru_cache

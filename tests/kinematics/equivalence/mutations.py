@@ -1,7 +1,5 @@
 """Wrong tables: a valid one with a single mistake of a known kind, made without the checker's help."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace

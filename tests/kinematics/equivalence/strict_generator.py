@@ -4,8 +4,6 @@ Drawn like those of `generators`, by the definition of the frames: the key's axe
 configuration, in the key's frame 0; then a chain of lines, each carried to the next along a common normal.
 """
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from itertools import pairwise

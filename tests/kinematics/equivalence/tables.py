@@ -1,7 +1,5 @@
 """Tables of well-known robots, as numbers."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 

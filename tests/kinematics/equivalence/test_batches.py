@@ -1,7 +1,5 @@
 """Many tables at once give what each gives by itself."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from random import Random

@@ -1,7 +1,5 @@
 """What a bound settles must be so: nothing is larger than the upper one, nothing told apart is acceptable."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from random import Random

@@ -1,7 +1,5 @@
 """The campaigns with small counts; `make campaign` runs them at length."""
 
-from __future__ import annotations
-
 from random import Random
 
 import numpy as np

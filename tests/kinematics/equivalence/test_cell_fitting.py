@@ -1,7 +1,5 @@
 """Cells with which a table would be the robot, and how frame N moves with a cell."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from random import Random
 

@@ -1,7 +1,5 @@
 """Of the certificates that say the same, the one whose base and tool motions are nearest to none."""
 
-from __future__ import annotations
-
 from random import Random
 
 import pytest

@@ -1,7 +1,5 @@
 """Closed forms guessed from numbers: what is recognised, and that the work stays bounded."""
 
-from __future__ import annotations
-
 import math
 import tracemalloc
 from fractions import Fraction

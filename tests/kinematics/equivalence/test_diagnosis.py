@@ -1,7 +1,5 @@
 """What is wrong with a table: as few facts as explain it, each of its own kind, with its own amount."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from random import Random
 

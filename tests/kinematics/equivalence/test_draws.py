@@ -1,7 +1,5 @@
 """Tables with parameters: one certificate, with the same signs, at every draw of them."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from random import Random
 

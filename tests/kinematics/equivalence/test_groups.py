@@ -1,7 +1,5 @@
 """The table of groups: stabilisers and their extensions, against brute force on random elements."""
 
-from __future__ import annotations
-
 import math
 from random import Random
 

@@ -1,7 +1,5 @@
 """Angles and distances of axes that are no neighbours: any right table has them where its joints are zero."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from random import Random

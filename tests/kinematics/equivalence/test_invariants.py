@@ -1,7 +1,5 @@
 """What no choice of frames changes: the same strains in every unit, angles about sliders, and what is off."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from random import Random

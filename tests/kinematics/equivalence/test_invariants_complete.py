@@ -6,8 +6,6 @@ point that is fixed goes with them. What cells change beside that, at first orde
 invariants must see all of it.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 from dataclasses import replace

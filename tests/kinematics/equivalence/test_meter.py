@@ -1,7 +1,5 @@
 """Work is counted: what costs more on a machine costs more of it, and what is used up is used up."""
 
-from __future__ import annotations
-
 import pytest
 
 from kinematics.equivalence.meter import (

@@ -1,7 +1,5 @@
 """The cases that one should think of before writing a checker."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 

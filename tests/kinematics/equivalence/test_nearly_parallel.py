@@ -1,7 +1,5 @@
 """Keys with coaxial and nearly parallel axes: an exact table gets an exact certificate."""
 
-from __future__ import annotations
-
 import math
 from random import Random
 

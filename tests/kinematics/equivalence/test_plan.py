@@ -1,7 +1,5 @@
 """What of an axis shows which rotation of a group brings it home: direction, moment, or nothing."""
 
-from __future__ import annotations
-
 import pytest
 
 from kinematics.chain import Axis

@@ -1,7 +1,5 @@
 """What a policy fixes, each rule by itself and in company."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 

@@ -1,7 +1,5 @@
 """Proofs: closed forms of certificates, guessed and proved."""
 
-from __future__ import annotations
-
 import math
 from random import Random
 

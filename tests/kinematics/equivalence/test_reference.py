@@ -1,7 +1,5 @@
 """A prepared key: configurations that fill the joint space and lie on no grid, and what is near in it."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

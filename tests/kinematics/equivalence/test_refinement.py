@@ -1,7 +1,5 @@
 """Refinement: steps that leave nearly the least, and no length of its own."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from random import Random

@@ -1,7 +1,5 @@
 """The tolerance that matches a number of decimals."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from random import Random

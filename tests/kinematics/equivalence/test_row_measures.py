@@ -1,7 +1,5 @@
 """Invariants read off the rows of tables are those that are measured between the axes."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from random import Random

@@ -1,7 +1,5 @@
 """What does not fit, with joint, row and amount; which numbers are recognised; what a decision costs."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 from fractions import Fraction

@@ -1,7 +1,5 @@
 """How frames 0 and N may move from where a rule has put them."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

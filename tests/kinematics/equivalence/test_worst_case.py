@@ -1,7 +1,5 @@
 """A certificate stands at every configuration, not at the sampled ones only; and relative to which size."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from random import Random

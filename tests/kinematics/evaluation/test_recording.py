@@ -1,7 +1,5 @@
 """Recording and replaying: whatever is done to symbols, the tape does to numbers."""
 
-from __future__ import annotations
-
 import dis
 import math
 from types import CodeType

@@ -1,7 +1,5 @@
 """Frames spoilt and mended, judged by the matrices of the rows that would follow, not by any rule."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Mistakes in frames: exactly one is made, and whatever gives the rows of a table mends it."""
 
-from __future__ import annotations
-
 import pytest
 
 from kinematics.frames.assignment import assign_frames

@@ -6,8 +6,6 @@ solutions than such an arm can have, and of complete ones whether descents from 
 another.
 """
 
-from __future__ import annotations
-
 import time
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field

@@ -1,7 +1,5 @@
 """The arms that roboticstoolbox describes by DH tables, where it is installed, as for the benchmarks."""
 
-from __future__ import annotations
-
 import inspect
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Functions in every language, run where its tool is installed, and held against the numeric core."""
 
-from __future__ import annotations
-
 import ctypes
 import json
 import random

@@ -1,7 +1,5 @@
 """Entry by entry: the equations give the matrix, and each fits a line."""
 
-from __future__ import annotations
-
 import random
 
 import numpy as np

@@ -1,7 +1,5 @@
 """Every robot of the catalogue in every format."""
 
-from __future__ import annotations
-
 import re
 
 import pytest

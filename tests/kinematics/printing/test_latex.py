@@ -1,7 +1,5 @@
 """LaTeX: typeset as in a textbook, balanced, and safe for any name."""
 
-from __future__ import annotations
-
 import random
 import re
 import shutil

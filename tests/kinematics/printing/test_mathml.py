@@ -1,7 +1,5 @@
 """MathML: well formed, with the right signs, and content that says what is meant."""
 
-from __future__ import annotations
-
 import random
 import xml.etree.ElementTree as ET
 from collections.abc import Sequence

@@ -1,7 +1,5 @@
 """Tables as notebooks show them."""
 
-from __future__ import annotations
-
 import xml.etree.ElementTree as ET
 
 import pytest

@@ -1,7 +1,5 @@
 """Infix text: the cell grammar reads it back as the same function."""
 
-from __future__ import annotations
-
 import random
 from fractions import Fraction
 

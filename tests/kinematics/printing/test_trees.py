@@ -1,7 +1,5 @@
 """Expression trees: plain data, and back."""
 
-from __future__ import annotations
-
 import json
 import random
 from fractions import Fraction

@@ -1,7 +1,5 @@
 """Reads expression trees as a caller of the API would."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Mapping, Sequence
 from fractions import Fraction
 from typing import Any

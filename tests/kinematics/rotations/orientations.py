@@ -5,8 +5,6 @@ that the turns before have moved, one about fixed axes about e_x, e_y, e_z. Noth
 that the package writes down.
 """
 
-from __future__ import annotations
-
 import math
 import random
 from collections.abc import Callable, Iterator

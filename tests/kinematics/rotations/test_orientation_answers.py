@@ -1,7 +1,5 @@
 """Answers about orientations: every right writing is accepted, nothing else, and slips are told."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 

@@ -1,7 +1,5 @@
 """All 24 sequences: every triple of a rotation, and the whole family where two axes fall together."""
 
-from __future__ import annotations
-
 import math
 
 import numpy as np

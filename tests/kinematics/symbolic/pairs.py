@@ -6,8 +6,6 @@ none is an error, and after a change that changes nothing a pair is drawn again.
 zero, as tan(π/2)·cos(π/2) in the place of sin(π/2) does: it is no function.
 """
 
-from __future__ import annotations
-
 import random
 from collections.abc import Mapping, Sequence
 from fractions import Fraction

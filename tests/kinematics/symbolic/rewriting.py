@@ -4,8 +4,6 @@ The rules are identities of a school book. Each is applied at a random place of 
 expressions look nothing alike after some rounds; a rule knows nothing of normal forms.
 """
 
-from __future__ import annotations
-
 import random
 from collections.abc import Callable
 from fractions import Fraction

@@ -1,7 +1,5 @@
 """Random exact tables, and rewritings that leave the robot what it is."""
 
-from __future__ import annotations
-
 import random
 from fractions import Fraction
 from functools import cache

@@ -1,7 +1,5 @@
 """Rates of angles in closed form, against those in numbers."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 

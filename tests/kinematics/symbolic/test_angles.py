@@ -1,7 +1,5 @@
 """Angles as sums, exact where they can be, and the roots that write their cosines."""
 
-from __future__ import annotations
-
 import cmath
 import math
 from fractions import Fraction

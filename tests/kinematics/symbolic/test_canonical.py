@@ -1,7 +1,5 @@
 """The canonical form as an oracle: equal functions have one form, different ones do not."""
 
-from __future__ import annotations
-
 import cmath
 import random
 from fractions import Fraction

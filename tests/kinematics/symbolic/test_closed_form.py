@@ -1,7 +1,5 @@
 """Closed forms: right in value against the numeric core and SymPy, and in the form a lecturer writes."""
 
-from __future__ import annotations
-
 import os
 import random
 import subprocess

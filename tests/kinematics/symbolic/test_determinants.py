@@ -1,7 +1,5 @@
 """Minors and their factors, against determinants of Jacobians in numbers."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 
 import numpy as np

@@ -1,7 +1,5 @@
 """The proof that two tables are the same robot: complete, sound, and honest about what it can't decide."""
 
-from __future__ import annotations
-
 import random
 from dataclasses import replace
 from fractions import Fraction

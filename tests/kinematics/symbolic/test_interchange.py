@@ -1,7 +1,5 @@
 """Closed forms as SymPy objects: there and back, with nothing lost and nothing evaluated by surprise."""
 
-from __future__ import annotations
-
 import random
 import subprocess
 import sys

@@ -1,7 +1,5 @@
 """Sums of products that stay nested."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 
 import pytest

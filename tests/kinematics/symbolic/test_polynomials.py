@@ -1,7 +1,5 @@
 """Polynomials in cosines and sines, against the ring of exponentials."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 
 import pytest

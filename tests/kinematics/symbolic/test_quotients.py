@@ -1,7 +1,5 @@
 """Fractions of closed forms: one numerator over factors that are no fractions, and the same function."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 
 import pytest

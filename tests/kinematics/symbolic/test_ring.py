@@ -1,7 +1,5 @@
 """Arithmetic of closed forms: turning a pair of coordinates is multiplying by cosine and sine."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 from random import Random
 

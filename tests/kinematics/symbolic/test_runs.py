@@ -1,7 +1,5 @@
 """Runs of joints with parallel axes: what lies between them is dissolved where a rule allows it."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 
 import pytest

@@ -1,7 +1,5 @@
 """All matrices of a table together: the same whatever is asked first, and each as a person writes it."""
 
-from __future__ import annotations
-
 import random
 
 import pytest

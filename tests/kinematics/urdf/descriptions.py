@@ -6,8 +6,6 @@ names and limits. A chain that is refused is looked at here once more, with noth
 must be there. Lastly, robots of the catalogue are held against their makers' descriptions.
 """
 
-from __future__ import annotations
-
 import argparse
 import importlib.util
 import itertools
