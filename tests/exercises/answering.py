@@ -1,7 +1,5 @@
 """Answers, made and judged in one line."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from exercises.answers import RawAnswer, parse

@@ -1,7 +1,5 @@
 """Folders of exercises made for tests."""
 
-from __future__ import annotations
-
 from importlib.resources.abc import Traversable
 from pathlib import Path
 

@@ -8,8 +8,6 @@ whole. Who finds nothing is lost: they ask for the next rung, and on the last on
     python -m tests.exercises.students       every exercise that asks for a table
 """
 
-from __future__ import annotations
-
 import argparse
 import re
 import sys

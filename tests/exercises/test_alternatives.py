@@ -1,7 +1,5 @@
 """Other tables beside a right one: right for the exercise, different, and said to differ in what differs."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import pytest

@@ -1,7 +1,5 @@
 """What cannot be graded is refused with every fault at its place; a level of help is never exceeded."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from fractions import Fraction
 from importlib import import_module

@@ -1,7 +1,5 @@
 """docs/authoring.md is executed: its files load, its commands run, its requests are graded."""
 
-from __future__ import annotations
-
 import json
 import re
 import shlex

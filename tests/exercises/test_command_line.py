@@ -1,7 +1,5 @@
 """The command line: list, check, draw, and start exercises from anything."""
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 from typing import Any

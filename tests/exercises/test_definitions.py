@@ -1,7 +1,5 @@
 """Every definition of the package, tested by itself; EXERCISE_SEEDS=50 tries more seeds, every mistake."""
 
-from __future__ import annotations
-
 import os
 import re
 from pathlib import Path

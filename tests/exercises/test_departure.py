@@ -1,7 +1,5 @@
 """How a wrong table's robot lies on the figure's: on its axes as far as both are the same mechanism."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import numpy as np

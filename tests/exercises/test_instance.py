@@ -1,7 +1,5 @@
 """Students' values follow from the seed, for ever."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Definitions are read strictly: every fault at once, each with file and key."""
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 from typing import Any

@@ -1,7 +1,5 @@
 """Statements become HTML, and nothing but what is listed survives."""
 
-from __future__ import annotations
-
 import re
 
 import pytest

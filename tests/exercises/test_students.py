@@ -1,7 +1,5 @@
 """Simulated students: hints lead to full marks and tell no key; marks fall with every fact that is wrong."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Sequence
 from itertools import pairwise

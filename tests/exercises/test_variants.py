@@ -1,7 +1,5 @@
 """Variants: so many sets of values, shared out among all seeds."""
 
-from __future__ import annotations
-
 from collections import Counter
 from dataclasses import replace
 from pathlib import Path

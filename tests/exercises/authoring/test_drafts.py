@@ -1,7 +1,5 @@
 """A draft is its folder: nothing is lost on the way, and what is hostile stays outside."""
 
-from __future__ import annotations
-
 import copy
 import functools
 import io

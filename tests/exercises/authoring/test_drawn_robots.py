@@ -1,7 +1,5 @@
 """From drawn axes to a table in named lengths, checked against arms whose tables are printed."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import numpy as np

@@ -1,7 +1,5 @@
 """What an author is shown: right answers, mistakes with their marks, what a policy leaves free, own words."""
 
-from __future__ import annotations
-
 import pickle
 from collections.abc import Iterator
 from dataclasses import replace

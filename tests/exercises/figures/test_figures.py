@@ -1,7 +1,5 @@
 """Figures: every robot drawn from its geometry, nothing given away, nothing covered."""
 
-from __future__ import annotations
-
 import math
 import re
 from dataclasses import replace

@@ -1,7 +1,5 @@
 """Answers as students type them: rounded, in names, wrong in several places, padded; see `campaign`."""
 
-from __future__ import annotations
-
 import math
 import time
 from collections import Counter

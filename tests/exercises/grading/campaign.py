@@ -1,7 +1,5 @@
 """Wrong tables with one mistake: is it found, and in the right row?"""
 
-from __future__ import annotations
-
 import logging
 import math
 from collections.abc import Iterator

@@ -1,7 +1,5 @@
 """No explanation fails unseen: what is logged for operators fails the tests."""
 
-from __future__ import annotations
-
 import logging
 from collections.abc import Iterator
 

@@ -1,7 +1,5 @@
 """Some of the campaigns on answers as students type them; `make campaign` runs many more."""
 
-from __future__ import annotations
-
 import pytest
 
 from exercises.grading import HelpLevel, Policy, explanation, grade

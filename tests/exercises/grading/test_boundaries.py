@@ -1,7 +1,5 @@
 """Answers at the edges of what is told: each shows one step of the grading that others leave unseen."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import pytest

@@ -1,7 +1,5 @@
 """Cells from the invariants: what is found solves its equation, and what solves it is found."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 

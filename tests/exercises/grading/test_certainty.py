@@ -1,7 +1,5 @@
 """Edits that are seen to make a table right without a search: a search finds the same."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from random import Random

@@ -1,7 +1,5 @@
 """Edits one after another, in the numbers of the answer's own rows; rows of zeros, counted as they stand."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 
 import pytest

@@ -1,7 +1,5 @@
 """Too few digits are no wrong length, unless they are not those of the right one."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import pytest

@@ -1,7 +1,5 @@
 """Lengths far longer than the robot: what they should be is found as exactly as of others."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import pytest

@@ -1,7 +1,5 @@
 """Which edits each misconception leads to: in which cells, and what is put there."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterable, Iterator
 from dataclasses import replace

@@ -1,7 +1,5 @@
 """Names are exact, and numbers are as exact as they were typed."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from fractions import Fraction

@@ -1,7 +1,5 @@
 """Which facts of a key an answer has: a measure that means something else there is none of them."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Sequence
 

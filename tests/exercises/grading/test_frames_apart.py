@@ -1,7 +1,5 @@
 """What is told of two frames apart, by turning and moving one of them by hand."""
 
-from __future__ import annotations
-
 import math
 
 import pytest

@@ -1,7 +1,5 @@
 """Verdicts: right answers explained, wrong ones placed, as far as the help level goes."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from itertools import permutations

@@ -1,7 +1,5 @@
 """Answers nobody expects: no answer raises, none is expensive, and none is judged by a rounding error."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import replace
 from itertools import islice

@@ -1,7 +1,5 @@
 """Several equally small repairs are told by what they share."""
 
-from __future__ import annotations
-
 import pytest
 
 from exercises.grading import Edit, HelpLevel, Repair

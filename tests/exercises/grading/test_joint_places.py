@@ -1,7 +1,5 @@
 """Where a joint may have been left out or be one too many: never elsewhere than where it was."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from random import Random
 

@@ -1,7 +1,5 @@
 """A key all of whose axes meet has no size, and that of an answer depends on the frames that it chose."""
 
-from __future__ import annotations
-
 import math
 from random import Random
 

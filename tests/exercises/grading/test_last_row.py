@@ -1,7 +1,5 @@
 """The last row that was forgotten: with it a table is right, wherever its variables are zero."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import pytest

@@ -1,7 +1,5 @@
 """The sweep over the directions of axes, against trying every one of them."""
 
-from __future__ import annotations
-
 from itertools import product
 
 import numpy as np

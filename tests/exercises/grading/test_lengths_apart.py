@@ -1,7 +1,5 @@
 """A key whose lengths are of one size at some draws and far apart at others."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 import pytest

@@ -1,7 +1,5 @@
 """Under the rule `axis` the key's line at an end tells which cell is wrong, where it is no joint's axis."""
 
-from __future__ import annotations
-
 import pytest
 
 from exercises.grading import BaseRule, HelpLevel, Policy, ToolRule, Verdict, ZeroRule, grade

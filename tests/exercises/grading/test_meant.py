@@ -1,7 +1,5 @@
 """How exactly entries were typed, what rounded ones stand for, and at which values answers are compared."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from fractions import Fraction

@@ -1,7 +1,5 @@
 """The catalogue of misconceptions, and the repairs found with it."""
 
-from __future__ import annotations
-
 import re
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Keys whose twists have names, and answers that give them by name, by value, or by the wrong name."""
 
-from __future__ import annotations
-
 import pytest
 
 from exercises.grading import Policy, ToolRule, grade

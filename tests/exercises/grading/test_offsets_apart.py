@@ -1,7 +1,5 @@
 """A length along an axis past a slider, or between all but parallel axes, is held to its digits, too."""
 
-from __future__ import annotations
-
 from random import Random
 
 import pytest

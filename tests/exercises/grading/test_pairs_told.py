@@ -1,7 +1,5 @@
 """Two mistakes or more are told where they were made, as a single one is."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace

@@ -1,7 +1,5 @@
 """What the search for repairs finds, and what it costs: the same on every machine."""
 
-from __future__ import annotations
-
 import math
 import re
 from collections.abc import Mapping

@@ -1,7 +1,5 @@
 """A decimal may be near what it does not stand for: read as it was typed, the answer may still be right."""
 
-from __future__ import annotations
-
 import math
 
 from exercises.grading import BaseRule, Policy, ToolRule, ZeroRule, grade

@@ -1,7 +1,5 @@
 """Laws of the mark: it does not depend on the frames, and it never rises for one more thing wrong."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from itertools import pairwise
 from random import Random

@@ -1,7 +1,5 @@
 """Marks, counted by hand: what of the robot's facts an answer lacks, of those that a table of zeros lacks."""
 
-from __future__ import annotations
-
 import re
 from dataclasses import asdict, replace
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Edits that are held back without measuring: every one of them would have failed."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 from random import Random

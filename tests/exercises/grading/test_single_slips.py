@@ -1,7 +1,5 @@
 """Every single slip in a robot of the catalogue is told in the cell where it was made."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import replace
 from fractions import Fraction

@@ -1,7 +1,5 @@
 """A slip that spoils many facts costs what it costs, and only what else is wrong comes on top of it."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import pytest

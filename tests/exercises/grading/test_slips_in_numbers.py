@@ -1,7 +1,5 @@
 """What a wrong number is told to be: another unit, radians among degrees, a row twice."""
 
-from __future__ import annotations
-
 import math
 from itertools import combinations
 

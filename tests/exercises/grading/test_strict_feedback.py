@@ -1,7 +1,5 @@
 """What strict rules are told by: the variable of the row, and no length or angle that is right."""
 
-from __future__ import annotations
-
 import pytest
 
 from exercises.grading import BaseRule, DirectionRule, HelpLevel, Policy, ToolRule, ZeroRule, grade

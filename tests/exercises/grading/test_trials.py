@@ -1,7 +1,5 @@
 """Edits tried at once: where another may finish, which cells are solved for, what is alike at other draws."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 from dataclasses import replace

@@ -1,7 +1,5 @@
 """A length that was typed is likelier wrong than a zero, however the table is written."""
 
-from __future__ import annotations
-
 import pytest
 
 from exercises.grading import BaseRule, HelpLevel, Policy, ToolRule, Verdict, ZeroRule, grade

@@ -1,7 +1,5 @@
 """A verdict as a notebook shows it."""
 
-from __future__ import annotations
-
 import xml.etree.ElementTree as ET
 
 from exercises.grading import HelpLevel, Policy

@@ -1,7 +1,5 @@
 """Whole verdicts on wrong answers: all that is told of each, in order, and every edit that would mend it."""
 
-from __future__ import annotations
-
 import pytest
 
 from exercises.grading import (

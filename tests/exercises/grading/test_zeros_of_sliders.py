@@ -1,7 +1,5 @@
 """Where the figure fixes the zeros, a slider's constant is told wherever the slider stands in the chain."""
 
-from __future__ import annotations
-
 import pytest
 
 from exercises.grading import BaseRule, HelpLevel, Policy, ToolRule, ZeroRule, grade

@@ -1,7 +1,5 @@
 """Numeric tables written out as a person would hand them in."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 

@@ -3,8 +3,6 @@
 Judges answers whose truth is known, and prints how many were misjudged; the exit code is 1 if one was.
 """
 
-from __future__ import annotations
-
 import argparse
 import os
 import sys

@@ -1,7 +1,5 @@
 """An answer whose truth is known, and how numbers are typed."""
 
-from __future__ import annotations
-
 import random
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass

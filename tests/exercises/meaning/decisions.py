@@ -1,7 +1,5 @@
 """Answers whose truth the kinds' own oracles know, one after the other: screws, sets, functions, repairs."""
 
-from __future__ import annotations
-
 import random
 from collections.abc import Callable, Iterator
 from dataclasses import replace

@@ -1,7 +1,5 @@
 """Jacobians in numbers and joint forces, by differences of poses: of the key, and of tables of one's own."""
 
-from __future__ import annotations
-
 import random
 from collections.abc import Iterator
 from dataclasses import replace

@@ -3,8 +3,6 @@
 Nothing of the package derives them; `of_energies` does so once more, from poses by products of matrices.
 """
 
-from __future__ import annotations
-
 import random
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import replace

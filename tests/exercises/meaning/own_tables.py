@@ -3,8 +3,6 @@
 Nothing here is computed by the package: the numbers are those from which the text is made.
 """
 
-from __future__ import annotations
-
 import random
 from dataclasses import dataclass
 

@@ -1,7 +1,5 @@
 """Poses in numbers, matrices in closed form, and chains of frames, about tables of the students' own."""
 
-from __future__ import annotations
-
 import math
 import random
 from collections.abc import Iterator

@@ -1,7 +1,5 @@
 """Screws and home poses as cells: any zero, sense, point, frame, order and length of sliders."""
 
-from __future__ import annotations
-
 import random
 from collections.abc import Iterator
 

@@ -4,8 +4,6 @@ Every configuration is evaluated by the product of the printed matrices; none is
 equations below has exactly the roots that are taken.
 """
 
-from __future__ import annotations
-
 import math
 import random
 from collections.abc import Iterator

@@ -1,7 +1,5 @@
 """Some of the answers of `make campaign-answers`: no right one is refused, no wrong one is accepted."""
 
-from __future__ import annotations
-
 import random
 
 import numpy as np

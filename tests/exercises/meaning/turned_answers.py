@@ -1,7 +1,5 @@
 """Orientations in every notation, as cells, and what is said of matrices that may be no rotations."""
 
-from __future__ import annotations
-
 import math
 import random
 from collections.abc import Iterator

@@ -4,8 +4,6 @@
 or the procedure: a frame is built from the two axes that it belongs to by plain vector algebra.
 """
 
-from __future__ import annotations
-
 import random
 import sys
 from dataclasses import dataclass

@@ -1,7 +1,5 @@
 """Matrices with a planted mistake, and what students make of them, written by the textbook's formulas."""
 
-from __future__ import annotations
-
 import random
 from collections.abc import Iterator
 from dataclasses import dataclass

@@ -4,8 +4,6 @@ A repair is right by construction: the key's own row, as it stands or written ot
 A wrong one leaves the row as it was, or adds to a length or an angle of the key's row what no frame can undo.
 """
 
-from __future__ import annotations
-
 import random
 from dataclasses import replace
 from fractions import Fraction

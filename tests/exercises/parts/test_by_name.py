@@ -1,7 +1,5 @@
 """Names in screws, frames and radii: wrong ones are wrong whatever values a student was given."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from pathlib import Path
 from typing import Any

@@ -1,7 +1,5 @@
 """What the authors' page offers of a part is what its definition may say: no more, no less."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 
 import pytest

@@ -1,7 +1,5 @@
 """Answers that say nothing: zeros in the place of numbers and functions, a motion that the arm never has."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import pytest

@@ -1,7 +1,5 @@
 """Find the mistake, and two tables: whatever mends is right, every true reason is."""
 
-from __future__ import annotations
-
 import re
 from dataclasses import replace
 

@@ -1,7 +1,5 @@
 """What follows from a wrong table earns its marks, unless the table says next to nothing."""
 
-from __future__ import annotations
-
 import pytest
 
 from exercises import grader

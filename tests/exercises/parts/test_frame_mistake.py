@@ -1,7 +1,5 @@
 """Mistakes in figures: planted, found, named and mended."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 

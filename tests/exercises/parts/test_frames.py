@@ -1,7 +1,5 @@
 """Frames in the figure: every valid assignment is right, and the rule that a frame breaks is named."""
 
-from __future__ import annotations
-
 import random
 from dataclasses import replace
 from fractions import Fraction

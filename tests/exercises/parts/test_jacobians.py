@@ -1,7 +1,5 @@
 """A Jacobian with one slip throughout: it is told once, of all the columns that it spoils."""
 
-from __future__ import annotations
-
 import math
 from dataclasses import replace
 

@@ -1,7 +1,5 @@
 """Link matrices and ⁰T_N: right, wrong in every known way, and right only for a wrong table."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 

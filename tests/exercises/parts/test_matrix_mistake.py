@@ -1,7 +1,5 @@
 """Mistakes in matrices: planted, found, named and mended."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 
 import pytest

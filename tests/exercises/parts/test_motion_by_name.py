@@ -1,7 +1,5 @@
 """Equations of motion in names are as exact as they were typed, whatever a student was given."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from fractions import Fraction
 from importlib import import_module

@@ -1,7 +1,5 @@
 """The structure, the numeric pose and the workspace."""
 
-from __future__ import annotations
-
 import math
 from typing import Any
 

@@ -1,7 +1,5 @@
 """A part type is one module: everything that asks for one goes through the registry."""
 
-from __future__ import annotations
-
 import ast
 from dataclasses import replace
 from fractions import Fraction

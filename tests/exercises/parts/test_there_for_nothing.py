@@ -1,7 +1,5 @@
 """What the identity has right, and rows of zeros in a table, earn nothing in matrices."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 
