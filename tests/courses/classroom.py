@@ -1,7 +1,5 @@
 """A platform, a course, students and what they hand in."""
 
-from __future__ import annotations
-
 from datetime import UTC, datetime, timedelta
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Stores on both databases, and a class of students."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from pathlib import Path
 

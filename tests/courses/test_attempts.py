@@ -1,7 +1,5 @@
 """Attempts, grades, drafts, sessions and the outbox, on both databases."""
 
-from __future__ import annotations
-
 import itertools
 import threading
 import time

@@ -1,7 +1,5 @@
 """Settings of a link: a slip is refused where it is made, and harms nobody where it stands."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import pytest

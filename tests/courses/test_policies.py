@@ -1,7 +1,5 @@
 """Laws of the policies: which attempt counts, what it is worth, what may be shown."""
 
-from __future__ import annotations
-
 from datetime import UTC, datetime, timedelta
 
 from hypothesis import given

@@ -1,7 +1,5 @@
 """Answers that were made before: kept once, found by all, the oldest ones making room."""
 
-from __future__ import annotations
-
 from datetime import timedelta
 
 import pytest

@@ -1,7 +1,5 @@
 """Judging again what was handed in, and what files of attempts say then, on both databases."""
 
-from __future__ import annotations
-
 import csv
 import json
 from collections.abc import Callable, Iterator, Sequence

@@ -1,7 +1,5 @@
 """Opening, migrating, backing up and restoring, on both databases."""
 
-from __future__ import annotations
-
 import gzip
 import json
 import os

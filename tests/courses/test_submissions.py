@@ -1,7 +1,5 @@
 """Submissions that are stored together become what they would have become one by one."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from concurrent.futures import Future, ThreadPoolExecutor, wait
 from contextlib import contextmanager

@@ -1,7 +1,5 @@
 """Whoever waits to write to an SQLite file comes next, whatever else its process or another one writes."""
 
-from __future__ import annotations
-
 import subprocess
 import sys
 import threading

@@ -1,7 +1,5 @@
 """A platform and a service with storage on either database."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from pathlib import Path
 

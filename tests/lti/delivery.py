@@ -1,7 +1,5 @@
 """Students of the platform, enrolled without a launch."""
 
-from __future__ import annotations
-
 from courses.model import CourseSession, Role
 from courses.people.enrolment import Arrival, arrive
 from courses.people.platforms import platforms_of

@@ -6,8 +6,6 @@ seconds: two in five right, two in five with one mistake, one in five with two, 
 `--variants` they share so many sets of values, prepared by `framewise warm`; without it each has their own.
 """
 
-from __future__ import annotations
-
 import argparse
 import asyncio
 import gzip

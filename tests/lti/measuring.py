@@ -3,8 +3,6 @@
 python -m tests.lti.measuring [--students 2000] [--attempts 20]
 """
 
-from __future__ import annotations
-
 import argparse
 import random
 import resource

@@ -10,8 +10,6 @@ verdicts' p99 beside that of the idle service, what honest clients were refused,
 way (a queue that grows is a service that does not keep up), and the memory of the service's processes.
 """
 
-from __future__ import annotations
-
 import argparse
 import asyncio
 import json

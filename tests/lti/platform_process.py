@@ -7,8 +7,6 @@ assertion; scopes of services. The gradebook is as strict as Moodle's: timestamp
     python -m tests.lti.platform_process   prints its address, then serves until its standard input ends
 """
 
-from __future__ import annotations
-
 import base64
 import json
 import random

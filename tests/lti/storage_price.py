@@ -3,8 +3,6 @@
 `python -m tests.lti.storage_price` needs wrk, and writes its section of docs/performance.md.
 """
 
-from __future__ import annotations
-
 import json
 import os
 import statistics

@@ -1,7 +1,5 @@
 """Platforms on a page for the administrator; names in the class, and previews, for lecturers."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Iterator
 from dataclasses import replace

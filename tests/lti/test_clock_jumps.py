@@ -1,7 +1,5 @@
 """The clock jumps: forwards and backwards by hours, while students are signed in and scores wait."""
 
-from __future__ import annotations
-
 import errno
 from collections.abc import Iterator
 from datetime import UTC, datetime, timedelta

@@ -1,7 +1,5 @@
 """An exam of two small classes: nothing is refused, nothing lost, and right is right."""
 
-from __future__ import annotations
-
 from pathlib import Path
 
 from tests.lti.exam import run

@@ -1,7 +1,5 @@
 """Which addresses of platforms are asked: public ones over https, and those that the operator names."""
 
-from __future__ import annotations
-
 import contextlib
 import socket
 import threading

@@ -1,7 +1,5 @@
 """Launches that must not be believed: refused with 400 or 401 and a stable code, logged without secrets."""
 
-from __future__ import annotations
-
 import base64
 import json
 import logging

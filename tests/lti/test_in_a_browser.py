@@ -1,7 +1,5 @@
 """In Chromium: the tool in a frame of another site whose third-party cookies are blocked."""
 
-from __future__ import annotations
-
 import json
 import os
 import re

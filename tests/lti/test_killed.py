@@ -3,8 +3,6 @@
 `KILLS=100 python -m pytest tests/lti/test_killed.py` is the whole campaign; the suite kills a few times.
 """
 
-from __future__ import annotations
-
 import contextlib
 import os
 import re

@@ -1,7 +1,5 @@
 """From a link in a course to a mark in its gradebook, against a platform in its own process."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Callable
 from dataclasses import replace

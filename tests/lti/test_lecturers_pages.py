@@ -1,7 +1,5 @@
 """The lecturers' and the administrator's pages in Chromium: they work, and axe-core finds nothing."""
 
-from __future__ import annotations
-
 import json
 import re
 from collections.abc import Callable, Iterator

@@ -1,7 +1,5 @@
 """An exercise is mended under its students: what they did stays what it was, and they are told."""
 
-from __future__ import annotations
-
 import shutil
 from datetime import timedelta
 from pathlib import Path

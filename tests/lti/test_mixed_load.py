@@ -1,7 +1,5 @@
 """The mixed load, for a moment: honest clients are served beside hostile ones."""
 
-from __future__ import annotations
-
 from tests.lti.mixed_load import run
 
 

@@ -1,7 +1,5 @@
 """From a unit of Open edX to its gradebook, against the published LTI consumer block: `make test-openedx`."""
 
-from __future__ import annotations
-
 import contextlib
 import html
 import json

@@ -1,7 +1,5 @@
 """In Chromium: who is signed in stays so from page to page, and is told when it ends."""
 
-from __future__ import annotations
-
 import json
 from urllib.parse import quote, urljoin
 

@@ -1,7 +1,5 @@
 """What a course has stored about one person: told to its staff, removed by them, and of no other course."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Key sets of platforms: fetched once for all who launch, and not again and again where nothing answers."""
 
-from __future__ import annotations
-
 import json
 import threading
 from concurrent.futures import ThreadPoolExecutor

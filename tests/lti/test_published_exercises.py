@@ -1,7 +1,5 @@
 """A lecturer's own exercise, from its publication to the gradebook: deep linking, launch, marks."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any

@@ -1,7 +1,5 @@
 """`kill -9` in the middle of a regrading: the same request goes on where it was, on both databases."""
 
-from __future__ import annotations
-
 import os
 import signal
 import threading

@@ -3,8 +3,6 @@
 `REPLICAS=4 python -m pytest tests/lti/test_replicas.py` starts so many; the suite starts two.
 """
 
-from __future__ import annotations
-
 import contextlib
 import json
 import os

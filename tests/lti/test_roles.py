@@ -1,7 +1,5 @@
 """Who counts as staff, by the roles of LTI 1.3 Core's vocabularies."""
 
-from __future__ import annotations
-
 import pytest
 
 from service.lti.claims import is_staff, is_test_user

@@ -1,7 +1,5 @@
 """Scores arrive whatever the platform does: failures, lost answers; none is lost, none out of order."""
 
-from __future__ import annotations
-
 import random
 import threading
 import time

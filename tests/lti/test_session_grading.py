@@ -1,7 +1,5 @@
 """What a session's attempts are told, and how many there are, where the exercise says so."""
 
-from __future__ import annotations
-
 import asyncio
 import threading
 from collections.abc import Iterator, Sequence

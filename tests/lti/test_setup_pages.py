@@ -1,7 +1,5 @@
 """What docs/lms and docs/courses.md tell an operator to type is typed here, in their order."""
 
-from __future__ import annotations
-
 import re
 import shlex
 import zipfile

@@ -1,7 +1,5 @@
 """The tool's own keys: what is published of them, and how often a private one is imported."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Iterator
 from dataclasses import dataclass

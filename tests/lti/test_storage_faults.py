@@ -1,7 +1,5 @@
 """The database goes and comes back, is full, or takes nothing: what was acknowledged stays, and no 500."""
 
-from __future__ import annotations
-
 import contextlib
 import socket
 import threading

@@ -1,7 +1,5 @@
 """A platform is registered by hand: a slip of the pen is told where it is made, not at a launch."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from pathlib import Path
 

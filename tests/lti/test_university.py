@@ -1,7 +1,5 @@
 """The evening that `make university` draws is the one that is assumed, and queues obey their recursion."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from tests.lti.university import EVENING, Cost, Costs, Habits, evening, report, waiting

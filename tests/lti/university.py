@@ -6,8 +6,6 @@ requests at random; and follows, second by second, how much work waits for how m
 of docs/performance.md. What students do is an assumption (`Habits`), what it costs is measured.
 """
 
-from __future__ import annotations
-
 import argparse
 import asyncio
 import json

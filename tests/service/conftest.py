@@ -1,7 +1,5 @@
 """A running service and a client of it, for every test of the HTTP side."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping
 
 import httpx

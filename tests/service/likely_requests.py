@@ -4,8 +4,6 @@ A string that is drawn from all strings is never the id of a robot and hardly ev
 document, it is. Whatever this document allows, the service's own allows.
 """
 
-from __future__ import annotations
-
 import copy
 from typing import Any
 

@@ -1,7 +1,5 @@
 """A second derivation of what the service answers: elementary motions multiplied one by one."""
 
-from __future__ import annotations
-
 import math
 from typing import Any
 

@@ -1,7 +1,5 @@
 """What worker processes are given to do in tests; imports next to nothing, for each of them imports it."""
 
-from __future__ import annotations
-
 import os
 import sys
 import time

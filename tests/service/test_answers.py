@@ -1,7 +1,5 @@
 """Calls that judge by meaning, over HTTP."""
 
-from __future__ import annotations
-
 import math
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Whatever is sent, the answer is a problem document that says where and what would be right."""
 
-from __future__ import annotations
-
 import copy
 import io
 import json

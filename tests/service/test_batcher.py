@@ -1,7 +1,5 @@
 """What waits together is done together, and each gets its own result."""
 
-from __future__ import annotations
-
 import asyncio
 import threading
 from collections.abc import Sequence

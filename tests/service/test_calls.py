@@ -1,7 +1,5 @@
 """Calls are functions: they can be asked without HTTP, and ask for what they need by name."""
 
-from __future__ import annotations
-
 import asyncio
 import threading
 from typing import Any

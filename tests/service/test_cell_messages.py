@@ -1,7 +1,5 @@
 """Every refusal of a cell has its sentence in every language, with every value in place."""
 
-from __future__ import annotations
-
 import re
 
 import pytest

@@ -1,7 +1,5 @@
 """What a request made goes with its answer, and is no garbage in circles that has to be looked for."""
 
-from __future__ import annotations
-
 import asyncio
 import gc
 import json

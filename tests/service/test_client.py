@@ -1,7 +1,5 @@
 """`framewise.Client` and `AsyncClient` reach every call of the API, and get the same answers."""
 
-from __future__ import annotations
-
 import asyncio
 import inspect
 import json

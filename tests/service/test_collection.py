@@ -1,7 +1,5 @@
 """Caches are not gone over again and again, and garbage in cycles goes all the same."""
 
-from __future__ import annotations
-
 import gc
 import sys
 import time

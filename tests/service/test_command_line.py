@@ -1,7 +1,5 @@
 """`framewise grade` and `framewise receipts`, called as a person calls them."""
 
-from __future__ import annotations
-
 import csv
 import io
 import json

@@ -1,7 +1,5 @@
 """What a caller may leave undone: heads, bodies, answers and connections."""
 
-from __future__ import annotations
-
 import contextlib
 import json
 import socket

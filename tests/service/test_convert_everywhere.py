@@ -1,7 +1,5 @@
 """POST /convert from every form to every form: the same poses, with base, tool, names and limits."""
 
-from __future__ import annotations
-
 import math
 from typing import Any
 

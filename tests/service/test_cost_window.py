@@ -1,7 +1,5 @@
 """Limits by cost: a sliding minute of monotonic time."""
 
-from __future__ import annotations
-
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st

@@ -1,7 +1,5 @@
 """What the document allows is accepted, and what it forbids is refused: schemathesis draws both."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Iterator
 from itertools import chain, combinations

@@ -1,7 +1,5 @@
 """What a class will be shown is drawn before it comes, and not twice."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import replace
 from datetime import timedelta

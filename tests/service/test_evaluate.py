@@ -1,7 +1,5 @@
 """µEd 0.1.0 over HTTP."""
 
-from __future__ import annotations
-
 import http.server
 import json
 import threading

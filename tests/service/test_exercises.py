@@ -1,7 +1,5 @@
 """Exercises over HTTP: list, statement, figure, grading."""
 
-from __future__ import annotations
-
 import json
 import re
 import threading

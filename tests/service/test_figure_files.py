@@ -1,7 +1,5 @@
 """Figures under addresses made from what they show: shared, and the same for ever."""
 
-from __future__ import annotations
-
 import threading
 import time
 import zlib

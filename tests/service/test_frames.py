@@ -1,7 +1,5 @@
 """POST /assign-frames and /check-frames over HTTP."""
 
-from __future__ import annotations
-
 import pytest
 
 ELBOW = [

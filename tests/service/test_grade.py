@@ -1,7 +1,5 @@
 """POST /grade: a key that the caller keeps."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import httpx

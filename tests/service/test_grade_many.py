@@ -1,7 +1,5 @@
 """Many submissions judged by one key."""
 
-from __future__ import annotations
-
 import asyncio
 import json
 from typing import Any

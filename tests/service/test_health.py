@@ -1,7 +1,5 @@
 """Whether the service is alive and ready, and which version it is."""
 
-from __future__ import annotations
-
 import os
 import signal
 import time

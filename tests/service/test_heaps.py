@@ -1,7 +1,5 @@
 """Threads share the C library's heaps: what a crowd has needed at once does not stay reserved."""
 
-from __future__ import annotations
-
 import platform
 import subprocess
 import sys

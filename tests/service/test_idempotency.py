@@ -1,7 +1,5 @@
 """A POST that is sent again with its Idempotency-Key."""
 
-from __future__ import annotations
-
 import threading
 from collections.abc import Iterator
 from typing import Any

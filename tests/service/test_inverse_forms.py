@@ -1,7 +1,5 @@
 """POST /inverse-kinematics with "form": "symbolic" over HTTP."""
 
-from __future__ import annotations
-
 import itertools
 import math
 from typing import Any

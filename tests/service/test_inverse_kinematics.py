@@ -1,7 +1,5 @@
 """POST /inverse-kinematics over HTTP."""
 
-from __future__ import annotations
-
 import math
 from typing import Any
 

@@ -1,7 +1,5 @@
 """Places for work in threads, and how threads take turns."""
 
-from __future__ import annotations
-
 import asyncio
 import itertools
 import sys

@@ -1,7 +1,5 @@
 """Under the signed context of a link the API itself hides what is off."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any

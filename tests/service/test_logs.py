@@ -1,7 +1,5 @@
 """The log repeats no row that a database refused and no secret, and is written in one way."""
 
-from __future__ import annotations
-
 import json
 import logging.config
 from collections.abc import Iterator

@@ -1,7 +1,5 @@
 """A long lane shortens explanations, and changes nothing else."""
 
-from __future__ import annotations
-
 from dataclasses import replace
 from pathlib import Path
 

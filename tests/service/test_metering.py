@@ -1,7 +1,5 @@
 """Keys of programs and limits by cost; both are off until they are set."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from pathlib import Path
 

@@ -1,7 +1,5 @@
 """Figures for the operator count what happened, name nobody, and are those of all processes of a server."""
 
-from __future__ import annotations
-
 import json
 import os
 import re

@@ -1,7 +1,5 @@
 """What every answer has, whatever the call: ids, headers, methods, prefixes, and no stack trace."""
 
-from __future__ import annotations
-
 import asyncio
 import errno
 import http.client

@@ -1,7 +1,5 @@
 """The OpenAPI document is true: every example works, every answer has the shape that it states."""
 
-from __future__ import annotations
-
 import copy
 import json
 from collections.abc import Iterator

@@ -1,7 +1,5 @@
 """How many robots are held as they were read: many short tables, few long ones."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from service.schemas.kinematics.robot_question import RobotQuestion

@@ -1,7 +1,5 @@
 """POST /scm/products: seed 001 eq. 2.10 to 2.12, and the toolbox's HRX … HTZ, GEO, SCZIP, S2D and H2J."""
 
-from __future__ import annotations
-
 import math
 from typing import Any
 

@@ -1,7 +1,5 @@
 """POST /rates: velocities, accelerations, forces."""
 
-from __future__ import annotations
-
 import math
 from typing import Any
 

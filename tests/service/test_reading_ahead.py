@@ -1,7 +1,5 @@
 """The packaged exercises are read after the start, or when they are asked for."""
 
-from __future__ import annotations
-
 import threading
 import time
 from typing import Any

@@ -1,7 +1,5 @@
 """The receipt as a page to print: read back with PDFium, as text and as a picture."""
 
-from __future__ import annotations
-
 import re
 from math import cos, hypot, radians, sin
 

@@ -1,7 +1,5 @@
 """Receipts over HTTP."""
 
-from __future__ import annotations
-
 import csv
 import io
 

@@ -1,7 +1,5 @@
 """GET /robots: the catalogue over HTTP, its entries usable as they stand."""
 
-from __future__ import annotations
-
 import math
 
 import httpx

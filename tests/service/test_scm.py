@@ -1,7 +1,5 @@
 """The SCM calls over HTTP: numbers, closed forms, units, refusals."""
 
-from __future__ import annotations
-
 import math
 from typing import Any
 

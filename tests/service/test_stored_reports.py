@@ -1,7 +1,5 @@
 """Reports are stored as plain data and come back as they were."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import orjson

@@ -1,7 +1,5 @@
 """POST /symbolic: the answers agree with the numbers of the other calls, and nothing hostile hurts."""
 
-from __future__ import annotations
-
 import asyncio
 import json
 import re

@@ -1,7 +1,5 @@
 """POST /trajectory, and the ellipsoids of /rates: units, refusals, agreement with the calls beside them."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import httpx

@@ -1,7 +1,5 @@
 """POST /trees: arms that branch, by Khalil and Kleinfinger's parameters."""
 
-from __future__ import annotations
-
 import math
 from typing import Any
 

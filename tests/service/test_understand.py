@@ -1,7 +1,5 @@
 """POST /understand with an exercise: the names that it knows, and those that it does not."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import httpx

@@ -1,7 +1,5 @@
 """URDF over HTTP: tables written, chains read."""
 
-from __future__ import annotations
-
 import re
 from typing import Any
 

@@ -1,7 +1,5 @@
 """`framewise warm`: an exam's figures, variants and closed forms, made beforehand."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from unittest.mock import patch
 

@@ -1,7 +1,5 @@
 """Worker processes: what runs out of time or memory ends, and nothing else does."""
 
-from __future__ import annotations
-
 import asyncio
 import os
 import signal

@@ -1,7 +1,5 @@
 """POST /workspace."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import httpx

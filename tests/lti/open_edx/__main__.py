@@ -7,8 +7,6 @@ gradebook) is answered by `edx_course`: `lti_consumer.plugin.compat` is the pack
     python -m tests.lti.open_edx   prints its address, then serves until its standard input ends
 """
 
-from __future__ import annotations
-
 import json
 import sys
 import tempfile

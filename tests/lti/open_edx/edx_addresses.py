@@ -1,7 +1,5 @@
 """Addresses: those of the block, and what a test does there in the place of people."""
 
-from __future__ import annotations
-
 import json
 
 from django.http import HttpRequest, HttpResponse, HttpResponseRedirect, JsonResponse

@@ -4,8 +4,6 @@ An assignment is released, a right and a wrong answer are handed in, and the hos
 gets all marks, a wrong one some. `test_examples` holds the same folders against their documented contracts.
 """
 
-from __future__ import annotations
-
 import csv
 import json
 import os

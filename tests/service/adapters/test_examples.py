@@ -1,7 +1,5 @@
 """The examples of docs/lms/examples, each executed as its host's documented contract has it."""
 
-from __future__ import annotations
-
 import importlib.util
 import json
 import os

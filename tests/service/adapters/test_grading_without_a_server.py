@@ -1,7 +1,5 @@
 """A class graded from its files, and the protocols of other systems' autograders."""
 
-from __future__ import annotations
-
 import csv
 import io
 import json

@@ -1,7 +1,5 @@
 """Receipts are signed, and nothing but what was signed is believed."""
 
-from __future__ import annotations
-
 import json
 import random
 import stat

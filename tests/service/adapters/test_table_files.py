@@ -1,7 +1,5 @@
 """Tables in the files that courses use."""
 
-from __future__ import annotations
-
 import io
 import json
 import struct

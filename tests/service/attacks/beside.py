@@ -7,8 +7,6 @@ the most memory that any process of the service held. The attackers run in a pro
 to all others, so that what is measured is the service and not the load on the machine.
 """
 
-from __future__ import annotations
-
 import argparse
 import asyncio
 import contextlib

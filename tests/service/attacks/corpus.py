@@ -1,7 +1,5 @@
 """The corpus: each attack by name, as an address and a body, at a limit and ten times beyond."""
 
-from __future__ import annotations
-
 import json
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass

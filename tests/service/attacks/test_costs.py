@@ -1,7 +1,5 @@
 """No request of the corpus costs the event loop much work or memory: counted, not timed."""
 
-from __future__ import annotations
-
 import asyncio
 import ctypes
 import gc

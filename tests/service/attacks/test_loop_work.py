@@ -1,7 +1,5 @@
 """What takes long to write is written in a thread, while the event loop answers others."""
 
-from __future__ import annotations
-
 import asyncio
 import sys
 import threading

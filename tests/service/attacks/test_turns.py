@@ -1,7 +1,5 @@
 """Requests go on in the order of their clients' use: counted, not timed."""
 
-from __future__ import annotations
-
 import asyncio
 import json
 from collections.abc import Iterator

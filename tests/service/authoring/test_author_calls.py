@@ -1,7 +1,5 @@
 """An exercise made over HTTP: started, tried, tested, taken along, published; what is hostile refused."""
 
-from __future__ import annotations
-
 import io
 import zipfile
 from collections.abc import Iterator

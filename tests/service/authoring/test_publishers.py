@@ -1,7 +1,5 @@
 """Who may publish: what each value of the setting lets through, and what it says to everybody else."""
 
-from __future__ import annotations
-
 from pathlib import Path
 from typing import Any
 
