@@ -4,8 +4,6 @@ Without arguments every `bench_*.py` runs, each in a process of its own; the pee
 one that runs it (`make bench` sees to that). `--quiet-page` prints without touching the page.
 """
 
-from __future__ import annotations
-
 from bench.machine import use_one_thread
 
 use_one_thread()

@@ -1,7 +1,5 @@
 """Reading the cells of a table beside SymPy's parsers."""
 
-from __future__ import annotations
-
 import warnings
 
 from bench import Outcome, race

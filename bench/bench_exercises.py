@@ -1,7 +1,5 @@
 """Grading over HTTP beside an empty endpoint of the same application."""
 
-from __future__ import annotations
-
 import json
 import shutil
 import statistics

@@ -1,7 +1,5 @@
 """Forward kinematics of the PUMA 560 beside roboticstoolbox and Pinocchio."""
 
-from __future__ import annotations
-
 import numpy as np
 
 from bench import Outcome, race

@@ -1,7 +1,5 @@
 """Frame assignment beside AutoDH: random chains of joint axes to DH tables."""
 
-from __future__ import annotations
-
 import os
 from typing import Any
 

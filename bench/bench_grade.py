@@ -1,7 +1,5 @@
 """A class graded from its files, without a server: time, and memory that does not grow with the class."""
 
-from __future__ import annotations
-
 import random
 import resource
 import subprocess

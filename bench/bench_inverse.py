@@ -1,7 +1,5 @@
 """Inverse kinematics beside EAIK and roboticstoolbox."""
 
-from __future__ import annotations
-
 import os
 from typing import Any
 

@@ -1,7 +1,5 @@
 """The service over HTTP beside an empty endpoint of the same application and beside the library."""
 
-from __future__ import annotations
-
 import contextlib
 import http.client
 import io

@@ -1,7 +1,5 @@
 """Closed forms beside SymPy and roboticstoolbox: time, operations, and what they are worth as an oracle."""
 
-from __future__ import annotations
-
 import gc
 import os
 import time

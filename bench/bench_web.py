@@ -1,7 +1,5 @@
 """The web form on a slow phone, beside what was promised."""
 
-from __future__ import annotations
-
 import json
 import subprocess
 from pathlib import Path

@@ -1,7 +1,5 @@
 """The application with endpoints that do nothing, to measure what a request costs before any work."""
 
-from __future__ import annotations
-
 from fastapi import FastAPI, Response
 
 from service.app import create_app

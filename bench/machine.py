@@ -1,7 +1,5 @@
 """What the figures were taken on: facts that matter to speed, and none that name the machine."""
 
-from __future__ import annotations
-
 import os
 import platform
 from importlib.metadata import PackageNotFoundError, version

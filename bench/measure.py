@@ -4,8 +4,6 @@ A bare number of seconds says more about the machine than about the program. So 
 two figures that were taken in one process, in turns, on one thread, and the ratio of the two.
 """
 
-from __future__ import annotations
-
 import gc
 import statistics
 import time

@@ -1,7 +1,5 @@
 """The PUMA 560 as each peer writes it, from the figures of one standard DH table."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable
 from typing import Any

@@ -1,7 +1,5 @@
 """Reports: a table for the terminal and a section of docs/performance.md."""
 
-from __future__ import annotations
-
 import datetime
 import os
 import re

@@ -1,7 +1,5 @@
 """Closed forms held against oracles that know nothing of them: counts of what agrees, not times."""
 
-from __future__ import annotations
-
 import gc
 import random
 import time

@@ -1,7 +1,5 @@
 """PUMA 560 with symbolic lengths as SymPy and roboticstoolbox write it."""
 
-from __future__ import annotations
-
 from functools import cache
 from typing import Any
 

@@ -1,7 +1,5 @@
 """A real SQLite file and a real PostgreSQL for tests of what is stored."""
 
-from __future__ import annotations
-
 import contextlib
 import itertools
 import os

@@ -1,7 +1,5 @@
 """The OpenAPI document, written once for all tests of a process."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from service.app import create_app

@@ -1,7 +1,5 @@
 """A test of every call of an OpenAPI document, with bodies that schemathesis draws."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Callable, Mapping
 from typing import Any

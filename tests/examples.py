@@ -1,7 +1,5 @@
 """Tables, answers and drafts that the OpenAPI document shows, for tests that ask other things of them."""
 
-from __future__ import annotations
-
 from typing import Any
 
 from service.http.openapi import examples_by_call

@@ -1,7 +1,5 @@
 """A service that runs beside the tests and is asked over HTTP."""
 
-from __future__ import annotations
-
 import contextlib
 import socket
 import threading

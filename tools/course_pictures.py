@@ -3,8 +3,6 @@
 python -m tools.course_pictures          writes docs/images/course-*.png
 """
 
-from __future__ import annotations
-
 import json
 import tempfile
 from datetime import timedelta

@@ -8,8 +8,6 @@ example of the OpenAPI document, closed forms in every format, and a receipt as 
 with 1, and says what was wrong, if anything was.
 """
 
-from __future__ import annotations
-
 import json
 import shlex
 import subprocess

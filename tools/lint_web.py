@@ -5,8 +5,6 @@ Runs with the Node that `tools/vendor.py` found or brought, on the development p
     python tools/lint_web.py [--fix]      --fix lets prettier and eslint write
 """
 
-from __future__ import annotations
-
 import argparse
 import subprocess
 import sys

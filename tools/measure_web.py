@@ -6,8 +6,6 @@ Each page is opened several times in fresh contexts (nothing cached) with the pr
 times; medians count.
 """
 
-from __future__ import annotations
-
 import json
 import statistics
 import sys

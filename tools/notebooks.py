@@ -7,8 +7,6 @@ the HTML and the LaTeX are kept, as Jupyter does. So a test can hold the stored
 outputs without a Jupyter server.
 """
 
-from __future__ import annotations
-
 import ast
 import contextlib
 import io

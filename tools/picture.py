@@ -3,8 +3,6 @@
 python -m tools.picture          writes docs/images/form.png and docs/images/form-dark.png
 """
 
-from __future__ import annotations
-
 from playwright.sync_api import Browser, Page
 
 from tools.web import ROOT, chromium, service

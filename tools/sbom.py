@@ -5,8 +5,6 @@ here, with its licence and the hashes of the lock, and every npm package that th
 prints them as a list.
 """
 
-from __future__ import annotations
-
 import argparse
 import json
 import re

@@ -7,8 +7,6 @@ bundles of each package what the pages import, as one module, so that they need 
     python tools/vendor.py [--omit-dev]      --omit-dev leaves out what only tests need (axe-core)
 """
 
-from __future__ import annotations
-
 import argparse
 import gzip
 import hashlib

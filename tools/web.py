@@ -1,7 +1,5 @@
 """A running service and a Chromium, for scripts that look at pages."""
 
-from __future__ import annotations
-
 import contextlib
 import os
 import shutil

@@ -1,7 +1,5 @@
 """Start the service as a person would, in a process of its own."""
 
-from __future__ import annotations
-
 import contextlib
 import os
 import re

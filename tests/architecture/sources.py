@@ -1,7 +1,5 @@
 """The project's own files, as the guards see them."""
 
-from __future__ import annotations
-
 import ast
 import subprocess
 from functools import cache

@@ -1,7 +1,5 @@
 """Who may import whom, and what is imported at all."""
 
-from __future__ import annotations
-
 import subprocess
 import sys
 

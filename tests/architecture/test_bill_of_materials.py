@@ -1,7 +1,5 @@
 """The bill of materials names everything that is locked, each with a licence that lets it be used."""
 
-from __future__ import annotations
-
 import json
 import re
 

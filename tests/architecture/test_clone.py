@@ -3,8 +3,6 @@
 Takes as long as everything else together, so it runs only when asked for: `make test-clone`.
 """
 
-from __future__ import annotations
-
 import os
 import subprocess
 from pathlib import Path

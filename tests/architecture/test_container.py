@@ -6,8 +6,6 @@ do, making the user, the stage `system` and installing the system's tools, is ch
 does it with one. Stages that depend on locks alone are kept under build/, named by what they were made from.
 """
 
-from __future__ import annotations
-
 import fnmatch
 import hashlib
 import json

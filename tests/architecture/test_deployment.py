@@ -1,7 +1,5 @@
 """What is deployed: manifests that Kubernetes' schemas take, and a compose file whose parts fit together."""
 
-from __future__ import annotations
-
 import re
 import shutil
 import subprocess

@@ -1,7 +1,5 @@
 """Links in the documentation lead somewhere, and every call of the API is listed."""
 
-from __future__ import annotations
-
 import re
 from functools import cache
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Every refusal has a sentence in every language, with the same parameters; no sentence is left over."""
 
-from __future__ import annotations
-
 import ast
 from collections.abc import Iterator
 from functools import cache

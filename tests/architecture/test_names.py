@@ -1,7 +1,5 @@
 """Files and functions are named for what they are about, and documented."""
 
-from __future__ import annotations
-
 import ast
 import re
 from collections.abc import Iterator

@@ -1,7 +1,5 @@
 """One idea, one name: no class name stands in two modules, no file name says the same of three."""
 
-from __future__ import annotations
-
 import ast
 from collections import Counter
 

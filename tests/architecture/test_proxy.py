@@ -1,7 +1,5 @@
 """The nginx block of docs/operations.md, behind a real nginx, for a visitor from elsewhere."""
 
-from __future__ import annotations
-
 import os
 import re
 import shutil

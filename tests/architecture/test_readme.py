@@ -1,7 +1,5 @@
 """What the pages show is what happens; `python -m tests.architecture.test_readme --update` writes it."""
 
-from __future__ import annotations
-
 import contextlib
 import io
 import itertools

@@ -1,7 +1,5 @@
 """The table of settings in docs/operations.md is that of the code. `python … --update` writes it."""
 
-from __future__ import annotations
-
 import os
 import socket
 import subprocess

@@ -1,7 +1,5 @@
 """The server ends when it is told to, whatever callers do, and answers what it can before."""
 
-from __future__ import annotations
-
 import contextlib
 import os
 import re

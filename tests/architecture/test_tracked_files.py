@@ -1,7 +1,5 @@
 """What must not be in the repository: hosts in locks, paths of a machine, notes to oneself."""
 
-from __future__ import annotations
-
 import json
 import re
 

@@ -1,7 +1,5 @@
 """What is installed is whole: the wheel holds every file that the tree serves, and serves it."""
 
-from __future__ import annotations
-
 import json
 import os
 import subprocess

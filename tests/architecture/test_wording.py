@@ -1,7 +1,5 @@
 """Each language keeps its typography, and one term for one thing (the glossary stands in CONTRIBUTING.md)."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable
 from functools import cache, partial

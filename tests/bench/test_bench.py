@@ -1,7 +1,5 @@
 """The benchmark framework: ratios, bars and the page, without measuring anything that matters."""
 
-from __future__ import annotations
-
 import asyncio
 import importlib
 import math

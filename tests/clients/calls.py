@@ -1,7 +1,5 @@
 """What the clients are generated from, and what they call: every example of the OpenAPI document."""
 
-from __future__ import annotations
-
 from typing import Any, NamedTuple
 
 from tests.document import DOCUMENT

@@ -3,8 +3,6 @@
 Calls come from standard input; a line of JSON tells of each its name, and what went wrong or nothing.
 """
 
-from __future__ import annotations
-
 import importlib
 import inspect
 import json

@@ -4,8 +4,6 @@ The generator is a program in Java that its package on the index brings along; i
 are in an environment of their own, which runs `generated_calls.py`.
 """
 
-from __future__ import annotations
-
 import json
 import subprocess
 import sys

@@ -1,7 +1,5 @@
 """A Python client, made by openapi-python-client from the document as it is served, makes every call."""
 
-from __future__ import annotations
-
 import importlib
 import inspect
 import json

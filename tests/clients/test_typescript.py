@@ -4,8 +4,6 @@ The tools have a lock of their own (tests/clients/typescript): the generator wor
 compiler, and the pages are checked with a later one.
 """
 
-from __future__ import annotations
-
 import json
 import os
 import shutil

@@ -3,8 +3,6 @@
 What is found is written to build/fuzz/ and told; put it into tests/fuzz/corpus/ with the mend.
 """
 
-from __future__ import annotations
-
 import argparse
 import contextlib
 import hashlib

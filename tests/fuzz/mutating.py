@@ -1,7 +1,5 @@
 """Inputs from the corpus, changed at random: cut, doubled, mixed, with bytes and words put in."""
 
-from __future__ import annotations
-
 import random
 from collections.abc import Iterator
 from pathlib import Path

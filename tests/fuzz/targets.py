@@ -4,8 +4,6 @@ Warnings of numpy are findings, and so are explanations that fail: they are logg
 stands. So is what costs more than a second of processor time.
 """
 
-from __future__ import annotations
-
 import gc
 import json
 import logging

@@ -1,7 +1,5 @@
 """A minute of fuzzing: what is kept in the corpus, what was found, and inputs near them."""
 
-from __future__ import annotations
-
 from itertools import islice
 
 import pytest

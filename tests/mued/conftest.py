@@ -1,7 +1,5 @@
 """The service that is asked: at `MUED_URL` (its header in `MUED_AUTHORIZATION`), or else one of our own."""
 
-from __future__ import annotations
-
 import os
 from collections.abc import Iterator
 

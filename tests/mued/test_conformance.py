@@ -5,8 +5,6 @@ that the standard's own document has. A service may refuse what it does not eval
 it answers has the shape that the standard gives it.
 """
 
-from __future__ import annotations
-
 import json
 from pathlib import Path
 from typing import Any

@@ -1,7 +1,5 @@
 """The notebooks of docs/notebooks show what they would show now."""
 
-from __future__ import annotations
-
 import importlib.util
 import json
 from pathlib import Path

@@ -1,7 +1,5 @@
 """Whole answers to the model exercises, worked out here and not by the service."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping, Sequence
 from functools import reduce

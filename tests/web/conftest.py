@@ -3,8 +3,6 @@
 Where Chromium is missing, tests that need it are skipped with the reason; in CI that is a failure.
 """
 
-from __future__ import annotations
-
 import os
 import re
 import shutil

@@ -1,7 +1,5 @@
 """What a person does on the exercise page, as functions."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any

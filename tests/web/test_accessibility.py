@@ -1,7 +1,5 @@
 """axe-core finds nothing, on any page, in any state."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 from typing import Literal
 

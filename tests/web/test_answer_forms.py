@@ -1,7 +1,5 @@
 """Parts whose page is made from their own description: one exercise of each kind, filled in on a phone."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable
 from enum import Enum

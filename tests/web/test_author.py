@@ -1,7 +1,5 @@
 """A lecturer's own robot, in the browser alone: drawn, from a table, from URDF; by mouse and by keyboard."""
 
-from __future__ import annotations
-
 import io
 import json
 import re

@@ -1,7 +1,5 @@
 """Whatever a definition can hold is set in the page: every key, every kind of part, every dimension."""
 
-from __future__ import annotations
-
 import base64
 import json
 import re

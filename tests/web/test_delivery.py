@@ -1,7 +1,5 @@
 """How the form's files travel: policy, languages, versions, compression, prefixes, no cookies."""
 
-from __future__ import annotations
-
 import gzip
 import re
 from collections.abc import Iterator

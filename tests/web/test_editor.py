@@ -1,7 +1,5 @@
 """The table editor: conventions, units, rows, pasting, undo, meanings and faults."""
 
-from __future__ import annotations
-
 import re
 import unicodedata
 

@@ -1,7 +1,5 @@
 """Where the form has to work: phones, foreign frames, prefixes, no WebGL, no storage, keyboard alone."""
 
-from __future__ import annotations
-
 import contextlib
 import re
 import threading

@@ -1,7 +1,5 @@
 """The model exercises, from an empty form to full marks."""
 
-from __future__ import annotations
-
 from typing import Any
 
 import pytest

@@ -1,7 +1,5 @@
 """Frames placed on the figure's robot: by keyboard, on a phone, with every rule that is broken named."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 import pytest

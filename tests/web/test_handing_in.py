@@ -1,7 +1,5 @@
 """What a student hands in and a lecturer verifies, in the browser; links that carry signed settings."""
 
-from __future__ import annotations
-
 import io
 import zipfile
 from collections.abc import Callable

@@ -1,7 +1,5 @@
 """Where a student stands and what helps on: points, parts, steps of help, the ghost of a wrong robot."""
 
-from __future__ import annotations
-
 from collections.abc import Callable
 
 import pytest

@@ -1,7 +1,5 @@
 """What a student learns from an answer: verdicts, repairs, both robots, the history; and nothing before."""
 
-from __future__ import annotations
-
 import json
 import re
 from typing import Any

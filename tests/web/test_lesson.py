@@ -1,7 +1,5 @@
 """The first lesson: what is drawn can be moved, and shows what the text says."""
 
-from __future__ import annotations
-
 import pytest
 from playwright.sync_api import Page, expect
 

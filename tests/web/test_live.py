@@ -1,7 +1,5 @@
 """The student's robot while they type and drag: at once, in order, and no more traffic than promised."""
 
-from __future__ import annotations
-
 import numpy as np
 import pytest
 from playwright.sync_api import CDPSession, Page, Route, expect

@@ -1,7 +1,5 @@
 """One set of messages serves API and form: nothing is missing, in any language, and nothing is left over."""
 
-from __future__ import annotations
-
 import re
 
 import pytest

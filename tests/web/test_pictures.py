@@ -1,7 +1,5 @@
 """The picture with the table: it grows row by row, stays in sight, plays a row, and lights its cells."""
 
-from __future__ import annotations
-
 import base64
 import json
 import re

@@ -1,7 +1,5 @@
 """The playground in a real browser: ways to a table, answers, links, languages, sizes, accessibility."""
 
-from __future__ import annotations
-
 import base64
 import json
 import re

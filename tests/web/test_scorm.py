@@ -1,7 +1,5 @@
 """SCORM packages in a real browser: an LMS of another origin plays them by an independent run-time."""
 
-from __future__ import annotations
-
 import http.server
 import io
 import json

@@ -1,7 +1,5 @@
 """The form's pure parts, tested under Node."""
 
-from __future__ import annotations
-
 import os
 import shutil
 import subprocess

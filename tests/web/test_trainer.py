@@ -1,7 +1,5 @@
 """The frame trainer in a real browser: the walk of the lecture, walks of habit, and each step by itself."""
 
-from __future__ import annotations
-
 import re
 from collections.abc import Callable
 from typing import Any

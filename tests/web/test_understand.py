@@ -1,7 +1,5 @@
 """POST /understand: what the table editor shows beneath each cell."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 from typing import Any

@@ -1,7 +1,5 @@
 """What a student does in the trainer, as functions: by the lecture, or by a habit."""
 
-from __future__ import annotations
-
 import random
 from collections.abc import Callable, Sequence
 from typing import Any
