@@ -178,9 +178,7 @@ def disclosed(
     """Return how much of a student's judgements may be shown now.
 
     Args:
-        policy: the link's.
         made: attempts that the student has made.
-        now: the time.
         released: the lecturer has released the feedback of the link.
         longest: the longest extra time of any student of the link: what is shown after the deadline waits
             until nobody can use it.

@@ -33,9 +33,7 @@ def other_tables(
 
     Args:
         read: a table, taken to be right.
-        policy: what is free.
         parameters: values of the table's parameters [its units].
-        count: how many are wanted.
     """
     found: dict[RawTable, OtherTable] = {}
     given = written_table(read)

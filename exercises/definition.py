@@ -38,7 +38,6 @@ class Part:
 
     Attributes:
         kind: what, a key of `exercises.parts.registry.part_types`.
-        points: what it is worth.
     """
 
     kind: str
@@ -51,7 +50,6 @@ class Sample:
 
     Attributes:
         name: what it shows.
-        table: the answer.
         correct: it must be accepted; None: it must be refused as malformed.
         feedback: codes that the verdict must contain.
     """

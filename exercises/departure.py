@@ -82,8 +82,6 @@ def departure_of(instance: Instance, read: ReadTable, verdict: Verdict) -> Depar
     """Return where the robot of a table leaves the figure's; None where it cannot be drawn or says nothing.
 
     Args:
-        instance: the exercise with the student's values.
-        read: the table as read.
         verdict: on this table, at a help level that tells what is wrong in a row.
     """
     exercise = instance.exercise
@@ -239,7 +237,6 @@ def _off(
         turned: m vectors that make up the directions.
         moved: m that make up points.
         axis: the figure's.
-        size: the robot's.
     """
     target, (first, *others) = axis.direction, moved
     apart = (subtract(first, axis.point), *others)

@@ -67,7 +67,6 @@ def figure_drawing(instance: Instance, note: str = "", frames: Sequence[DrawnFra
     """Return the figure without the words that tell of it.
 
     Args:
-        instance: the exercise with the student's values.
         note: what is written below a figure that is not to scale.
         frames: frame 0 … N, to be drawn on the robot, which is to scale then; without them, those that the
             policy prescribes.

@@ -51,7 +51,6 @@ class Picker:
     """Draws a student's values for one exercise.
 
     Attributes:
-        exercise_id: of the exercise.
         seed: names the student or the try; None for the values that everyone sees without a seed.
     """
 
@@ -66,7 +65,6 @@ class Picker:
         Args:
             usual: the value that everyone sees without a seed.
             draw: the values to choose from.
-            name: of the value.
             without: sizes that it is kept apart from, as far as the draw has others.
         """
         if self.seed is None or draw is None:
@@ -103,8 +101,6 @@ def read_draw(reader: Reader, key: str, *, of_use: bool = True) -> Draw | None:
     """Return from where values are drawn; None if the key is missing. Faults go to the reader.
 
     Args:
-        reader: of the part's entry.
-        key: to read.
         of_use: something is drawn from it, so authors are offered the key.
     """
     if of_use:

@@ -27,10 +27,8 @@ class Report:
         parts: on each part that was handed in, in the exercise's order.
         missing: parts that are asked and were not handed in.
         points: what the answer earned.
-        max_points: what the exercise is worth.
         help_level: how much was told.
         seed: from what the student's values were drawn.
-        version: of the exercise.
         angle_unit: unit of the answer's angles.
         length_unit: unit of the answer's lengths.
         figure: how the key lies in the figure; with an accepted table only.
@@ -80,7 +78,6 @@ def grade(
     """Judge an answer.
 
     Args:
-        instance: the exercise with the student's values.
         answer: what was handed in, as read.
         help_level: how much may be told; never more than the exercise allows.
         attempt: which attempt it is, from 1, for the exercise's help ladder.

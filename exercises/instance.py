@@ -27,7 +27,6 @@ class Instance:
     """An exercise with one student's values.
 
     Attributes:
-        exercise: the exercise.
         seed: from what the values were drawn, of an exercise with variants the variant's; None for the values
             that everyone sees without a seed.
         exact: value of every dimension [the exercise's unit].
@@ -75,7 +74,6 @@ def generate(exercise: Exercise, seed: str | int | None = None) -> Instance:
     """Return the exercise with the values of a seed.
 
     Args:
-        exercise: the exercise.
         seed: names a student or a try: text or a whole number; 7 and "7" are the same seed. None: the usual
             values.
 
@@ -111,7 +109,6 @@ def possible_instances(exercise: Exercise, fixed: Collection[str], most: int) ->
     Names in `fixed` keep their usual values. What parts draw beside the dimensions is as without a seed.
 
     Args:
-        exercise: the exercise.
         fixed: names of dimensions whose values make no difference.
         most: nothing is returned where there are more sets of values.
     """

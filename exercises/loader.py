@@ -46,8 +46,6 @@ def exercise_of_files(exercise_id: str, files: Mapping[str, bytes], *, is_checke
     """Return the exercise that the files of a folder describe.
 
     Args:
-        exercise_id: names it.
-        files: by their names.
         is_checked: whether its pieces are known to fit together, so that only their form is looked at.
 
     Raises:
@@ -70,7 +68,6 @@ def read_exercise(
     """Return the exercise that a definition and its statements describe.
 
     Args:
-        exercise_id: names it.
         definition: the keys of exercise.toml.
         statements: in Markdown, by language.
         is_checked: whether its pieces are known to fit together.

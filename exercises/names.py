@@ -78,9 +78,6 @@ def in_own_names(
     """Return an expression of an answer in the exercise's own names.
 
     Args:
-        expression: what was read.
-        exercise: the exercise.
-        where: the place of the cell.
         others: names that may stand there besides the exercise's own.
         idle: names in the cell that make no difference.
         is_constant: joint variables mean nothing there, which is said of their names.

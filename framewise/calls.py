@@ -74,7 +74,6 @@ class KinematicsCalls(Sender[Answer, Content, Answers]):
 
         Args:
             robot: a table, or the id of a robot of the catalogue.
-            joints: the configuration.
             options: `rates`, `accelerations`, `wrench`, `parameters`, `base`, `tool`.
         """
         return self._of_robot("rates", robot, joints=joints, **options)
@@ -91,7 +90,6 @@ class KinematicsCalls(Sender[Answer, Content, Answers]):
         """Return how a table is read, cell by cell (POST /understand).
 
         Args:
-            table: the table.
             options: `parameters`, `exercise`, `matrices`.
         """
         return self.post("understand", table=dict(table), **options)

@@ -49,7 +49,6 @@ def check(
         answer: a table (`convention`, `rows`, units), or what POST /exercises/{id}/grade takes.
         exercise: id of the exercise.
         seed: what the student's values were drawn from.
-        language: of the sentences.
 
     Raises:
         UnknownExerciseError: there is no such exercise.

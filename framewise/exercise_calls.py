@@ -61,7 +61,6 @@ class ExerciseCalls(KinematicsCalls[Answer, Content, Answers]):
         """Return an exercise as a SCORM package (GET /exercises/{exercise_id}/scorm.zip).
 
         Args:
-            exercise_id: the exercise.
             version: "1.2" or "2004".
             language: of the page.
             help_level: less help than the exercise allows.
@@ -81,8 +80,6 @@ class ExerciseCalls(KinematicsCalls[Answer, Content, Answers]):
         """Return the verdict on a table by a key of your own (POST /grade).
 
         Args:
-            reference: the key.
-            submission: the answer.
             options: `policy`, `parameters`, `help`.
         """
         return self.post("grade", reference=dict(reference), submission=dict(submission), **options)
@@ -107,9 +104,7 @@ class ExerciseCalls(KinematicsCalls[Answer, Content, Answers]):
         """Return what is said of an answer (POST /exercises/{exercise_id}/grade).
 
         Args:
-            exercise_id: the exercise.
             answer: `table` and further parts, `seed`, `help`.
-            language: of the sentences.
         """
         path = f"exercises/{step(exercise_id)}/grade"
         return self.send(ApiCall(method="POST", path=path, body=dict(answer), query={"lang": language}))
@@ -118,7 +113,6 @@ class ExerciseCalls(KinematicsCalls[Answer, Content, Answers]):
         """Return the receipt of an answer (POST /exercises/{exercise_id}/receipts).
 
         Args:
-            exercise_id: the exercise.
             answer: as for `grade_exercise`.
             name: the student's, as it is to stand there.
         """
@@ -221,7 +215,6 @@ class ExerciseCalls(KinematicsCalls[Answer, Content, Answers]):
         """Return a link that carries its settings signed (POST /exercises/{exercise_id}/links).
 
         Args:
-            exercise_id: the exercise.
             settings: what students cannot change: `help`, `attempts`, `off` ….
         """
         return self.post(f"exercises/{step(exercise_id)}/links", **settings)

@@ -186,7 +186,6 @@ def joint_constants(
     J_i turns about z or slides along it. A variable that enters reversed is J(-q) = Rot_x(π) J(q) Rot_x(π).
 
     Args:
-        table: the DH table.
         base: (4, 4) pose of frame 0; the identity if left out.
         tool: (4, 4) pose of the end frame in frame N; the identity if left out.
 

@@ -171,7 +171,6 @@ def link_motions(
     """Return the elementary motions of a row, base side first, without constant motions by zero.
 
     Args:
-        row: the row.
         convention: their order.
         joint: number of the row's joint, from 0; ignored for a fixed row.
         where: place of the row, for the faults.

@@ -33,7 +33,6 @@ def fixed_rows(pose: Transform, convention: Convention) -> tuple[DHRow[float], .
 
     Args:
         pose: (4, 4) rigid transform.
-        convention: how the rows are read.
     """
     motions = [*_motions(pose), _AxisMotion(), _AxisMotion()]
     if convention is Convention.MODIFIED:  # X_0 Z_1 X_1 Z_2 …

@@ -62,7 +62,6 @@ def forward_kinematics(
     """Return the poses of every frame: T = base · A_1 ⋯ A_N · tool.
 
     Args:
-        table: the DH table.
         joints: (n,) joint variables in joint order [rad, or m for a prismatic joint], or (m, n) for a batch.
         base: (4, 4) pose of frame 0 in the world; the identity if left out.
         tool: (4, 4) pose of the tool in frame N; the identity if left out.

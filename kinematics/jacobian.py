@@ -50,7 +50,6 @@ def jacobian(
     a reversed variable changes the sign of its column.
 
     Args:
-        table: the DH table.
         joints: (n,) joint variables [rad, or m for a prismatic joint], or (m, n) for a batch.
         frame: the axes in which v and ω are written; J0 = diag(R, R) Jn with R the tool's orientation.
         base: (4, 4) pose of frame 0 in the world; the identity if left out.

@@ -53,7 +53,6 @@ class KeyReader:
     """A table of keys and where it stands; keys that nobody asks for are faults.
 
     Attributes:
-        values: the table.
         where: file and path of the table.
         faults: what was found wrong, shared with the readers of inner tables.
     """

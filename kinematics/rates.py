@@ -26,7 +26,6 @@ def jacobian_rate(chain: Chain, joints: ArrayLike, rates: ArrayLike) -> Floats:
     from the joints before i.
 
     Args:
-        chain: the chain.
         joints: (n,) joint variables [rad, or m for a prismatic joint].
         rates: (n,) their rates q̇ [rad/s, or m/s].
 
@@ -65,7 +64,6 @@ def analytic_jacobian(
     is that of `euler_solutions`' first; for the other one the row of the middle angle has the other sign.
 
     Args:
-        chain: the chain.
         joints: (n,) joint variables [rad, or m for a prismatic joint].
         angles: the sequence; roll, pitch, yaw if left out.
 
@@ -90,7 +88,6 @@ def angle_rates(rotation: Floats, angles: EulerSequence) -> Floats | None:
 
     Args:
         rotation: (3, 3) a rotation.
-        angles: the sequence.
 
     Returns:
         B; None where first and last axis count as one (`GIMBAL_LOCK`).
@@ -111,7 +108,6 @@ def joint_forces(chain: Chain, joints: ArrayLike, wrench: ArrayLike) -> Floats:
     """Return τ = J0ᵀ (f, m): the forces and torques at the joints that hold a wrench at the end frame, (n,).
 
     Args:
-        chain: the chain.
         joints: (n,) joint variables [rad, or m for a prismatic joint].
         wrench: (6,) force f [N] at the origin of the end frame, and moment m [N m], in the axes of the base.
 

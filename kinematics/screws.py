@@ -93,7 +93,6 @@ def pose_of_product(product: ProductOfExponentials, joints: ArrayLike) -> Transf
     `forward_kinematics`.
 
     Args:
-        product: the chain.
         joints: (n,) joint variables [rad, or m for a prismatic joint].
 
     Raises:

@@ -301,7 +301,6 @@ def check_transform(
     """Return a copy of the value as a (4, 4) array, after checking that it is a rigid transform.
 
     Args:
-        value: the transform to check.
         where: place of the value, for the faults.
         tolerance: how far an entry of RᵀR may be from the identity's.
 

@@ -60,7 +60,6 @@ class DHRow(Generic[Entry]):
     """One row of a DH table.
 
     Attributes:
-        joint: the joint's type.
         theta: joint angle θ [rad]; in a revolute row the offset, θ = sign·q + theta.
         d: link offset [m]; in a prismatic row the offset, d = sign·q + d.
         a: link length [m] (of link i-1 in a modified table).

@@ -140,8 +140,6 @@ def tree_frames(tree: ReadTree, table: NumericTable, joints: Sequence[float]) ->
     """Return the poses of frames 1 … n in frame 0.
 
     Args:
-        tree: the tree.
-        table: its rows in numbers.
         joints: q_1 … q_m in the order of the rows [rad, or length units].
     """
     frames: list[Transform] = [np.eye(4)]
@@ -160,10 +158,7 @@ def tree_jacobian(
     """Return J0 of a frame, (6, m): columns of joints that do not move it are zero.
 
     Args:
-        tree: the tree.
-        table: its rows in numbers.
         joints: q_1 … q_m in the order of the rows [rad, or length units].
-        frame: number of the frame.
     """
     J = np.zeros((6, table.n_joints))
     moving = [k - 1 for k in tree.joints(frame)]

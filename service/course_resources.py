@@ -59,7 +59,6 @@ class CourseResources:
     """The resources of courses.
 
     Attributes:
-        store: the database.
         fetcher: sends requests to platforms.
         platform_keys: their keys.
         services: their services.
@@ -75,7 +74,6 @@ class CourseResources:
         """Open the database.
 
         Args:
-            settings: the operator's choices.
             answers_waiting: how many answers wait to be judged.
             is_busy: whether so many requests are under way that a moment more is nothing.
         """

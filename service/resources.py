@@ -41,7 +41,6 @@ class Resources:
     """The resources of one application.
 
     Attributes:
-        settings: the operator's choices.
         exercises: the exercises that it serves.
         robots: tables that were read before.
         symbolic_answers: closed forms by the text of their question.
@@ -49,7 +48,6 @@ class Resources:
         figures: figures that were drawn before, shared with other processes.
         limiters: for each kind of work in threads.
         turns: of requests in the event loop.
-        workers: the worker processes.
         receipt_keys: the keys that sign receipts.
         callbacks: sends feedback that is asked for later.
         courses: the database and what comes with it; None where storage is switched off.

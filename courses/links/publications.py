@@ -51,9 +51,7 @@ def publish(store: Store, draft: ExerciseDraft, at: datetime, *, most: int | Non
     """Keep a version of an exercise for good.
 
     Args:
-        store: the database.
         draft: one that was read without a fault.
-        at: the time.
         most: publications of an installation; None for the exercises of its own folders, which courses need
             whatever strangers have published.
 

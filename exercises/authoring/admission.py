@@ -45,7 +45,6 @@ def policy_admission(exercise: Exercise, values: Mapping[str, float]) -> PolicyA
     """Count the textbook choices that the exercise's policy accepts.
 
     Args:
-        exercise: the exercise.
         values: of its parameters; angles in [rad].
     """
     table = exercise.reference.table

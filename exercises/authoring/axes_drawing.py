@@ -47,7 +47,6 @@ class AxesDrawing:
     """Joint axes as they were drawn.
 
     Attributes:
-        joints: types of the joints.
         points: for each axis what computes a point on it, from the lengths and the axes before.
         directions: for each axis what computes its direction, from the same and its point.
         lengths: value of each named length [the drawing's unit].

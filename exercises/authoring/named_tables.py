@@ -90,7 +90,6 @@ def with_names(read: ReadTable, parameters: Mapping[str, float]) -> ExerciseSour
     """Return a table with a name for every length that is a plain number.
 
     Args:
-        read: the table.
         parameters: the values of the names that stand in it already.
     """
     values = dict(parameters)

@@ -34,7 +34,6 @@ def new_draft(
     """Return a new draft that loads and can be drawn, and the axes that it was drawn by, if it was.
 
     Args:
-        exercise_id: its id.
         document: what it is about, as `sources.read_source` takes it.
         robot_name: title of an exercise about a catalogue robot.
 

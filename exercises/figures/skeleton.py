@@ -60,7 +60,6 @@ def completed(
     """Complete the specification with links, bodies, dimensions and ground where it says nothing.
 
     Args:
-        specification: what the definition says.
         reference: the table.
         values: value of every parameter.
         frames: (4, 4) poses of frame 0 … N of the reference at the figure's posture.

@@ -126,7 +126,6 @@ class FigureSpecification:
         points: named points.
         joints: where each joint's body stands.
         links: chains of names of points, drawn as thick lines.
-        dimensions: the dimensions.
         marks: names of the points that are marked and named in the figure.
         ground: where the robot is fixed.
         gripper: the gripper, if one is drawn.

@@ -71,8 +71,6 @@ def read_joints(
     `turns` are for revolute joints, `slides` for prismatic ones, `q1`, `q2`, … for a single joint.
 
     Args:
-        reader: of the part's entry.
-        robot: what the definition is about.
         single: joints may have a draw of their own.
         usual_turns: from where angles are drawn if nothing is said.
     """

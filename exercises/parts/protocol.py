@@ -186,7 +186,6 @@ class Reading:
         """Return an expression in the exercise's own names, or None; faults are kept.
 
         Args:
-            expression: what was read.
             where: the place of its cell in the part.
             others: names that may stand in it besides the exercise's own.
             idle: names in its cell that make no difference.
@@ -232,8 +231,6 @@ class PartType(ABC, Generic[P, Raw, Read]):
 
         Args:
             reader: of the part's entry; `kind` and `points` are read already.
-            points: what the part is worth.
-            robot: what the definition is about.
         """
         return Part(kind=self.kind, points=points)  # type: ignore[return-value]
 
@@ -266,7 +263,6 @@ class PartType(ABC, Generic[P, Raw, Read]):
         """Return the answer as read; None if faults were kept in the reading.
 
         Args:
-            raw: what was handed in.
             reading: the exercise, the student's own table, and where faults go.
         """
 
@@ -275,7 +271,6 @@ class PartType(ABC, Generic[P, Raw, Read]):
         """Judge an answer; everything that was found, whatever the help level.
 
         Args:
-            part: what is asked.
             answer: what was handed in, as read.
             context: the key, the student's own table, values, tolerance, the other parts.
         """

@@ -79,12 +79,9 @@ def judged(
     """Return the report on a part.
 
     Args:
-        part: what was asked.
         score: 0 … 1.
         credit: what the marks rest on; nothing, if there are none.
         correct: right for the robot; left out: full marks that rest on the key.
-        facts: the single findings.
-        feedback: what to tell the student.
     """
     credit = credit if score else Credit.NONE
     points = float(part.points)
@@ -136,8 +133,6 @@ def told_from(level: HelpLevel, *codes: str, instead: str | None = None) -> dict
     """Return the disclosure of feedback that is told from one level of help on.
 
     Args:
-        level: it.
-        codes: of the feedback.
         instead: code of the coarser feedback below it, if there is one.
     """
     return dict.fromkeys(codes, Disclosure(level=level, instead=instead))
@@ -149,8 +144,6 @@ def shown(report: PartReport, help_level: HelpLevel, disclosures: Mapping[str, D
     An answer that is not right is never left without a word.
 
     Args:
-        report: everything that was found.
-        help_level: how much may be told.
         disclosures: by code; feedback that is not listed is always told.
     """
     told: list[Feedback] = []

@@ -47,7 +47,6 @@ def check(exercise: Exercise, seeds: int, mistakes: int | None = None) -> Findin
     """Test an exercise by itself.
 
     Args:
-        exercise: the exercise.
         seeds: how many students' values, and how many ways to write the table.
         mistakes: how many of the listed mistakes are made for each seed; None: all of them.
     """

@@ -14,7 +14,6 @@ class Failure:
 
     Attributes:
         check: what was checked, in snake_case.
-        params: values for the sentence.
     """
 
     check: str
@@ -26,9 +25,7 @@ class Findings:
     """What was checked, and what failed.
 
     Attributes:
-        exercise: its id.
         passed: how many checks of each kind passed.
-        failures: the others.
         warnings: what the author should know and nothing breaks on.
     """
 

@@ -31,7 +31,6 @@ def variant(
         table: a right table.
         policy: what the table is held to; only what it leaves free is changed.
         lengths: lengths by which origins may be moved.
-        rng: chooses.
     """
     rows = list(table_in(table, Convention.MODIFIED).rows)
     for _ in range(rng.randint(2, 6)):

@@ -62,7 +62,6 @@ def judge_dynamics(
     """Judge equations of motion.
 
     Args:
-        question: the robot.
         answer: with n rows and columns; its names are those of the question and of the rates.
         tolerance: of an entry that is not proved.
 
@@ -167,7 +166,6 @@ class _EntryJudge:
         with names is off by no more than the decimals in it leave open.
 
         Args:
-            given: the entry.
             ours: the robot's.
             sizes: pairs whose geometric means are sizes.
             terms: what was typed and its factor, for all that the entry is the sum of; itself, if left out.

@@ -36,7 +36,6 @@ class DynamicsQuestion:
     """A robot with weights.
 
     Attributes:
-        table: its table.
         links: what moves with frame 1 … N.
         gravity: acceleration of free fall in frame 0.
         values: of every name in these.

@@ -23,7 +23,6 @@ class ValuedRobot:
     """A robot in symbols, and in numbers.
 
     Attributes:
-        table: its table.
         values: of every name in it [the table's length, or rad].
     """
 
@@ -68,7 +67,6 @@ def loaded_robot(
     """Return a robot with a force and a moment at its tool, whose components are names, too.
 
     Args:
-        table: the robot's.
         values: of every other name, and of those components that mean something else in the table.
         kinds: of the names; one that is not among them is a length.
     """

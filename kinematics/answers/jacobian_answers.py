@@ -88,7 +88,6 @@ def jacobian_at(
     """Return the Jacobian of the last frame's origin, (6, n), linear rows first.
 
     Args:
-        chain: of the table.
         joints: the configuration [rad, or the table's length].
         frame: in whose axes the geometric one is.
         angles: of the analytic one, whose linear rows are in frame 0; None for the geometric one.
@@ -179,7 +178,6 @@ def judge_forces(
 
     Args:
         chain: of the table whose joints they are of.
-        joints: the configuration.
         wrench: force and moment on the tool, (f, m).
         given: one number for each joint.
         frame: in whose axes the wrench is given.

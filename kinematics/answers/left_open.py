@@ -23,7 +23,6 @@ def left_open(entry: Expression, rounded: Rounded, parameters: Mapping[str, Any]
     """Return by how much rounding may move an entry, (k,); infinite where it is not known.
 
     Args:
-        entry: what was typed.
         rounded: what it is with its decimals moved.
         parameters: values of the names, (k,) each.
         joints: (n, k) configurations.

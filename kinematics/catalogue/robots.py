@@ -89,7 +89,6 @@ class Robot:
 
     Attributes:
         id: name of its file, and of its exercise.
-        name: what people call it.
         source: where it comes from.
         raw: its DH table as written.
         table: its DH table as read.

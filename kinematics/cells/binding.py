@@ -18,7 +18,6 @@ def bind_parameters(read: ReadTable, parameters: Mapping[str, float]) -> Numeric
     """Return the table with a number in every cell: angles in [rad], lengths in the table's unit.
 
     Args:
-        read: the table.
         parameters: the value of each of its parameters, in the table's own units (an angle parameter of a
             table in degrees in degrees); names may be spelled as in a cell, L_1 is L1.
 

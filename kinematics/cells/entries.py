@@ -36,7 +36,6 @@ def read_cell(
         cell: a number or text.
         kind: whether a length or an angle stands in it.
         angle_unit: unit of plain numbers where an angle stands.
-        limits: how large it may be.
         variable: the number of the joint variable that a canonical name is, or None.
 
     Returns:

@@ -29,7 +29,6 @@ class RowJoint:
     """The joint of a row.
 
     Attributes:
-        joint: its type.
         number: the number that its variable has; of a fixed row, the one that it would have.
         stated: whether the table states the type, rather than leaving it to the cells.
     """

@@ -22,7 +22,6 @@ class Limits:
         cell_symbols: different names in a cell.
         table_characters: length of all cells of a table together; it bounds the time that reading takes.
         table_parameters: different parameters in a table.
-        rows: rows of a table.
         exponent: absolute value of an exponent, and its denominator.
         digits: digits of one number.
         smallest: smallest absolute value of a number that is not zero; programs write all doubles. What

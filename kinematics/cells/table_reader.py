@@ -23,7 +23,6 @@ def read_table(raw: RawTable, limits: Limits = DEFAULT, *, by_row: bool = True) 
 
     Args:
         raw: the table, cells as numbers or text.
-        limits: how large it may be.
         by_row: whether variables may be numbered by row as well as by joint.
 
     Raises:

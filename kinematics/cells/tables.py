@@ -74,7 +74,6 @@ class RawTable:
         convention: how each row is read.
         rows: the rows, base first.
         angle_unit: unit of plain numbers where an angle stands.
-        length_unit: unit of the lengths.
     """
 
     convention: Convention

@@ -58,7 +58,6 @@ def read_bodies(
         read: the table, in its own unit of length.
         links: one for each row.
         gravity: acceleration of free fall in frame 0 [m/s²], three cells.
-        limits: how large cells may be.
 
     Raises:
         DescriptionError: not one link for each row.

@@ -114,7 +114,6 @@ def _plain(tables: Sequence[NumericTable], lower: Sequence[bool], length: int) -
     """The four numbers of so many rows of tables, of which many have rows in common, (tables, rows, 4).
 
     Args:
-        tables: the tables.
         lower: in which of them a and α stand a row lower.
         length: how many rows; behind a table's own stand such that change nothing.
     """

@@ -50,7 +50,6 @@ def decide(reference: NumericTable, submission: NumericTable, policy: Policy) ->
 
     Args:
         reference: the key, in the same length unit as the submission.
-        submission: the table to judge.
         policy: what is left free and what is fixed.
     """
     return decide_draws((reference,), (submission,), policy)

@@ -52,7 +52,6 @@ class Trail(NamedTuple):
     Attributes:
         cost: number of wrong facts, and a little for what is left of the right ones.
         here: the motion of the submission so far.
-        mismatches: the wrong facts.
         signs: the signs taken.
     """
 

@@ -49,7 +49,6 @@ class Reference:
     """A reference table, prepared.
 
     Attributes:
-        table: the table.
         chain: its joint axes.
         size: the length that relative lengths refer to; never zero.
         scaleless: all lengths of the table are zero; `size` is 1, or that of the submission beside it.

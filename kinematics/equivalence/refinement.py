@@ -87,8 +87,6 @@ def refine(
     everywhere, was made to fit these; so the configurations at which it does worst join them.
 
     Args:
-        reference: the reference.
-        submission: the submission's chain.
         candidate: where to begin.
         tolerance: what a certificate must keep to stand.
         base_twists: (6, k) twists (rotation, translation) by which B may change from the left, in frame 0.

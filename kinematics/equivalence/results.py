@@ -76,7 +76,6 @@ class Decision:
     """Whether a submission describes the reference robot and keeps the policy.
 
     Attributes:
-        certificate: if it does.
         mismatches: if it does not, what does not fit, base first.
         same_robot: it describes the reference robot, whether or not it keeps the policy.
     """

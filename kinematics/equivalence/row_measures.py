@@ -40,7 +40,6 @@ def measured_of_tables(
     Args:
         shapes: the invariants, as `measured` takes them.
         tables: tables with the same number of joints.
-        variations: the candidates.
         policy: what is fixed at the ends.
         angles_alone: numbers of candidates of which only the angles are wanted; their lengths may be wrong.
     """

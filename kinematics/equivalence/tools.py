@@ -49,7 +49,6 @@ class ToolChoice:
     """One way in which the policy lets frame N lie.
 
     Attributes:
-        rule: the policy's rule.
         step: the line or direction that z_N must lie on, prepared; None for `free` and `point`.
         group: H_N.
         target: the reference's M.

@@ -76,9 +76,6 @@ def judged(
     by climbing where a bound over all configurations shows that the certificate stands.
 
     Args:
-        reference: the reference.
-        submission: the submission's chain.
-        candidate: the certificate.
         tolerance: within what it must stand.
         measured: how far it is at the samples is wanted; else a bound within the tolerance will do.
     """

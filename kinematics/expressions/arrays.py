@@ -38,7 +38,6 @@ def values_at(
     """Return the values of an expression at k points, (k,); NaN or infinite where it has none.
 
     Args:
-        expression: what to evaluate.
         parameters: the value of each parameter, one number or (k,) [m or rad].
         joints: (n, k) joint variables [rad or m].
 
@@ -60,7 +59,6 @@ def matrices_at(
     """Return the values of a matrix at k points, (k, rows, columns); NaN or infinite where an entry has none.
 
     Args:
-        entries: the matrix, row by row.
         parameters: the value of each parameter, one number or (k,) [m or rad].
         joints: (n, k) joint variables [rad or m].
 

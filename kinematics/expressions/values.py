@@ -46,7 +46,6 @@ def evaluate(
     """Return the numerical value of an expression.
 
     Args:
-        expression: what to evaluate.
         parameters: value of each parameter by name [m or rad].
         joints: q_1 … q_n [rad or m].
 

@@ -76,13 +76,11 @@ class AssignedFrame:
     """One frame at the robot's zero position, in the coordinates of the axes.
 
     Attributes:
-        origin: the origin [m].
         x: direction of x.
         y: direction of y.
         z: direction of z.
         rule: the rule that placed it.
         relation: how the two axes lie that it belongs to; None at the first and the last frame.
-        free: what was free there.
     """
 
     origin: Vector
@@ -158,7 +156,6 @@ def assign_frames(
 
     Args:
         axes: the axes, base first, at the zero position: the joint variables count from there.
-        convention: which table to make.
         base: (4, 4) frame wanted as frame 0; taken where the convention can hold it (standard: z along
             axis 1, origin on it; modified: x across axis 1 and through it), otherwise left with a warning.
         tool: (4, 4) pose of the tool, or the gripper, at the zero position; it becomes frame N where the

@@ -88,7 +88,6 @@ def candidates(
         frames: the frames as far as chosen: origins level with the frame before, x along its x.
         first: the given base frame, if any.
         last: the given tool frame, if any.
-        size: the robot's size.
     """
     near = range(max(index - 1, 0), min(index + 1, len(lines) - 1) + 1)
     before = frames[index - 1] if index else None

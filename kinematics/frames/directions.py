@@ -61,8 +61,6 @@ def choose_directions(
     """Return directions x of the N+1 normals: at the given or chosen frame 0, between the axes, at frame N.
 
     Args:
-        lines: the N axes.
-        normals: the N-1 common normals.
         start: x of a given frame 0; left out, θ_1 is made zero.
         end: x of a given frame N; left out, θ_N is made zero.
         lengths: whether x may point back along a normal.

@@ -17,7 +17,6 @@ def settle_levels(
     """Return both feet of every common normal, those that may slide put where d vanishes.
 
     Args:
-        lines: the N axes.
         normals: the N-1 common normals between neighbours.
         start: a point given on the first axis: where the normal from a given frame 0 meets it.
         end: a point given on the last axis: where the normal to a given frame N leaves it.

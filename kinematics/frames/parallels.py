@@ -59,7 +59,6 @@ def straighten(lines: Sequence[AxisLine], tolerance: float) -> tuple[list[AxisLi
     Every axis of a run is compared with the first of the run, so tilts do not add up unnoticed.
 
     Args:
-        lines: the axes.
         tolerance: largest tilt [rad] that counts as near-parallel.
     """
     straight = [lines[0]]

@@ -65,7 +65,6 @@ class FrameFinding:
     """One rule that a frame breaks, or one piece of advice.
 
     Attributes:
-        rule: the rule.
         part: the part of the frame.
         severity: whether the convention is broken.
         params: the numbers, counted from 1, of the axes or the joint that the rule speaks of.
@@ -83,7 +82,6 @@ class FramePlace:
 
     Attributes:
         index: number of the frame, 0 … N.
-        convention: the convention.
         own: number of the axis along which z lies, counted from 1; None where z is free.
         own_line: that axis.
         partner: number of the axis that x crosses; None where there is none.

@@ -117,7 +117,6 @@ def check_frames(
 
     Args:
         axes: the joint axes at the zero position.
-        convention: whose rules apply.
         chosen: frame 0 … N, as far as chosen; shorter lists are filled up with None.
         base: (4, 4) prescribed frame 0, if any: no advice is given on frame 0 then.
         tool: (4, 4) tool, or the gripper, if any: no advice is given on frame N then.

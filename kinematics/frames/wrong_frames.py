@@ -63,7 +63,6 @@ def frame_mistakes(
 
     Args:
         axes: the joint axes, in the position in which the frames stand.
-        convention: whose rules apply.
         frames: frame 0 … N.
         rounding: as in `check_frames`; y may be off by twice as much.
 

@@ -22,7 +22,6 @@ def joint_values(
     """Yield every choice of signs with its joint variables, where they exist.
 
     Args:
-        form: the equations.
         target: (4, 4) pose of the end-effector; of an arm that only reaches positions the rotation does not
             matter.
         parameters: value of each parameter by name [m or rad].

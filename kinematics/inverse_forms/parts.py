@@ -23,7 +23,6 @@ class Parts:
         tilt: the joint that turns across the plane's normal behind two planar joints, or None.
         planar: two or three joints that move in the plane; or none, and the tail is all but a slide.
         tail: the turns at the end-effector.
-        plane: the plane.
         point: the point that the tail leaves alone.
     """
 

@@ -22,7 +22,6 @@ class EquationTemplate(NamedTuple):
 
     Attributes:
         opening: the lines before.
-        step: an equation.
         closing: the lines after.
         argument: one argument of the function.
         unused: a line for an argument that no equation holds, in a language whose compilers warn of it.
@@ -43,7 +42,6 @@ class Language(Printer):
         words: what no identifier may be, besides the printer's own reserved words.
         decimal: how a decimal is written, given its digits.
         tiny: the same of one with a power of ten, given both.
-        pi: the number π.
         variable: a joint variable, given its number.
         first: the number of the first joint variable, row and column.
         suffix: what is appended to a name that is taken.

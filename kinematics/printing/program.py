@@ -61,7 +61,6 @@ class Program:
         atoms: what the symbols in the expressions stand for, by their names.
         steps: sines and cosines of joint variables, then what occurs more than once, in an order in which
             they can be computed.
-        entries: the matrix.
     """
 
     purpose: Purpose

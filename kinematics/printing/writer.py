@@ -75,7 +75,6 @@ class LineWriter(Writer[WrittenTerm]):
         plus: what stands between two terms.
         minus: what stands before a term that is subtracted.
         sign: what stands before a negative first term.
-        pi: the number π.
     """
 
     plus = "+"

@@ -109,7 +109,6 @@ def judge_matrix(
     """Judge a matrix, entry by entry.
 
     Args:
-        expected: the rotation.
         given: what was answered; any finite numbers.
         tolerance: largest error of an entry.
         built: how the rotation was described, to recognise slips.
@@ -144,7 +143,6 @@ def judge_quaternion(
     """Judge a unit quaternion; q and −q are the same rotation.
 
     Args:
-        expected: the rotation.
         given: four finite numbers.
         order: where the scalar stands in them.
         tolerance: largest angle from the expected rotation [rad], and error of the length.
@@ -175,7 +173,6 @@ def judge_axis_angle(
     """Judge an axis and an angle; (k, θ), (−k, −θ) and θ + 2π are the same rotation.
 
     Args:
-        expected: the rotation.
         axis: three finite numbers; any length but zero, unless the angle is a full turn.
         angle: [rad].
         tolerance: largest angle from the expected rotation [rad].
@@ -205,8 +202,6 @@ def judge_triples(
     """Judge triples of angles; each counts up to full turns.
 
     Args:
-        expected: the rotation.
-        sequence: the order of the axes.
         given: triples (first, middle, last) [rad]; at least one.
         every: all triples are asked, not one: both, or of a locked rotation its family (`judge_family`).
         tolerance: largest angle from the expected rotation [rad].

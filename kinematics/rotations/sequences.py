@@ -132,7 +132,6 @@ def euler_solutions(rotation: Matrix3, sequence: EulerSequence, lock: float = GI
 
     Args:
         rotation: a rotation matrix.
-        sequence: the order of the axes.
         lock: sine of the angle between first and last axis below which they count as one.
     """
     if sequence.turning is Turning.FIXED:

@@ -37,9 +37,7 @@ class RawChain:
     Attributes:
         joints: one row a joint.
         final: the Final Transformation.
-        tool: the tool.
         angle_unit: unit of plain numbers where an angle stands.
-        length_unit: unit of the lengths.
     """
 
     joints: tuple[RawPlacement, ...]

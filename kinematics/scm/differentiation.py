@@ -68,7 +68,6 @@ def jacobian_by_differentiation(
 
     Args:
         transform: 4×4 pose of the end frame in closed form.
-        n_joints: number of joint variables.
         frame: whose axes the velocities are written in; in those of the end frame v becomes Rᵀv, ω Rᵀω.
 
     Returns:

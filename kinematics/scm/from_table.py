@@ -30,7 +30,6 @@ class DescribedScm:
     """A table as an SCM chain: base · (the chain's pose) is the table's pose, for every q.
 
     Attributes:
-        chain: the chain.
         base: what stands before it, where the table begins with a turn; None for nothing.
     """
 

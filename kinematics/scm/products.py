@@ -61,7 +61,6 @@ class ReadProducts:
     Attributes:
         products: factors of each, exact; angles in [rad], lengths in `length_unit`.
         angle_unit: the unit in which angle parameters are given.
-        length_unit: the unit of lengths.
         parameters: what each parameter measures.
         joints: kind of each joint variable that occurs, by its number: angle or length.
         named: the names of the joint variables, if they were given.
@@ -99,7 +98,6 @@ def read_products(
     Args:
         raw: for each product its factors: entries x, y, z, a, b, c by name, or a 4×4 of cells.
         angle_unit: unit of plain numbers where an angle stands.
-        length_unit: unit of the lengths.
         limits: how large a cell may be.
         variables: names of joint variables 1 … n, as in h2j(H, [a1 a2 d3]).
 
@@ -241,7 +239,6 @@ def matrix_in_numbers(matrix: Matrix, joints: Sequence[float]) -> NDArray[np.flo
     """Return the (r, c) values of a matrix without parameters (S2D).
 
     Args:
-        matrix: its entries.
         joints: q_1 … q_n [rad, or length units].
 
     Raises:

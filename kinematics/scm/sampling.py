@@ -40,7 +40,6 @@ def random_configurations(
 
     Args:
         limits: (low, high) of every joint [rad, or m of a prismatic joint].
-        count: how many configurations.
         seed: the same seed gives the same values; None draws anew each time.
 
     Returns:

@@ -35,7 +35,6 @@ def analytic_form(
     """Return the Jacobian of (x, y, z) and the angles in their order, 6 × n; None if they never have rates.
 
     Args:
-        table: the DH table.
         angles: of the tool in the world.
         base: 4×4 pose of frame 0 in the world; the identity if left out.
         tool: 4×4 pose of the tool in frame N; the identity if left out.

@@ -48,7 +48,6 @@ def to_sympy(
     Sines and cosines of constants stay as written: cos(37π/180) is not replaced by radicals.
 
     Args:
-        expression: what to convert.
         evaluate: whether SymPy puts sums and products into its own order, so that the result compares equal
             to what a SymPy user writes; without it the nesting and the order of terms stay as they are.
 

@@ -10,7 +10,6 @@ def bottom_up(expressions: Iterable[Expression], known: Container[int] = frozens
     """Return every node, each object once, children before parents; however deep the trees are.
 
     Args:
-        expressions: the roots.
         known: ids of nodes that are left out, with all that is below them.
     """
     order: list[Expression] = []

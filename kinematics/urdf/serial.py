@@ -17,7 +17,6 @@ class ChainStep(NamedTuple):
     """A joint of a chain, and which way it is passed.
 
     Attributes:
-        joint: the joint.
         upwards: from the link that it carries to the link that it stands on.
         value: where it stands still, at zero or where another joint holds it [rad, or m]; None if it has a
             variable in this chain.
@@ -43,7 +42,6 @@ def serial_chain(
     follows by the factor 0, or follows a joint that stands still, it stands still.
 
     Args:
-        document: the description.
         base_link: name of the first link; the root of the tree if left out.
         tip_link: name of the last link; may be left out if only one link carries no other.
 

@@ -80,8 +80,6 @@ def table_from_urdf(
     except that an angle within 1e-10 of a multiple of 15° becomes that multiple.
 
     Args:
-        text: the description, XML.
-        convention: which table to make.
         base_link: name of the first link; the root if left out.
         tip_link: name of the last link; may be left out if only one link carries no other.
 

@@ -69,15 +69,12 @@ def urdf_from_table(
     """Return a URDF that has the pose base · A_1 ⋯ A_N · tool between its first and its last link.
 
     Args:
-        table: the DH table.
-        name: the robot's name.
         base: (4, 4) pose of frame 0 in the first link; the identity if left out.
         tool: (4, 4) pose of the last link in frame N; the identity if left out.
         limits: (lowest, highest) of joint 1 … n [rad, or the table's length unit], None where there is none.
         joint_names: names of joint 1 … n; joint_1 … joint_n if left out.
         link_names: names of the links that joint 1 … n carry; link_1 … link_n if left out. The last of them
             may be `tip_link`, where the origin of the last link is on the axis of the last joint.
-        base_link: name of the first link.
         tip_link: name of the last link. A link between them that would be called like one of the two, or
             like another one, has an underscore more in its name.
         metres_per_unit: length of the table's unit [m].

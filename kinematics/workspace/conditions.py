@@ -115,10 +115,8 @@ def maxima_within(
     """Return for each objective the greatest value that the tool's origin can have under conditions.
 
     Args:
-        table: the robot.
         objectives: what is to be great, in frame 0.
         spans: (n, 2) ranges of the joints.
-        conditions: what has to hold.
         tool: (4, 4) pose of the tool in frame N.
 
     Raises:

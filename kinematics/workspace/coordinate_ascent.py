@@ -46,7 +46,6 @@ class Maximum:
     """The maximum of an objective.
 
     Attributes:
-        value: its value.
         joints: (n,) configuration.
         place: (3,) place in frame 0.
     """
@@ -62,7 +61,6 @@ def maxima(
     """Return for each objective the greatest value that the origin of the tool can have.
 
     Args:
-        table: the robot.
         objectives: what is to be great, in frame 0.
         spans: (n, 2) ranges of the joints.
         tool: (4, 4) pose of the tool in frame N.

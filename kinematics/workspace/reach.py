@@ -95,7 +95,6 @@ def workspace(
     do. That nothing lies beyond is found by ascent from many starts, and not proved.
 
     Args:
-        table: the DH table.
         limits: (lowest, highest) of joint 1 … n [rad, or the table's unit]; None for a revolute joint that
             turns fully.
         base: (4, 4) pose of frame 0 in the world; it moves box and points, never the radii.

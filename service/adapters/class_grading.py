@@ -31,7 +31,6 @@ class ClassSettings:
 
     Attributes:
         exercise: the exercise; None where each file names its own.
-        language: of the feedback.
         help_level: how much is told, never more than the exercise allows; None for all of that.
         per_student: whether the student's name is the seed of the values.
         folders: folders with exercises of one's own.

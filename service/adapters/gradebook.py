@@ -31,9 +31,7 @@ class Mark:
 
     Attributes:
         student: the name or id that the hand-in bears.
-        exercise: the exercise.
         points: what was earned; None where nothing could be graded.
-        max_points: what the exercise is worth.
         correct: everything that was handed in is right.
         codes: what was found, as stable codes.
         feedback: the same in sentences.

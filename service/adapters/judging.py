@@ -86,9 +86,7 @@ def judge(
     """Grade an answer.
 
     Args:
-        exercise_id: the exercise.
         answer: the body of POST /exercises/{id}/grade: the parts, `seed`, `help`.
-        language: of the sentences.
         library: the exercises; those of the package if left out.
 
     Raises:

@@ -29,7 +29,6 @@ def answered(command: str, body: bytes, language: str, library: Library) -> dict
         body: the JSON body: `response` (a table, or an answer), `answer` (the exercise), `params`
             (exercise, seed, language, detail).
         language: of the feedback, where `params` names none.
-        library: the exercises.
 
     Returns:
         The body of the answer: `command` and `result`, or `error`.

@@ -61,7 +61,6 @@ class TableSettings:
     """What a file leaves open.
 
     Attributes:
-        convention: standard or modified.
         angle_unit: rad or deg.
         length_unit: m, cm, mm or in.
     """

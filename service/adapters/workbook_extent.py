@@ -33,7 +33,6 @@ def check_extent(content: bytes, most_cells: int) -> None:
     A file that is no archive, or a damaged one, is left to its reader.
 
     Args:
-        content: the file.
         most_cells: of the rectangle about the cells with something in them, and of those that are written.
 
     Raises:

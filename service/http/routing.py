@@ -99,7 +99,6 @@ class ApiRequest(Request):
         """Do the work that follows from the body: that of a small one at once, of any other in a thread.
 
         Args:
-            work: what is to be done.
             heavy: whether it may take long although the body is small.
         """
         small = len(await self.body()) <= SMALL_BODY and not heavy

@@ -36,12 +36,9 @@ class Receipt:
     """What a receipt says.
 
     Attributes:
-        exercise: id of the exercise.
-        version: of the exercise.
         seed: what the student's values were drawn from, None for the exercise's own values.
         name: the name that the student typed; nobody has checked it.
         points: what the answer earned.
-        max_points: what the exercise is worth.
         parts: score by part.
         settings: what was in force: help level, parts asked, and the lecturer's signed settings, if any.
         answer: SHA-256 of the answer, in hexadecimal digits (see `answer_hash`).

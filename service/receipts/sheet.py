@@ -27,7 +27,6 @@ class Sheet:
     """What stands on the page, in the reader's language.
 
     Attributes:
-        title: of the exercise.
         language: of everything on the page.
         facts: name and value, line by line.
         answer: heading of the table.

@@ -18,7 +18,6 @@ def together(*names: str, without: Iterable[str] = (), **others: Mapping[str, An
     """Return the schema of the objects that give these fields at once.
 
     Args:
-        names: the fields.
         without: fields that are left out in them.
         others: what else holds there, a schema for each further field.
     """

@@ -70,9 +70,7 @@ def render(
     """Return a whole page.
 
     Args:
-        page: which kind.
         language: one that has a folder of messages.
-        version: the assets' version.
         modules: what the page's module imports, to be fetched at once.
         query: the address's query without its language; links to the other languages keep it.
         values: what the page's own template asks for; `title` overrides the page's title.

@@ -30,7 +30,6 @@ def each_in_time(
 
     Args:
         function: what is done with each item; it may be left anywhere, so it must not hold a lock.
-        items: the items.
         seconds: processor time of this process [s].
     """
     over = False

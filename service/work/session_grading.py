@@ -52,7 +52,6 @@ class Grader:
     """Judges answers to the exercises of links, for students and for statistics.
 
     Attributes:
-        library: the exercises.
         limits: how large an answer may be.
         edition: tells the address of an exercise's content; None where nothing is kept.
         is_crowded: whether so many answers wait that nobody looks where the robot of a wrong one departs.
@@ -237,12 +236,8 @@ def judged_submission(
     """Judge an answer, to be stored; an answer that cannot be graded is refused and costs nothing.
 
     Args:
-        grader: what judges.
-        session: whose answer it is.
-        wire: the answer.
         typed: the answer as it was sent.
         key: names the submission, however often it is sent.
-        language: in which it is answered.
         arrived: when it came, however long it has waited since.
         form: what the page takes back when the attempt is opened again.
         seen: version of the exercise that the student has before them; None: they did not say.

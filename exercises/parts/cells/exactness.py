@@ -30,7 +30,6 @@ def exactness(raw: Any, lengths_of: Callable[[Any], Sequence[float] | None]) -> 
     """Return how far an answer may be off for its decimals: a share of its lengths, and [rad].
 
     Args:
-        raw: what was handed in.
         lengths_of: the lengths in an answer, at the values at which it is judged.
     """
     cells = list(typed_cells(raw))
@@ -97,7 +96,6 @@ def moved_decimals(cell: str, *, measured: bool = False) -> list[str]:
     """Return a cell with each of its decimals in turn moved by what its rounding leaves open.
 
     Args:
-        cell: what was typed.
         measured: its decimals are values of what is asked for, which may be rounded to a fraction of four.
     """
     step = _half_unit if measured else left_open

@@ -29,7 +29,6 @@ def read_matrix(
     """Return the matrix that a 4×4 of cells means.
 
     Args:
-        cells: row by row.
         joint_types: types of joint 1 … n, whose variables may stand in the cells.
         angle_unit: unit of plain numbers where an angle stands.
         where: place of the matrix in the answer, for faults.

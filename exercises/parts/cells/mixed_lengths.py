@@ -27,7 +27,6 @@ def other_lengths(
 
     Args:
         context: what the answer is judged by.
-        matrices: the answer.
         values: of all names [the student's unit].
 
     Returns:

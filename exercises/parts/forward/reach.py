@@ -36,7 +36,6 @@ def reach(
     """Return the least and greatest distance of a point of the last link, once for all with the same values.
 
     Args:
-        table: the robot.
         point: the point in frame N.
         origin: in frame 0, from where the distance is measured.
         axis: unit direction of an axis through the origin; then the distance is that from the axis.

@@ -67,7 +67,6 @@ class MotionPart(Part):
     """Equations of motion.
 
     Attributes:
-        ask: what is asked.
         links: one for each row of the table; lengths in the exercise's unit.
         gravity: acceleration of free fall in frame 0.
         weights: the names in these that the table does not hold, and their values.

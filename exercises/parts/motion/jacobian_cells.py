@@ -79,7 +79,6 @@ class JacobianTerms(Part):
     Attributes:
         frame: in whose axes.
         angles: whose rates the analytic Jacobian gives; None for the geometric one.
-        ask: what is asked.
         tolerance: of an entry that is not proved; where it is a length, as a share of the robot's size.
     """
 
@@ -221,7 +220,6 @@ def matrix_mark(jacobian: Any, judge: Callable[[Any], JacobianVerdict]) -> Jacob
     """Return the mark for a matrix, or for none.
 
     Args:
-        jacobian: what was handed in.
         judge: finds what is right in it; raises JointValueError where the angles of the student's own arm
             have no rates.
     """

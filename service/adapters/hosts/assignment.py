@@ -17,7 +17,6 @@ class Assignment:
 
     Attributes:
         exercise: the exercise; None where the hand-in names it.
-        language: of the feedback.
         help_level: how much is told, never more than the exercise allows.
         points: what the assignment is worth at the host; None for the exercise's own points.
         tables: convention and units, where a file does not name them.

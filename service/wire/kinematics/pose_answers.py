@@ -61,7 +61,6 @@ class PoseQuestion:
     """What is to be computed.
 
     Attributes:
-        robot: the robot.
         joints: q_1 … q_n, or (m, n) of them, in [rad] and in the table's length unit.
         base: pose of frame 0 in the world, or None.
         tool: pose of the tool in frame N, or None.

@@ -28,7 +28,6 @@ def pose_matrix(pose: PoseInput, angle: float, *where: str | int) -> Matrix:
     """Return a pose that is given as 4×4, as [X, Y, Z, A, B, C], or as a position with a quaternion.
 
     Args:
-        pose: as it came.
         angle: what one unit of the request's angles is in [rad].
         where: the field, and the place in it, for faults.
 

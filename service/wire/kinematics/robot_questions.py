@@ -38,7 +38,6 @@ class ReadQuestion(Generic[Question]):
 
     Attributes:
         wire: what was asked, apart from the joints; None of a plain request, which says nothing else.
-        robot: the robot.
         joints: q_1 … q_n, or (m, n) of them, in [rad] and in the table's length unit.
     """
 

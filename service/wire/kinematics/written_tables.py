@@ -39,7 +39,6 @@ class TableWriter:
 
     Attributes:
         angle_unit: unit of angles written as numbers.
-        length_unit: unit of the lengths.
         spellings: how a person wrote a constant, to be kept where the same constant is written again.
         variable_cells: how a person wrote the cells with the joint variables, by joint number.
     """
