@@ -22,9 +22,7 @@ class ForwardKinematics:
     __slots__ = ("_frames", "_joints", "_links", "_plan", "transform")
 
     def __init__(self, plan: EvaluationPlan, joints: list[float] | Floats, transform: Transform) -> None:
-        self.transform = transform
-        self._plan = plan
-        self._joints = joints
+        self.transform, self._plan, self._joints = transform, plan, joints
 
     def __repr__(self) -> str:
         return f"ForwardKinematics(transform={self.transform!r})"

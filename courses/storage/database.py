@@ -43,8 +43,7 @@ class Store:
     """
 
     def __init__(self, engine: sa.Engine, file: Path | None) -> None:
-        self.engine = engine
-        self.file = file
+        self.engine, self.file = engine, file
         self.takes_writes = True
         self._inode = _inode(file) if file else None
         self._turns = Turns(file.with_suffix(".turns"), BUSY_SECONDS) if file else None

@@ -113,30 +113,22 @@ def _rules(policy: Policy) -> list[Rule]:
 
 def _turn_x(rows: Rows, lengths: tuple[Expression, ...], rng: Random) -> Rows:
     """Reverse x_i: Rot_z(π) Rot_x(α) Trans_x(a) = Rot_x(-α) Trans_x(-a) Rot_z(π)."""
-    i = rng.randrange(len(rows) - 1) if len(rows) > 1 else None
-    if i is None:
+    if len(rows) < 2:
         return rows
+    i = rng.randrange(len(rows) - 1)
     after = rows[i + 1]
-    changed = list(rows)
-    changed[i] = replace(rows[i], theta=add((rows[i].theta, HALF)))
-    changed[i + 1] = replace(
-        after, alpha=negate(after.alpha), a=negate(after.a), theta=add((after.theta, HALF))
-    )
-    return changed
+    turned = replace(_more(after, theta=HALF), alpha=negate(after.alpha), a=negate(after.a))
+    return _put(rows, i, _more(rows[i], theta=HALF), turned)
 
 
 def _turn_z(rows: Rows, lengths: tuple[Expression, ...], rng: Random) -> Rows:
     """Reverse z_i: Rot_z(θ) Trans_z(d) Rot_x(π) = Rot_x(π) Rot_z(-θ) Trans_z(-d)."""
-    i = rng.randrange(len(rows) - 1) if len(rows) > 1 else None
-    if i is None:
+    if len(rows) < 2:
         return rows
-    row, after = rows[i], rows[i + 1]
-    changed = list(rows)
-    changed[i] = replace(
-        row, alpha=add((row.alpha, HALF)), theta=negate(row.theta), d=negate(row.d), sign=-row.sign
-    )
-    changed[i + 1] = replace(after, alpha=add((after.alpha, negate(HALF))))
-    return changed
+    i = rng.randrange(len(rows) - 1)
+    row = rows[i]
+    turned = replace(_more(row, alpha=HALF), theta=negate(row.theta), d=negate(row.d), sign=-row.sign)
+    return _put(rows, i, turned, _more(rows[i + 1], alpha=negate(HALF)))
 
 
 def _slide_origin(rows: Rows, lengths: tuple[Expression, ...], rng: Random) -> Rows:
@@ -144,85 +136,71 @@ def _slide_origin(rows: Rows, lengths: tuple[Expression, ...], rng: Random) -> R
     places = [i for i, row in enumerate(rows[1:]) if _is_parallel(row.alpha)]
     if not places:
         return rows
-    i = rng.choice(places)
-    by = rng.choice(lengths)
+    i, by = rng.choice(places), rng.choice(lengths)
     turned = pi_fraction(rows[i + 1].alpha) or Fraction(0)
-    back = negate(by) if turned % 2 == 0 else by
-    changed = list(rows)
-    changed[i] = replace(rows[i], d=add((rows[i].d, by)))
-    changed[i + 1] = replace(rows[i + 1], d=add((rows[i + 1].d, back)))
-    return changed
+    return _put(rows, i, _more(rows[i], d=by), _more(rows[i + 1], d=negate(by) if turned % 2 == 0 else by))
 
 
 def _move_slide(rows: Rows, lengths: tuple[Expression, ...], rng: Random) -> Rows:
     """Move the axis of a prismatic joint: with θ = 0, Trans_x passes the slide."""
-    places = [
-        i
-        for i, row in enumerate(rows[:-1])
-        if row.joint is JointType.PRISMATIC and pi_fraction(row.theta) == 0
-    ]
+    slides = [i for i, row in enumerate(rows[:-1]) if row.joint is JointType.PRISMATIC]
+    places = [i for i in slides if pi_fraction(rows[i].theta) == 0]
     if not places:
         return rows
-    i = rng.choice(places)
-    by = rng.choice(lengths)
-    changed = list(rows)
-    changed[i] = replace(rows[i], a=add((rows[i].a, by)))
-    changed[i + 1] = replace(rows[i + 1], a=add((rows[i + 1].a, negate(by))))
-    return changed
+    i, by = rng.choice(places), rng.choice(lengths)
+    return _put(rows, i, _more(rows[i], a=by), _more(rows[i + 1], a=negate(by)))
 
 
 def _insert_row(rows: Rows, lengths: tuple[Expression, ...], rng: Random) -> Rows:
     """Insert a row for a frame that no joint needs, which takes over part of the offset before it."""
-    i = rng.randrange(len(rows))
-    by = rng.choice((ZERO, *lengths))
-    changed = list(rows)
-    changed[i] = replace(rows[i], d=add((rows[i].d, negate(by))))
-    changed.insert(i + 1, replace(EMPTY, d=by))
-    return changed
+    i, by = rng.randrange(len(rows)), rng.choice((ZERO, *lengths))
+    return [*rows[:i], _more(rows[i], d=negate(by)), replace(EMPTY, d=by), *rows[i + 1 :]]
 
 
 def _other_zero(rows: Rows, lengths: tuple[Expression, ...], rng: Random) -> Rows:
     """Shift the zero of a joint variable."""
-    places = [i for i, row in enumerate(rows) if row.joint is not JointType.FIXED]
-    if not places:
+    moving = [i for i, row in enumerate(rows) if row.joint is not JointType.FIXED]
+    if not moving:
         return rows
-    i = rng.choice(places)
-    changed = list(rows)
-    if rows[i].joint is JointType.REVOLUTE:
-        turn = pi_times(Fraction(rng.choice((-6, -4, -3, -2, 2, 3, 4, 6, 12)), 12))
-        changed[i] = replace(rows[i], theta=add((rows[i].theta, turn)))
-    else:
-        changed[i] = replace(rows[i], d=add((rows[i].d, rng.choice(lengths))))
-    return changed
+    i = rng.choice(moving)
+    if rows[i].joint is not JointType.REVOLUTE:
+        return _put(rows, i, _more(rows[i], d=rng.choice(lengths)))
+    turn = pi_times(Fraction(rng.choice((-6, -4, -3, -2, 2, 3, 4, 6, 12)), 12))
+    return _put(rows, i, _more(rows[i], theta=turn))
 
 
 def _other_sense(rows: Rows, lengths: tuple[Expression, ...], rng: Random) -> Rows:
     """Reverse the sense of a joint variable."""
-    places = [i for i, row in enumerate(rows) if row.joint is not JointType.FIXED]
-    if not places:
+    moving = [i for i, row in enumerate(rows) if row.joint is not JointType.FIXED]
+    if not moving:
         return rows
-    i = rng.choice(places)
-    changed = list(rows)
-    changed[i] = replace(rows[i], sign=-rows[i].sign)
-    return changed
+    i = rng.choice(moving)
+    return _put(rows, i, replace(rows[i], sign=-rows[i].sign))
 
 
 def _other_base(rows: Rows, lengths: tuple[Expression, ...], rng: Random) -> Rows:
     """Move frame 0."""
-    first = rows[0]
-    by = rng.choice(lengths)
+    first, by = rows[0], rng.choice(lengths)
     if first.joint is JointType.FIXED:
-        return [replace(first, d=add((first.d, by))), *rows[1:]]
+        return _put(rows, 0, _more(first, d=by))
     twist = pi_times(Fraction(rng.choice((-6, 0, 6, 12)), 12))
-    return [replace(first, alpha=twist, a=by if rng.random() < 0.5 else first.a), *rows[1:]]
+    return _put(rows, 0, replace(first, alpha=twist, a=by if rng.random() < 0.5 else first.a))
 
 
 def _other_end(rows: Rows, lengths: tuple[Expression, ...], rng: Random) -> Rows:
     """Move frame N along the axis of the last joint, if that is the last row."""
-    last = rows[-1]
-    if last.joint is not JointType.REVOLUTE:
+    if rows[-1].joint is not JointType.REVOLUTE:
         return rows
-    return [*rows[:-1], replace(last, d=add((last.d, rng.choice(lengths))))]
+    return [*rows[:-1], _more(rows[-1], d=rng.choice(lengths))]
+
+
+def _put(rows: Rows, i: int, *new: SymbolicRow) -> Rows:
+    """Return the rows with those from row i on replaced."""
+    return [*rows[:i], *new, *rows[i + len(new) :]]
+
+
+def _more(row: SymbolicRow, **by: Expression) -> SymbolicRow:
+    return replace(row, **{cell: add((getattr(row, cell), more)) for cell, more in by.items()})
 
 
 def _is_parallel(alpha: Expression) -> bool:

@@ -48,9 +48,7 @@ def factors_of(condition: Expression) -> list[Expression]:
             return factors_of(base)
         case Number(value) if value:
             return []
-        case Power(base, _):
-            return []
-        case Parameter():
+        case Power() | Parameter():
             return []
     return [condition]
 
@@ -67,21 +65,15 @@ def _bounds(function: Expression) -> tuple[Fraction, Fraction] | None:
             return value, value
         case Call(Function.SIN | Function.COS):
             return Fraction(-1), Fraction(1)
-        case Sum(terms):
-            low, high = _ZERO, _ZERO
-            for term in terms:
-                part = _bounds(term)
-                if part is None:
-                    return None
-                low, high = low + part[0], high + part[1]
-            return low, high
-        case Product(factors):
+        case Sum(parts) | Product(parts):
+            found = [part for part in map(_bounds, parts) if part is not None]
+            if len(found) < len(parts):
+                return None
+            if isinstance(function, Sum):
+                return sum((low for low, _ in found), _ZERO), sum((high for _, high in found), _ZERO)
             low, high = Fraction(1), Fraction(1)
-            for factor in factors:
-                part = _bounds(factor)
-                if part is None:
-                    return None
-                ends = [one * other for one in (low, high) for other in part]
+            for bounds in found:
+                ends = [one * other for one in (low, high) for other in bounds]
                 low, high = min(ends), max(ends)
             return low, high
         case Power(base, exponent) if exponent.denominator == 1 and exponent > 0:

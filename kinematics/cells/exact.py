@@ -91,9 +91,7 @@ def trigonometric(function: Function, angle: Expression) -> Expression:
     Raises:
         ZeroDivisionError: the tangent of a right angle.
     """
-    if pi_fraction(angle) is None:
-        return call(function, angle)
-    return _of_turns(function, angle)
+    return call(function, angle) if pi_fraction(angle) is None else _of_turns(function, angle)
 
 
 @lru_cache(maxsize=512)

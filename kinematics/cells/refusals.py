@@ -11,8 +11,7 @@ class CellRefusal(Exception):  # noqa: N818 - it becomes a Fault of a CellError 
 
     def __init__(self, code: str, **params: ParamValue) -> None:
         super().__init__(code)
-        self.code = code
-        self.params = params
+        self.code, self.params = code, params
 
     @property
     def column(self) -> int:

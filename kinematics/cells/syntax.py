@@ -44,24 +44,25 @@ class HalfTurn(Node):
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Degrees(Node):
+class Operation(Node):
+    """What is done to one value."""
+
+    operand: Node
+
+
+@dataclass(frozen=True, kw_only=True, slots=True)
+class Degrees(Operation):
     """A value marked with the degree sign."""
 
-    operand: Node
-
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Parenthesized(Node):
+class Parenthesized(Operation):
     """A value in parentheses."""
 
-    operand: Node
-
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Negation(Node):
+class Negation(Operation):
     """A value with a minus sign before it."""
-
-    operand: Node
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -79,17 +80,14 @@ class Multiplication(Node):
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Reciprocal(Node):
+class Reciprocal(Operation):
     """One over a value."""
-
-    operand: Node
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Raised(Node):
+class Raised(Operation):
     """A power."""
 
-    operand: Node
     exponent: Node
 
 
@@ -104,17 +102,12 @@ class Application(Node):
 def children(node: Node) -> tuple[Node, ...]:
     """Return the parts of a node, from left to right."""
     match node:
-        case (
-            Degrees(operand=part)
-            | Parenthesized(operand=part)
-            | Negation(operand=part)
-            | Reciprocal(operand=part)
-        ):
-            return (part,)
         case Addition(terms=parts) | Multiplication(factors=parts) | Application(arguments=parts):
             return parts
         case Raised(operand=base, exponent=exponent):
             return (base, exponent)
+        case Operation(operand=part):
+            return (part,)
     return ()
 
 

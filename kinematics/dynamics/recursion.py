@@ -83,13 +83,7 @@ class MovingRobot:
             JointValueError: values of another number or shape, or not finite.
         """
         q, speeds, second = self._values(joints, rates, accelerations)
-        here = _Configuration(self, q)
-        S, G = here.screws, here.inertias
-        V = np.cumsum(S * speeds[..., None], axis=-2)
-        A = np.cumsum(S * second[..., None] + _motion_cross(V, S) * speeds[..., None], axis=-2)
-        A[..., :3] -= self.gravity
-        F = _applied(G, A) + _force_cross(V, _applied(G, V))
-        return _product(S, _beyond(F))
+        return self._forces(q, speeds, second, self.gravity)
 
     def velocity_torque(self, joints: ArrayLike, rates: ArrayLike) -> Floats:
         """Return h = C(q, q̇) q̇, the Coriolis and centrifugal forces, (n,) or (m, n).
@@ -97,11 +91,7 @@ class MovingRobot:
         Args and raises as in `torque`.
         """
         q, speeds = self._values(joints, rates)
-        here = _Configuration(self, q)
-        S, G = here.screws, here.inertias
-        V = np.cumsum(S * speeds[..., None], axis=-2)
-        A = np.cumsum(_motion_cross(V, S) * speeds[..., None], axis=-2)
-        return _product(S, _beyond(_applied(G, A) + _force_cross(V, _applied(G, V))))
+        return self._forces(q, speeds, np.zeros_like(q), np.zeros(3))
 
     def gravity_torque(self, joints: ArrayLike) -> Floats:
         """Return g(q), what holds the robot still, (n,) or (m, n).
@@ -175,6 +165,14 @@ class MovingRobot:
         """
         (q,) = self._values(joints)
         return np.asarray(-(_Configuration(self, q).centres @ self.gravity) @ self._masses)
+
+    def _forces(self, q: Floats, speeds: Floats, second: Floats, gravity: Floats) -> Floats:
+        here = _Configuration(self, q)
+        S, G = here.screws, here.inertias
+        V = np.cumsum(S * speeds[..., None], axis=-2)
+        A = np.cumsum(S * second[..., None] + _motion_cross(V, S) * speeds[..., None], axis=-2)
+        A[..., :3] -= gravity
+        return _product(S, _beyond(_applied(G, A) + _force_cross(V, _applied(G, V))))
 
     def _values(self, *given: ArrayLike) -> tuple[Floats, ...]:
         values = tuple(np.array(configurations(entry, self.n_joints)) for entry in given)

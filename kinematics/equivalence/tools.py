@@ -152,9 +152,7 @@ def _point_onto(choice: ToolChoice, point: Vector) -> Motion:
 
 def _turn_point(centre: Vector, point: Vector, target: Vector) -> Motion:
     a, b = subtract(point, centre), subtract(target, centre)
-    if norm(a) < NEGLIGIBLE * norm(b):
-        return IDENTITY
-    return turn_onto(centre, unit(a), unit(b))
+    return IDENTITY if norm(a) < NEGLIGIBLE * norm(b) else turn_onto(centre, unit(a), unit(b))
 
 
 def _turn_about_line(group: Group, point: Vector, target: Vector) -> Motion:

@@ -58,9 +58,7 @@ class RecordedNumber:
     __slots__ = ("_recorder", "register", "sign")
 
     def __init__(self, recorder: Recorder, register: int, sign: int = 1) -> None:
-        self._recorder = recorder
-        self.register = register
-        self.sign = sign
+        self._recorder, self.register, self.sign = recorder, register, sign
 
     def __neg__(self) -> RecordedNumber:
         return RecordedNumber(self._recorder, self.register, -self.sign)

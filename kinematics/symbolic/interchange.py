@@ -75,8 +75,7 @@ class SympyNodes:
     def __init__(
         self, *, evaluate: bool = True, atoms: Callable[[Expression], sympy.Expr | None] = lambda _: None
     ) -> None:
-        self._evaluate = evaluate
-        self._atoms = atoms
+        self._evaluate, self._atoms = evaluate, atoms
         self._known: dict[int, sympy.Expr] = {}
         self._kept: list[Expression] = []
 

@@ -63,9 +63,7 @@ class MatrixWriter:
 
     def in_world(self, vector: Vector, origin: Vector | None = None) -> Vector:
         """Return a direction, or a point if an origin is given, from frame 0 into the world."""
-        if self.base is None:
-            return vector
-        return self.combined(self.base, vector, origin)
+        return vector if self.base is None else self.combined(self.base, vector, origin)
 
     def combined(self, axes: Sequence[Vector], vector: Vector, origin: Vector | None = None) -> Vector:
         """Return Σ_k vector_k · axes_k + origin."""

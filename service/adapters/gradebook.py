@@ -52,9 +52,7 @@ class Mark:
     @property
     def score(self) -> float | None:
         """The points as a part of 1."""
-        if self.points is None or not self.max_points:
-            return None
-        return self.points / self.max_points
+        return None if self.points is None or not self.max_points else self.points / self.max_points
 
 
 def write_marks(marks: Iterable[Mark], stream: TextIO, form: GradebookFormat = GradebookFormat.CSV) -> None:

@@ -99,9 +99,7 @@ def student_of(name: str) -> str:
         for scheme in (_MOODLE, _BLACKBOARD, _CANVAS):
             if found := scheme.search(part):
                 return found["name"]
-    if len(parts) > 1:
-        return parts[-2]
-    return PurePosixPath(name).stem
+    return parts[-2] if len(parts) > 1 else PurePosixPath(name).stem
 
 
 def identifier_of(name: str) -> str | None:

@@ -62,8 +62,7 @@ class MeteringMiddleware:
     """Refuse callers without a valid key, and callers that ask for too much."""
 
     def __init__(self, app: ASGIApp, settings: Settings) -> None:
-        self._app = app
-        self._settings = settings
+        self._app, self._settings = app, settings
         self._keys = KeyFile(settings.api_keys) if settings.api_keys else None
         self._window = CostWindow()
         self._heard = CostWindow()

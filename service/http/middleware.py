@@ -47,8 +47,7 @@ class OuterMiddleware:
     """Wraps the application."""
 
     def __init__(self, app: ASGIApp, settings: Settings) -> None:
-        self._app = app
-        self._settings = settings
+        self._app, self._settings = app, settings
         self._next_id = _request_ids()
         self._behind_proxies = ProxyHeadersMiddleware(self._serve, list(settings.trusted_proxies))
         ancestors = " ".join(settings.frame_ancestors)

@@ -72,8 +72,7 @@ class ServiceError(Exception):
         unlisted: int = 0,
     ) -> None:
         self.faults: tuple[Fault, ...] = (faults,) if isinstance(faults, Fault) else tuple(faults)
-        self.part = part
-        self.unlisted = unlisted
+        self.part, self.unlisted = part, unlisted
         self.headers = dict(headers or {})
         self.members = dict(members or {})
         super().__init__(self.faults)

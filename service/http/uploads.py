@@ -47,8 +47,7 @@ class Upload:
     """A request's body, and how much of it has come."""
 
     def __init__(self, receive: Receive, limit: int) -> None:
-        self._receive = receive
-        self._limit = limit
+        self._receive, self._limit = receive, limit
         self._received = 0
         self._more = True
 

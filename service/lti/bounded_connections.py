@@ -67,8 +67,7 @@ class _Backend(httpcore.NetworkBackend):
 
 class _Stream(httpcore.NetworkStream):
     def __init__(self, inner: httpcore.NetworkStream, remaining: Remaining) -> None:
-        self._inner = inner
-        self._remaining = remaining
+        self._inner, self._remaining = inner, remaining
 
     def read(self, max_bytes: int, timeout: float | None = None) -> bytes:
         return self._inner.read(max_bytes, self._remaining(timeout))

@@ -27,8 +27,7 @@ class PlatformError(RequestError):
 
     def __init__(self, fault: Fault, *, status: int | None = None, retry_after: float | None = None) -> None:
         super().__init__(fault)
-        self.status = status
-        self.retry_after = retry_after
+        self.status, self.retry_after = status, retry_after
 
 
 def missing_claim(name: str) -> LaunchError:

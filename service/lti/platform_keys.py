@@ -34,8 +34,7 @@ class PlatformKeys:
     """Caches the key sets of platforms."""
 
     def __init__(self, fetcher: Fetcher, clock: Callable[[], float] = time.monotonic) -> None:
-        self._fetcher = fetcher
-        self._clock = clock
+        self._fetcher, self._clock = fetcher, clock
         self._lock = threading.Lock()
         self._sets: dict[str, KeySet] = {}
         self._asking: dict[str, threading.Lock] = {}

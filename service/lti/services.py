@@ -27,8 +27,7 @@ class Services:
     """Calls services; tokens are asked for once and shared."""
 
     def __init__(self, fetcher: Fetcher, key: Callable[[], StoredKey]) -> None:
-        self._fetcher = fetcher
-        self._key = key
+        self._fetcher, self._key = fetcher, key
         self._lock = threading.Lock()
         self._asking: dict[tuple[int, str], threading.Lock] = {}
         self._tokens: dict[tuple[int, str], tuple[str, float]] = {}

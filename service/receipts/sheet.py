@@ -71,8 +71,7 @@ class _Flow:
     """What follows one another down the pages."""
 
     def __init__(self, page: Paper) -> None:
-        self.page = page
-        self.y = _TOP
+        self.page, self.y = page, _TOP
 
     def skip(self, height: float) -> None:
         self.y += height

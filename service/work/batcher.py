@@ -42,10 +42,7 @@ class Batcher(Generic[_Item, _Result]):
             gives_up: whether a batch that failed so would fail item by item, too.
             pause: how long a batch that is not full may grow before it is worked on [s].
         """
-        self._work = work
-        self._gives_up = gives_up
-        self._pause = pause
-        self._capacity = capacity
+        self._work, self._gives_up, self._pause, self._capacity = work, gives_up, pause, capacity
         self._waiting: deque[tuple[_Item, asyncio.Future[_Result]]] = deque()
         self._is_running = False
         self._lock = threading.Lock()

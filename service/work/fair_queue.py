@@ -97,8 +97,7 @@ class FairQueue:
         Each waits for at most `timeout` seconds.
         """
         self._slots = self._most = slots
-        self._capacity = capacity
-        self._timeout = timeout
+        self._capacity, self._timeout = capacity, timeout
         self._line = _Line(self._use)
         self._used: OrderedDict[Name | Client, float] = OrderedDict()
         self._served: OrderedDict[Name | None, float] = OrderedDict()

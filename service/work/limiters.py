@@ -114,9 +114,7 @@ class ThreadSlot:
     """The right to have work done in a thread."""
 
     def __init__(self, slot: Slot, queue: FairQueue, threads: ThreadPoolExecutor) -> None:
-        self._slot = slot
-        self._queue = queue
-        self._threads = threads
+        self._slot, self._queue, self._threads = slot, queue, threads
 
     async def run(self, work: Callable[[], _Result]) -> _Result:
         """Do a part of the work in a thread."""

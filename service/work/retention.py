@@ -25,10 +25,7 @@ class Retention(BackgroundThread):
 
     def __init__(self, store: Store, *, people: timedelta, log: timedelta, first: float = FIRST) -> None:
         super().__init__("retention")
-        self._store = store
-        self._people = people
-        self._log = log
-        self._first = first
+        self._store, self._people, self._log, self._first = store, people, log, first
 
     def _run(self) -> None:
         pause = self._first * random.uniform(0.5, 1.5)  # noqa: S311

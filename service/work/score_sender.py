@@ -64,8 +64,7 @@ class ScoreSender(BackgroundThread):
 
     def __init__(self, resources: CourseResources, pause: float = PAUSE) -> None:
         super().__init__("scores")
-        self._resources = resources
-        self._pause = pause
+        self._resources, self._pause = resources, pause
         self._threads = ThreadPoolExecutor(SIMULTANEOUS, thread_name_prefix="scores")
         self._finding: defaultdict[int, threading.Lock] = defaultdict(threading.Lock)
         self._silent: dict[_Gradebook, float] = {}

@@ -40,8 +40,7 @@ class SharedAnswers(BackgroundThread):
 
     def __init__(self, kind: str, store: Store | None) -> None:
         super().__init__(f"shared-{kind}")
-        self.kind = kind
-        self._store = store
+        self.kind, self._store = kind, store
         self._cache = AnswerCache()
         self._waiting: dict[str, bytes] = {}
         self._waiting_bytes = 0

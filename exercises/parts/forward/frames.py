@@ -106,9 +106,7 @@ class FramesPart(PartType[Part, FramesCells, ByName[FramesAnswer]]):
         frames = tuple(
             None if frame is None else _read_frame(frame, reading, i) for i, frame in enumerate(raw.frames)
         )
-        if reading.faults:
-            return None
-        return FramesAnswer(convention=raw.convention, frames=frames)
+        return None if reading.faults else FramesAnswer(convention=raw.convention, frames=frames)
 
     def grade(self, part: Part, answer: ByName[FramesAnswer], context: Context) -> PartReport:
         """Judge an answer at the student's lengths and, if it is right there and in names, at others."""

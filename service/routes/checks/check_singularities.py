@@ -140,9 +140,7 @@ def _conditions(
 
 def _typed(joints: tuple[float, ...] | None, robot: PreparedRobot) -> list[float] | None:
     """Return joint values in the request's units."""
-    if joints is None:
-        return None
-    return in_request_units(joints, robot.joint_units)
+    return None if joints is None else in_request_units(joints, robot.joint_units)
 
 
 def _read(

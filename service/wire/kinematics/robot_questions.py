@@ -50,8 +50,7 @@ class QuestionReader(Generic[Question]):
     """Reads the questions of one call."""
 
     def __init__(self, question: type[Question], request: type[Question]) -> None:
-        self._question = question
-        self._request = request
+        self._question, self._request = question, request
 
     async def read(self, request: ApiRequest) -> ReadQuestion[Question]:
         """Return the question of a request, in either form.

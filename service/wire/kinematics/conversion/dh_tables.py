@@ -153,9 +153,7 @@ def _product(one: Entries, other: Entries) -> Entries:
 
 
 def _entry(entry: Expression) -> WireCell:
-    if parameters_in(entry):
-        return cell_text(entry)
-    return evaluate(entry) + 0.0
+    return cell_text(entry) if parameters_in(entry) else evaluate(entry) + 0.0
 
 
 def _row(screw: XScrew[Expression] | None, writer: TableWriter, other: Transform) -> AnsweredRow | None:
