@@ -154,10 +154,7 @@ def counted(
 
 
 def advanced(
-    policy: AttemptPolicy,
-    before: Counted | None,
-    outcome: AttemptOutcome,
-    allowance: Allowance,
+    policy: AttemptPolicy, before: Counted | None, outcome: AttemptOutcome, allowance: Allowance
 ) -> Counted | None:
     """Return what makes the grade after one more attempt: `counted` of all, from that of those before."""
     latest = counted(policy, [outcome], allowance)

@@ -108,8 +108,7 @@ ListeningAddress = Annotated[
 ProxyPath = Annotated[str, AfterValidator(_path)]
 PublicAddress = Annotated[str, AfterValidator(_public)]
 DatabaseAddress = Annotated[
-    str,
-    _secretly_matching(r"postgres(ql)?(\+[a-z0-9]+)?://\S*", "postgresql://user:password@host/database"),
+    str, _secretly_matching(r"postgres(ql)?(\+[a-z0-9]+)?://\S*", "postgresql://user:password@host/database")
 ]
 CollectorAddress = Annotated[
     str, _secretly_matching(r"https?://[^/\s]+\S*", "http://collector:4318/v1/traces")

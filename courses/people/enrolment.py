@@ -112,11 +112,7 @@ def _person(connection: sa.Connection, arrival: Arrival, key: str, now: datetime
 
 
 def _course(connection: sa.Connection, arrival: Arrival) -> int:
-    key = {
-        "platform_id": arrival.platform.id,
-        "deployment": arrival.deployment,
-        "context": arrival.context,
-    }
+    key = {"platform_id": arrival.platform.id, "deployment": arrival.deployment, "context": arrival.context}
     changed: dict[str, Any] = {"title": arrival.course_title[:300]}
     if arrival.memberships_url:
         changed["memberships_url"] = arrival.memberships_url

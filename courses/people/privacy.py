@@ -10,13 +10,7 @@ from courses.storage import records
 from courses.storage.database import Store
 from courses.storage.statements import record_of
 
-_OF_A_PERSON = (
-    records.participation,
-    records.attempt,
-    records.grade,
-    records.score_to_send,
-    records.session,
-)
+_OF_A_PERSON = (records.participation, records.attempt, records.grade, records.score_to_send, records.session)
 _OF_AN_ATTEMPT = (records.finding, records.regraded)
 """What is removed with the attempt that it belongs to."""
 

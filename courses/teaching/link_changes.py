@@ -55,12 +55,7 @@ def _change(connection: sa.Connection, link_id: int, now: datetime, **values: An
 
 
 def allow(
-    store: Store,
-    link: Link,
-    person: str,
-    allowance: Allowance,
-    now: datetime,
-    listed: Collection[str] = (),
+    store: Store, link: Link, person: str, allowance: Allowance, now: datetime, listed: Collection[str] = ()
 ) -> None:
     """Give a student extra time or attempts, instead of what they had before; they need not have come yet.
 

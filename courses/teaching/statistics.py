@@ -162,12 +162,7 @@ def misconceptions(store: Store, link_id: int) -> list[dict[str, Any]]:
             sa.func.max(own.c.id).label("newest"),
         )
         .join(own, own.c.id == _FINDING.c.attempt_id)
-        .where(
-            _FINDING.c.link_id == link_id,
-            own.c.correct.is_(False),
-            of_students(own),
-            _IS_MISTAKE,
-        )
+        .where(_FINDING.c.link_id == link_id, own.c.correct.is_(False), of_students(own), _IS_MISTAKE)
         .group_by(_FINDING.c.kind, _FINDING.c.code)
         .order_by(attempts.desc(), _FINDING.c.code)
     )
@@ -186,11 +181,7 @@ def unexplained(store: Store, link_id: int) -> list[dict[str, Any]]:
     wanted = (
         sa.select(own.c.id, _FINDING.c.code, _FINDING.c.row)
         .join(_FINDING, sa.and_(_FINDING.c.attempt_id == own.c.id, _FINDING.c.kind == "wrong"))
-        .where(
-            own.c.correct.is_(False),
-            of_students(own),
-            own.c.id.not_in(explained),
-        )
+        .where(own.c.correct.is_(False), of_students(own), own.c.id.not_in(explained))
         .order_by(own.c.id, _FINDING.c.position)
     )
     facts: dict[int, list[str]] = defaultdict(list)

@@ -17,12 +17,7 @@ from uvicorn.supervisors import Multiprocess
 from uvicorn.supervisors.multiprocess import Process
 
 from service.cli.commands import REFUSALS, UNUSABLE, tell
-from service.cli.environment import (
-    Subparsers,
-    count_up_to,
-    require_what_is_named,
-    settings_of_environment,
-)
+from service.cli.environment import Subparsers, count_up_to, require_what_is_named, settings_of_environment
 from service.http.connections import server_options
 from service.logs import log_configuration
 from service.messages import DEFAULT_LANGUAGE
@@ -72,10 +67,7 @@ def _serve(options: argparse.Namespace) -> int:
         figures = share_metrics()
         try:
             config = uvicorn.Config(
-                "service.cli.serve:one_of_several",
-                factory=True,
-                workers=workers,
-                **chosen,
+                "service.cli.serve:one_of_several", factory=True, workers=workers, **chosen
             )
             supervisor = _Supervisor(config, sockets=[config.bind_socket()])
             supervisor.run()

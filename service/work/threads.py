@@ -17,9 +17,7 @@ _FEW = ThreadPoolExecutor(4, thread_name_prefix="few")
 
 
 async def in_thread(
-    function: Callable[[*_Arguments], _Result],
-    *arguments: *_Arguments,
-    threads: ThreadPoolExecutor = _FEW,
+    function: Callable[[*_Arguments], _Result], *arguments: *_Arguments, threads: ThreadPoolExecutor = _FEW
 ) -> _Result:
     """Return what a function gives in a thread, or raise what it raises.
 

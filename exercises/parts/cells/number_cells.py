@@ -53,10 +53,7 @@ def number_of(cell: Cell, position: Position, instance: Instance, where: tuple[s
 
 
 def read_numbers_of(
-    cells: Sequence[Cell],
-    position: Position | Sequence[Position],
-    reading: Reading,
-    *where: str | int,
+    cells: Sequence[Cell], position: Position | Sequence[Position], reading: Reading, *where: str | int
 ) -> tuple[float, ...] | None:
     """Return the values of some cells, or None; faults are kept in the reading, at `where`.
 

@@ -8,12 +8,7 @@ import numpy as np
 from pydantic import Field
 
 from kinematics.answers.form_samples import COMPONENTS, loaded_robot
-from kinematics.answers.jacobian_answers import (
-    JacobianMistake,
-    JacobianVerdict,
-    judge_forces,
-    judge_jacobian,
-)
+from kinematics.answers.jacobian_answers import JacobianMistake, JacobianVerdict, judge_forces, judge_jacobian
 from kinematics.answers.jacobian_forms import judge_force_form, judge_jacobian_form
 from kinematics.answers.screw_answers import ScrewOrder
 from kinematics.chain import chain_of_table
@@ -149,8 +144,7 @@ def check_jacobian(body: CheckJacobianRequest, robot: PreparedRobot, language: s
 
 
 @router.judge(
-    "/check-jacobian-form",
-    "Are this Jacobian and these joint forces, as functions, those of the table?",
+    "/check-jacobian-form", "Are this Jacobian and these joint forces, as functions, those of the table?"
 )
 def check_jacobian_form(
     body: CheckJacobianFormRequest, robot: PreparedRobot, language: str
@@ -195,10 +189,7 @@ def check_jacobian_form(
 
 
 def _findings(
-    found: JacobianVerdict | None,
-    forces: Sequence[bool] | None,
-    slip: JacobianMistake | None,
-    language: str,
+    found: JacobianVerdict | None, forces: Sequence[bool] | None, slip: JacobianMistake | None, language: str
 ) -> dict[str, Any]:
     """Return what is said of a Jacobian and of joint forces, None of what was not given."""
     mistakes = [_told("jacobian", *told, language) for told in (found.mistakes if found else ())]

@@ -16,11 +16,7 @@ from fastapi.responses import RedirectResponse
 
 from courses.model import Platform, PlatformStatus, Role
 from courses.people.enrolment import Arrival, arrive
-from courses.people.platforms import (
-    deployments_of,
-    platform_by_id,
-    platforms_of,
-)
+from courses.people.platforms import deployments_of, platform_by_id, platforms_of
 from courses.people.secrets import hashed, issue_code, new_token, redeem_code, remember_nonce
 from courses.people.sessions import session_of
 from courses.refusals import NoExerciseError, StaffOnlyError

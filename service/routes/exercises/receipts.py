@@ -69,10 +69,7 @@ _OUTSIDE = {"name", "seed", "help", "attempt"}
     summary="Judge an answer and sign a receipt for it",
 )
 async def issue_receipt(
-    request: Request,
-    exercise_id: Id,
-    body: ReceiptRequest,
-    resources: AppResources,
+    request: Request, exercise_id: Id, body: ReceiptRequest, resources: AppResources
 ) -> Any:
     """Return a compact JWS that says what an answer earned, for a student to hand to a lecturer.
 
@@ -99,10 +96,7 @@ async def issue_receipt(
     summary="A receipt as a page to print",
 )
 async def receipt_page(
-    request: Request,
-    exercise_id: Id,
-    body: ReceiptRequest,
-    resources: AppResources,
+    request: Request, exercise_id: Id, body: ReceiptRequest, resources: AppResources
 ) -> Response:
     """Return the same receipt on a page.
 

@@ -64,10 +64,7 @@ _DAY = 24 * 3600
     summary="A link to an exercise that carries settings, signed",
 )
 async def make_link(
-    request: Request,
-    exercise_id: Id,
-    body: SignedLinkRequest,
-    resources: AppResources,
+    request: Request, exercise_id: Id, body: SignedLinkRequest, resources: AppResources
 ) -> SignedLink:
     """Return the address of the exercise's page under settings that only restrict what its students may use.
 

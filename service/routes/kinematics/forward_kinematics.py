@@ -110,10 +110,7 @@ _ARRAY = {"schema": {"type": "string", "format": "binary"}}
     response_model=ForwardKinematicsAnswer,
     response_model_exclude_none=True,
     responses={200: {"content": {NPY: _ARRAY}}, **problems(406, 503)},
-    openapi_extra={
-        **request_body(ForwardKinematicsRequest, x_npy=_ARRAY),
-        **NPY_QUERY,
-    },
+    openapi_extra={**request_body(ForwardKinematicsRequest, x_npy=_ARRAY), **NPY_QUERY},
 )
 async def forward_kinematics(request: ApiRequest) -> Response:
     """Return ⁰T_N, every link transform and every frame, of one configuration or of a batch.

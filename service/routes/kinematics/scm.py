@@ -137,11 +137,7 @@ async def forward_kinematics(
     )
 
 
-@router.call(
-    "/scm/inverse-transform",
-    "Inverse of the direct kinematics of an SCM chain",
-    exclude_none=True,
-)
+@router.call("/scm/inverse-transform", "Inverse of the direct kinematics of an SCM chain", exclude_none=True)
 async def inverse_of_transform(
     body: ScmInverseTransformRequest, request: ApiRequest
 ) -> ScmInverseTransformAnswer | BytesResponse:
