@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from fractions import Fraction
 from random import Random
+from typing import Any
 
 from exercises.grading import BaseRule, ConventionRule, DirectionRule, Policy, ToolRule, ZeroRule
 from kinematics.cells import ReadTable
@@ -200,7 +201,8 @@ def _put(rows: Rows, i: int, *new: SymbolicRow) -> Rows:
 
 
 def _more(row: SymbolicRow, **by: Expression) -> SymbolicRow:
-    return replace(row, **{cell: add((getattr(row, cell), more)) for cell, more in by.items()})
+    cells: dict[str, Any] = {cell: add((getattr(row, cell), more)) for cell, more in by.items()}
+    return replace(row, **cells)
 
 
 def _is_parallel(alpha: Expression) -> bool:
