@@ -339,6 +339,4 @@ def _placed(mismatch: Mismatch, table: NumericTable) -> Mismatch:
     else:
         before = mismatch.kind in (Kind.LENGTH, Kind.TWIST) and standard
         row = table.joint_rows[max(joint - 1, 1) - 1 if before else joint - 1]
-    return Mismatch(
-        kind=mismatch.kind, joint=mismatch.joint, row=row, angle=mismatch.angle, length=mismatch.length
-    )
+    return replace(mismatch, row=row)

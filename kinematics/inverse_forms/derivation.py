@@ -24,7 +24,7 @@ from kinematics.inverse.solve import MAX_JOINTS
 from kinematics.inverse_forms.axis_turns import Turn, turn_of_joint, write_turns
 from kinematics.inverse_forms.formulas import atan2, less_angle, root, square, times
 from kinematics.inverse_forms.parts import Parts, partitions
-from kinematics.inverse_forms.planar_joints import circular_root, place_point, place_pose
+from kinematics.inverse_forms.planar_joints import PlanarJoints, circular_root
 from kinematics.inverse_forms.signed_axes import (
     Axis,
     SignedArm,
@@ -99,6 +99,7 @@ class _Writer:
         self.arm, self.parts = arm, parts
         joints = [f"q{joint.number}" for joint in arm.joints]
         self.write = InverseDerivation((*parameters, *joints))
+        self.planar = PlanarJoints(self.write, parts.plane)
         self.rotation = tuple(tuple(map(self.write.fresh, row)) for row in ROTATION_NAMES)
         self.position = tuple(map(self.write.fresh, POSITION_NAMES))
         R = [[Parameter(name) for name in row] for row in self.rotation]
@@ -141,13 +142,8 @@ class _Writer:
             start = self._tilted(parts.tilt, target) if parts.tilt else parts.point
             written = (
                 start is not None
-                and place_point(
-                    write,
-                    parts.plane,
-                    parts.planar,
-                    start,
-                    parts.plane.point(target),
-                    varying=parts.tilt is not None,
+                and self.planar.place_point(
+                    parts.planar, start, parts.plane.point(target), varying=parts.tilt is not None
                 )
                 and self._tail(N)
             )
@@ -242,8 +238,8 @@ class _Writer:
             writing=note,
         )
         turns = [first, *(turn_of_joint(write, joint) for joint in parts.tail)]
-        return write_turns(write, turns, N) and place_pose(
-            write, plane, parts.planar, parts.point, plane.point(target), noted[0]
+        return write_turns(write, turns, N) and self.planar.place_pose(
+            parts.planar, parts.point, plane.point(target), noted[0]
         )
 
     def _tail(self, N: Sequence[Vector]) -> bool:

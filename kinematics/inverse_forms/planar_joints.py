@@ -67,191 +67,164 @@ class JointPlane:
         return add(signed(self.sense(j), j.angle) for j in joints if j.turns)
 
 
-def place_point(
-    write: InverseDerivation,
-    plane: JointPlane,
-    joints: Sequence[SignedJoint],
-    start: Vector,
-    target: Point,
-    *,
-    varying: bool = False,
-) -> bool:
-    """Write down two joints that bring a point of the plane to its place.
+class PlanarJoints:
+    """Writes down joints that move in one plane."""
 
-    The start is where the point is at θ = 0, the target its place in the plane. Where `varying` holds, other
-    joints move the start, possibly onto the axis of one of these.
+    def __init__(self, write: InverseDerivation, plane: JointPlane) -> None:
+        self._write, self._plane = write, plane
 
-    Returns:
-        Whether there is a form for these joints: there is none where the second cannot move the point, two
-        joints turn about one axis, or slide the same way. The second is then noted as idle.
-    """
-    first, second = joints
-    if second.turns and _from(plane.point(start), plane.point(second.point)) == (ZERO, ZERO):
-        return write.idles(second)
-    if first.turns and second.turns:
-        if plane.point(first.point) == plane.point(second.point):
+    def place_point(
+        self, joints: Sequence[SignedJoint], start: Vector, target: Point, *, varying: bool = False
+    ) -> bool:
+        """Write down two joints that bring a point of the plane to its place.
+
+        The start is where the point is at θ = 0, the target its place in the plane. Where `varying` holds,
+        other joints move the start, possibly onto the axis of one of these.
+
+        Returns:
+            Whether there is a form for these joints: there is none where the second cannot move the point,
+            two joints turn about one axis, or slide the same way. The second is then noted as idle.
+        """
+        write, plane = self._write, self._plane
+        first, second = joints
+        point = plane.point(start)
+        if second.turns and _from(point, plane.point(second.point)) == (ZERO, ZERO):
             return write.idles(second)
-        _two_turns(write, plane, first, second, plane.point(start), target, varying=varying)
-    elif first.turns:
-        _turn_and_slide(write, plane, first, second, plane.point(start), target, varying=varying)
-    elif second.turns:
-        _slide_and_turn(write, plane, first, second, plane.point(start), target, varying=varying)
-    elif dot(first.axis, second.axis) == 0:
-        off = _from(target, plane.point(start))
-        for joint in joints:
-            write.joint(joint, _component(plane.way(joint), off))
-    else:
-        return write.idles(second)
-    return True
+        if first.turns and second.turns:
+            if plane.point(first.point) == plane.point(second.point):
+                return write.idles(second)
+            self._two_turns(first, second, point, target, varying)
+        elif first.turns:
+            self._turn_and_slide(first, second, point, target, varying)
+        elif second.turns:
+            self._slide_and_turn(first, second, point, target, varying)
+        elif dot(first.axis, second.axis) == 0:
+            off = _from(target, point)
+            for joint in joints:
+                write.joint(joint, _component(plane.way(joint), off))
+        else:
+            return write.idles(second)
+        return True
 
+    def place_pose(
+        self, joints: Sequence[SignedJoint], start: Vector, target: Point, turn: Expression
+    ) -> bool:
+        """Write down three joints that bring a point to its place and turn the plane by an angle.
 
-def place_pose(
-    write: InverseDerivation,
-    plane: JointPlane,
-    joints: Sequence[SignedJoint],
-    start: Vector,
-    target: Point,
-    turn: Expression,
-) -> bool:
-    """Write down three joints that bring a point to its place and turn the plane by an angle.
+        Where the last alone turns, its equation is that of the angle, and has been written.
+        """
+        write, plane = self._write, self._plane
+        *others, last = joints
+        if not last.turns:
+            return False
+        lever = _from(plane.point(start), plane.point(last.point))
+        if lever != (ZERO, ZERO):
+            c, s = circular(Function.COS, turn), circular(Function.SIN, turn)
+            target = _from(target, _turned(c, s, lever))
+        if not self.place_point(others, last.point, target):
+            return False
+        if any(joint.turns for joint in others):
+            rest = add((turn, negate(plane.turn_of(others))))
+            write.joint(last, rest, sense=plane.sense(last))
+        return True
 
-    Where the last alone turns, its equation is that of the angle, and has been written.
-    """
-    *others, last = joints
-    if not last.turns:
-        return False
-    lever = _from(plane.point(start), plane.point(last.point))
-    if lever != (ZERO, ZERO):
-        c, s = circular(Function.COS, turn), circular(Function.SIN, turn)
-        target = _from(target, _turned(c, s, lever))
-    if not place_point(write, plane, others, last.point, target):
-        return False
-    if any(joint.turns for joint in others):
-        rest = add((turn, negate(plane.turn_of(others))))
-        write.joint(last, rest, sense=plane.sense(last))
-    return True
+    def _two_turns(
+        self, first: SignedJoint, second: SignedJoint, start: Point, target: Point, varying: bool
+    ) -> None:
+        """By the law of cosines: with U from the first axis, L between the axes, F from the second."""
+        write, plane = self._write, self._plane
+        a, b = plane.point(first.point), plane.point(second.point)
+        U = _named(write, "u", "v", _from(target, a), InverseQuantity.PLANE_POINT)
+        L, F = _from(b, a), _from(start, b)
+        (lx, ly), (fx, fy) = L, F
+        squares = [square(U[0]), square(U[1]), *(negate(square(x)) for x in (lx, ly, fx, fy))]
+        half = halved(add(squares))
+        if ly == ZERO:  # as books have it, divided by the upper arm
+            equation = fx, negate(fy), over(half, lx)
+        elif lx == ZERO:
+            equation = fy, fx, over(half, ly)
+        else:
+            A = add((times(lx, fx), times(ly, fy)))
+            B = add((times(ly, fx), negate(times(lx, fy))))
+            coefficients = _named(write, "A", "B", (A, B), InverseQuantity.COEFFICIENT)
+            equation = *coefficients, half
+        # Where the two axes coincide, as lengths that are names may have it, one of the joints is enough.
+        one_axis = SingularCase(
+            free=(second.number, first.number),
+            conditions=tuple(fulfilled(value) for value in (lx, ly, half) if value != ZERO),
+        )
+        between = [value for value in L if value != ZERO]
+        phi = circular_root(
+            write,
+            *equation,
+            second,
+            plane.sense(second),
+            varying=varying,
+            conditions=() if _never_zero(between) else (determined(*between),),
+            cases=() if _never_zero(between) else (one_axis,),
+        )
+        c, s = circular(Function.COS, phi), circular(Function.SIN, phi)
+        x, y = _turned(c, s, F)
+        W = _named(write, "k_x", "k_y", (add((lx, x)), add((ly, y))), InverseQuantity.ARM_POINT)
+        self._turn_onto(first, W, U)
 
+    def _turn_onto(self, joint: SignedJoint, start: Point, target: Point) -> None:
+        """Write down the joint that turns one direction onto another; both are seen from its axis."""
+        angle = less_angle(atan2(target[1], target[0]), start[1], start[0])
+        self._write.joint(joint, angle, determined(*target), sense=self._plane.sense(joint))
+        self._write.free(joint, *target)
 
-def _two_turns(
-    write: InverseDerivation,
-    plane: JointPlane,
-    first: SignedJoint,
-    second: SignedJoint,
-    start: Point,
-    target: Point,
-    *,
-    varying: bool,
-) -> None:
-    """By the law of cosines: with U from the first axis, L between the axes, F from the second."""
-    a, b = plane.point(first.point), plane.point(second.point)
-    U = _named(write, "u", "v", _from(target, a), InverseQuantity.PLANE_POINT)
-    L, F = _from(b, a), _from(start, b)
-    (lx, ly), (fx, fy) = L, F
-    squares = [square(U[0]), square(U[1]), *(negate(square(x)) for x in (lx, ly, fx, fy))]
-    half = halved(add(squares))
-    if ly == ZERO:  # as books have it, divided by the upper arm
-        equation = fx, negate(fy), over(half, lx)
-    elif lx == ZERO:
-        equation = fy, fx, over(half, ly)
-    else:
-        A = add((times(lx, fx), times(ly, fy)))
-        B = add((times(ly, fx), negate(times(lx, fy))))
-        coefficients = _named(write, "A", "B", (A, B), InverseQuantity.COEFFICIENT)
-        equation = *coefficients, half
-    # Where the two axes coincide, as lengths that are names may have it, one of the joints is enough.
-    one_axis = SingularCase(
-        free=(second.number, first.number),
-        conditions=tuple(fulfilled(value) for value in (lx, ly, half) if value != ZERO),
-    )
-    between = [value for value in L if value != ZERO]
-    phi = circular_root(
-        write,
-        *equation,
-        second,
-        plane.sense(second),
-        varying=varying,
-        conditions=() if _never_zero(between) else (determined(*between),),
-        cases=() if _never_zero(between) else (one_axis,),
-    )
-    c, s = circular(Function.COS, phi), circular(Function.SIN, phi)
-    x, y = _turned(c, s, F)
-    W = _named(write, "k_x", "k_y", (add((lx, x)), add((ly, y))), InverseQuantity.ARM_POINT)
-    _turn_onto(write, plane, first, W, U)
+    def _turn_and_slide(
+        self, first: SignedJoint, second: SignedJoint, start: Point, target: Point, varying: bool
+    ) -> None:
+        """|U|² = (k + d)² + m²: the slide's way d; k + d counts from where the point is nearest to the axis.
 
+        Where m = 0, the point is on the line of the slide through the axis, on the side that the sign tells.
+        """
+        write, plane = self._write, self._plane
+        a = plane.point(first.point)
+        U = _named(write, "u", "v", _from(target, a), InverseQuantity.PLANE_POINT)
+        W = _from(start, a)
+        way = plane.way(second)
+        k, m = _component(way, W), _component((-way[1], way[0]), W)
+        sign = write.sign()
+        radicand = add((square(U[0]), square(U[1]), negate(square(m))))
+        length = add((times(sign, root(radicand)), negate(k)))
+        if m == ZERO:
+            write.joint(second, length, branch=sign)
+            along_way, aside = _component(way, U), _component((-way[1], way[0]), U)
+            angle = atan2(times(sign, aside), times(sign, along_way))
+            write.joint(first, angle, determined(*U), sense=plane.sense(first))
+            write.free(first, *U)
+            return
+        d = write.joint(second, length, reachable(radicand), branch=sign)
+        W = add((W[0], signed(way[0], d))), add((W[1], signed(way[1], d)))
+        if varying:
+            self._turn_onto(first, W, U)
+        else:  # |U| is |m| at least: the turn is determined
+            angle = less_angle(atan2(U[1], U[0]), W[1], W[0])
+            write.joint(first, angle, sense=plane.sense(first))
 
-def _turn_onto(
-    write: InverseDerivation, plane: JointPlane, joint: SignedJoint, start: Point, target: Point
-) -> None:
-    """Write down the joint that turns one direction onto another; both are seen from its axis."""
-    angle = less_angle(atan2(target[1], target[0]), start[1], start[0])
-    write.joint(joint, angle, determined(*target), sense=plane.sense(joint))
-    write.free(joint, *target)
-
-
-def _turn_and_slide(
-    write: InverseDerivation,
-    plane: JointPlane,
-    first: SignedJoint,
-    second: SignedJoint,
-    start: Point,
-    target: Point,
-    *,
-    varying: bool,
-) -> None:
-    """|U|² = (k + d)² + m²: the slide's way d, and k + d counted from where the point is nearest to the axis.
-
-    Where m = 0, the point is on the line of the slide through the axis, on the side that the sign tells.
-    """
-    a = plane.point(first.point)
-    U = _named(write, "u", "v", _from(target, a), InverseQuantity.PLANE_POINT)
-    W = _from(start, a)
-    way = plane.way(second)
-    k, m = _component(way, W), _component((-way[1], way[0]), W)
-    sign = write.sign()
-    radicand = add((square(U[0]), square(U[1]), negate(square(m))))
-    length = add((times(sign, root(radicand)), negate(k)))
-    if m == ZERO:
-        write.joint(second, length, branch=sign)
-        along_way, aside = _component(way, U), _component((-way[1], way[0]), U)
-        angle = atan2(times(sign, aside), times(sign, along_way))
-        write.joint(first, angle, determined(*U), sense=plane.sense(first))
-        write.free(first, *U)
-        return
-    d = write.joint(second, length, reachable(radicand), branch=sign)
-    W = add((W[0], signed(way[0], d))), add((W[1], signed(way[1], d)))
-    if varying:
-        _turn_onto(write, plane, first, W, U)
-    else:  # |U| is |m| at least: the turn is determined
-        angle = less_angle(atan2(U[1], U[0]), W[1], W[0])
-        write.joint(first, angle, sense=plane.sense(first))
-
-
-def _slide_and_turn(
-    write: InverseDerivation,
-    plane: JointPlane,
-    first: SignedJoint,
-    second: SignedJoint,
-    start: Point,
-    target: Point,
-    *,
-    varying: bool,
-) -> None:
-    """The turn from what is across the slide, the slide from what is along it."""
-    b = plane.point(second.point)
-    U, F = _from(target, b), _from(start, b)
-    way = plane.way(first)
-    aside = (-way[1], way[0])
-    phi = circular_root(
-        write,
-        _component(aside, F),
-        _component(aside, (negate(F[1]), F[0])),
-        _component(aside, U),
-        second,
-        plane.sense(second),
-        varying=varying,
-    )
-    c, s = circular(Function.COS, phi), circular(Function.SIN, phi)
-    write.joint(first, _component(way, _from(U, _turned(c, s, F))))
+    def _slide_and_turn(
+        self, first: SignedJoint, second: SignedJoint, start: Point, target: Point, varying: bool
+    ) -> None:
+        """The turn from what is across the slide, the slide from what is along it."""
+        write, plane = self._write, self._plane
+        b = plane.point(second.point)
+        U, F = _from(target, b), _from(start, b)
+        way = plane.way(first)
+        aside = (-way[1], way[0])
+        phi = circular_root(
+            write,
+            _component(aside, F),
+            _component(aside, (negate(F[1]), F[0])),
+            _component(aside, U),
+            second,
+            plane.sense(second),
+            varying=varying,
+        )
+        c, s = circular(Function.COS, phi), circular(Function.SIN, phi)
+        write.joint(first, _component(way, _from(U, _turned(c, s, F))))
 
 
 def circular_root(
