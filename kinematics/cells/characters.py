@@ -73,6 +73,8 @@ _ALLOWED = re.compile(
 
 _RAISED_POINT = re.compile("(?<![\\w.,])0[\u00b7\u22c5\u2219\u2022][0-9]+")
 
+_LOST_POWER = re.compile(r"(?<![\w.^*])([0-9.]+) ?\* ?10([+-])([0-9]{1,2})(?![0-9A-Za-z_.(^*/°])")
+"""A power of ten from a PDF that raises nothing: 4×10-1 may be 4×10⁻¹."""
 _MINUTES = re.compile(
     "(?<![\\w.,])([0-9]{1,4})[°\u00ba\u02da] *([0-5]?[0-9](?:\\.[0-9]{1,6})?) *(?:'(?!')|[\u2032\u2019])"
     " *(?:([0-5]?[0-9](?:\\.[0-9]{1,6})?) *(?:\"|''|[\u2033\u201d]))?"
@@ -114,7 +116,20 @@ def translated(text: str) -> str:
     reached = match.end() if match else 0
     if reached < len(plain):
         raise _refusal(plain[reached], reached + 1)
+    _refuse_lost_power(plain)
     return plain
+
+
+def _refuse_lost_power(plain: str) -> None:
+    if lost := _LOST_POWER.search(plain):
+        number, sign, power = lost.groups()
+        raise CellRefusal(
+            "exponent_ambiguous",
+            column=lost.start() + 1,
+            text=lost.group(),
+            number=f"{number}e{sign}{power}",
+            difference=f"{number}*10 {sign} {power}",
+        )
 
 
 def _refusal(character: str, column: int) -> CellRefusal:

@@ -187,6 +187,19 @@ def test_a_number_behind_a_function_is_its_argument(cell):
     assert faults_of(raw_row(a=cell)) == [("function_without_parentheses", ("rows", 0, "a"))]
 
 
+@pytest.mark.parametrize("cell", ["4×10-1", "4*10−1", "q1 + 1.5·10-3", "4 * 10-1"])
+def test_a_power_that_a_pdf_lost_is_told(cell):
+    """4×10⁻¹ was read as 39."""
+    with pytest.raises(CellRefusal, match="exponent_ambiguous") as refused:
+        scan(cell)
+    assert refused.value.params["number"] in {"4e-1", "1.5e-3"}
+
+
+@pytest.mark.parametrize("cell", ["4*10 - 1", "10-3", "2*10-3*L1", "2*10-L1", "4*10^-1"])
+def test_a_difference_from_tens_is_read(cell):
+    scan(cell)
+
+
 @pytest.mark.parametrize("cell", ["1,000.5", "1.000,5"])
 def test_separators_of_thousands_are_told_as_such(cell):
     assert faults_of(raw_row(a=cell)) == [("number_malformed", ("rows", 0, "a"))]
