@@ -94,7 +94,7 @@ error-variable_in_wrong_cell =
        *[revolute] revolute
     } joint stands under { $expected }.
 error-variable_twice = At character { $column }: { $name } occurs a second time. Each joint variable stands in the table once.
-error-variable_of_other_row = At character { $column }: { $name } is not the variable of this row, { $expected } is.
+error-variable_of_other_row = At character { $column }: { $name } is not the variable of this row, { $expected } is. If the drives of two joints are coupled, as in { $expected } + { $name }, write { $expected } alone and give the sum as its value.
 error-variable_numbering_mixed = At character { $column }: { $name } is numbered by row while others are numbered by joint. Number them q1 to q{ $joints } in joint order.
 
 error-table_empty = The table has no rows; at least one is needed.

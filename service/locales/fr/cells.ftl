@@ -94,7 +94,7 @@ error-variable_in_wrong_cell =
        *[revolute] rotoïde
     } se place sous { $expected }.
 error-variable_twice = Au caractère { $column } : { $name } apparaît une deuxième fois. Chaque variable articulaire figure une seule fois dans le tableau.
-error-variable_of_other_row = Au caractère { $column } : { $name } n’est pas la variable de cette ligne ; c’est { $expected }.
+error-variable_of_other_row = Au caractère { $column } : { $name } n’est pas la variable de cette ligne ; c’est { $expected }. Si les entraînements de deux articulations sont couplés, comme dans { $expected } + { $name }, écrivez seulement { $expected } et donnez-lui la somme pour valeur.
 error-variable_numbering_mixed = Au caractère { $column } : { $name } est numérotée par ligne, d’autres par articulation. Numérotez-les de q1 à q{ $joints } dans l’ordre des articulations.
 
 error-table_empty = Le tableau n’a aucune ligne ; il en faut au moins une.
