@@ -145,7 +145,7 @@ task-inverse-kinematics =
        *[pose] The position, in { $unit }, and the orientation both matter.
     }
 
-feedback-joints_right = The answer is right and complete.
+feedback-joints_right = The answer is right: everything that was asked for is there.
 feedback-joints_searched = For this pose the solutions were found by search; there may be more than these.
 feedback-joints_need_table = The joint values are those of your own variables: hand in a table that is right, too.
 feedback-claim_wrong = That is not so: count again how many solutions this pose has, if any.

@@ -145,7 +145,7 @@ task-inverse-kinematics =
        *[pose] Importan la posición, en { $unit }, y la orientación.
     }
 
-feedback-joints_right = La respuesta es correcta y completa.
+feedback-joints_right = La respuesta es correcta: contiene todo lo que se pide.
 feedback-joints_searched = Para esta pose las soluciones se hallaron por búsqueda; puede haber más.
 feedback-joints_need_table = Los valores articulares son los de sus propias variables: entregue también una tabla correcta.
 feedback-claim_wrong = No es así: vuelva a contar cuántas soluciones tiene esta pose, si hay alguna.

@@ -145,7 +145,7 @@ task-inverse-kinematics =
        *[pose] Comptent la position, en { $unit }, et l’orientation.
     }
 
-feedback-joints_right = La réponse est juste et complète.
+feedback-joints_right = La réponse est juste : elle contient tout ce qui est demandé.
 feedback-joints_searched = Pour cette pose, les solutions ont été trouvées par recherche ; il peut y en avoir d’autres.
 feedback-joints_need_table = Les valeurs articulaires sont celles de vos propres variables : rendez aussi un tableau juste.
 feedback-claim_wrong = Ce n’est pas le cas : recomptez les solutions de cette pose, s’il y en a.

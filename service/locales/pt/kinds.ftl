@@ -145,7 +145,7 @@ task-inverse-kinematics =
        *[pose] Importam a posição, em { $unit }, e a orientação.
     }
 
-feedback-joints_right = A resposta está certa e completa.
+feedback-joints_right = A resposta está certa: contém tudo o que se pede.
 feedback-joints_searched = Para esta pose as soluções foram encontradas por pesquisa; pode haver mais.
 feedback-joints_need_table = Os valores são os das suas próprias variáveis: entregue também uma tabela certa.
 feedback-claim_wrong = Não é assim: conte de novo quantas soluções alcançam esta pose, se houver alguma.

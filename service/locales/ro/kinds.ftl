@@ -145,7 +145,7 @@ task-inverse-kinematics =
        *[pose] Contează și poziția, în { $unit }, și orientarea.
     }
 
-feedback-joints_right = Răspunsul este corect și complet.
+feedback-joints_right = Răspunsul este corect: conține tot ce s-a cerut.
 feedback-joints_searched = Pentru această situare soluțiile au fost găsite prin căutare; pot exista și altele.
 feedback-joints_need_table = Valorile sunt cele ale variabilelor dumneavoastră: predați și un tabel corect.
 feedback-claim_wrong = Nu este așa: numărați din nou câte soluții ating această situare, dacă există.
