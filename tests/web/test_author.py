@@ -224,6 +224,30 @@ def test_a_catalogue_robot_starts_with_its_own_name(open_page: OpenPage) -> None
     expect(title).to_have_value("Exam")
 
 
+def test_whoever_places_axes_by_keyboard_stays_where_they_are(open_page: OpenPage) -> None:
+    """What was pressed was built anew, and the focus fell to the top of the page."""
+    page = open_page("/author")
+    start_with(page, "axes")
+    axes = page.get_by_role("group", name="Joint axes")
+
+    def press(control: Locator, key: str, then: Locator) -> None:
+        control.focus()
+        control.press(key)
+        expect(then).to_be_focused()
+
+    add = axes.get_by_role("button", name="Add an axis")
+    press(add, "Enter", add)
+    first = axes.get_by_role("button", name="1 · revolute")
+    press(first, "Enter", first)
+    prismatic = page.locator("[name=author-joint][value=prismatic]")
+    press(page.locator("[name=author-joint]:checked"), "ArrowRight", prismatic)
+    press(axes.get_by_role("button", name="Remove axis 2"), "Enter", add)
+    start_with(page, "scm")
+    first, second = (page.get_by_role("button", name=f"Remove row {row}") for row in (1, 2))
+    press(second, "Enter", first)
+    press(first, "Enter", page.get_by_role("button", name="Add a row"))
+
+
 def test_an_arm_from_urdf(open_page: OpenPage) -> None:
     page = open_page("/author")
     start_with(page, "urdf")

@@ -195,6 +195,7 @@ def test_what_cannot_be_graded_costs_no_attempt(open_page: OpenPage, watch: Watc
     expect(page.locator("dh-table-editor .editor-summary")).to_be_focused()
     expect(cell(page, 1, "a")).to_have_attribute("aria-invalid", "true")
     expect(page.locator("#history-card")).to_be_hidden()
+    expect(page.locator("#answer-heading")).to_be_focused()
 
 
 UNREAD = "One cell cannot be read yet."

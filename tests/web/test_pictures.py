@@ -178,6 +178,18 @@ def test_a_row_is_gone_through_step_by_step_and_back(open_page: OpenPage) -> Non
     expect(text).to_contain_text("3 of 4")
 
 
+def test_a_film_of_no_row_is_said_not_to_be_there(open_page: OpenPage) -> None:
+    """Its buttons threw an error where not even the first row has numbers."""
+    page = open_page("/exercises/scara")
+    until_drawn(page, 1)
+    page.locator(".film").get_by_role("button", name="Play").click()
+    expect(page.locator("#announcer")).to_contain_text("Row 1")
+    page.get_by_role("button", name="One step forward").click()
+    put_table(page, SCARA)
+    page.locator(".film").get_by_role("button", name="Play").click()
+    expect(page.locator(".film-text")).to_contain_text("Row 1")
+
+
 def test_rows_stay_the_same_elements(open_page: OpenPage) -> None:
     page = open_page("/exercises/puma560")
     put_table(page, PUMA)

@@ -114,7 +114,7 @@ playground-section = Section of the workspace through the first axis
 playground-section-radius = distance from the first axis
 playground-section-height = height along the first axis
 playground-ellipsoid = Radii of the velocity ellipsoid
-playground-ellipsoid-hint = In the picture: the manipulability ellipsoid at the end frame. Where a radius is 0 a dashed line shows the direction in which its origin cannot move.
+playground-ellipsoid-hint = In the picture: the velocity ellipsoid at the end frame. Where a radius is 0 a dashed line shows the direction in which its origin cannot move.
 playground-blocked = What the end frame cannot do here:
 playground-blocked-motion = v = { $v } { $unit }/s together with ω = { $w } rad/s
 playground-outside-limits = { $count ->

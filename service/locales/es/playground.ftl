@@ -114,7 +114,7 @@ playground-section = Sección del espacio de trabajo por el primer eje
 playground-section-radius = distancia al primer eje
 playground-section-height = altura a lo largo del primer eje
 playground-ellipsoid = Radios del elipsoide de velocidades
-playground-ellipsoid-hint = En la imagen: el elipsoide de manipulabilidad en el sistema final. Donde un radio es 0, una línea discontinua muestra la dirección en la que su origen no puede moverse.
+playground-ellipsoid-hint = En la imagen: el elipsoide de velocidades en el sistema final. Donde un radio es 0, una línea discontinua muestra la dirección en la que su origen no puede moverse.
 playground-blocked = Lo que el sistema final no puede hacer aquí:
 playground-blocked-motion = v = { $v } { $unit }/s junto con ω = { $w } rad/s
 playground-outside-limits = { $count ->

@@ -114,7 +114,7 @@ playground-section = Coupe de l’espace de travail par le premier axe
 playground-section-radius = distance au premier axe
 playground-section-height = hauteur le long du premier axe
 playground-ellipsoid = Rayons de l’ellipsoïde des vitesses
-playground-ellipsoid-hint = Sur l’image : l’ellipsoïde de manipulabilité au repère terminal. Si un rayon est nul, un trait interrompu montre la direction dans laquelle l’origine ne peut pas se déplacer.
+playground-ellipsoid-hint = Sur l’image : l’ellipsoïde des vitesses au repère terminal. Si un rayon est nul, un trait interrompu montre la direction dans laquelle l’origine ne peut pas se déplacer.
 playground-blocked = Ce que le repère terminal ne peut pas faire ici :
 playground-blocked-motion = v = { $v } { $unit }/s avec ω = { $w } rad/s
 playground-outside-limits = { $count ->

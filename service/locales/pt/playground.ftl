@@ -114,7 +114,7 @@ playground-section = Secção do espaço de trabalho pelo primeiro eixo
 playground-section-radius = distância ao primeiro eixo
 playground-section-height = altura ao longo do primeiro eixo
 playground-ellipsoid = Raios do elipsoide de velocidades
-playground-ellipsoid-hint = Na imagem: o elipsoide de manipulabilidade no referencial final. Onde um raio é 0, uma linha tracejada mostra a direção em que a origem não se pode mover.
+playground-ellipsoid-hint = Na imagem: o elipsoide de velocidades no referencial final. Onde um raio é 0, uma linha tracejada mostra a direção em que a origem não se pode mover.
 playground-blocked = O que o referencial final não consegue fazer aqui:
 playground-blocked-motion = v = { $v } { $unit }/s juntamente com ω = { $w } rad/s
 playground-outside-limits = { $count ->

@@ -119,7 +119,7 @@ playground-section = Secțiunea spațiului de lucru prin prima axă
 playground-section-radius = distanța de la prima axă
 playground-section-height = înălțimea de-a lungul primei axe
 playground-ellipsoid = Razele elipsoidului vitezelor
-playground-ellipsoid-hint = În imagine: elipsoidul de manipulabilitate în sistemul final. Unde o rază este 0, o linie întreruptă arată direcția în care originea nu se poate mișca.
+playground-ellipsoid-hint = În imagine: elipsoidul vitezelor în sistemul final. Unde o rază este 0, o linie întreruptă arată direcția în care originea nu se poate mișca.
 playground-blocked = Ce nu poate face aici sistemul final:
 playground-blocked-motion = v = { $v } { $unit }/s împreună cu ω = { $w } rad/s
 playground-outside-limits = { $count ->

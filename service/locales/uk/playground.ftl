@@ -119,7 +119,7 @@ playground-section = Переріз робочої зони через перш�
 playground-section-radius = відстань від першої осі
 playground-section-height = висота вздовж першої осі
 playground-ellipsoid = Радіуси еліпсоїда швидкостей
-playground-ellipsoid-hint = На рисунку: еліпсоїд маніпулятивності в кінцевій системі координат. Де радіус дорівнює 0, штрихова лінія показує напрям, у якому початок рухатися не може.
+playground-ellipsoid-hint = На рисунку: еліпсоїд швидкостей у кінцевій системі координат. Де радіус дорівнює 0, штрихова лінія показує напрям, у якому початок рухатися не може.
 playground-blocked = Чого кінцева система тут не може:
 playground-blocked-motion = v = { $v } { $unit }/s разом з ω = { $w } rad/s
 playground-outside-limits = { $count ->

@@ -10,9 +10,9 @@
  * @typedef {{length_unit: string, lengths: Record<string, number>, axes: Axis[]}} Drawing
  */
 
-import { announce, el, fill, iconButton, segmented } from "../dom.js";
+import { announce, el, iconButton, segmented } from "../dom.js";
 import { t } from "../i18n.js";
-import { field, numberOf } from "./fields.js";
+import { field, numberOf, refill } from "./fields.js";
 
 const FIXED = {
   "+x": [1, 0, 0],
@@ -101,9 +101,8 @@ export class AxesForm {
   }
 
   build() {
-    const focused = /** @type {HTMLElement | null} */ (document.activeElement)?.dataset.field;
     const { axes } = this.drawing;
-    fill(
+    refill(
       this.list,
       axes.map((axis, i) =>
         el("button", {
@@ -119,9 +118,8 @@ export class AxesForm {
         ? iconButton("less", t("author-axis-remove", { number: axes.length }), () => this.remove())
         : null,
     );
-    fill(this.axis, this.#fields(axes[this.selected]));
+    refill(this.axis, this.#fields(axes[this.selected]));
     this.#buildLengths();
-    if (focused) /** @type {HTMLElement | null} */ (this.element.querySelector(`[data-field="${focused}"]`))?.focus();
   }
 
   /** @param {Axis} axis */
@@ -274,7 +272,7 @@ export class AxesForm {
     const names = Object.keys(this.drawing.lengths);
     const shown = [...this.lengths.querySelectorAll("input")].map((input) => input.dataset.name);
     if (shown.length && shown.join() === names.join()) return;
-    fill(
+    refill(
       this.lengths,
       names.length ? null : el("p", { class: "hint", text: t("author-lengths-none") }),
       names.map((name) =>

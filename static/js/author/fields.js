@@ -95,7 +95,7 @@ export function part(id, hint = false) {
 export function refill(place, ...children) {
   const all = () => /** @type {HTMLInputElement[]} */ ([...place.querySelectorAll("input, select, textarea, button")]);
   const name = (/** @type {HTMLInputElement} */ { dataset, ariaLabel, labels, textContent }) =>
-    dataset.path ?? dataset.part ?? ariaLabel ?? labels?.[0]?.textContent ?? textContent;
+    dataset.path ?? dataset.field ?? dataset.part ?? ariaLabel ?? labels?.[0]?.textContent ?? textContent;
   const before = all().find((control) => control === document.activeElement);
   const called = before && name(before);
   const same = () => all().filter((control) => name(control) === called);

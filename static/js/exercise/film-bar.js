@@ -114,7 +114,7 @@ export class FilmBar {
 
   #toggle() {
     if (this.#running) return this.pause();
-    if (this.#row < 0) this.#row = 0;
+    if (this.#row < 0) return this.play(0);
     if (this.#phase >= 4) this.#phase = 0;
     if (matchMedia("(prefers-reduced-motion: reduce)").matches) return this.step(1);
     let last = performance.now();

@@ -300,6 +300,7 @@ async function run() {
         : async () => {
             await attempts.clear(id);
             await listAttempts();
+            $("answer-heading").focus();
           },
     );
   }

@@ -82,6 +82,9 @@ export class Cells {
   #row(values, i) {
     const remove = () => {
       this.rows = this.rows.filter((_, k) => k !== i);
+      const { rows } = this.#body;
+      const next = rows[Math.min(i, rows.length - 1)]?.querySelector("button") ?? this.element.querySelector("button");
+      next?.focus();
       this.onchange();
     };
     return el(
