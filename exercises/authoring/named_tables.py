@@ -33,12 +33,14 @@ class ExerciseSource:
         values: the value of each name [the table's length unit].
         robot: id of the catalogue robot, if it is one; then table and values follow from it.
         axes: the joint axes in space, where they were drawn.
+        name: what its file calls the robot.
     """
 
     table: RawTable
     values: Mapping[str, float]
     robot: str | None = None
     axes: tuple[JointAxis, ...] = ()
+    name: str | None = None
 
 
 def from_numeric_table(

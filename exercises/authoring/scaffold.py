@@ -92,7 +92,7 @@ def started(
         "version": 1,
         **({"robot": source.robot} if source.robot else {}),
         "title": {
-            language: text.format(id=exercise_id)
+            language: source.name or text.format(id=exercise_id)
             if source.robot is None
             else robot_name(language, source.robot) or name_of_catalogue(language, source.robot)
             for language, text in TITLES.items()

@@ -13,6 +13,7 @@ from exercises.definition_files import ENCODING
 from exercises.errors import DefinitionError
 from exercises.reading import Reader
 from exercises.sample_reading import read_raw_table
+from exercises.statements import LONGEST_TITLE, text_faults
 from kinematics import catalogue
 from kinematics.cells import AngleUnit, Cell, LengthUnit, ReadTable, read_table
 from kinematics.errors import Fault, KinematicsError
@@ -179,7 +180,9 @@ def from_urdf(text: str, where: str) -> ExerciseSource:
         robot = table_from_urdf(text, Convention.MODIFIED)
     except KinematicsError as error:
         raise DefinitionError(fault.within(where) for fault in error.faults) from error
-    return from_numeric_table(robot.table, LengthUnit.M)
+    name = robot.name.strip()
+    is_title = name and not any(text_faults(name, LONGEST_TITLE))
+    return replace(from_numeric_table(robot.table, LengthUnit.M), name=name if is_title else None)
 
 
 def _six(reader: Reader) -> dict[str, Cell]:

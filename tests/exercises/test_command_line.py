@@ -79,6 +79,16 @@ def test_a_new_exercise_loads_and_passes_its_own_tests(
     assert (tmp_path / "f.svg").read_text(encoding="utf-8").startswith("<svg")
 
 
+@pytest.mark.parametrize(
+    ("name", "title"), [("Arm 7 “Ada”", "Arm 7 “Ada”"), ("&lt;b>x", "Robot mine"), (" ", "Robot mine")]
+)
+def test_an_exercise_from_a_urdf_has_its_name(name: str, title: str, tmp_path: Path) -> None:
+    """Unless that is none that a title may have."""
+    (tmp_path / "arm.urdf").write_text(URDF.replace('"arm"', f'"{name}"'), encoding="utf-8")
+    found = load_exercise(new(tmp_path, "--urdf", str(tmp_path / "arm.urdf")))
+    assert set(found.titles.values()) >= {title}
+
+
 def test_lengths_of_a_table_get_names_and_keep_their_values(tmp_path: Path) -> None:
     found = load_exercise(new(tmp_path, "--table", source(tmp_path, TABLE)))
     assert {p.name: float(p.value) for p in found.parameters} == {"d1": 300, "L2": 450, "a3": 80}
