@@ -225,16 +225,13 @@ def _about_the_whole(
 
 def _rule(mismatch: Mismatch, policy: Policy) -> str | None:
     """The code of a broken rule of the policy."""
-    match mismatch.kind:
-        case Kind.BASE:
-            return f"base_{policy.base.value}_missed"
-        case Kind.TOOL:
-            return f"tool_{policy.tool.value}_missed"
-        case Kind.ZERO:
-            return "zero_missed"
-        case Kind.DIRECTION:
-            return "direction_missed"
-    return None
+    is_rule = mismatch.kind in (Kind.BASE, Kind.TOOL, Kind.ZERO, Kind.DIRECTION)
+    return rule_broken(mismatch.kind.value, policy) if is_rule else None
+
+
+def rule_broken(rule: str, policy: Policy) -> str:
+    """Return the code of what is told where base, tool, zero or direction is not as the policy wants it."""
+    return f"{rule}_{getattr(policy, rule).value}_missed" if rule in ("base", "tool") else f"{rule}_missed"
 
 
 def told_repairs(repairs: Sequence[Repaired], level: HelpLevel) -> tuple[Repair, ...]:

@@ -113,11 +113,14 @@ class ScrewVerdict:
         certificate: how the answer agrees with the key; None if it is wrong.
         mistakes: what a wrong one looks like, each with the joint, from 1, that it is about, or None.
         pairs: axes beside each other, and across prismatic joints, of a wrong answer.
+        broken: of the robot that does not keep the policy, the one rule that it breaks; none if it may be one
+            or another, and None if it is not the robot.
     """
 
     certificate: Certificate | None
     mistakes: tuple[tuple[ScrewMistake, int | None], ...] = ()
     pairs: tuple[AxisPair, ...] = ()
+    broken: tuple[str, ...] | None = None
 
     @property
     def right(self) -> bool:
@@ -133,7 +136,7 @@ def judge_screws(key: NumericTable, answer: ScrewAnswer, policy: Policy) -> Scre
         answer: with as many screws as the robot has joints; lengths in the key's unit, numbers finite.
         policy: what is left free and what is fixed.
     """
-    faults = tuple(_malformed(key, answer, policy))
+    faults, broken = tuple(_malformed(key, answer, policy)), None
     if faults:
         halves = replace(answer, screws=np.hstack([answer.screws[:, 3:], answer.screws[:, :3]]))
         exchanged = not any(_malformed(key, halves, policy))
@@ -143,9 +146,24 @@ def judge_screws(key: NumericTable, answer: ScrewAnswer, policy: Policy) -> Scre
         found = _certified(key, answer, policy)
         if found is not None:
             return ScrewVerdict(certificate=found)
-        faults = tuple(_explained(key, answer, policy))
+        faults, broken = tuple(_explained(key, answer, policy)), _broken(key, answer, policy)
     pairs = tuple(axis_pairs(key, _axes(answer.screws), policy.tolerance.length))
-    return ScrewVerdict(certificate=None, mistakes=faults, pairs=pairs)
+    return ScrewVerdict(certificate=None, mistakes=faults, pairs=pairs, broken=broken)
+
+
+def _broken(key: NumericTable, answer: ScrewAnswer, policy: Policy) -> tuple[str, ...] | None:
+    """Return the one rule that keeps the robot from being right, if there is one; None: not the robot."""
+    free = Policy(tool=ToolRule.FREE, tolerance=policy.tolerance)
+    if _certified(key, answer, free) is None:
+        return None
+    freed = {rule: getattr(free, rule) for rule in ("base", "tool", "zero", "direction")}
+    mending = tuple(
+        rule
+        for rule, value in freed.items()
+        if value is not getattr(policy, rule)
+        and _certified(key, answer, replace(policy, **{rule: value})) is not None
+    )
+    return mending if len(mending) == 1 else ()
 
 
 def screw_chain(answer: ScrewAnswer) -> Chain:

@@ -12,6 +12,7 @@ import numpy as np
 
 from exercises.definition import Part
 from exercises.grading import Feedback, HelpLevel
+from exercises.grading.findings import rule_broken
 from exercises.instance import Instance
 from exercises.parts.cells.by_name import ByName, read_by_name
 from exercises.parts.cells.matrix_cells import CellMatrix, read_numbers
@@ -37,6 +38,13 @@ from kinematics.se3 import inverse_transform
 
 DECIMALS = 6
 """Decimals of a student's screws: they are held to a policy, whose tolerance may be small."""
+RULES_BROKEN = (
+    *(f"base_{rule}_missed" for rule in ("axis", "origin", "frame")),
+    *(f"tool_{rule}_missed" for rule in ("axis", "point", "frame")),
+    "zero_missed",
+    "direction_missed",
+)
+"""What is told of an answer that is the robot and breaks a rule."""
 ScrewRow = tuple[Cell, Cell, Cell, Cell, Cell, Cell]
 
 
@@ -64,7 +72,7 @@ class ScrewsPart(PartType[Part, ScrewsCells, ByName[ScrewAnswer]]):
     raw: ClassVar = ScrewsCells
     meaning = "the joint screws and the home pose"
     disclosures: ClassVar = {
-        **told_from(HelpLevel.ROW, "screws_wrong"),
+        **told_from(HelpLevel.ROW, "screws_wrong", "screws_right_robot", *RULES_BROKEN),
         **told_from(HelpLevel.REPAIR, *(f"screw_{mistake.value}" for mistake in ScrewMistake)),
         **told_from(HelpLevel.KIND, "screws_relation_wrong"),
     }
@@ -121,7 +129,8 @@ class ScrewsPart(PartType[Part, ScrewsCells, ByName[ScrewAnswer]]):
             return judged(part, 1.0, Credit.KEY, feedback=(Feedback(code="screws_right"),))
         off = {pair.second - 1 for pair in found.pairs if not pair.alike}
         facts = [fact(i not in off, "screws", i) for i in range(1, len(answer.screws))]
-        feedback = [Feedback(code="screws_wrong")]
+        feedback = [Feedback(code="screws_wrong" if found.broken is None else "screws_right_robot")]
+        feedback += [Feedback(code=rule_broken(rule, context.policy)) for rule in found.broken or ()]
         feedback += [
             Feedback(code=f"screw_{mistake.value}", params={"joint": joint or 0})
             for mistake, joint in found.mistakes

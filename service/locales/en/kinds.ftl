@@ -302,6 +302,7 @@ option-angular_first = ω, v: angular part first
 task-screws = Write the robot as a product of exponentials: the screws of joints 1 to { $n } and the home pose M, lengths in { $unit }. Choose the frame, the zero position and the sense of each axis within the rules.
 
 feedback-screws_right = The screws and the home pose describe this robot.
+feedback-screws_right_robot = This product of exponentials describes the right robot, but does not meet all the requirements of the exercise.
 feedback-screws_wrong = This product of exponentials does not describe the robot, whichever frame, zero and senses were chosen.
 feedback-screw_not_unit = Joint { $joint }: ω of a revolute joint is a unit vector.
 feedback-screw_pitch = Joint { $joint }: v has a part along ω; a revolute joint does not advance along its axis.

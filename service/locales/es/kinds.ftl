@@ -302,6 +302,7 @@ option-angular_first = ω, v: la parte angular primero
 task-screws = Escriba el robot como producto de exponenciales: los tornillos de las articulaciones 1 a { $n } y la pose inicial M, con las longitudes en { $unit }. Elija el sistema, la posición cero y el sentido de cada eje dentro de las reglas.
 
 feedback-screws_right = Los tornillos y la pose inicial describen este robot.
+feedback-screws_right_robot = Este producto de exponenciales describe el robot correcto, pero no cumple todo lo que pide el ejercicio.
 feedback-screws_wrong = Este producto de exponenciales no describe el robot, sean cuales sean el sistema, el cero y los sentidos.
 feedback-screw_not_unit = Articulación { $joint }: ω de una articulación de rotación es un vector unitario.
 feedback-screw_pitch = Articulación { $joint }: v tiene una componente a lo largo de ω; una articulación de rotación no avanza por su eje.

@@ -302,6 +302,7 @@ option-angular_first = ω, v : la partie angulaire d’abord
 task-screws = Écrivez le robot comme produit d’exponentielles : les torseurs des articulations 1 à { $n } et la pose initiale M, longueurs en { $unit }. Choisissez le repère, la position zéro et le sens de chaque axe dans le cadre des règles.
 
 feedback-screws_right = Les torseurs et la pose initiale décrivent ce robot.
+feedback-screws_right_robot = Ce produit d’exponentielles décrit le bon robot, mais ne respecte pas tout ce que l’exercice demande.
 feedback-screws_wrong = Ce produit d’exponentielles ne décrit pas le robot, quels que soient le repère, le zéro et les sens choisis.
 feedback-screw_not_unit = Articulation { $joint } : ω d’une articulation rotoïde est un vecteur unitaire.
 feedback-screw_pitch = Articulation { $joint } : v a une composante le long de ω ; une articulation rotoïde n’avance pas le long de son axe.

@@ -302,6 +302,7 @@ option-angular_first = ω, v: a parte angular primeiro
 task-screws = Escreva o robô como produto de exponenciais: os helicoides das juntas 1 a { $n } e a pose inicial M, comprimentos em { $unit }. Escolha o referencial, a posição zero e o sentido de cada eixo dentro das regras.
 
 feedback-screws_right = Os helicoides e a pose inicial descrevem este robô.
+feedback-screws_right_robot = Este produto de exponenciais descreve o robô certo, mas não cumpre tudo o que o exercício pede.
 feedback-screws_wrong = Este produto de exponenciais não descreve o robô, sejam quais forem o referencial, o zero e os sentidos.
 feedback-screw_not_unit = Junta { $joint }: ω de uma junta rotativa é um vetor unitário.
 feedback-screw_pitch = Junta { $joint }: v tem uma componente ao longo de ω; uma junta rotativa não avança ao longo do eixo.

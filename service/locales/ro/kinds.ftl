@@ -303,6 +303,7 @@ option-angular_first = ω, v: partea unghiulară întâi
 task-screws = Scrieți robotul ca produs de exponențiale: torsorii cuplelor 1 până la { $n } și situarea inițială M, lungimile în { $unit }. Alegeți sistemul, poziția zero și sensul fiecărei axe în limitele regulilor.
 
 feedback-screws_right = Torsorii și situarea inițială descriu acest robot.
+feedback-screws_right_robot = Acest produs de exponențiale descrie robotul potrivit, dar nu respectă tot ce cere exercițiul.
 feedback-screws_wrong = Acest produs de exponențiale nu descrie robotul, oricare ar fi sistemul, zeroul și sensurile alese.
 feedback-screw_not_unit = Cupla { $joint }: ω al unei cuple de rotație este un versor.
 feedback-screw_pitch = Cupla { $joint }: v are o componentă de-a lungul lui ω; o cuplă de rotație nu înaintează pe axa ei.

@@ -322,6 +322,14 @@ def test_axes_that_all_lie_on_one_line_earn_nothing() -> None:
     assert screws("scara", turn, apart, slide, (0, -0.9, 0, 0, 0, 1)).score == 0.25
 
 
+def test_screws_of_the_right_robot_are_told_the_rule_that_they_break() -> None:
+    """The exercise asks for the last origin at P, on the axis of joint 4."""
+    turn, slide, apart = (0, 0, 0, 0, 0, 1), (0, 0, 1, 0, 0, 0), (0, -0.4, 0, 0, 0, 1)
+    found = screws("scara", turn, apart, slide, (0, -0.7, 0, 0, 0, 1))
+    assert codes(found)[:2] == ["screws_right_robot", "tool_point_missed"]
+    assert 0 < found.score < 1
+
+
 def test_radii_in_another_unit() -> None:
     report = part(judged("scara", table=SCARA, workspace=RadiiCells(inner=100, outer=700)), "workspace")
     assert codes(report)[0] == "workspace_other_length_unit"

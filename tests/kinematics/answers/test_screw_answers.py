@@ -14,7 +14,7 @@ from kinematics.answers.screw_answers import (
     adjoint,
     judge_screws,
 )
-from kinematics.equivalence import Policy, Tolerance, ToolRule
+from kinematics.equivalence import BaseRule, DirectionRule, Policy, Tolerance, ToolRule, ZeroRule
 from kinematics.screws import product_of_exponentials
 from kinematics.se3 import inverse_transform
 from kinematics.table import Convention, DHRow, DHTable, JointType
@@ -68,6 +68,31 @@ def test_axes_that_meet_in_one_point_are_right_in_any_frame() -> None:
             apart = moved.home.copy()
             apart[:3, 3] += 0.1 * moved.home[:3, 0]
             assert judge_screws(wrist, replace(moved, home=apart), FIXED).right is False
+
+
+def test_the_robot_that_breaks_a_rule_is_still_the_robot() -> None:
+    """The rule is named without which the answer would be right, if there is only one."""
+    strict = Policy(
+        base=BaseRule.FRAME, tool=ToolRule.FRAME, zero=ZeroRule.FIGURE, direction=DirectionRule.FIGURE
+    )
+    right = key(SCARA)
+
+    def broken(policy: Policy = strict, **changes: np.ndarray) -> tuple[str, ...] | None:
+        found = judge_screws(SCARA, replace(right, **changes), policy)
+        assert not found.right
+        return found.broken
+
+    reversed_slide = right.screws * np.array([[1], [1], [-1], [1]])
+    assert broken(screws=reversed_slide) == ("direction",)
+    turned = right.home @ np.diag([1.0, -1.0, -1.0, 1.0])
+    assert broken(home=turned) == ("tool",)
+    assert broken(POLICY, screws=right.screws * np.array([1, 2, 1, 1, 1, 1])) is None  # another length
+    lower = right.home.copy()
+    lower[2, 3] -= 0.2  # the base, the tool or the zero of the slide
+    assert broken(home=lower) == ()
+    moved = right.home.copy()
+    moved[0, 3] += 0.1
+    assert broken(FIXED, home=moved) == ("tool",)
 
 
 def test_slips_are_told() -> None:
