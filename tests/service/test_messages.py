@@ -217,3 +217,14 @@ def test_a_dimension_too_short_is_told_without_a_number_that_nobody_chose(langua
     said = sentence(language, "error-dimension_too_short", values) or ""
     assert "L1" in said
     assert not re.search("3[.,]39", said)
+
+
+@pytest.mark.parametrize("message", ["task-screws", "task-frame-chain", "task-workspace-axis"])
+def test_lengths_are_not_asked_for_in_in(message: str) -> None:
+    told = {"n": 2, "start": 0, "end": 1, "point": "P", "limits": "none"}
+    for language in languages():
+        word = sentence(language, "unit-in")
+        assert sentence(language, message, {**told, "unit": "in"}) == sentence(
+            language, message, {**told, "unit": word}
+        )
+    assert sentence("en", "unit-in") != "in"

@@ -52,6 +52,7 @@ figure-not-to-scale = The drawing is not to scale: in it, { $names } { $count ->
     [one] is not as long as it is
    *[other] are not as long as they are
 } here.
+unit-in = inches
 figure-note = not to scale
 
 ## What is free and what is fixed

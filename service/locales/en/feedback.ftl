@@ -35,7 +35,7 @@ feedback-joint_count_wrong = { $given ->
    *[other] Your table has { $given } joints
 }; the robot has { $asked }.
 feedback-mirrored = Your table describes the mirror image of the robot: all lengths and angles fit, but one of them is measured in the wrong direction. Check the signs by the right-hand rule.
-feedback-entries_imprecise = No length or angle of your table is off by more than rounding explains, but all the rounding together is more than the exercise allows. Write right angles as pi/2 or 90°, and the lengths with more digits.
+feedback-entries_imprecise = No length or angle of your table is off by more than rounding explains, but all the rounding together is more than the exercise allows. Write angles exactly, as pi/2 or 90°, and lengths with more digits.
 feedback-lengths_rounded = Several lengths of your table have the right value, but with too few digits. Write them with more digits; the other remarks here are about separate mistakes.
 feedback-base_axis_missed = Your z0 does not lie on the axis of joint 1.
 feedback-base_origin_missed = The origin of your frame 0 is not where the exercise wants it.

@@ -52,6 +52,7 @@ figure-not-to-scale = El dibujo no está a escala: en él, { $names } { $count -
     [one] no tiene la longitud que se da
    *[other] no tienen las longitudes que se dan
 } aquí.
+unit-in = pulgadas
 figure-note = no está a escala
 
 ## Qué es libre y qué está fijado

@@ -35,7 +35,7 @@ feedback-joint_count_wrong = { $given ->
    *[other] Su tabla tiene { $given } articulaciones
 }; el robot tiene { $asked }.
 feedback-mirrored = Su tabla describe la imagen especular del robot: todas las longitudes y los ángulos concuerdan, pero alguno se mide al revés. Revise los signos con la regla de la mano derecha.
-feedback-entries_imprecise = Ninguna longitud ni ningún ángulo de su tabla difiere más de lo que explica el redondeo, pero todos los redondeos juntos superan lo que admite el ejercicio. Escriba los ángulos rectos como pi/2 o 90° y las longitudes con más cifras.
+feedback-entries_imprecise = Ninguna longitud ni ningún ángulo de su tabla difiere más de lo que explica el redondeo, pero todos los redondeos juntos superan lo que admite el ejercicio. Escriba los ángulos de forma exacta, como pi/2 o 90°, y las longitudes con más cifras.
 feedback-lengths_rounded = Varias longitudes de su tabla tienen el valor correcto, pero con demasiado pocas cifras. Escríbalas con más cifras; lo demás que se indica aquí son otros errores.
 feedback-base_axis_missed = Su z0 no está sobre el eje de la articulación 1.
 feedback-base_origin_missed = El origen de su sistema 0 no está donde lo pide el ejercicio.

@@ -52,6 +52,7 @@ figure-not-to-scale = Le dessin n’est pas à l’échelle : { $names } { $cou
     [1] n’y a pas la longueur donnée
    *[other] n’y ont pas les longueurs données
 } ici.
+unit-in = pouces
 figure-note = sans échelle
 
 ## Ce qui est libre et ce qui est imposé

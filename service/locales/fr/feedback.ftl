@@ -35,7 +35,7 @@ feedback-joint_count_wrong = { $given ->
    *[other] Votre tableau a { $given } articulations
 } ; le robot en a { $asked }.
 feedback-mirrored = Votre tableau décrit l’image du robot dans un miroir : toutes les longueurs et tous les angles conviennent, mais l’un d’eux est compté à l’envers. Vérifiez les signes par la règle de la main droite.
-feedback-entries_imprecise = Aucune longueur ni aucun angle de votre tableau ne s’écarte de plus que ce qu’explique l’arrondi, mais les arrondis dépassent ensemble ce que l’exercice tolère. Écrivez les angles droits pi/2 ou 90°, et les longueurs avec plus de chiffres.
+feedback-entries_imprecise = Aucune longueur ni aucun angle de votre tableau ne s’écarte de plus que ce qu’explique l’arrondi, mais les arrondis dépassent ensemble ce que l’exercice tolère. Écrivez les angles exactement, comme pi/2 ou 90°, et les longueurs avec plus de chiffres.
 feedback-lengths_rounded = Plusieurs longueurs de votre tableau ont la bonne valeur, mais avec trop peu de chiffres. Écrivez-les avec plus de chiffres ; les autres points signalés ici sont d’autres erreurs.
 feedback-base_axis_missed = Votre z0 n’est pas porté par l’axe de l’articulation 1.
 feedback-base_origin_missed = L’origine de votre repère 0 n’est pas là où l’exercice la demande.

@@ -52,6 +52,7 @@ figure-not-to-scale = O desenho não está à escala: nele, { $names } { $count 
     [one] não tem o comprimento dado
    *[other] não têm os comprimentos dados
 } aqui.
+unit-in = polegadas
 figure-note = não está à escala
 
 ## O que é livre e o que é fixado

@@ -53,6 +53,7 @@ figure-not-to-scale = Desenul nu este la scară: în el, { $names } { $count ->
     [one] nu are lungimea dată
    *[other] nu au lungimile date
 } aici.
+unit-in = inci
 figure-note = nu este la scară
 
 ## Ce este liber și ce este impus

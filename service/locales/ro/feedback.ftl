@@ -36,7 +36,7 @@ feedback-joint_count_wrong = { $given ->
    *[other] Tabelul dumneavoastră are { $given } de cuple
 }; robotul are { $asked }.
 feedback-mirrored = Tabelul dumneavoastră descrie imaginea în oglindă a robotului: toate lungimile și unghiurile se potrivesc, dar una dintre ele este luată în sens invers. Verificați semnele cu regula mâinii drepte.
-feedback-entries_imprecise = Nicio lungime și niciun unghi din tabel nu diferă mai mult decât explică rotunjirea, dar rotunjirile depășesc împreună toleranța exercițiului. Scrieți unghiurile drepte ca pi/2 sau 90° și lungimile cu mai multe cifre.
+feedback-entries_imprecise = Nicio lungime și niciun unghi din tabel nu diferă mai mult decât explică rotunjirea, dar rotunjirile depășesc împreună toleranța exercițiului. Scrieți unghiurile exact, ca pi/2 sau 90°, și lungimile cu mai multe cifre.
 feedback-lengths_rounded = Mai multe lungimi din tabel au valoarea corectă, dar cu prea puține cifre. Scrieți-le cu mai multe cifre; celelalte greșeli semnalate aici nu vin din rotunjire.
 feedback-base_axis_missed = Axa z0 nu este pe axa cuplei 1.
 feedback-base_origin_missed = Originea sistemului 0 nu se află unde o cere exercițiul.
