@@ -30,24 +30,3 @@ from kinematics.cells.suggestions import nearest_name, rate_in_marks
 from kinematics.cells.table_reader import read_table
 from kinematics.cells.tables import Cell, RawRow, RawTable, ReadTable
 from kinematics.cells.units import AngleUnit, LengthUnit, ParameterKind
-
-__all__ = [
-    "DEFAULT",
-    "AngleUnit",
-    "Cell",
-    "LengthUnit",
-    "Limits",
-    "ParameterKind",
-    "RawRow",
-    "RawTable",
-    "ReadTable",
-    "bind_parameters",
-    "canonical_name",
-    "in_length_unit",
-    "nearest_name",
-    "parameter_values",
-    "parameters_in_radians",
-    "rate_in_marks",
-    "read_cell",
-    "read_table",
-]

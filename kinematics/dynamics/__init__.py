@@ -11,17 +11,3 @@ equations  M, C and g in closed form
 from kinematics.dynamics.equations import Derivation, EquationsOfMotion, rate_name, reading_order
 from kinematics.dynamics.links import NumericBody, RigidBody, SymbolicBody, bind_links, check_links
 from kinematics.dynamics.recursion import EARTH, MovingRobot
-
-__all__ = [
-    "EARTH",
-    "Derivation",
-    "EquationsOfMotion",
-    "MovingRobot",
-    "NumericBody",
-    "RigidBody",
-    "SymbolicBody",
-    "bind_links",
-    "check_links",
-    "rate_name",
-    "reading_order",
-]

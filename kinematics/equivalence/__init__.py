@@ -39,23 +39,3 @@ from kinematics.equivalence.policy import (
 from kinematics.equivalence.proof import ExactCertificate, prove
 from kinematics.equivalence.results import Certificate, Decision, Kind, Mismatch
 from kinematics.equivalence.rounding import rounding_tolerance
-
-__all__ = [
-    "BaseRule",
-    "Certificate",
-    "ConventionRule",
-    "Decision",
-    "DirectionRule",
-    "ExactCertificate",
-    "Kind",
-    "Mismatch",
-    "Policy",
-    "Tolerance",
-    "ToolRule",
-    "ZeroRule",
-    "decide",
-    "decide_draws",
-    "mirrored",
-    "prove",
-    "rounding_tolerance",
-]

@@ -24,16 +24,3 @@ from kinematics.inverse_forms.steps import (
     InverseStep,
     SingularCase,
 )
-
-__all__ = [
-    "ConditionKind",
-    "InverseCondition",
-    "InverseForm",
-    "InverseQuantity",
-    "InverseReach",
-    "InverseStep",
-    "SingularCase",
-    "form_of_case",
-    "inverse_form",
-    "joint_values",
-]

@@ -19,5 +19,3 @@ table_markup    DH tables in notebooks
 from kinematics.printing.formats import LIMIT, SOURCES, Format, MatrixPrinter
 from kinematics.printing.notation import Notation
 from kinematics.printing.program import Purpose
-
-__all__ = ["LIMIT", "SOURCES", "Format", "MatrixPrinter", "Notation", "Purpose"]

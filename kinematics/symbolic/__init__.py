@@ -34,22 +34,3 @@ from kinematics.symbolic.identity import Proof, prove_identity
 from kinematics.symbolic.interchange import from_sympy, to_sympy
 from kinematics.symbolic.size import count_operations
 from kinematics.symbolic.writing import Matrix
-
-__all__ = [
-    "Canonical",
-    "ClosedForm",
-    "Matrix",
-    "Proof",
-    "ProofStatus",
-    "Workings",
-    "canonical",
-    "closed_form",
-    "compare",
-    "count_operations",
-    "from_sympy",
-    "inverse",
-    "jacobian",
-    "prove_identity",
-    "same_function",
-    "to_sympy",
-]

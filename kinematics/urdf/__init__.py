@@ -16,17 +16,3 @@ from kinematics.urdf.writing import (
     check_link_names,
     urdf_from_table,
 )
-
-__all__ = [
-    "BASE_LINK",
-    "MAX_CHARACTERS",
-    "TIP_LINK",
-    "UrdfChain",
-    "UrdfRobot",
-    "WrittenUrdf",
-    "chain_from_urdf",
-    "check_joint_names",
-    "check_link_names",
-    "table_from_urdf",
-    "urdf_from_table",
-]

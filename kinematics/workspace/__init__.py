@@ -9,5 +9,3 @@ reach       radii, box and points of a robot
 
 from kinematics.workspace.reach import Radii, Radius, Workspace, check_reach, workspace
 from kinematics.workspace.spans import joint_spans
-
-__all__ = ["Radii", "Radius", "Workspace", "check_reach", "joint_spans", "workspace"]
