@@ -101,8 +101,10 @@ def jacobian_base_by_inspection(
     columns = []
     for i, row in enumerate(chain.rows):
         axis = motion.frames[i, :3, :3] @ _unit_vector(row, parameters or {})
-        columns.append(_column(row, axis, motion.transform[:3, 3] - motion.frames[i, :3, 3]))
-    return np.stack(columns, axis=1)
+        arm = motion.transform[:3, 3] - motion.frames[i, :3, 3]
+        slides = row.joint is JointType.PRISMATIC
+        columns.append([*axis, 0.0, 0.0, 0.0] if slides else [*cross_arrays(axis, arm), *axis])
+    return np.array(columns).T
 
 
 def jacobian_end_by_inspection(
@@ -115,21 +117,8 @@ def jacobian_end_by_inspection(
 
     Source: seed 001 eq. 3.23.
     """
-    motion = forward_kinematics_scm(chain, joints, parameters)
-    to_tool = np.eye(4)
-    columns = []
-    for row, link in zip(reversed(chain.rows), reversed(motion.links), strict=True):
-        pose = to_tool @ motion.end
-        rotation = pose[:3, :3].T
-        columns.append(_column(row, rotation @ _unit_vector(row, parameters or {}), rotation @ pose[:3, 3]))
-        to_tool = link @ to_tool
-    return np.stack(columns[::-1], axis=1)
-
-
-def _column(row: ChainRow, axis: NDArray[np.float64], arm: NDArray[np.float64]) -> NDArray[np.float64]:
-    if row.joint is JointType.PRISMATIC:
-        return np.concatenate([axis, np.zeros(3)])
-    return np.concatenate([cross_arrays(axis, arm), axis])
+    rotation = forward_kinematics_scm(chain, joints, parameters).transform[:3, :3]
+    return np.kron(np.eye(2), rotation.T) @ jacobian_base_by_inspection(chain, joints, parameters)
 
 
 def _unit_vector(row: ChainRow, values: Mapping[str, float]) -> NDArray[np.float64]:
