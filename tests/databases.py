@@ -10,6 +10,7 @@ import warnings
 from collections.abc import Iterator
 from pathlib import Path
 
+import pytest
 import sqlalchemy as sa
 
 _numbers = itertools.count(1)
@@ -75,3 +76,13 @@ def new_database(server: str, template: str = "template1", options: str = "") ->
             connection.execute(sa.text(f'DROP DATABASE "{name}" WITH (FORCE)'))
     finally:
         engine.dispose()
+
+
+@contextlib.contextmanager
+def either_database(request: pytest.FixtureRequest) -> Iterator[str]:
+    """An empty database, of the kind that is the fixture's parameter; yields its address: "" for SQLite."""
+    if request.param == "sqlite":
+        yield ""
+        return
+    with new_database(request.getfixturevalue("postgresql")) as url:
+        yield url

@@ -6,16 +6,13 @@ from pathlib import Path
 import pytest
 
 from courses.storage.database import Store, open_store
-from tests.databases import new_database
+from tests.databases import either_database, new_database
 
 
 @pytest.fixture(params=["sqlite", "postgresql"])
-def database(request: pytest.FixtureRequest, tmp_path: Path) -> Iterator[str]:
+def database(request: pytest.FixtureRequest) -> Iterator[str]:
     """Address of an empty database: "" for SQLite."""
-    if request.param == "sqlite":
-        yield ""
-        return
-    with new_database(request.getfixturevalue("postgresql")) as url:
+    with either_database(request) as url:
         yield url
 
 

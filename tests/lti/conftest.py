@@ -7,7 +7,7 @@ import pytest
 
 from courses.storage.database import Store, open_store
 from service.settings import Settings
-from tests.databases import new_database
+from tests.databases import either_database
 from tests.live_service import running
 from tests.lti.classes import Browser, Lms, lms_process
 
@@ -22,10 +22,14 @@ def lms() -> Iterator[Lms]:
 @pytest.fixture(scope="module", params=["sqlite", "postgresql"])
 def address(request: pytest.FixtureRequest) -> Iterator[str]:
     """Address of an empty database: "" for SQLite."""
-    if request.param == "sqlite":
-        yield ""
-        return
-    with new_database(request.getfixturevalue("postgresql")) as url:
+    with either_database(request) as url:
+        yield url
+
+
+@pytest.fixture(params=["sqlite", "postgresql"])
+def database(request: pytest.FixtureRequest) -> Iterator[str]:
+    """The same, a new one for each test."""
+    with either_database(request) as url:
         yield url
 
 

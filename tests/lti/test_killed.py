@@ -26,22 +26,12 @@ from courses.storage.database import Store, open_store
 from service.course_resources import now
 from service.resources import MANY_ANSWERS
 from tests.courses.classroom import platform
-from tests.databases import new_database
 from tests.lti.test_launches import RIGHT
 
 KILLS = int(os.environ.get("KILLS", "2"))
 STUDENTS = 4
 CROWD = 4 * (MANY_ANSWERS + 1)
 """Students, so many that in each of two processes their attempts are gathered for a transaction."""
-
-
-@pytest.fixture(params=["sqlite", "postgresql"])
-def database(request: pytest.FixtureRequest) -> Iterator[str]:
-    if request.param == "sqlite":
-        yield ""
-        return
-    with new_database(request.getfixturevalue("postgresql")) as url:
-        yield url
 
 
 def test_what_was_acknowledged_is_stored_once(database: str, tmp_path: Path) -> None:

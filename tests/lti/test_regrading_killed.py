@@ -3,7 +3,6 @@
 import os
 import signal
 import threading
-from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 
@@ -20,7 +19,6 @@ from kinematics.cells import DEFAULT
 from service.course_resources import now
 from service.work.session_grading import Grader
 from tests.courses.classroom import arrival
-from tests.databases import new_database
 from tests.lti.classes import eventually
 from tests.lti.measuring import filled
 from tests.lti.test_killed import killed
@@ -33,15 +31,6 @@ PROGRAM = (
     f"from courses.teaching import regrading; regrading.BATCH = {BATCH}; "
     "from service.__main__ import main; main()",
 )
-
-
-@pytest.fixture(params=["sqlite", "postgresql"])
-def database(request: pytest.FixtureRequest) -> Iterator[str]:
-    if request.param == "sqlite":
-        yield ""
-        return
-    with new_database(request.getfixturevalue("postgresql")) as url:
-        yield url
 
 
 def teacher(store: Store) -> str:
