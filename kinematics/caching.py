@@ -12,11 +12,9 @@ _Question = ParamSpec("_Question")
 _Answer = TypeVar("_Answer")
 USUAL_TABLE = 512
 """Length of the cells of a table [character] that counts as a usual one: three times an arm of six joints."""
-USUAL_ROWS = 12
-"""Rows of a table that counts as a usual one: twice those of an arm of six joints."""
+USUAL_ROWS = 12  # Rows of a table that counts as a usual one: twice those of an arm of six joints.
 
-USUAL_INVARIANTS = 4 * USUAL_ROWS
-"""Invariants of such a table, and some."""
+USUAL_INVARIANTS = 4 * USUAL_ROWS  # Invariants of such a table, and some.
 
 
 class SizedCache(Generic[_Question, _Answer]):

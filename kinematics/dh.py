@@ -113,8 +113,7 @@ def _joint_leads(row: NumericRow, convention: Convention) -> bool:
 
 
 Row: TypeAlias = tuple[Scalar, Scalar, Scalar, Scalar]
-JointValue: TypeAlias = Any
-"""(cos q, sin q) of a revolute joint, q of a prismatic one."""
+JointValue: TypeAlias = Any  # (cos q, sin q) of a revolute joint, q of a prismatic one.
 
 
 class MotionKind(StrEnum):

@@ -14,8 +14,7 @@ from typing import NamedTuple
 from kinematics.se3 import Transform
 from kinematics.table import Convention, DHRow, JointType
 
-STEEP = 0.1
-"""The sine of a twist from which two rows make a pose without long offsets."""
+STEEP = 0.1  # The sine of a twist from which two rows make a pose without long offsets.
 
 LEVEL = 1e-14
 """The sine of a twist, a turn [rad], or a shift in parts of the way of the pose, that is rounding."""

@@ -11,8 +11,7 @@ from kinematics.errors import Fault, JointValueError
 
 Floats: TypeAlias = NDArray[np.float64]
 
-MOST_FAULTS = 16
-"""Places that are named; a batch of NaN has a hundred thousand of them."""
+MOST_FAULTS = 16  # Places that are named; a batch of NaN has a hundred thousand of them.
 
 _FLOAT64 = np.dtype(np.float64)
 _FLOAT = frozenset({float})

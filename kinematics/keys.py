@@ -11,10 +11,8 @@ from kinematics.errors import Fault, KinematicsError, ParamValue
 Choice = TypeVar("Choice", bound=StrEnum)
 Read = TypeVar("Read")
 
-MISSING: Any = object()
-"""Stands for no default: the key must be given."""
-LARGEST = 10**15
-"""Most that a number may be in size, as in cells: what is computed of it is finite."""
+MISSING: Any = object()  # Stands for no default: the key must be given.
+LARGEST = 10**15  # Most that a number may be in size, as in cells: what is computed of it is finite.
 
 
 class ValueKind(StrEnum):

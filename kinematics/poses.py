@@ -28,8 +28,7 @@ from kinematics.se3 import Transform
 GIMBAL_LOCK = 1e-12
 """Cosine of the pitch below which roll and yaw are not told apart: yaw comes from entries of that size, which
 carry roundings of 1e-16 each, and would be right to four digits at best."""
-NOISE = 1e-15
-"""What a few roundings leave of a component of a unit quaternion that is zero."""
+NOISE = 1e-15  # What a few roundings leave of a component of a unit quaternion that is zero.
 SIGN_NOISE = 1e-14
 """A component of a half turn below this does not decide on the sign: a product of some fifty rotations
 leaves as much of a zero, and the same pose would get either sign."""

@@ -15,8 +15,7 @@ from kinematics.rotations.matrices import matrix3, rotation_about_axis
 from kinematics.rotations.sequences import AXES, EulerSequence, Turning, euler_solutions
 from kinematics.se3 import Floats, cross_arrays
 
-ROLL_PITCH_YAW = EulerSequence(axes="XYZ", turning=Turning.FIXED)
-"""R = Rot_z(yaw) Rot_y(pitch) Rot_x(roll)."""
+ROLL_PITCH_YAW = EulerSequence(axes="XYZ", turning=Turning.FIXED)  # R = Rot_z(yaw) Rot_y(pitch) Rot_x(roll).
 
 
 def jacobian_rate(chain: Chain, joints: ArrayLike, rates: ArrayLike) -> Floats:

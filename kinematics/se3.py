@@ -20,8 +20,7 @@ from numpy.typing import ArrayLike, NDArray
 from kinematics.errors import Fault, PoseError
 
 Floats: TypeAlias = NDArray[np.float64]
-Transform: TypeAlias = NDArray[np.float64]
-"""(4, 4) homogeneous transform, or (…, 4, 4) of them."""
+Transform: TypeAlias = NDArray[np.float64]  # (4, 4) homogeneous transform, or (…, 4, 4) of them.
 
 Scalar: TypeAlias = Any
 """A number of any kind that knows + - *: a float, an integer, or a symbol of a recorded computation."""

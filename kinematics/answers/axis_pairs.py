@@ -11,8 +11,7 @@ from kinematics.equivalence.reference import prepared
 from kinematics.se3 import ORIGIN, angle_between, cross, dot, norm, rejection, subtract
 from kinematics.table import JointType, NumericTable
 
-NEARLY_PARALLEL = 1e-6
-"""A sine: two decimals of six leave no better common normal."""
+NEARLY_PARALLEL = 1e-6  # A sine: two decimals of six leave no better common normal.
 
 
 class AxisPair(NamedTuple):

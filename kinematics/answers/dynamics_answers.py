@@ -46,13 +46,10 @@ from kinematics.se3 import Floats
 from kinematics.symbolic import Matrix, ProofStatus, compare
 
 Pair = tuple[Expression, Expression]
-POINTS = 8
-"""Configurations at which functions are compared, for each set of values."""
-PRODUCTS = 100_000
-"""Products of terms that a proof of one entry may form, some 50 ms."""
+POINTS = 8  # Configurations at which functions are compared, for each set of values.
+PRODUCTS = 100_000  # Products of terms that a proof of one entry may form, some 50 ms.
 HALF = Number(Fraction(1, 2))
-TOLERANCE = 0.005
-"""Of an entry that is not proved, as a share of its size: two decimals and a half."""
+TOLERANCE = 0.005  # Of an entry that is not proved, as a share of its size: two decimals and a half.
 
 
 @np.errstate(all="ignore")

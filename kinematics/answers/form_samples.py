@@ -40,8 +40,7 @@ class ValuedRobot:
         return size_of(self.chain) or 1.0
 
 
-POINTS = 8
-"""Configurations with the table's lengths, and as many with others."""
+POINTS = 8  # Configurations with the table's lengths, and as many with others.
 DOUBLED = 1e-9
 """How nearly twice the lengths must double an entry: far above rounding, below any length left out."""
 
@@ -57,8 +56,7 @@ class FormRobot(ValuedRobot):
     lengths: frozenset[str]
 
 
-COMPONENTS = ("fx", "fy", "fz", "mx", "my", "mz")
-"""Of a force and a moment at the tool."""
+COMPONENTS = ("fx", "fy", "fz", "mx", "my", "mz")  # Of a force and a moment at the tool.
 
 
 def loaded_robot(

@@ -27,8 +27,7 @@ from kinematics.rates import analytic_jacobian
 from kinematics.rotations.sequences import EulerSequence
 from kinematics.se3 import Floats
 
-DEGREE = math.radians(1.0)
-"""Ratio of columns per degree to those per radian."""
+DEGREE = math.radians(1.0)  # Ratio of columns per degree to those per radian.
 MIDDLE = 4
 """Row of the middle angle: its rate has the other sign for the other triple of the same orientation."""
 

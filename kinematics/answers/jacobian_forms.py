@@ -44,10 +44,8 @@ from kinematics.symbolic.ring import Ring
 from kinematics.symbolic.size import refuse_longer_than
 from kinematics.table import JointType, SymbolicTable
 
-PRODUCTS = 100_000
-"""Products of terms that a proof may form, some 50 ms; all entries of a PUMA need a tenth."""
-OPERATIONS = 20_000
-"""Operations of a Jacobian that is compared; an arm with a wrist has a thousand."""
+PRODUCTS = 100_000  # Products of terms that a proof may form, some 50 ms; all entries of a PUMA need a tenth.
+OPERATIONS = 20_000  # Operations of a Jacobian that is compared; an arm with a wrist has a thousand.
 LARGE_RATE = 20.0
 """Rate of an angle per rate of a joint: more of it is next to gimbal lock, where roundings tell."""
 

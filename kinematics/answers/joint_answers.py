@@ -24,8 +24,7 @@ from kinematics.se3 import Floats
 
 STEPS = (0.7, 2.1, -1.3)
 """How far along a family an answer's condition is tried [rad or shares of the arm's size]: on no symmetry."""
-STILL = 1e-9
-"""Share of a family's direction below which a joint does not move along it."""
+STILL = 1e-9  # Share of a family's direction below which a joint does not move along it.
 PARALLEL = 1e-6
 """Sine of the angle [rad] below which neighbouring axes count as parallel, to tell elbows from shoulders."""
 

@@ -12,8 +12,7 @@ from kinematics.inverse import ArmReach, InverseKinematics, Solver, UnreachableR
 from kinematics.inverse.results import IKStatus, Isolation, Method
 from kinematics.se3 import Transform
 
-USUAL_TOLERANCE = 0.005
-"""Of positions as a share of the arm's size, and of angles [rad]."""
+USUAL_TOLERANCE = 0.005  # Of positions as a share of the arm's size, and of angles [rad].
 
 
 @dataclass(frozen=True, kw_only=True, eq=False)

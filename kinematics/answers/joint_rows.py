@@ -13,8 +13,7 @@ from kinematics.se3 import Transform
 
 NEAR = math.radians(1.0)
 """How far off a row may be in any joint to be one that was rounded too early [rad or shares of the size]."""
-FAR = 1e6
-"""Size of a joint value beyond which no decimals are missing [rad or the table's length]."""
+FAR = 1e6  # Size of a joint value beyond which no decimals are missing [rad or the table's length].
 _CHANGES = (
     (JointMistake.QUADRANT, 1.0, math.pi),
     (JointMistake.SIGN, -1.0, 0.0),

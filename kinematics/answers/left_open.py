@@ -13,10 +13,8 @@ from kinematics.se3 import Floats
 Rounded: TypeAlias = Mapping[Expression, tuple[Expression, ...]]
 """Of entries with names and decimals, what each is with one of its decimals moved by half a unit of its last
 place: no such entry is off by more."""
-TOGETHER = 1.01
-"""Times what decimals do one by one is at most what they do together, in products of them."""
-EXACT = 1e-9
-"""A share of an entry's size: what the arithmetic leaves where nothing was rounded."""
+TOGETHER = 1.01  # Times what decimals do one by one is at most what they do together, in products of them.
+EXACT = 1e-9  # A share of an entry's size: what the arithmetic leaves where nothing was rounded.
 
 
 def left_open(entry: Expression, rounded: Rounded, parameters: Mapping[str, Any], joints: Floats) -> Floats:

@@ -41,10 +41,8 @@ from kinematics.table import JointType, NumericTable
 UNIT = 0.01
 """How far |ω| may be from 1, and v·ω from 0 as a share of |v|: two decimals. A pitch is allowed, too, that
 moves the joint by no more than the tolerance in half a turn."""
-NO_ROTATION = 1e-9
-"""|ω| of a prismatic joint."""
-NO_PITCH = 1e-11
-"""v·ω of a robot without a length: what the arithmetic leaves of zero."""
+NO_ROTATION = 1e-9  # |ω| of a prismatic joint.
+NO_PITCH = 1e-11  # v·ω of a robot without a length: what the arithmetic leaves of zero.
 OTHER_UNITS = (1e-3, 1e-2, 1e2, 1e3)
 """Of a length, in parts of the key's: mm for m, cm for m, and the reverse."""
 

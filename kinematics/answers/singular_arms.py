@@ -20,10 +20,8 @@ from kinematics.se3 import Floats
 from kinematics.symbolic.determinants import MotionRows, minor_factors
 from kinematics.table import JointType, SymbolicTable
 
-LINES, STEPS, POINTS = 32, 240, 16
-"""Lines, steps along each, and how many zeros are kept of a function."""
-HALVINGS = 45
-"""Halvings of a step: to a double's last digits."""
+LINES, STEPS, POINTS = 32, 240, 16  # Lines, steps along each, and how many zeros are kept of a function.
+HALVINGS = 45  # Halvings of a step: to a double's last digits.
 LOST = 1e-6
 """Share of the usual value below which the smallest singular value, or a condition, counts as zero: zeros are
 found to 1e-9 and better."""

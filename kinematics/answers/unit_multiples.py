@@ -31,8 +31,7 @@ from kinematics.symbolic.polynomials import Polynomial, PolynomialReader, Symbol
 from kinematics.symbolic.quotients import cleared
 
 _ZERO = Fraction(0)
-FORMED = 20_000
-"""Products of terms that a proof may form."""
+FORMED = 20_000  # Products of terms that a proof may form.
 COMPARED_PRODUCTS = 64
 """Products of families that are compared with one function; mostly its degrees fit but one."""
 CACHED_PRODUCTS = 1_000

@@ -60,8 +60,7 @@ arguments: sum (COMMA sum)*
 """
 
 
-LARGEST_EXPONENT = 400
-"""More than any double has: the range proper is checked with the value."""
+LARGEST_EXPONENT = 400  # More than any double has: the range proper is checked with the value.
 
 
 def _deepest(nodes: Iterable[Node]) -> int:

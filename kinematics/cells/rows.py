@@ -25,10 +25,8 @@ from kinematics.expressions import ZERO, Expression
 from kinematics.table import CELLS, VARIABLE_CELLS, DHRow, JointType, SymbolicRow
 
 POSITIONS = {"alpha": Position.ANGLE, "a": Position.LENGTH, "d": Position.LENGTH, "theta": Position.ANGLE}
-CACHED_ROWS = 4096
-"""Rows in the cache, as read: those of some 600 tables of six or seven joints."""
-USUAL_ROW = 80
-"""Length of the cells of a row [character] up to which so many are cached."""
+CACHED_ROWS = 4096  # Rows in the cache, as read: those of some 600 tables of six or seven joints.
+USUAL_ROW = 80  # Length of the cells of a row [character] up to which so many are cached.
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

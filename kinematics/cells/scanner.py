@@ -41,8 +41,7 @@ FUNCTION_NAMES = {function.value: function for function in Function} | {
 
 _TURNED = {"sin", "cos", "tan", "sen", "tg"}
 """Functions behind which a number is an argument, sin30, and no index."""
-_NAME_CHARACTERS = 32
-"""Characters of a name; longer ones are text that was pasted by mistake."""
+_NAME_CHARACTERS = 32  # Characters of a name; longer ones are text that was pasted by mistake.
 _NOT_VALUES = {"nan", "inf", "infinity"}
 _OPERATORS = {
     "+": "PLUS",
@@ -72,8 +71,7 @@ _COMMANDS = {
     "degree": "DEGREE",
 }
 _FRACTIONS = {"frac", "dfrac", "tfrac"}
-_LETTERS = {"ell": "l"}
-"""Letters that are commands."""
+_LETTERS = {"ell": "l"}  # Letters that are commands.
 _SPACING = {"left", "right", "quad", "qquad", ",", ";", ":", "!", " "}
 _GREEK_NAMES = set(GREEK.values()) - {"pi"}
 
@@ -88,8 +86,7 @@ _RATE = re.compile(rf"\\dot *(?:\{{ *(?:q|\\theta|θ) *\}}|q|\\theta|θ)([0-9]*)
 _DOTTED = re.compile(rf"[qθ]{DOT_ABOVE}([0-9]*)((?: *(?:{_SUBSCRIPT}))*)")
 _FROM_DEGREES = re.compile(r"(?:radians|RADIANS|deg2rad)(?= *\()")
 """What programs call the function whose argument is in degrees."""
-_EMPTY_CALL = re.compile(r" *\( *\)")
-"""A spreadsheet writes PI()."""
+_EMPTY_CALL = re.compile(r" *\( *\)")  # A spreadsheet writes PI().
 _DEGREE_POWER = re.compile(r"\^ *(?:\{ *(?:\\circ|°|o) *\}|\\circ(?![A-Za-z])|°|o(?!\w))")
 _SUPERSCRIPT = re.compile(f"{SUPERSCRIPT_MINUS}?[{''.join(SUPERSCRIPTS)}]+")
 _FORTRAN_EXPONENT = re.compile(r"[dD]([+-][0-9]+)(?![0-9A-Za-z_.(])")

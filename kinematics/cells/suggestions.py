@@ -5,8 +5,7 @@ from collections.abc import Collection
 
 from kinematics.cells.scanner import canonical_name
 
-_CONFUSED = str.maketrans("oOlI", "0011")
-"""Letters that are taken for digits: O for 0, l and I for 1."""
+_CONFUSED = str.maketrans("oOlI", "0011")  # Letters that are taken for digits: O for 0, l and I for 1.
 _DIGITS = re.compile(r"[0-9]+")
 _RATE = re.compile(
     r"d(?:theta|th)_?([0-9]+)|(?:q|theta|th)_?(?:dot|p)_?([0-9]+)|(?:q|theta|th)_?([0-9]+)_?(?:dot|p)"

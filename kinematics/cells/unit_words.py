@@ -21,10 +21,8 @@ grade radiani metru metri milimetru milimetri centimetru centimetri țol țoli i
 """
 _SYMBOLS = frozenset({"N", "g", "s", "J", "W", "Hz", "kN"})
 """Symbols of units that are names, too: a cell may hold them where they have a value."""
-_ALSO_NAMES = {"m", "in", "м"}
-"""Units in lower case only: M and In are names."""
-_STOPPED = "deg."
-"""Without its full stop it is a degree sign."""
+_ALSO_NAMES = {"m", "in", "м"}  # Units in lower case only: M and In are names.
+_STOPPED = "deg."  # Without its full stop it is a degree sign.
 _UNITS = frozenset(_WORDS.split())
 _FOREIGN = frozenset("".join(_UNITS)).intersection(map(chr, range(0x400, 0x500))) - LOOKALIKES.keys()
 _NUMBER = r"(?:\d+[.,]?\d*|\.\d+)(?:[eE][+-]?\d+)?"

@@ -36,8 +36,7 @@ Inertia: TypeAlias = list[list[Form]]
 
 HALF = Fraction(1, 2)
 _WEIGHT = RingSymbol("power", "weight")
-_OF_A_LINK = 10
-"""A mass, three first moments and six moments of inertia."""
+_OF_A_LINK = 10  # A mass, three first moments and six moments of inertia.
 _TURNS = {MotionKind.TURN_Z: 2, MotionKind.SHIFT_Z: 2, MotionKind.TURN_X: 0, MotionKind.SHIFT_X: 0}
 """Which coordinate a motion turns about, or shifts along."""
 

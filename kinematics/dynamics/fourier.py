@@ -25,8 +25,7 @@ Exponents: TypeAlias = tuple[tuple[int, Rational], ...]
 WeightedTerm: TypeAlias = tuple[Exponents, Rational, Exponents, int]
 """Angle, turn and powers of a `FourierTerm`, and its weight."""
 
-_HALF_TURN, _QUARTER_TURN = 12, 6
-"""Turns are counted in twenty-fourths, as in the ring."""
+_HALF_TURN, _QUARTER_TURN = 12, 6  # Turns are counted in twenty-fourths, as in the ring.
 
 
 class FourierTerm(NamedTuple):

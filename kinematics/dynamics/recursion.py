@@ -31,8 +31,7 @@ from kinematics.joint_values import configurations
 from kinematics.se3 import Floats, cross_arrays
 from kinematics.table import NumericTable
 
-EARTH = (0.0, 0.0, -9.81)
-"""Acceleration of free fall [m/s²] where z of frame 0 points up."""
+EARTH = (0.0, 0.0, -9.81)  # Acceleration of free fall [m/s²] where z of frame 0 points up.
 SINGULAR = 1e-12
 """An eigenvalue of M, as a share of the largest, below which it has no inverse: some thousand roundings."""
 

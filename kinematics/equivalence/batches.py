@@ -22,8 +22,7 @@ from kinematics.table import Convention, NumericTable
 
 Floats = NDArray[np.float64]
 Numbers = NDArray[np.complex128]
-CellChange = tuple[int, str, float]
-"""Row (counted from 0), cell and its new value."""
+CellChange = tuple[int, str, float]  # Row (counted from 0), cell and its new value.
 Variation = tuple[int, Sequence[CellChange]]
 """The number of a table, and the cells in which a candidate differs from it."""
 

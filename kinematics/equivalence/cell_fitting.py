@@ -25,8 +25,7 @@ from kinematics.equivalence.verification import joint_values
 from kinematics.se3 import Transform, cross_arrays
 from kinematics.table import Convention, DHTable, NumericTable
 
-Place: TypeAlias = tuple[int, str]
-"""A row, counted from 0, and the name of a cell."""
+Place: TypeAlias = tuple[int, str]  # A row, counted from 0, and the name of a cell.
 
 # Gauss–Newton doubles the digits every round; what has not settled after ten does not.
 ROUNDS = 10

@@ -18,8 +18,7 @@ Places = NDArray[np.intp]
 # A sine, and below: the arithmetic leaves 1e-16, and what is nearer to parallel has its normal hundreds of
 # thousands of robots away.
 PARALLEL = 1e-7
-PLAIN_OFFSET = 4
-"""Of how many axes an offset is without prismatic joints."""
+PLAIN_OFFSET = 4  # Of how many axes an offset is without prismatic joints.
 
 _NEXT, _LAST = np.array((1, 2, 0)), np.array((2, 0, 1))
 

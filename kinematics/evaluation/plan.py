@@ -37,12 +37,10 @@ WARM = 8
 times goes on asking."""
 CACHED_TABLES = 64
 """Tables whose recordings are held at once: a class works on one exercise, a page on a handful."""
-CACHED_VARIANTS = 4
-"""Pairs of base and tool held for one table: callers change them rarely."""
+CACHED_VARIANTS = 4  # Pairs of base and tool held for one table: callers change them rarely.
 LARGEST_TAPE = 1000
 """Longer computations are replayed from the tape: compiling grows faster than what it saves."""
-SAFE_LENGTH = 1e300
-"""Lengths that add up to less stay finite through every product of the recurrences."""
+SAFE_LENGTH = 1e300  # Lengths that add up to less stay finite through every product of the recurrences.
 
 Floats: TypeAlias = NDArray[np.float64]
 

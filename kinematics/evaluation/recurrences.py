@@ -24,8 +24,7 @@ from kinematics.dh import (
 from kinematics.se3 import Scalar, Scalars, Transform, cross
 from kinematics.table import JointType, NumericTable
 
-Rows: TypeAlias = tuple[Row, Row, Row]
-"""The upper three rows of a 4×4 transform."""
+Rows: TypeAlias = tuple[Row, Row, Row]  # The upper three rows of a 4×4 transform.
 
 IDENTITY: Rows = ((1.0, 0.0, 0.0, 0.0), (0.0, 1.0, 0.0, 0.0), (0.0, 0.0, 1.0, 0.0))
 

@@ -22,8 +22,7 @@ from kinematics.se3 import (
 )
 from kinematics.table import JointType
 
-MAX_AXES = 64
-"""As many as a table may have rows."""
+MAX_AXES = 64  # As many as a table may have rows.
 MAX_COORDINATE = 1e12
 """Squares of coordinates stay far from overflow, and their rounding of 1e-4 m is beyond any use."""
 

@@ -12,8 +12,7 @@ from kinematics.frames.axes import AxisLine, PartialPose, Pose
 from kinematics.frames.normals import Relation, common_normal
 from kinematics.se3 import ORIGIN, Vector, foot, norm, perpendicular, scale, subtract
 
-_SAME = 1e-6
-"""Candidates nearer than what counts as right (`rules.ANGLE_TOLERANCE`) are one."""
+_SAME = 1e-6  # Candidates nearer than what counts as right (`rules.ANGLE_TOLERANCE`) are one.
 _COORDINATES: tuple[Vector, ...] = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 
 

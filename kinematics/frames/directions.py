@@ -17,12 +17,10 @@ from kinematics.se3 import Vector, cross, dot, norm, perpendicular, scale
 
 _HALF_TURN = 1e-3
 """An x within this of pointing back [rad] counts as turned by a half turn: above rounding, below a choice."""
-_NEGATIVE_TWIST = 1e-6
-"""A twist below −1e-6 rad is negative; nearer to zero its sign is rounding."""
+_NEGATIVE_TWIST = 1e-6  # A twist below −1e-6 rad is negative; nearer to zero its sign is rounding.
 
 
-_NEGATIVE_LENGTH = 1e-5
-"""What a negative length costs beside an angle: it is taken only where it spares one."""
+_NEGATIVE_LENGTH = 1e-5  # What a negative length costs beside an angle: it is taken only where it spares one.
 
 
 class LengthSigns(StrEnum):

@@ -12,8 +12,7 @@ from kinematics.expressions import Expression, number, pi_times
 from kinematics.frames.normals import EXACT_ANGLE, EXACT_LENGTH
 from kinematics.table import DHRow, DHTable, NumericTable, SymbolicTable
 
-_ROUNDING = 1e-14
-"""What some fifty roundings of 2e-16 leave of a length, as a part of the robot's size."""
+_ROUNDING = 1e-14  # What some fifty roundings of 2e-16 leave of a length, as a part of the robot's size.
 
 
 def clean_angle(angle: float) -> float:

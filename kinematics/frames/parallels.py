@@ -16,8 +16,7 @@ from kinematics.frames.normals import EXACT_ANGLE
 from kinematics.se3 import Vector, cross, dot, foot, norm, perpendicular, rejection, scale, subtract, unit
 from kinematics.table import JointType
 
-PARALLEL_TOLERANCE = 5e-3
-"""Axes whose directions differ by less than this [rad] are near-parallel; 0.29°."""
+PARALLEL_TOLERANCE = 5e-3  # Axes whose directions differ by less than this [rad] are near-parallel; 0.29°.
 
 MAX_PARALLEL_TOLERANCE = 0.1
 """Beyond 6° nobody calls axes near-parallel, and the straightened robot is another one."""

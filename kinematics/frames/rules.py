@@ -14,11 +14,9 @@ from kinematics.frames.normals import Relation, common_normal
 from kinematics.se3 import Vector, along, cross, dot, foot, norm, subtract
 from kinematics.table import Convention
 
-ANGLE_TOLERANCE = 1e-6
-"""A student's direction is right if it is this near [rad]."""
+ANGLE_TOLERANCE = 1e-6  # A student's direction is right if it is this near [rad].
 
-LENGTH_TOLERANCE = 1e-6
-"""A student's point is right if it is this near, as a part of the robot's size."""
+LENGTH_TOLERANCE = 1e-6  # A student's point is right if it is this near, as a part of the robot's size.
 
 
 class FramePart(StrEnum):

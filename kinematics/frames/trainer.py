@@ -60,8 +60,7 @@ class ChosenFrame:
     y: Sequence[float] | None = None
 
 
-SAME_DIRECTION = 1e-6
-"""A y that differs from z × x by no more than this is it."""
+SAME_DIRECTION = 1e-6  # A y that differs from z × x by no more than this is it.
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

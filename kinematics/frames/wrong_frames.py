@@ -14,18 +14,15 @@ from kinematics.frames.trainer import ChosenFrame, rules_and_table
 from kinematics.se3 import Vector, along, cross, dot, norm, scale, subtract, unit
 from kinematics.table import Convention
 
-LEFT_HANDED = "y_left_handed"
-"""The y of a frame is not z × x."""
+LEFT_HANDED = "y_left_handed"  # The y of a frame is not z × x.
 FRAME_MISTAKES: tuple[str, ...] = (*(code.value for code in BINDING), LEFT_HANDED)
 """What may be wrong with a frame, by name."""
 TILT = math.radians(30.0)
 """[rad] By how much a direction is turned that is to be wrong and still look like one that was meant."""
-SLIDE = 0.25
-"""How far an origin is moved, as a part of how far the origins are apart: enough to be seen."""
+SLIDE = 0.25  # How far an origin is moved, as a part of how far the origins are apart: enough to be seen.
 
 
-SLIGHT = 1e-3
-"""Origins nearer than this part of their distance coincide as far as a drawing shows."""
+SLIGHT = 1e-3  # Origins nearer than this part of their distance coincide as far as a drawing shows.
 
 
 @dataclass(frozen=True, slots=True)

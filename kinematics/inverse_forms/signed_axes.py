@@ -34,18 +34,15 @@ from kinematics.symbolic.motions import Motion, motions_of
 from kinematics.table import SymbolicTable
 
 Vector: TypeAlias = tuple[Expression, Expression, Expression]
-Axis: TypeAlias = tuple[int, int, int]
-"""One of ±x, ±y, ±z."""
+Axis: TypeAlias = tuple[int, int, int]  # One of ±x, ±y, ±z.
 
 _X, _Y, _Z = (1, 0, 0), (0, 1, 0), (0, 0, 1)
 
 _SHIFTS = (MotionKind.SHIFT_X, MotionKind.SHIFT_Z)
 
-_ROUNDED_ANGLE = 5e-15
-"""As far [rad] as π with fifteen digits is off."""
+_ROUNDED_ANGLE = 5e-15  # As far [rad] as π with fifteen digits is off.
 
-_MOST_RADIANS = 8
-"""Beyond a turn, the rounding of a double hides how far a number is off right angles."""
+_MOST_RADIANS = 8  # Beyond a turn, the rounding of a double hides how far a number is off right angles.
 
 _ROUNDED_LENGTH = Fraction(1, 10**15)
 """Lengths below this part of the largest, or of 1 where some are parameters, are zero."""

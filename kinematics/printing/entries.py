@@ -17,8 +17,7 @@ from kinematics.printing.text import TextWriter
 _LETTERS = "kwuvabdef"
 """Letters for intermediates, in the order in which they are tried; c1 is a cosine, and g, h are results."""
 _AXES = "xyz"
-_LAST_DIGIT = 9
-"""Beyond it, the two indices of an entry need a comma between them."""
+_LAST_DIGIT = 9  # Beyond it, the two indices of an entry need a comma between them.
 
 
 class Equation(NamedTuple):

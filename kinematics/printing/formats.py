@@ -19,8 +19,7 @@ from kinematics.printing.trees import TreeWriter
 
 Matrix: TypeAlias = Sequence[Sequence[Expression]]
 
-LIMIT = 50_000
-"""Operations that a matrix may have when it is written out."""
+LIMIT = 50_000  # Operations that a matrix may have when it is written out.
 
 
 class Format(StrEnum):

@@ -11,8 +11,7 @@ from enum import StrEnum
 
 from kinematics.expressions import MINUS_ONE, Call, Expression, Function, JointVariable, Product, terms_of
 
-_LAST_DIGIT = 9
-"""Beyond it, the indices of a sum of joints (θ₁₂) need something between them."""
+_LAST_DIGIT = 9  # Beyond it, the indices of a sum of joints (θ₁₂) need something between them.
 
 
 class Notation(StrEnum):

@@ -10,8 +10,7 @@ from kinematics.printing.notation import Names
 from kinematics.table import COLUMNS, VARIABLE_CELLS, Convention, DHRow, DHTable, JointType
 
 _LETTERS = {"theta": ("θ", r"\theta"), "d": ("d", "d"), "a": ("a", "a"), "alpha": ("α", r"\alpha")}
-_DIGITS = ".6g"
-"""Enough to recognise a number; the table itself keeps all digits."""
+_DIGITS = ".6g"  # Enough to recognise a number; the table itself keeps all digits.
 
 
 def table_html(table: DHTable[Expression] | DHTable[float], variables: Sequence[str] = ()) -> str:

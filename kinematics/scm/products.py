@@ -48,8 +48,7 @@ RawMatrix: TypeAlias = Sequence[Sequence[Cell]]
 RawFactor: TypeAlias = Mapping[str, Cell] | RawMatrix
 Factor: TypeAlias = Placement | Matrix
 
-LARGEST_VARIABLE = 64
-"""The number of the last joint variable that a product may hold."""
+LARGEST_VARIABLE = 64  # The number of the last joint variable that a product may hold.
 
 _IDENTITY: Matrix = tuple(tuple(ONE if i == j else ZERO for j in range(4)) for i in range(4))
 

@@ -25,8 +25,7 @@ class ProofStatus(StrEnum):
     UNDECIDED = "undecided"
 
 
-LIMIT = 2_000_000
-"""Products of terms that may be formed for one canonical form."""
+LIMIT = 2_000_000  # Products of terms that may be formed for one canonical form.
 
 Term: TypeAlias = tuple[Monomial, Fraction]
 

@@ -42,8 +42,7 @@ from kinematics.table import JointType, SymbolicTable
 
 PRODUCTS = 100_000
 """Products of terms for one Jacobian and its minors; arms with a wrist need a tenth of them."""
-MINORS = 1_000
-"""Minors of one size that are looked through; an arm of seven joints has seven of the largest."""
+MINORS = 1_000  # Minors of one size that are looked through; an arm of seven joints has seven of the largest.
 FACTORABLE = 400
 """Terms of a minor that are factored: a general arm of six joints has thousands, which take minutes."""
 

@@ -7,8 +7,7 @@ from kinematics.expressions import Expression, Number, evaluate
 from kinematics.symbolic.angles import COSINES
 from kinematics.symbolic.writing import Matrix
 
-_LAST_DIGITS = 4e-16
-"""Two units in the last place of a number near 1, which rounding a cosine leaves."""
+_LAST_DIGITS = 4e-16  # Two units in the last place of a number near 1, which rounding a cosine leaves.
 _KNOWN = [(evaluate(cosine), cosine) for cosine in COSINES]
 
 

@@ -35,8 +35,7 @@ from kinematics.symbolic.surds import algebraic_reciprocal, denested_root, root_
 PI_SYMBOL = RingSymbol("power", Pi())
 _PI_MONOMIAL = Monomial(Fraction(0), frozenset({(PI_SYMBOL, Fraction(1))}))
 _STEPS = 24
-_HALF_TURN = 12
-"""Steps of a turn, and of half of one: multiples of π/12 have cosines that are written out."""
+_HALF_TURN = 12  # Steps of a turn, and of half of one: multiples of π/12 have cosines that are written out.
 
 
 @dataclass(slots=True)

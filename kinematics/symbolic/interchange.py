@@ -33,8 +33,7 @@ from kinematics.symbolic.size import bottom_up, children
 if TYPE_CHECKING:
     import sympy
 
-_SYMPY_NAMES = {Function.ABS: "Abs"}
-"""Where SymPy's name of a function is not ours."""
+_SYMPY_NAMES = {Function.ABS: "Abs"}  # Where SymPy's name of a function is not ours.
 
 _VARIABLE = re.compile(r"q([1-9][0-9]*)", re.ASCII)
 

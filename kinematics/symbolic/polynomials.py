@@ -32,8 +32,7 @@ Polynomial: TypeAlias = Mapping[int, Rational]
 """Coefficients, none of them zero, by the exponents that are packed into a key; keys of one reader only."""
 Symbol: TypeAlias = JointVariable | Parameter
 
-PRODUCTS = 20_000
-"""Products of terms that one reader may form, some 5 ms."""
+PRODUCTS = 20_000  # Products of terms that one reader may form, some 5 ms.
 _BITS = 12
 FIELD = (1 << _BITS) - 1
 _LARGEST_POWER = 64

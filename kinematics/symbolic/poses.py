@@ -10,8 +10,7 @@ from kinematics.symbolic.form_reader import FormReader
 from kinematics.symbolic.motions import Motion
 from kinematics.symbolic.surds import tidy
 
-_SHORT = 4
-"""Terms up to which an entry is left as it is: so few cannot hide much that cancels."""
+_SHORT = 4  # Terms up to which an entry is left as it is: so few cannot hide much that cancels.
 _IDENTITY = tuple(tuple(ONE_FORM if i == j else ZERO_FORM for j in range(4)) for i in range(3))
 
 

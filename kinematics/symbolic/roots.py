@@ -17,8 +17,7 @@ from math import isqrt
 LARGEST_PRIME = 31
 """Relations are used for primes up to this; a turn with a larger prime in its denominator stays as it is."""
 
-_TRIAL_BOUND = 10_000
-"""Primes that are tried: numbers below its square are factored surely."""
+_TRIAL_BOUND = 10_000  # Primes that are tried: numbers below its square are factored surely.
 
 
 @lru_cache(maxsize=4096)

@@ -29,10 +29,8 @@ from kinematics.symbolic.polynomials import FIELD, Polynomial, PolynomialReader,
 from kinematics.symbolic.size import count_operations
 from kinematics.symbolic.writing import Matrix
 
-_LIMIT = 3_000
-"""Products of terms that may be formed for the normal form of one entry."""
-_MANY = 24
-"""A polynomial of more terms than this is left: its normal form is longer."""
+_LIMIT = 3_000  # Products of terms that may be formed for the normal form of one entry.
+_MANY = 24  # A polynomial of more terms than this is left: its normal form is longer.
 _CIRCULAR = (Function.COS, Function.SIN)
 
 

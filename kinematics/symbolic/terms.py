@@ -15,8 +15,7 @@ UNITY: Nested = ((1, ()),)
 MINUS: Nested = ((-1, ()),)
 
 NAME_BITS = 32
-PLACE_BITS = 16
-"""Bits of a name in a key, and of the joint within a name; the rank stands above both."""
+PLACE_BITS = 16  # Bits of a name in a key, and of the joint within a name; the rank stands above both.
 
 
 class Rank(IntEnum):

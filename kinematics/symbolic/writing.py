@@ -14,8 +14,7 @@ Pose: TypeAlias = tuple[Vector, Vector, Vector, Vector]
 
 ORIGIN: Vector = (NOTHING, NOTHING, NOTHING)
 AXES = ((UNITY, NOTHING, NOTHING), (NOTHING, UNITY, NOTHING), (NOTHING, NOTHING, UNITY))
-HERE: Pose = (*AXES, ORIGIN)
-"""The identity."""
+HERE: Pose = (*AXES, ORIGIN)  # The identity.
 
 
 class MatrixWriter:

@@ -28,8 +28,7 @@ BASE_LINK = "base_link"
 TIP_LINK = "tool0"
 UNLIMITED = 1e16
 """A limit that stands for none [rad, or m]: URDF knows no prismatic joint without two of them."""
-STILL = 1e-12
-"""What the arithmetic leaves of frames that are one: entries of a pose."""
+STILL = 1e-12  # What the arithmetic leaves of frames that are one: entries of a pose.
 
 _NOTE = "Kinematics alone: no masses, no shapes. Effort and velocity of every limit are placeholders."
 _UNKNOWN = "A limit of 1e+16 stands for none."

@@ -25,8 +25,7 @@ from kinematics.workspace.coordinate_ascent import Maximum
 from kinematics.workspace.objectives import Array, Objective, Objectives, stacked
 from kinematics.workspace.spans import spread
 
-LOOKS = 1024
-"""Configurations that are brought onto the set."""
+LOOKS = 1024  # Configurations that are brought onto the set.
 
 STARTS = 16
 """Configurations from which an ascent starts: half of them the best, the others from all over the set."""
@@ -40,8 +39,7 @@ NEWTON_STEPS = 12
 LONGEST_STEP = 0.5
 """Longest step onto the set [rad, or parts of the size]: farther than this tangents tell little."""
 
-HOLDS = 1e-10
-"""Size of the conditions' errors [rad, and parts of the size] with which they count as met."""
+HOLDS = 1e-10  # Size of the conditions' errors [rad, and parts of the size] with which they count as met.
 
 _DAMPING = 1e-14
 _DIFFERENCE = 1e-6

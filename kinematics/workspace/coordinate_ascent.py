@@ -19,16 +19,11 @@ from kinematics.table import JointType, NumericTable
 from kinematics.workspace.objectives import Array, Objective, Objectives, stacked
 from kinematics.workspace.spans import spread
 
-LOOKS = 768
-"""Samples among which the starts are chosen."""
-STARTS = 32
-"""Configurations from which an ascent starts."""
-BEST_CORNERS = 8
-"""Of the starts so many are corners of the ranges, where there are as many."""
-MOST_CORNERS = 9
-"""Joints whose limits make corners: of more there would be thousands."""
-FULL_TURN = 1e-9
-"""Ranges shorter than a turn by less than this [rad] are a turn."""
+LOOKS = 768  # Samples among which the starts are chosen.
+STARTS = 32  # Configurations from which an ascent starts.
+BEST_CORNERS = 8  # Of the starts so many are corners of the ranges, where there are as many.
+MOST_CORNERS = 9  # Joints whose limits make corners: of more there would be thousands.
+FULL_TURN = 1e-9  # Ranges shorter than a turn by less than this [rad] are a turn.
 MOST_SWEEPS = 120
 FEWEST_SWEEPS = 6
 NEWTON_STEPS = 40
