@@ -12,8 +12,7 @@ from kinematics.errors import Fault
 
 STATEMENT = re.compile(r"statement\.([a-z]{2})\.md")
 """The name of a statement's file; its group is the language."""
-ENCODING = "utf-8-sig"
-"""UTF-8, with the mark in front that editors on Windows write, or without."""
+ENCODING = "utf-8-sig"  # UTF-8, with the mark in front that editors on Windows write, or without.
 
 
 def files_of_folder(folder: Traversable) -> Mapping[str, bytes]:

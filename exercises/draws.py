@@ -16,8 +16,7 @@ from exercises.reading import KeyShape, Reader
 ALIKE = Fraction(1, 100)
 """Sizes that differ by no more than this share pass for each other in an answer in numbers."""
 EQUAL = Fraction(0)
-MOST_VALUES = 10_000
-"""Longest list of values that one draw chooses from: a finer step is a slip of the pen."""
+MOST_VALUES = 10_000  # Longest list of values that one draw chooses from: a finer step is a slip of the pen.
 
 Value = TypeVar("Value")
 

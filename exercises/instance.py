@@ -16,8 +16,7 @@ from exercises.parts.registry import part_type
 from kinematics.cells import LengthUnit, ParameterKind, parameters_in_radians
 from kinematics.errors import Fault
 
-SEED_CHARACTERS = 200
-"""Characters of a seed: a name, a mail address or a digest."""
+SEED_CHARACTERS = 200  # Characters of a seed: a name, a mail address or a digest.
 CACHED_INSTANCES = 2048
 """Instances in the cache, some kilobytes each: a large class opens an exercise, and hands in later."""
 

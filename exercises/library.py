@@ -13,8 +13,7 @@ from exercises.errors import DefinitionError, UnknownExerciseError
 from exercises.loader import exercise_of_files
 from kinematics.errors import Fault
 
-ROOT = files("exercises") / "definitions"
-"""The folder of the package."""
+ROOT = files("exercises") / "definitions"  # The folder of the package.
 
 Shelf = Callable[[str], Exercise | None]
 """Where exercises are that stand in no folder, by an id that nobody finds in a list."""

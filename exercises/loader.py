@@ -241,8 +241,7 @@ def _parameters(
     return tuple(given[name] for name in reference.parameters if name in given)
 
 
-MOST_WEIGHT = 100.0
-"""A weight beyond this leaves nothing to the other facts: a slip of the pen."""
+MOST_WEIGHT = 100.0  # A weight beyond this leaves nothing to the other facts: a slip of the pen.
 
 
 def read_policy(reader: Reader) -> Policy:

@@ -14,8 +14,7 @@ from kinematics.errors import Fault
 from kinematics.expressions import ZERO, Expression, joint_variables_in
 from kinematics.keys import LARGEST, MISSING, Choice, KeyFaults, KeyReader, ValueKind, is_number
 
-LONGEST_ECHO = 80
-"""Characters of a text that its fault repeats."""
+LONGEST_ECHO = 80  # Characters of a text that its fault repeats.
 LARGEST_TOLERANCE = 0.1
 """With more, a tenth of a robot's size or 6° off, an answer would pass that nobody calls right."""
 

@@ -11,8 +11,7 @@ from html import escape
 from kinematics.errors import Fault
 
 LONGEST_TITLE = 200
-LONGEST_STATEMENT = 20_000
-"""Characters; some ten pages."""
+LONGEST_STATEMENT = 20_000  # Characters; some ten pages.
 
 _INLINE = re.compile(r"`([^`]+)`|\*\*([^*]+)\*\*|\*([^*\s](?:[^*]*[^*\s])?)\*")
 _NAME = re.compile(r"([A-Za-z]{1,3})_?([0-9]{0,2})")

@@ -17,12 +17,10 @@ from exercises.consistency import FILE
 from exercises.errors import DefinitionError
 from kinematics.errors import Fault
 
-LARGEST_ARCHIVE = 256 * 1024
-"""Bytes; the largest that is shipped has four thousand."""
+LARGEST_ARCHIVE = 256 * 1024  # Bytes; the largest that is shipped has four thousand.
 MOST_FILES = 64
 """Entries of an archive: the folder, a definition, a statement in each language, and what archivers add."""
-LARGEST_FILE = 128 * 1024
-"""Bytes of a file as it is unpacked; a statement has at most 20,000 characters."""
+LARGEST_FILE = 128 * 1024  # Bytes of a file as it is unpacked; a statement has at most 20,000 characters.
 _LONG_AGO = (1980, 1, 1, 0, 0, 0)
 """The first moment that a zip archive can tell: the same draft gives the same bytes."""
 _FOLDER = "folder"
@@ -30,8 +28,7 @@ _NAME = re.compile(r"(?:(?P<folder>[^/\\:\0]{1,100})/)?(?P<file>exercise\.toml|s
 _BESIDE = re.compile(r"__MACOSX/.*|(?:.*/)?\.DS_Store")
 """What the archiver of one system adds to every archive; it is passed over."""
 _METHODS = (zipfile.ZIP_STORED, zipfile.ZIP_DEFLATED)
-_ENCRYPTED = 1
-"""Bit 0 of the general purpose flags (APPNOTE.TXT 4.4.4)."""
+_ENCRYPTED = 1  # Bit 0 of the general purpose flags (APPNOTE.TXT 4.4.4).
 _END = b"PK\x05\x06"
 
 

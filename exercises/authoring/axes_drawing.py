@@ -24,8 +24,7 @@ from kinematics.table import Convention, JointType, NumericTable
 MOST_AXES = 16
 MOST_LENGTHS = 32
 """Twice the axes of the longest arm in the documents, as of a draft; an offset and a length for each."""
-PARALLEL = 1e-9
-"""Sine of the least angle between two axes across which there is a direction."""
+PARALLEL = 1e-9  # Sine of the least angle between two axes across which there is a direction.
 STEP = 1 / 64
 """Share by which a length is changed to see which entries hold it: small enough to leave the structure."""
 _NEAR = 1e-7

@@ -15,14 +15,10 @@ from kinematics.errors import Fault
 
 LONGEST_ID = 48
 """An address of a published version adds a part of its digest, and stays within 64 characters."""
-DEEPEST = 8
-"""A definition's tables and lists stand at most five deep; this leaves room and stops a bomb."""
-MOST_ENTRIES = 128
-"""Of a table or a list: twice the rows of the longest table."""
-MOST_VALUES = 5000
-"""Of a whole definition; the longest that is shipped has some three hundred."""
-LONGEST_KEY = 100
-"""Characters of a key; a fault repeats it three times."""
+DEEPEST = 8  # A definition's tables and lists stand at most five deep; this leaves room and stops a bomb.
+MOST_ENTRIES = 128  # Of a table or a list: twice the rows of the longest table.
+MOST_VALUES = 5000  # Of a whole definition; the longest that is shipped has some three hundred.
+LONGEST_KEY = 100  # Characters of a key; a fault repeats it three times.
 ID_PATTERN = "[A-Za-z0-9]+(-[A-Za-z0-9]+)*"
 _ID = re.compile(ID_PATTERN)
 

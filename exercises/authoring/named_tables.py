@@ -20,8 +20,7 @@ from kinematics.expressions import (
 from kinematics.frames.axes import JointAxis
 from kinematics.table import Convention, DHRow, DHTable, JointType, NumericTable, SymbolicRow
 
-TINY = 1e-9
-"""Lengths below it [m] are rounding of zero."""
+TINY = 1e-9  # Lengths below it [m] are rounding of zero.
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -143,8 +143,7 @@ def _parameter(value: float, *, own: bool) -> dict[str, Any]:
     return {**({"value": _cell(value)} if own else {}), "draw": draw}
 
 
-_LEAST_LENGTH = 1e-9
-"""Of a robot's, in any unit: what is shorter is drawn as zero would be."""
+_LEAST_LENGTH = 1e-9  # Of a robot's, in any unit: what is shorter is drawn as zero would be.
 
 
 def nice_range(value: float) -> tuple[str, str, str]:

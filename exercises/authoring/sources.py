@@ -51,8 +51,7 @@ def read_source(document: Mapping[str, Any]) -> ExerciseSource:
     return {"table": from_table, "axes": from_axes, "scm": from_scm}[form](inner)
 
 
-FORMS = ("robot", "table", "axes", "scm", "urdf")
-"""From what an exercise is started."""
+FORMS = ("robot", "table", "axes", "scm", "urdf")  # From what an exercise is started.
 
 
 def _refuse(faults: Sequence[Fault]) -> NoReturn:

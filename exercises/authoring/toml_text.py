@@ -10,8 +10,7 @@ import re
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-WIDTH = 100
-"""Longer lists are broken into lines."""
+WIDTH = 100  # Longer lists are broken into lines.
 
 _BARE = re.compile(r"[A-Za-z0-9_-]+")
 _HEADINGS = frozenset({("figure", "points"), ("figure", "joints")})
@@ -20,8 +19,7 @@ _LISTS = frozenset({("parts",), ("figure", "dimensions"), ("tests", "samples")})
 """Lists whose entries have a heading each."""
 _DOTTED = frozenset({("parameters",), ("remarks",)})
 """Tables of tables whose entries are written line by line: L1.value = 2."""
-_BY_ROW = frozenset({"rows"})
-"""Lists with a line for each entry."""
+_BY_ROW = frozenset({"rows"})  # Lists with a line for each entry.
 
 
 def toml_text(definition: Mapping[str, Any]) -> str:

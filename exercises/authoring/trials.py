@@ -20,12 +20,9 @@ from exercises.selftest.rehearsal import RehearsedAnswer, right_answers, usual_m
 from kinematics.errors import Fault
 from kinematics.frames.axes import JointAxis
 
-MOST_ROWS = 16
-"""Of a draft's table: twice those of the longest arm in the documents. A folder may have more."""
-MOST_ANSWERS = 20
-"""Right answers in one rehearsal: as many as somebody reads through."""
-SOME_MISTAKES = 6
-"""So many of the listed mistakes are made for each seed: a round stays below some seconds."""
+MOST_ROWS = 16  # Of a draft's table: twice those of the longest arm in the documents. A folder may have more.
+MOST_ANSWERS = 20  # Right answers in one rehearsal: as many as somebody reads through.
+SOME_MISTAKES = 6  # So many of the listed mistakes are made for each seed: a round stays below some seconds.
 
 
 def new_draft(

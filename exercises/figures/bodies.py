@@ -14,11 +14,9 @@ from exercises.figures.geometry import FigureJointAxis
 from kinematics.se3 import cross_arrays
 from kinematics.table import JointType
 
-RADIUS = 0.036
-"""Radius of a cylinder, relative to the size of the robot."""
+RADIUS = 0.036  # Radius of a cylinder, relative to the size of the robot.
 
-LENGTH = 0.11
-"""Length of a body along its axis, relative to the size of the robot."""
+LENGTH = 0.11  # Length of a body along its axis, relative to the size of the robot.
 
 NOWHERE = -np.inf
 

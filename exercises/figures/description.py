@@ -18,8 +18,7 @@ from kinematics.se3 import Vector, dot, norm, subtract
 from kinematics.table import JointType
 
 Basis: TypeAlias = tuple[Vector, Vector, Vector]
-CACHED_PLACES = 1024
-"""Places and directions in the cache: dimensions begin and end where joints are."""
+CACHED_PLACES = 1024  # Places and directions in the cache: dimensions begin and end where joints are.
 
 
 class LineDirection(StrEnum):

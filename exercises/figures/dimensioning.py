@@ -16,12 +16,9 @@ _TAIL = 20.0
 GAP = 4.0
 BEYOND = 5.0
 HEAD = (8.0, 2.7)
-USUAL_OFFSET = 22.0
-"""Where a dimension of distance 1 prefers to stand."""
-ALIKE = 0.02
-"""Ways that differ by less on paper are one."""
-SHORT = 30.0
-"""Dimension lines shorter than this on paper have their arrows outside."""
+USUAL_OFFSET = 22.0  # Where a dimension of distance 1 prefers to stand.
+ALIKE = 0.02  # Ways that differ by less on paper are one.
+SHORT = 30.0  # Dimension lines shorter than this on paper have their arrows outside.
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -202,8 +199,7 @@ def _directions(dimension: Dimension, ends: Array, on_paper: Array, camera: Came
 
 _AXES = np.concatenate([[axis, -axis] for axis in np.eye(3)])
 _DIRECTION_COSTS = np.array([-60.0, *[0.0] * 6, 15.0, 15.0])
-_WISHED = -30.0
-"""What the direction that was wished for costs, those of the axes, and those along the paper."""
+_WISHED = -30.0  # What the direction that was wished for costs, those of the axes, and those along the paper.
 
 
 def _longest_extension() -> Array:

@@ -10,11 +10,9 @@ from numpy.typing import NDArray
 
 from exercises.figures.camera import Array
 
-CELL = 2.5
-"""Side of a cell of the map, in units of paper."""
+CELL = 2.5  # Side of a cell of the map, in units of paper.
 
-OUTSIDE = 1000.0
-"""What it costs to leave the map."""
+OUTSIDE = 1000.0  # What it costs to leave the map.
 
 UNMOVED = np.zeros((1, 2))
 Choice = TypeVar("Choice")
@@ -113,8 +111,7 @@ class PaperMap:
 
 
 _total = np.add.reduce
-RATIOS = np.arange(4096.0)
-"""Multiples of a step: more than a line of the longest paper has."""
+RATIOS = np.arange(4096.0)  # Multiples of a step: more than a line of the longest paper has.
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -13,11 +13,9 @@ from kinematics.frames.wrong_frames import DrawnFrame
 from kinematics.se3 import cross_arrays
 from kinematics.table import JointType
 
-REACH = 0.11
-"""How far an axis is drawn beyond its body, relative to the size of the robot."""
+REACH = 0.11  # How far an axis is drawn beyond its body, relative to the size of the robot.
 
-FINGER = 0.05
-"""Length of a gripper's fingers, relative to the size of the robot."""
+FINGER = 0.05  # Length of a gripper's fingers, relative to the size of the robot.
 
 
 def axis_ends(axis: FigureJointAxis, body: Body, size: float) -> tuple[Array, Array]:
@@ -99,14 +97,11 @@ def _widest(direction: Array, camera: Camera) -> Array:
 
 COLOURS = {"x": "#d1495b", "y": "#2e8b57", "z": "#3d7edb"}
 """Seen on white and on black; the names tell the same."""
-LENGTH = 0.15
-"""Of an arrow, as a part of the robot's size."""
+LENGTH = 0.15  # Of an arrow, as a part of the robot's size.
 SHORTER = 0.12
 """By which part the arrows of the next frame are shorter, so that frames in one place are told apart."""
-HEAD, WING = 8.0, 3.4
-"""Length and half width of an arrow's head [unit of the paper]."""
-WIDTH = 2.2
-"""Width of an arrow's line [unit of the paper]: thinner than links, thicker than dimension lines."""
+HEAD, WING = 8.0, 3.4  # Length and half width of an arrow's head [unit of the paper].
+WIDTH = 2.2  # Width of an arrow's line [unit of the paper]: thinner than links, thicker than dimension lines.
 
 
 class Arrow(NamedTuple):

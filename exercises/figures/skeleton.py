@@ -33,11 +33,9 @@ from kinematics.expressions import (
 )
 from kinematics.table import Convention, JointType, SymbolicTable, bind
 
-CLOSE = 0.05
-"""Bodies closer than this, relative to the robot's reach, move apart."""
+CLOSE = 0.05  # Bodies closer than this, relative to the robot's reach, move apart.
 
-APART = 0.14
-"""How far they move, relative to the robot's reach."""
+APART = 0.14  # How far they move, relative to the robot's reach.
 
 ABOVE = 0.1
 """From which height above O0 joint 1 stands on the ground there, relative to the robot's reach."""

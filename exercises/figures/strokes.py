@@ -8,8 +8,7 @@ from numpy.typing import NDArray
 from exercises.figures.bodies import Body
 from exercises.figures.camera import Array, Camera
 
-STEP = 1.5
-"""Distance on paper between the points at which a line is looked at."""
+STEP = 1.5  # Distance on paper between the points at which a line is looked at.
 
 
 def in_front(

@@ -60,8 +60,7 @@ class Canvas:
         )
 
 
-SUBSCRIPT = 0.7
-"""Size of a subscript beside its letter, about that of TeX."""
+SUBSCRIPT = 0.7  # Size of a subscript beside its letter, about that of TeX.
 
 
 def split_name(name: str) -> tuple[str, str]:

@@ -7,12 +7,10 @@ from kinematics.table import JointType
 if TYPE_CHECKING:
     from exercises.parts.protocol import RobotFacts
 
-Start = dict[str, Any]
-"""Keys of a definition with their values, as a file has them."""
+Start = dict[str, Any]  # Keys of a definition with their values, as a file has them.
 DEGREES = (30, 45, -60, 90, -30, 60)
 RADIANS = (0.5, 0.8, -1.0, 1.5, -0.5, 1.0)
-SLIDE = 0.2
-"""Joint values to begin with: away from the zeros at which wrong answers look right."""
+SLIDE = 0.2  # Joint values to begin with: away from the zeros at which wrong answers look right.
 
 
 def joint_names(count: int) -> tuple[str, ...]:

@@ -10,10 +10,8 @@ from exercises.grading import Feedback
 from exercises.parts.report import PLACES, Credit, PartReport
 from kinematics.table import JointType, NumericTable
 
-ENOUGH = 0.5
-"""Of the lengths and twists of the key a wrong table has this share at least, or less is earned."""
-PARALLEL = 1e-6
-"""A sine: the table turns no axis against the one before it."""
+ENOUGH = 0.5  # Of the lengths and twists of the key a wrong table has this share at least, or less is earned.
+PARALLEL = 1e-6  # A sine: the table turns no axis against the one before it.
 _EARNED = frozenset(
     {"matrices_follow_table", "transform_follows_table", "pose_follows_table", "jacobian_follows_table"}
 )

@@ -33,8 +33,7 @@ if TYPE_CHECKING:
     from exercises.instance import Instance
     from exercises.parts.context import Context
 
-TABLE = "table"
-"""The kind of part that all others may follow from."""
+TABLE = "table"  # The kind of part that all others may follow from.
 
 P = TypeVar("P", bound=Part)
 Raw = TypeVar("Raw")

@@ -7,8 +7,7 @@ from enum import StrEnum
 from exercises.definition import Part
 from exercises.grading import Feedback, Finding, HelpLevel
 
-PLACES = 6
-"""Decimals of points: what floating-point arithmetic leaves behind them is not shown."""
+PLACES = 6  # Decimals of points: what floating-point arithmetic leaves behind them is not shown.
 
 
 class Credit(StrEnum):

@@ -25,8 +25,7 @@ from kinematics.table import DHTable, JointType, SymbolicRow
 QUARTER = pi_times(Fraction(1, 2))
 _OTHER = {JointType.REVOLUTE: JointType.PRISMATIC, JointType.PRISMATIC: JointType.REVOLUTE}
 
-Mistake = Callable[[ReadTable], Iterator[ReadTable]]
-"""Every way to make it in a table."""
+Mistake = Callable[[ReadTable], Iterator[ReadTable]]  # Every way to make it in a table.
 
 
 def _rows(read: ReadTable, rows: tuple[SymbolicRow, ...]) -> ReadTable:

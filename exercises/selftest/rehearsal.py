@@ -20,8 +20,7 @@ from exercises.written_table import written_table
 from kinematics.cells import RawTable, ReadTable
 from kinematics.errors import KinematicsError
 
-TRIES = 12
-"""So many tables are made for each that is wanted: some come out alike."""
+TRIES = 12  # So many tables are made for each that is wanted: some come out alike.
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -24,11 +24,9 @@ from kinematics.errors import KinematicsError
 from kinematics.expressions import Expression, Number, evaluate, pi_fraction, pi_times
 from kinematics.table import CELLS, DHRow, DHTable, SymbolicRow
 
-DIGITS = 4
-"""Significant digits to which students round on paper."""
+DIGITS = 4  # Significant digits to which students round on paper.
 
-PAIRS = 3
-"""Tables with two mistakes that are tried for each seed."""
+PAIRS = 3  # Tables with two mistakes that are tried for each seed.
 
 
 def check_robustness(findings: Findings, instance: Instance, rng: Random, mistakes: int | None) -> None:

@@ -14,8 +14,7 @@ from kinematics.table import bind
 
 MOST_VALUES = 25
 """A bound of the work, for each dimension: lengths near zero and angles near right ones are tried first."""
-RIGHT_ANGLE = 90
-"""[deg]"""
+RIGHT_ANGLE = 90  # [deg]
 
 
 def structure_of(instance: Instance) -> Schematic:

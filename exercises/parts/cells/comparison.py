@@ -17,8 +17,7 @@ from kinematics.cells import Cell
 from kinematics.equivalence import Tolerance
 
 Matrices: TypeAlias = NDArray[np.float64]
-Expected: TypeAlias = Callable[[Samples], Matrices]
-"""(k, 4, 4) that are right at samples."""
+Expected: TypeAlias = Callable[[Samples], Matrices]  # (k, 4, 4) that are right at samples.
 
 LAST_ROW = np.array([0.0, 0.0, 0.0, 1.0])
 ALL_NAMED = 1e-6

@@ -12,14 +12,11 @@ from typing import Any
 from kinematics.expressions import Expression, parameters_in
 from kinematics.expressions.values import holds_decimals
 
-EXACT = 1e-6
-"""A share and [rad]: what is asked of an answer without decimals at other lengths."""
-EITHER_WAY = 2.0
-"""What a length that is off may do to a pose: a turn carries it to the other side."""
+EXACT = 1e-6  # A share and [rad]: what is asked of an answer without decimals at other lengths.
+EITHER_WAY = 2.0  # What a length that is off may do to a pose: a turn carries it to the other side.
 MOST_DECIMALS = 64
 """Decimals that are looked at one by one; an answer with more is held to the usual tolerance."""
-MOST_READ_AGAIN = 16_000
-"""Characters that are read again with a decimal moved: a tenth of a second of work."""
+MOST_READ_AGAIN = 16_000  # Characters that are read again with a decimal moved: a tenth of a second of work.
 _DECIMAL = re.compile(r"(?<![\w.])[0-9]*\.([0-9]+)")
 _NUMBER = re.compile(r"(?<![\w.])(?:[0-9]+(?:\.([0-9]+))?|\.([0-9]+))")
 KNOWN = (*(math.sin(k * math.pi / 12) for k in (1, 3, 4, 5)), math.sqrt(2), math.sqrt(3))

@@ -17,8 +17,7 @@ from kinematics.errors import CellError, Fault, KinematicsError
 from kinematics.expressions import evaluate
 from kinematics.se3 import Floats
 
-DECIMALS = 4
-"""Decimals of what is given and of what a student writes, as textbooks print them."""
+DECIMALS = 4  # Decimals of what is given and of what a student writes, as textbooks print them.
 
 
 def on_paper(values: Floats, decimals: int = DECIMALS) -> Floats:

@@ -49,8 +49,7 @@ class CellManner:
     joint_types: tuple[JointType, ...]
 
 
-cell_manner = lru_cache(maxsize=512)(CellManner)
-"""Return the one object for a manner."""
+cell_manner = lru_cache(maxsize=512)(CellManner)  # Return the one object for a manner.
 
 
 class MatrixEntry(NamedTuple):

@@ -13,8 +13,7 @@ from kinematics.errors import ParameterError
 from kinematics.expressions import Expression, evaluate, parameters_in
 from kinematics.expressions.arrays import matrices_at
 
-ALMOST = 1e-6
-"""A share of a robot's size: what the comparison of an exact product with a chain leaves."""
+ALMOST = 1e-6  # A share of a robot's size: what the comparison of an exact product with a chain leaves.
 
 
 @dataclass(frozen=True)

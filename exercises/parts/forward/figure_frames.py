@@ -16,8 +16,7 @@ from kinematics.frames.axes import JointAxis, read_direction, read_point
 from kinematics.frames.wrong_frames import DrawnFrame, right_handed
 from kinematics.se3 import Vector
 
-COSINES = 0.01
-"""How far from 1 a direction may be whose components were rounded."""
+COSINES = 0.01  # How far from 1 a direction may be whose components were rounded.
 
 
 def figure_axes(instance: Instance) -> list[JointAxis]:

@@ -34,8 +34,7 @@ from kinematics.frames.rules import BINDING, FrameFinding
 from kinematics.frames.trainer import ChosenFrame, rules_and_table
 from kinematics.table import Convention, NumericTable
 
-PARTS = ("z", "origin", "x")
-"""The independent facts of a frame."""
+PARTS = ("z", "origin", "x")  # The independent facts of a frame.
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -24,8 +24,7 @@ from kinematics.errors import Fault
 from kinematics.se3 import cross_arrays
 from kinematics.table import JointType, NumericTable
 
-EXACT = 1e-9
-"""Far above rounding, far below what a drawing shows."""
+EXACT = 1e-9  # Far above rounding, far below what a drawing shows.
 
 
 class AxisRelation(StrEnum):

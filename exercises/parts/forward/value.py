@@ -29,8 +29,7 @@ from kinematics.se3 import cross_arrays, from_matrix, inverse_transform, scale
 from kinematics.table import JointType, NumericTable, bind
 
 Matrix = NDArray[np.float64]
-PosesOf = Callable[[Matrix], Matrix]
-"""(k, 4, 4) ⁰T_N of (k, n) configurations."""
+PosesOf = Callable[[Matrix], Matrix]  # (k, 4, 4) ⁰T_N of (k, n) configurations.
 PosesAt = Callable[[Mapping[str, float], Matrix], Matrix]
 """The same for values of the names [rad, the student's unit]."""
 

@@ -12,8 +12,7 @@ from kinematics.answers.joint_verdicts import JointAnswer, JointClaim, JointVerd
 from kinematics.cells import Cell
 from kinematics.table import JointType
 
-MOST_ROWS = 20
-"""Configurations in an answer: an arm of six joints has sixteen at most."""
+MOST_ROWS = 20  # Configurations in an answer: an arm of six joints has sixteen at most.
 ConfigurationRow = Annotated[tuple[Cell, ...], Length(least=1, most=12)]
 
 

@@ -17,8 +17,7 @@ from kinematics.table import JointType
 
 OUT = 3.0
 """How many times as far away a pose is put that cannot be reached: no arm of the catalogue folds so much."""
-QUESTIONS = 256
-"""Poses whose solutions are in the cache: students hand in again."""
+QUESTIONS = 256  # Poses whose solutions are in the cache: students hand in again.
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

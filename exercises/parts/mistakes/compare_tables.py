@@ -26,8 +26,7 @@ from exercises.selftest.variants import some_lengths, variant
 from kinematics.cells import ReadTable
 from kinematics.equivalence.decision import mechanism_only
 
-VARIANTS = 64
-"""Other frames of one key that are drawn from: more than a class has seats in a row."""
+VARIANTS = 64  # Other frames of one key that are drawn from: more than a class has seats in a row.
 
 
 class ComparisonReason(StrEnum):

@@ -45,10 +45,8 @@ from kinematics.frames.wrong_frames import (
 from kinematics.se3 import Vector
 
 ThreeCells = Annotated[tuple[Cell, ...], Length(least=3, most=3)]
-MENDED = ("mended_origin", "mended_x", "mended_y", "mended_z")
-"""The fields of the frame as it should be."""
-DECIMALS = 4
-"""What is shown of a coordinate: less than what a student may be off by."""
+MENDED = ("mended_origin", "mended_x", "mended_y", "mended_z")  # The fields of the frame as it should be.
+DECIMALS = 4  # What is shown of a coordinate: less than what a student may be off by.
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

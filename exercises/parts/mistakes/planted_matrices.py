@@ -33,8 +33,7 @@ SAMPLES = 12
 """Points at which matrices are compared: random ones, at which two functions that differ agree nowhere."""
 OPERATIONS = 5_000
 """Operations of ⁰T_N: nobody looks for a mistake in one that is longer, and it is evaluated many times."""
-SAME = 1e-9
-"""Difference of two entries that are the same function, beside numbers of the order of one."""
+SAME = 1e-9  # Difference of two entries that are the same function, beside numbers of the order of one.
 _COFUNCTIONS = {Function.SIN: Function.COS, Function.COS: Function.SIN}
 
 

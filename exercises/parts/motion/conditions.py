@@ -36,13 +36,10 @@ from kinematics.expressions import (
 from kinematics.symbolic.angles import angle_of
 from kinematics.table import JointType
 
-MOST_TURNS = 24
-"""Solutions in one turn that k·2π/N may stand for; multiples of π/12 have closed forms."""
+MOST_TURNS = 24  # Solutions in one turn that k·2π/N may stand for; multiples of π/12 have closed forms.
 _NO_EQUATION = re.compile(r"[<>≤≥≠]|!=")
-MOST_CONDITIONS = 16
-"""In a cell: as many as rows of cells are read. Each takes milliseconds to be judged."""
-LONGEST = 2000
-"""Characters of a cell with conditions."""
+MOST_CONDITIONS = 16  # In a cell: as many as rows of cells are read. Each takes milliseconds to be judged.
+LONGEST = 2000  # Characters of a cell with conditions.
 _INTEGERS = re.compile(r"\b[knm]\s*(?:∈|\bin\b)\s*(?:ℤ|\bZ\b|\bintegers?\b).*$")
 _LETTER = re.compile(r"(?<![A-Za-z_])[knm](?=(?:pi|π)\b|π|[^A-Za-z_0-9(]|$)")
 _DASHES = " -–—−"

@@ -36,8 +36,7 @@ from kinematics.cells.meaning import Position
 from kinematics.screws import product_of_exponentials
 from kinematics.se3 import inverse_transform
 
-DECIMALS = 6
-"""Decimals of a student's screws: they are held to a policy, whose tolerance may be small."""
+DECIMALS = 6  # Decimals of a student's screws: they are held to a policy, whose tolerance may be small.
 RULES_BROKEN = (
     *(f"base_{rule}_missed" for rule in ("axis", "origin", "frame")),
     *(f"tool_{rule}_missed" for rule in ("axis", "point", "frame")),

@@ -12,8 +12,7 @@ from kinematics.cells.meaning import Position
 from kinematics.errors import Fault
 from kinematics.expressions import Expression
 
-MOST = 16
-"""Conditions in one answer; the arms of the documents have five families."""
+MOST = 16  # Conditions in one answer; the arms of the documents have five families.
 ConditionRow = Annotated[tuple[Cell, ...], Length(least=1, most=1)]
 Conditions = Annotated[tuple[ConditionRow, ...], Length(most=MOST)]
 Motion = Annotated[tuple[Cell, ...], Length(least=3, most=6)]

@@ -30,8 +30,7 @@ from kinematics.rotations.frame_chains import ChainFactor, ChainMistake, chain_p
 from kinematics.se3 import inverse_transform
 
 Pair = tuple[int, int]
-AS_SHOWN = 5e-4
-"""A share: how exactly a pose follows from others of which so many decimals are shown."""
+AS_SHOWN = 5e-4  # A share: how exactly a pose follows from others of which so many decimals are shown.
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
