@@ -6,8 +6,7 @@ from typing import Any, TypeAlias
 from framewise.calls import Joints, KinematicsCalls, Matrix
 from framewise.sender import Answer, Answers, ApiCall, Content, Table, posted, step
 
-Draft: TypeAlias = Mapping[str, Any]
-"""An exercise as its author has it: `id`, `definition` and `statements`."""
+Draft: TypeAlias = Mapping[str, Any]  # An exercise as its author has it: `id`, `definition` and `statements`.
 
 
 class ExerciseCalls(KinematicsCalls[Answer, Content, Answers]):

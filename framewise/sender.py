@@ -12,8 +12,7 @@ Answers = TypeVar("Answers", covariant=True)
 
 Json: TypeAlias = dict[str, Any]
 Table: TypeAlias = Mapping[str, Any]
-Chain: TypeAlias = Mapping[str, Any] | str
-"""An SCM chain, or the id of a robot of the catalogue."""
+Chain: TypeAlias = Mapping[str, Any] | str  # An SCM chain, or the id of a robot of the catalogue.
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -47,8 +47,7 @@ THREADS = 4
 """Threads for what has no limiter of its own, such as compressing: more of them would only wait for each
 other."""
 
-WATCH_SECONDS = 2.0
-"""Seconds between two looks at the folders of exercises."""
+WATCH_SECONDS = 2.0  # Seconds between two looks at the folders of exercises.
 
 DESCRIPTION = """\
 Denavit–Hartenberg kinematics over HTTP: a table and joint values in; poses, Jacobians, closed forms and other

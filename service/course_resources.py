@@ -32,12 +32,9 @@ from service.settings import Settings
 from service.work.batcher import Batcher
 from service.work.fair_queue import Proven, proven
 
-_ORIGINS_LIVE = 30.0
-"""Seconds for which the origins of known platforms are not read again."""
-_ANSWER_LIVES = 2.0
-"""Seconds for which what the database answered on its own health is believed."""
-CACHED_EXERCISES = 512
-"""Published exercises in the cache, as read: some tens of megabytes."""
+_ORIGINS_LIVE = 30.0  # Seconds for which the origins of known platforms are not read again.
+_ANSWER_LIVES = 2.0  # Seconds for which what the database answered on its own health is believed.
+CACHED_EXERCISES = 512  # Published exercises in the cache, as read: some tens of megabytes.
 _PAUSE_FOR_EACH, _LONGEST_PAUSE = 0.005, 0.25
 """Seconds in which judged answers are gathered for one transaction: for each answer that waits to be judged,
 which takes about as long, and at the most. One alone costs five times as much as one of some dozens."""
@@ -47,12 +44,10 @@ costs four times as much as one of some dozens."""
 _DRAFTS_PAUSE = 0.1
 """Seconds in which drafts are gathered for one transaction: nobody waits for them, and each transaction keeps
 those waiting who hand in."""
-_MEMBERS_LIVE = 300.0
-"""Seconds for which a class list of the platform is not fetched again."""
+_MEMBERS_LIVE = 300.0  # Seconds for which a class list of the platform is not fetched again.
 SESSIONS_KNOWN = 8192
 """Sessions whose people are in the cache, so that all their requests wait in a turn of their own."""
-_COURSES_KNOWN = 100
-"""Courses whose class lists are held at a time."""
+_COURSES_KNOWN = 100  # Courses whose class lists are held at a time.
 
 
 class CourseResources:

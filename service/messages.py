@@ -21,12 +21,9 @@ LOCALES = Path(__file__).parent / "locales"
 DEFAULT_LANGUAGE = "en"
 REGIONS = {"en": "en_GB", "pt": "pt_PT"}
 """Where texts are written as in one of several countries: for their plurals, dates and numbers."""
-SENTENCES = 4096
-"""Sentences in the cache: most students are told the same."""
-_TEXT_LIMIT = 200
-"""Characters of what a user typed that a sentence repeats."""
-_EXACT_INTEGER = 2**53
-"""Larger ones are told as text: Fluent counts in doubles."""
+SENTENCES = 4096  # Sentences in the cache: most students are told the same.
+_TEXT_LIMIT = 200  # Characters of what a user typed that a sentence repeats.
+_EXACT_INTEGER = 2**53  # Larger ones are told as text: Fluent counts in doubles.
 
 _log = logging.getLogger(__name__)
 
@@ -66,8 +63,7 @@ def _time(moment: str) -> FluentType:
     return told
 
 
-FUNCTIONS: dict[str, Callable[[Any], FluentType]] = {"TIME": _time}
-"""What messages may call."""
+FUNCTIONS: dict[str, Callable[[Any], FluentType]] = {"TIME": _time}  # What messages may call.
 
 
 @lru_cache(maxsize=32)
@@ -131,8 +127,7 @@ def _formatted(language: str, identifier: str, arguments: tuple[tuple[str, str |
     return None
 
 
-_GREEK = re.compile(r"^(?:alpha$|theta(?=\d*$))")
-"""Columns and joint variables as the API spells them."""
+_GREEK = re.compile(r"^(?:alpha$|theta(?=\d*$))")  # Columns and joint variables as the API spells them.
 
 
 def _greek(match: re.Match[str]) -> str:
@@ -205,8 +200,7 @@ def _shown(expression: object) -> str:
     return str(getattr(expression, "value", ""))
 
 
-UNGROUPED = 1000
-"""Every language writes whole numbers below it with their digits alone."""
+UNGROUPED = 1000  # Every language writes whole numbers below it with their digits alone.
 
 
 def plainly_written(pattern: ast.SyntaxNode, values: Mapping[str, str | int]) -> str | None:

@@ -37,14 +37,12 @@ SHARED = "PROMETHEUS_MULTIPROC_DIR"
 """Names the folder in which the processes of one server keep their figures; the library's own variable."""
 SECONDS = (0.001, 0.0025, 0.005, 0.01, 0.025, 0.05, 0.1, 0.25, 0.5, 1.0, 2.5, 5.0, 10.0, 30.0)
 """Bounds of the buckets: from a pose to the longest wait for a turn."""
-OUTBOX_SECONDS = 5.0
-"""The outbox is asked at most so often, however often the metrics are."""
+OUTBOX_SECONDS = 5.0  # The outbox is asked at most so often, however often the metrics are.
 UNMATCHED = "none"
 METHODS = frozenset({"GET", "HEAD", "POST", "PUT", "DELETE", "OPTIONS", "PATCH"})
 """Callers may invent further ones; each would be a series of its own."""
 
-Occupancy = Mapping[str, tuple[int, int]]
-"""Tasks that run and that wait, by the name of their lane."""
+Occupancy = Mapping[str, tuple[int, int]]  # Tasks that run and that wait, by the name of their lane.
 
 
 class Metrics:

@@ -5,8 +5,7 @@ import sys
 import urllib.error
 import urllib.request
 
-_TIMEOUT_SECONDS = 3.0
-"""Seconds after which a service that does not answer counts as down."""
+_TIMEOUT_SECONDS = 3.0  # Seconds after which a service that does not answer counts as down.
 
 
 def main() -> int:

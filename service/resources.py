@@ -27,14 +27,10 @@ from service.work.limiters import Limiter, WorkKind, limiters
 from service.work.shared_answers import SharedAnswers
 from service.work.workers import Workers
 
-UPLOADS = 4
-"""So many bodies of the largest size may be in memory at a time."""
-TURNS = 4
-"""Requests that go on between two looks of the event loop at its connections, if they are quick."""
-MANY_ANSWERS = 8
-"""When more answers wait to be judged, those that were judged share their transactions."""
-MANY_REQUESTS = 64
-"""When more requests are under way, those who are signed in are looked up together."""
+UPLOADS = 4  # So many bodies of the largest size may be in memory at a time.
+TURNS = 4  # Requests that go on between two looks of the event loop at its connections, if they are quick.
+MANY_ANSWERS = 8  # When more answers wait to be judged, those that were judged share their transactions.
+MANY_REQUESTS = 64  # When more requests are under way, those who are signed in are looked up together.
 
 
 class Resources:

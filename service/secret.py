@@ -8,8 +8,7 @@ from functools import cache
 from service.settings import Settings
 
 VARIABLE = "FRAMEWISE_SECRET"
-_BYTES = 32
-"""256 random bits."""
+_BYTES = 32  # 256 random bits.
 
 _log = logging.getLogger("framewise")
 

@@ -30,17 +30,12 @@ if TYPE_CHECKING:
 KIB = 1024
 MIB = 1024 * KIB
 
-LONGEST_DAYS = 36_500
-"""A hundred years: what is kept longer is kept for ever."""
+LONGEST_DAYS = 36_500  # A hundred years: what is kept longer is kept for ever.
 
-LONGEST_SECONDS = 86_400
-"""A day: longer times are no limits, and timers of the system do not take infinity."""
-LARGEST_MEMORY = 1 << 60
-"""Bytes: more than any machine has, and few enough for a limit of the system."""
-MOST_WORKERS = 1024
-"""Processes: more than the cores of one machine, and few enough for it to start them all."""
-LONGEST_NUMBER = 1000
-"""Digits: a few milliseconds to read, and less than Python converts at all (4300)."""
+LONGEST_SECONDS = 86_400  # A day: longer times are no limits, and timers of the system do not take infinity.
+LARGEST_MEMORY = 1 << 60  # Bytes: more than any machine has, and few enough for a limit of the system.
+MOST_WORKERS = 1024  # Processes: more than the cores of one machine, and few enough for it to start them all.
+LONGEST_NUMBER = 1000  # Digits: a few milliseconds to read, and less than Python converts at all (4300).
 Seconds = Annotated[float, Field(gt=0, le=LONGEST_SECONDS)]
 
 

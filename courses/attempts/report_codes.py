@@ -8,10 +8,8 @@ from typing import Any, TypeAlias
 from exercises.parts.protocol import TABLE
 from exercises.parts.registry import part_types
 
-MOST_FINDINGS = 64
-"""Codes of an attempt that are stored, so that none takes more than a few kilobytes."""
-Code: TypeAlias = tuple[str, str, int | None]
-"""Kind, code and row of what a report tells."""
+MOST_FINDINGS = 64  # Codes of an attempt that are stored, so that none takes more than a few kilobytes.
+Code: TypeAlias = tuple[str, str, int | None]  # Kind, code and row of what a report tells.
 
 
 def finding_rows(attempt_id: int, link_id: int, path: Iterable[Code]) -> list[dict[str, Any]]:

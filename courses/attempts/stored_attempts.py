@@ -15,8 +15,7 @@ from courses.storage.database import Store
 from courses.storage.statements import of_student
 
 _TABLE = records.attempt
-LISTED = 50
-"""Attempts that are listed: as many as a browser keeps of exercises outside of courses."""
+LISTED = 50  # Attempts that are listed: as many as a browser keeps of exercises outside of courses.
 
 
 def check_open(session: CourseSession, now: datetime) -> None:

@@ -26,8 +26,7 @@ from courses.storage.statements import of_student
 
 _ATTEMPT, _PART, _GRADE = records.attempt, records.participation, records.grade
 _OUTBOX, _LINK = records.score_to_send, records.link
-Student: TypeAlias = tuple[int, int]
-"""A link and a person."""
+Student: TypeAlias = tuple[int, int]  # A link and a person.
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

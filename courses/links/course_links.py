@@ -13,8 +13,7 @@ from courses.storage import records
 from courses.storage.database import Store
 from courses.storage.statements import filled
 
-MOST_DIGITS = 9
-"""Digits of the number of a record: both databases hold what has no more."""
+MOST_DIGITS = 9  # Digits of the number of a record: both databases hold what has no more.
 _LINK, _PART = records.link, records.participation
 
 

@@ -16,8 +16,7 @@ from kinematics.errors import Fault
 Choice = TypeVar("Choice", Mode, Counting, FeedbackTiming)
 
 MOST_ATTEMPTS = 1000
-MOST_POINTS = 1_000_000.0
-"""More than any course gives; so that a slip of the finger is refused."""
+MOST_POINTS = 1_000_000.0  # More than any course gives; so that a slip of the finger is refused.
 
 
 class LinkSettingsError(CourseError):

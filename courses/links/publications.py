@@ -20,10 +20,8 @@ from courses.storage.statements import insert_once
 from exercises.authoring.draft import ExerciseDraft
 from kinematics.errors import Fault
 
-MOST = 10_000
-"""Publications of an installation: some hundred megabytes at the most."""
-DIGITS = 12
-"""Of the digest in an address: 48 bits, among ten thousand no two alike."""
+MOST = 10_000  # Publications of an installation: some hundred megabytes at the most.
+DIGITS = 12  # Of the digest in an address: 48 bits, among ten thousand no two alike.
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

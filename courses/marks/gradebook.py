@@ -15,8 +15,7 @@ from courses.storage import records
 from courses.storage.statements import of_student, upsert_all
 
 _GRADE, _OUTBOX = records.grade, records.score_to_send
-NAMED = 200
-"""So many people are named in a query; of more, all of the link are read."""
+NAMED = 200  # So many people are named in a query; of more, all of the link are read.
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

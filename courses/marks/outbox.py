@@ -22,8 +22,7 @@ from courses.storage.database import Store
 from courses.storage.statements import filled, of_student
 
 _OUTBOX = records.score_to_send
-LEASE = timedelta(seconds=60)
-"""Longer than sending may take with every time-out."""
+LEASE = timedelta(seconds=60)  # Longer than sending may take with every time-out.
 _LONGEST_PAUSE = timedelta(hours=25)
 """No score waits longer for its next try: what is due later became so while the clock was ahead."""
 

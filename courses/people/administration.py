@@ -7,10 +7,8 @@ from courses.refusals import SessionError
 from courses.storage.database import Store
 from kinematics.errors import Fault
 
-INVITED = timedelta(minutes=10)
-"""How long the address that the command prints can be opened."""
-SIGNED_IN = timedelta(hours=2)
-"""How long an administrator stays signed in: an afternoon of setting up."""
+INVITED = timedelta(minutes=10)  # How long the address that the command prints can be opened.
+SIGNED_IN = timedelta(hours=2)  # How long an administrator stays signed in: an afternoon of setting up.
 _CODE, _SESSION = "administrator", "administrator-session"
 
 

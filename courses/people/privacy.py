@@ -11,12 +11,10 @@ from courses.storage.database import Store
 from courses.storage.statements import record_of
 
 _OF_A_PERSON = (records.participation, records.attempt, records.grade, records.score_to_send, records.session)
-_OF_AN_ATTEMPT = (records.finding, records.regraded)
-"""What is removed with the attempt that it belongs to."""
+_OF_AN_ATTEMPT = (records.finding, records.regraded)  # What is removed with the attempt that it belongs to.
 
 
-SHORTEST_KEY = 8
-"""Characters of a pseudonym that name somebody: as many as lecturers' pages show."""
+SHORTEST_KEY = 8  # Characters of a pseudonym that name somebody: as many as lecturers' pages show.
 
 
 def person_named(store: Store, key: str, course_id: int | None = None) -> str:

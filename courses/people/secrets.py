@@ -19,8 +19,7 @@ from courses.storage.database import Store
 from courses.storage.statements import insert_once
 from kinematics.errors import Fault
 
-TOKEN_BYTES = 32
-"""256 random bits."""
+TOKEN_BYTES = 32  # 256 random bits.
 
 
 def new_token() -> str:

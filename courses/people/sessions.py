@@ -15,10 +15,8 @@ from courses.storage.database import Store
 from courses.storage.statements import filled, of_student
 from kinematics.errors import Fault
 
-SESSION = timedelta(hours=2)
-"""How long a session lives after it was last used."""
-RENEWED_AFTER = timedelta(minutes=5)
-"""A session that was used is renewed at most so often."""
+SESSION = timedelta(hours=2)  # How long a session lives after it was last used.
+RENEWED_AFTER = timedelta(minutes=5)  # A session that was used is renewed at most so often.
 
 _SESSION = (
     sa.select(

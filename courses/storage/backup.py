@@ -24,8 +24,7 @@ from courses.storage.troubles import reason_of
 from kinematics.errors import Fault
 
 FORMAT = "framewise-backup-1"
-_BATCH = 500
-"""Rows that are in memory at a time."""
+_BATCH = 500  # Rows that are in memory at a time.
 _TABLES = tuple(table for table in metadata.sorted_tables if table is not prepared_answer)
 """What is copied; what was only prepared is made again where it is missing."""
 

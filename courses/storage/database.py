@@ -24,12 +24,10 @@ from courses.storage.turns import Turns
 from kinematics.errors import Fault
 
 MIGRATIONS = Path(__file__).resolve().parent / "migrations"
-_REVISION = sa.table("alembic_version", sa.column("version_num"))
-"""Where Alembic notes what it has applied."""
+_REVISION = sa.table("alembic_version", sa.column("version_num"))  # Where Alembic notes what it has applied.
 FILE_NAME = "framewise.sqlite"
 _LOCK = 0x6672616D65776973  # "framewis", the advisory lock of migrations on PostgreSQL
-_TRIED_BYTES = 65_536
-"""What is written to see whether there is room again: more than most attempts take."""
+_TRIED_BYTES = 65_536  # What is written to see whether there is room again: more than most attempts take.
 _log = logging.getLogger("framewise.storage")
 
 

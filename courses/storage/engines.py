@@ -21,14 +21,10 @@ BUSY_SECONDS = 15.0
 CONNECTIONS = 16
 """Connections that stay open, and as many again under load: the threads that judge and store are fewer, and
 PostgreSQL allows a hundred by default."""
-CONNECT_SECONDS = 5
-"""How long PostgreSQL may take to answer a new connection."""
-TRUSTED_SECONDS = 1.0
-"""A connection that was used so lately is not asked whether it still stands."""
-WRITES = "writes"
-"""Option of a connection whose transactions change something."""
-ALONE = "alone"
-"""Option of a connection that asks a single query, which needs no transaction on SQLite."""
+CONNECT_SECONDS = 5  # How long PostgreSQL may take to answer a new connection.
+TRUSTED_SECONDS = 1.0  # A connection that was used so lately is not asked whether it still stands.
+WRITES = "writes"  # Option of a connection whose transactions change something.
+ALONE = "alone"  # Option of a connection that asks a single query, which needs no transaction on SQLite.
 _USED = "used"
 
 

@@ -16,10 +16,8 @@ from psycopg.conninfo import make_conninfo
 
 ANSWER_SECONDS = 10.0
 """How long PostgreSQL may keep silent on a statement before it is asked whether it works on it."""
-LONGEST_SECONDS = 120.0
-"""How long it may work on a statement."""
-_CANCEL_SECONDS = 1.0
-"""How long it may take to hear that nobody waits for the statement any more."""
+LONGEST_SECONDS = 120.0  # How long it may work on a statement.
+_CANCEL_SECONDS = 1.0  # How long it may take to hear that nobody waits for the statement any more.
 _AT_WORK = """
     SELECT state = 'active' AND coalesce(wait_event_type, '') NOT IN ('Client', 'Lock')
     FROM pg_stat_activity WHERE pid = %s

@@ -12,8 +12,7 @@ from courses.storage.database import Store
 from courses.storage.records import prepared_answer
 from courses.storage.statements import insert_all_once
 
-MOST = 20_000
-"""Answers that are kept: some ten kilobytes each, two hundred megabytes at the most."""
+MOST = 20_000  # Answers that are kept: some ten kilobytes each, two hundred megabytes at the most.
 
 
 def prepared(store: Store, address: str) -> bytes | None:

@@ -13,12 +13,10 @@ from courses.storage.turns import TurnError
 
 TROUBLES = (DatabaseError, InterfaceError, DisconnectionError, PoolTimeoutError, TurnError)
 """Kinds of errors among which are all those that are trouble of the database."""
-READ_ONLY = "25006"
-"""SQLSTATE of a PostgreSQL server that takes no writes."""
+READ_ONLY = "25006"  # SQLSTATE of a PostgreSQL server that takes no writes.
 _TIMED_OUT = ("25P03", "25P04")
 """Those of a transaction that the server ended because it stood still, or took too long."""
-_DAMAGED = "XX"
-"""Class of the SQLSTATEs of a server that finds itself or its data damaged."""
+_DAMAGED = "XX"  # Class of the SQLSTATEs of a server that finds itself or its data damaged.
 _UNDONE = "40"
 """Class of those of a transaction that was undone for the sake of another one, such as a deadlock."""
 _DAMAGED_FILE = (sqlite3.SQLITE_CORRUPT, sqlite3.SQLITE_NOTADB)

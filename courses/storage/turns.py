@@ -19,8 +19,7 @@ from pathlib import Path
 LOOK = 0.0005
 """Pause between two looks at a lock that another process holds [s]: short beside a transaction, which takes
 some milliseconds."""
-_NEXT, _NOW = 0, 1
-"""Bytes of the file that stand for the locks: of who is next, of whose turn it is."""
+_NEXT, _NOW = 0, 1  # Bytes of the file that stand for the locks: of who is next, of whose turn it is.
 
 
 class TurnError(Exception):

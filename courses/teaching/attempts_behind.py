@@ -12,10 +12,8 @@ from courses.storage import records
 from courses.storage.database import Store
 from courses.storage.statements import record_of
 
-STUCK_AFTER = 3
-"""So many wrong attempts and no right one: a student is stuck."""
-LISTED = 200
-"""Attempts that a page lists."""
+STUCK_AFTER = 3  # So many wrong attempts and no right one: a student is stuck.
+LISTED = 200  # Attempts that a page lists.
 
 
 class Outcome(StrEnum):

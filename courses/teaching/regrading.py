@@ -26,8 +26,7 @@ from courses.teaching.settling import settle
 from kinematics.errors import Fault
 
 _RUN, _DONE, _ATTEMPT = records.regrading, records.regraded, records.attempt
-BATCH = 200
-"""Attempts of one transaction: nobody who hands in meanwhile waits for more than these."""
+BATCH = 200  # Attempts of one transaction: nobody who hands in meanwhile waits for more than these.
 
 
 class Scope(StrEnum):
@@ -52,8 +51,7 @@ class Rejudged:
     path: tuple[Code, ...] = ()
 
 
-Judge = Callable[[Sequence[Attempt]], Sequence[Rejudged]]
-"""Judges a batch; may use several processes."""
+Judge = Callable[[Sequence[Attempt]], Sequence[Rejudged]]  # Judges a batch; may use several processes.
 
 
 def begin(store: Store, link_id: int, scope: Scope, basis: str, now: datetime) -> int:

@@ -20,8 +20,7 @@ _RUN, _DONE, _ATTEMPT = records.regrading, records.regraded, records.attempt
 _FINDING, _PART = records.finding, records.participation
 BATCH = 400
 """Attempts of one transaction, or all of one student: who hands in meanwhile waits for no more than these."""
-STUDENTS = 100
-"""Students of one transaction."""
+STUDENTS = 100  # Students of one transaction.
 
 
 def settle(store: Store, run: int, now: datetime) -> None:

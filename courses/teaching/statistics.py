@@ -14,8 +14,7 @@ from courses.teaching.attempts_behind import LISTED, STUCK_AFTER
 
 _FINDING, _PART = records.finding, records.participation
 _IS_MISTAKE = sa.or_(_FINDING.c.kind == "repair", _FINDING.c.kind.startswith("part:"))
-CLUSTERS = 50
-"""Groups of alike answers that a page shows."""
+CLUSTERS = 50  # Groups of alike answers that a page shows.
 
 
 def class_overview(

@@ -11,8 +11,7 @@ from kinematics.errors import Fault
 from service.adapters.table_files import LARGEST_FILE, SUFFIXES, FoundTable, TableSettings, read_tables
 from service.http.problems import RequestError
 
-MOST_FILES = 50_000
-"""Files of a folder or archive: several for each student of the largest course."""
+MOST_FILES = 50_000  # Files of a folder or archive: several for each student of the largest course.
 
 _DAMAGE = (zipfile.BadZipFile, zlib.error, EOFError, RuntimeError, NotImplementedError, OSError)
 """What reading a member raises that is damaged, encrypted, or packed in a way that nobody reads."""

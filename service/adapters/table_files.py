@@ -20,12 +20,10 @@ Grid: TypeAlias = Sequence[Sequence[object]]
 
 WORKBOOKS = (".xlsx", ".xls", ".ods")
 SUFFIXES = (".json", ".csv", ".tsv", ".txt", *WORKBOOKS)
-LARGEST_FILE = 8 * 1024 * 1024
-"""Bytes of a file: as many rows as are read, with 80 characters each."""
+LARGEST_FILE = 8 * 1024 * 1024  # Bytes of a file: as many rows as are read, with 80 characters each.
 MOST_LEVELS = 8
 """Levels of a JSON file: lists of students, of robots, of tables, and some that mean nothing here."""
-MOST_ROWS = 100_000
-"""Rows of a file: a table of six rows for each of 15 000 students."""
+MOST_ROWS = 100_000  # Rows of a file: a table of six rows for each of 15 000 students.
 _MOST_CELLS = 16 * MOST_ROWS
 """Cells of the rectangle about those of a sheet that hold something: its reader makes all of them."""
 _JSON_LIMITS = JsonLimits(
@@ -50,8 +48,7 @@ _JOINT_TYPES = {
     "p": "prismatic", "prismatic": "prismatic", "1": "prismatic", "t": "prismatic", "linear": "prismatic",
     "f": "fixed", "fixed": "fixed",
 }  # fmt: skip
-_HEADER_WITHIN = 50
-"""Lines in which the names of the columns are looked for, to tell what separates them."""
+_HEADER_WITHIN = 50  # Lines in which the names of the columns are looked for, to tell what separates them.
 _UNIT_IN_HEADER = re.compile(r"[\[(]\s*(deg|degrees|°|rad|radians|m|cm|mm|in)\s*[\])]")
 _UNITS = {"°": "deg", "degrees": "deg", "radians": "rad"}
 

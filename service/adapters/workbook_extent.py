@@ -11,16 +11,12 @@ from xml.etree.ElementTree import ParseError
 from defusedxml import DefusedXmlException
 from defusedxml.ElementTree import DefusedXMLParser
 
-LARGEST_UNPACKED = 64 * 1024 * 1024
-"""Bytes of a member of a workbook: eight million cells are about as many."""
-_CHUNK = 1024 * 1024
-"""Bytes that are unpacked at once."""
-_PLACE = re.compile(r"([A-Za-z]{1,6})([0-9]{1,9})")
-"""Where a cell stands: XFD1048576 (ECMA-376-1 §18.18.7)."""
+LARGEST_UNPACKED = 64 * 1024 * 1024  # Bytes of a member of a workbook: eight million cells are about as many.
+_CHUNK = 1024 * 1024  # Bytes that are unpacked at once.
+_PLACE = re.compile(r"([A-Za-z]{1,6})([0-9]{1,9})")  # Where a cell stands: XFD1048576 (ECMA-376-1 §18.18.7).
 _NUMBER = re.compile("[0-9]{1,9}")
 _COUNT = re.compile("[+]?[0-9]+")
-_DIGITS = 24
-"""More than a number of repetitions has that any reader takes."""
+_DIGITS = 24  # More than a number of repetitions has that any reader takes.
 
 
 class ExtentError(ValueError):

@@ -22,8 +22,7 @@ Sheet: TypeAlias = tuple[str, list[list[Any]]]
 _CONFINED = Confinement(memory=1 << 30, seconds=20.0, niceness=0)
 """A process takes a third of this memory before it reads; the largest workbook here, less than the time."""
 _TOO_MUCH = f"> {_CONFINED.memory >> 30} GiB, > {_CONFINED.seconds:.0f} s"
-_PATIENCE = 120.0
-"""A process that has not answered for so long [s] is given up: the machine is overloaded."""
+_PATIENCE = 120.0  # A process that has not answered for so long [s] is given up: the machine is overloaded.
 
 
 class UnreadableError(Exception):

@@ -9,8 +9,7 @@ from service.cli.environment import Subparsers, count, count_up_to, settings_of_
 from service.http.api_keys import KeyFile, KeyScope
 from service.http.problems import RequestError
 
-MOST_DAYS = 36_500
-"""A century; dates end after the year 9999."""
+MOST_DAYS = 36_500  # A century; dates end after the year 9999.
 
 
 def add(subparsers: Subparsers) -> None:

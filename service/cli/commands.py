@@ -28,8 +28,7 @@ COMMANDS: Mapping[str, str] = {
 }
 """Every subcommand and the module of this package that declares it; only what is called is imported."""
 
-FAILED, UNUSABLE = 1, 2
-"""Exit statuses: something was found wrong; the command could not be carried out."""
+FAILED, UNUSABLE = 1, 2  # Exit statuses: something was found wrong; the command could not be carried out.
 REFUSALS = (ExerciseError, KinematicsError, ServiceError, OSError)
 """What is told in a line, without a stack trace."""
 

@@ -20,8 +20,7 @@ from service.cli.environment import Subparsers, count, settings_of_environment
 from service.messages import robot_name, sentence
 from service.wire.exercises.figure_files import figure_file
 
-SEEDS = 10
-"""What a lecturer waits for; `make check-exercises` tries more."""
+SEEDS = 10  # What a lecturer waits for; `make check-exercises` tries more.
 
 
 def add(subparsers: Subparsers) -> None:

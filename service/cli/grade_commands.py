@@ -25,8 +25,7 @@ from service.messages import sentence
 
 _JSON = "json"
 _BAR = 30
-_NAMED = 10
-"""Files that are named as left out; the others are counted."""
+_NAMED = 10  # Files that are named as left out; the others are counted.
 
 
 def add(subparsers: Subparsers) -> None:

@@ -13,8 +13,7 @@ from service.receipts.checking import check_receipts, marks_of, receipts_in
 from service.receipts.keys import receipt_keys, rotate
 
 _FORGED = 1
-_LARGEST_FILE = 1024 * 1024
-"""Bytes read of a file: the receipts of a thousand students."""
+_LARGEST_FILE = 1024 * 1024  # Bytes read of a file: the receipts of a thousand students.
 
 
 def add(subparsers: Subparsers) -> None:

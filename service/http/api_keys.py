@@ -15,8 +15,7 @@ from kinematics.errors import Fault
 from service.http.problems import UnavailableError
 
 PREFIX = "fwk_"
-_BYTES = 32
-"""256 random bits."""
+_BYTES = 32  # 256 random bits.
 
 
 class KeyScope(StrEnum):

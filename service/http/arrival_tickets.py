@@ -12,8 +12,7 @@ import re
 from datetime import UTC, datetime, timedelta
 from typing import Any
 
-HEADER = "Framewise-Arrival"
-"""The field that carries a ticket, either way."""
+HEADER = "Framewise-Arrival"  # The field that carries a ticket, either way.
 LIFE = timedelta(hours=1)
 """How long a ticket is good for: after a longer outage, the exam itself has to be extended."""
 _EPOCH = datetime(1970, 1, 1, tzinfo=UTC)

@@ -7,12 +7,9 @@ from starlette.types import Message, Send
 
 from service.http.negotiation import weighted
 
-SMALLEST = 32 * 1024
-"""Answers [byte] that are worth compressing; below it a page arrives no sooner."""
-IN_A_THREAD = 256 * 1024
-"""Answers [byte] whose compression the event loop must not wait for."""
-_LEVEL = 4
-"""Level of gzip: the higher ones take longer and save little."""
+SMALLEST = 32 * 1024  # Answers [byte] that are worth compressing; below it a page arrives no sooner.
+IN_A_THREAD = 256 * 1024  # Answers [byte] whose compression the event loop must not wait for.
+_LEVEL = 4  # Level of gzip: the higher ones take longer and save little.
 _TYPES = (b"application/json", b"application/problem+json", b"image/svg+xml", b"text/")
 
 

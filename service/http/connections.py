@@ -20,14 +20,11 @@ from service.settings import Settings
 
 HEAD_BYTES = 64 * 1024
 """Longest head of a request: enough for an npy question in the address and every cookie of a portal."""
-HEAD_FIELDS = 128
-"""Most header fields: browsers send twenty, chains of proxies add as many."""
+HEAD_FIELDS = 128  # Most header fields: browsers send twenty, chains of proxies add as many.
 HEAD_SECONDS = 10.0
 """How long a head may take to arrive, from its first byte or from the opening of the connection."""
-UNREAD_SECONDS = 30.0
-"""How long a caller may leave its answer unread once the buffers are full."""
-RESERVED_DESCRIPTORS = 96
-"""Descriptors that are left to files, worker processes and the database."""
+UNREAD_SECONDS = 30.0  # How long a caller may leave its answer unread once the buffers are full.
+RESERVED_DESCRIPTORS = 96  # Descriptors that are left to files, worker processes and the database.
 
 _TOO_LARGE = "431 Request Header Fields Too Large"
 _BAD_HOST = "400 Bad Request"

@@ -11,8 +11,7 @@ from collections.abc import Hashable
 from typing import NamedTuple
 
 MINUTE = 60.0
-CALLERS = 16_384
-"""Callers whose cost is stored; the one that called longest ago is dropped first."""
+CALLERS = 16_384  # Callers whose cost is stored; the one that called longest ago is dropped first.
 
 
 class Charged(NamedTuple):

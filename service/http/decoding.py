@@ -16,12 +16,10 @@ from service.http.long_lists import AT_ONCE, PIECE, blank, first_list, items, li
 from service.http.problems import BodyError, BodySizeError
 
 _BYTE_ORDER_MARK = b"\xef\xbb\xbf"
-DEEPEST = 1024
-"""How deeply orjson nests lists and objects."""
+DEEPEST = 1024  # How deeply orjson nests lists and objects.
 LONGEST_REST = 1024 * 1024
 """Bytes beside the list in a body that is too long to be read at once: as many as other calls read."""
-_SHALLOW = 16
-"""How deeply the bodies nest that calls understand."""
+_SHALLOW = 16  # How deeply the bodies nest that calls understand.
 _NO_BRACKETS = bytes(set(range(256)) - set(b"[]{}"))
 _FEW = 64
 """Items of a list that is searched for objects: for those of a longer one it is quicker to write it."""

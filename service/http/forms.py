@@ -7,10 +7,8 @@ from starlette.requests import Request
 from kinematics.errors import Fault
 from service.http.problems import BodyError
 
-LARGEST_FORM = 256 * 1024
-"""A launch message takes a few kilobytes [byte]."""
-MOST_FIELDS = 100
-"""Fields of a form, many times what an LTI platform sends."""
+LARGEST_FORM = 256 * 1024  # A launch message takes a few kilobytes [byte].
+MOST_FIELDS = 100  # Fields of a form, many times what an LTI platform sends.
 
 
 async def form_of(request: Request) -> dict[str, str]:

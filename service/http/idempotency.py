@@ -19,24 +19,17 @@ from service.http.metering import path_of
 from service.http.problem_answers import refuse
 from service.http.problems import BodyError, ConflictError, RequestError, RequestPart, ServiceError
 
-REPLAYED = "Idempotency-Replayed"
-"""Header of an answer that was given before."""
-LONGEST_KEY = 255
-"""Characters of a key; a UUID has 36."""
-LARGEST_ANSWER = 4 * 1024 * 1024
-"""Bytes of an answer that is kept: the verdicts of a class of a few hundred."""
-MOST_BYTES = 64 * 1024 * 1024
-"""Bytes that all kept answers take together; the oldest go first."""
+REPLAYED = "Idempotency-Replayed"  # Header of an answer that was given before.
+LONGEST_KEY = 255  # Characters of a key; a UUID has 36.
+LARGEST_ANSWER = 4 * 1024 * 1024  # Bytes of an answer that is kept: the verdicts of a class of a few hundred.
+MOST_BYTES = 64 * 1024 * 1024  # Bytes that all kept answers take together; the oldest go first.
 LONGEST_LIFE = 24 * 60 * 60
 """Seconds for which an answer is kept: a job that failed at night is begun again in the morning."""
 _CALLER = (b"authorization", b"x-api-key", b"cookie", LINK_HEADER.lower().encode())
 _FORM = (b"accept", b"accept-language", b"content-type")
-_OVERHEAD = 1024
-"""Bytes that an answer is counted for beside its body: headers, digests, its place."""
-_DURABLE = "/api/v1/session/"
-"""Attempts of a course: their keys are stored with them, by the routes."""
-_NOT_STORED = (408, 409, 429)
-"""Refusals that say "not now", as every 5xx does: the next try may succeed."""
+_OVERHEAD = 1024  # Bytes that an answer is counted for beside its body: headers, digests, its place.
+_DURABLE = "/api/v1/session/"  # Attempts of a course: their keys are stored with them, by the routes.
+_NOT_STORED = (408, 409, 429)  # Refusals that say "not now", as every 5xx does: the next try may succeed.
 
 _Slot: TypeAlias = bytes
 

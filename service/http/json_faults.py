@@ -11,8 +11,7 @@ import orjson
 from kinematics.errors import Fault
 
 _NOT_FINITE = ("NaN", "Infinity", "-Infinity", "inf", "nan", "-inf")
-_MOST_FAULTS = 50
-"""Faults that an answer lists."""
+_MOST_FAULTS = 50  # Faults that an answer lists.
 LONGEST_SEARCHED = 64 * 1024
 """In a longer body [byte] the place of such a fault is not looked for: so much takes up to 20 ms."""
 _DEPTH_MESSAGE = "depth limit"

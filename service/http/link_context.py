@@ -28,8 +28,7 @@ from service.http.problems import ForbiddenError, RequestPart
 HEADER = "X-Framewise-Context"
 QUERY = "context"
 COOKIE = "framewise_context"
-LONGEST = 2000
-"""Characters of a context, which has to fit into a header and an address."""
+LONGEST = 2000  # Characters of a context, which has to fit into a header and an address.
 _VERSION = 1
 _PURPOSE = b"framewise link context\0"
 """Keeps a signature of this kind from being taken for one of another kind made with the same secret."""

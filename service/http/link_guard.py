@@ -15,8 +15,7 @@ from service.http.link_context import COOKIE, QUERY, LinkContext, token_of, veri
 from service.http.problem_answers import refuse
 from service.http.problems import ForbiddenError, RequestPart, ServiceError
 
-CONTEXT = "link_context"
-"""Key of the context in a request's scope."""
+CONTEXT = "link_context"  # Key of the context in a request's scope.
 
 _CALLS: Mapping[str, tuple[Tool, ...]] = {
     "robots": (Tool.CATALOGUE,),

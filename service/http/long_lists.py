@@ -15,8 +15,7 @@ _LONGEST_PIECE, _CUTS = 8 * PIECE, 300
 """Bytes of a piece, and places where it may be cut, if an item is no number: a text, or a long row."""
 AT_ONCE = 4 * 1024 * 1024
 """Longest body [byte] that is read at once where it cannot be read in pieces, in some 20 ms."""
-_BEHIND = "unexpected content after document"
-"""What orjson says of a document that goes on behind its value."""
+_BEHIND = "unexpected content after document"  # What orjson says of a document that goes on behind its value.
 
 
 def list_of_numbers(body: bytes, behind: int) -> tuple[int, int] | None:

@@ -44,8 +44,7 @@ _COSTS = {
     "check-rotation": 1,
 }
 """What a call costs beside one of forward kinematics: the ratios of their times, rounded."""
-_BODY_UNIT = 64 * 1024
-"""Bytes of a body that cost as much as a call of forward kinematics."""
+_BODY_UNIT = 64 * 1024  # Bytes of a body that cost as much as a call of forward kinematics.
 _ONE_ANSWER, _ANSWER_UNIT = 4 * 1024, 512
 """Bytes of a body with one answer and its key, and of each further answer (six rows take 400): many
 submissions in one body cost about as much as each by itself."""

@@ -17,8 +17,7 @@ from numpy.typing import NDArray
 from kinematics.errors import Fault
 from service.http.problems import BodyError
 
-_LONGEST_HEADER = 4096
-"""Bytes; what `numpy.save` writes of an array of numbers has 118."""
+_LONGEST_HEADER = 4096  # Bytes; what `numpy.save` writes of an array of numbers has 118.
 _UNREADABLE = (
     *(ValueError, TypeError, SyntaxError, OverflowError, MemoryError, RecursionError),
     *(tokenize.TokenError, UserWarning),  # met where numpy tries a header as Python 2 wrote it

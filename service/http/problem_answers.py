@@ -9,8 +9,7 @@ from service.http.languages import language_for
 from service.http.problem_documents import PROBLEM_JSON, problem_of
 from service.http.problems import ServiceError
 
-REQUEST_ID = "request_id"
-"""Key of the request's id in its scope."""
+REQUEST_ID = "request_id"  # Key of the request's id in its scope.
 
 
 def refusal(request: Request, error: ServiceError | KinematicsError) -> Response:

@@ -11,12 +11,9 @@ from starlette.types import Message, Receive, Scope
 
 from service.http.problems import busy
 
-HELD = "held_bytes"
-"""Where a request's scope says how much of it is in memory."""
-SECONDS = 5.0
-"""How long a refused caller is listened to: enough for what is on its way over any usual line."""
-_SMALL = 5
-"""A body whose length has no more digits than this fits into the buffers of a connection."""
+HELD = "held_bytes"  # Where a request's scope says how much of it is in memory.
+SECONDS = 5.0  # How long a refused caller is listened to: enough for what is on its way over any usual line.
+_SMALL = 5  # A body whose length has no more digits than this fits into the buffers of a connection.
 
 
 class UploadBudget:

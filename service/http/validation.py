@@ -45,10 +45,8 @@ CODES: dict[str, str] = {
     "less_than_equal": "number_too_large",
     "none_required": "null_expected",
 }
-MOST_FAULTS = 50
-"""Findings that are told; the others are counted: what is no table may have thousands."""
-CHOICE = "\0"
-"""Begins the tags of a union's branches, which are no part of the place of a fault."""
+MOST_FAULTS = 50  # Findings that are told; the others are counted: what is no table may have thousands.
+CHOICE = "\0"  # Begins the tags of a union's branches, which are no part of the place of a fault.
 
 _PYDANTIC_TYPES = frozenset(get_args(ErrorType))
 _QUOTED = re.compile(r"'[^']*'")

@@ -28,8 +28,7 @@ DEEP_LINKING_RESPONSE = "LtiDeepLinkingResponse"
 
 _TEACHING = {"Instructor", "TeachingAssistant", "ContentDeveloper", "Manager"}
 _ADMINISTRATING = {"Administrator", "SysAdmin"}
-_WATCHING = {"Observer", "ExternalObserver"}
-"""Sub-roles of a manager that see a course and do nothing in it."""
+_WATCHING = {"Observer", "ExternalObserver"}  # Sub-roles of a manager that see a course and do nothing in it.
 _COURSE = "/membership"
 _TEST_USER = "http://purl.imsglobal.org/vocab/lti/system/person#TestUser"
 
@@ -59,8 +58,7 @@ def is_test_user(roles: Iterable[str]) -> bool:
     return _TEST_USER in roles
 
 
-HISTORY = "history"
-"""Custom parameter in which a copied link names the links that it was copied from."""
+HISTORY = "history"  # Custom parameter in which a copied link names the links that it was copied from.
 HISTORY_VARIABLE = "$ResourceLink.id.history"
 """What a platform replaces by their ids, newest first, URL-encoded and separated by commas (LTI Core 1.3,
 ResourceLink variables). A platform that does not know it sends it as it stands."""

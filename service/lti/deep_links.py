@@ -11,8 +11,7 @@ from courses.people.secrets import new_token
 from service.lti import claims as names
 from service.lti.signing_keys import signed
 
-LIFE = 300
-"""Seconds that a browser has to carry an answer to its platform."""
+LIFE = 300  # Seconds that a browser has to carry an answer to its platform.
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -27,20 +27,17 @@ if TYPE_CHECKING:  # its command line and its certificates take 6 MB: only who s
 
     from service.lti.bounded_connections import BoundedTransport
 
-TIMEOUT = 5.0
-"""Seconds that a platform may take to begin its answer, and to go on with it."""
+TIMEOUT = 5.0  # Seconds that a platform may take to begin its answer, and to go on with it.
 WHOLE_ANSWER = 20.0
 """Seconds for the whole of it: a thread that reads what drips in is missing to everybody's launches."""
-LARGEST = 1024 * 1024
-"""Largest answer that is read [byte]."""
+LARGEST = 1024 * 1024  # Largest answer that is read [byte].
 _HOST = re.compile(r"[a-z0-9_-]+(\.[a-z0-9_-]+)*|[0-9a-f:.]+")
 """A host as browsers write it; whatever else would end a directive of a policy, or a line of a header."""
 _MAPPED = ipaddress.ip_network("::ffff:0:0/96")
 _NAT64 = ipaddress.ip_network("64:ff9b::/96")
 _UNICAST = ipaddress.ip_network("2000::/3")
 """What is given out of IPv6: all else is for groups, for translation, for one site, or for nothing yet."""
-_RELAYS = ipaddress.ip_network("192.88.99.0/24")
-"""Relays of 6to4."""
+_RELAYS = ipaddress.ip_network("192.88.99.0/24")  # Relays of 6to4.
 Resolve = Callable[[str, int], list[str]]
 
 

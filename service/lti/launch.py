@@ -16,16 +16,11 @@ from service.lti.launch_errors import LaunchError, missing_claim, wrong_claim
 from service.lti.platform_keys import PlatformKeys
 from service.lti.signing_keys import ALGORITHM
 
-LEEWAY = timedelta(seconds=60)
-"""How far the clocks of a platform and of this service may differ."""
-OLDEST = timedelta(minutes=10)
-"""A token issued earlier is refused, whatever end it states."""
-NONCE_LIFE = timedelta(minutes=90)
-"""A nonce is remembered longer than any token may live."""
-LONGEST_TOKEN = 64 * 1024
-"""Characters of an ID token, which also has to pass through a browser's form."""
-LONGEST_ID = 255
-"""Characters of a subject and of a deployment id (LTI 1.3 Core)."""
+LEEWAY = timedelta(seconds=60)  # How far the clocks of a platform and of this service may differ.
+OLDEST = timedelta(minutes=10)  # A token issued earlier is refused, whatever end it states.
+NONCE_LIFE = timedelta(minutes=90)  # A nonce is remembered longer than any token may live.
+LONGEST_TOKEN = 64 * 1024  # Characters of an ID token, which also has to pass through a browser's form.
+LONGEST_ID = 255  # Characters of a subject and of a deployment id (LTI 1.3 Core).
 _MESSAGES = (names.RESOURCE_LINK_REQUEST, names.DEEP_LINKING_REQUEST)
 
 

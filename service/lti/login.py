@@ -18,10 +18,8 @@ from service.lti.launch_errors import LoginError
 
 REQUIRED = ("iss", "login_hint", "target_link_uri")
 KNOWN = (*REQUIRED, "lti_message_hint", "lti_deployment_id", "client_id", "lti_storage_target")
-LONGEST = 4096
-"""Characters of a parameter; hints of platforms have a few hundred."""
-LOGIN = timedelta(minutes=10)
-"""Time between login and launch: a person may have to sign in to the platform."""
+LONGEST = 4096  # Characters of a parameter; hints of platforms have a few hundred.
+LOGIN = timedelta(minutes=10)  # Time between login and launch: a person may have to sign in to the platform.
 LONGEST_ADDRESS = 2048
 """Characters of an address up to which its state repeats the request: what stands in it twice is long.
 

@@ -9,8 +9,7 @@ from service.lti import claims as names
 from service.lti.launch_errors import unreachable
 from service.lti.services import Services
 
-PAGES = 200
-"""Pages that are followed, so that a platform cannot lead round in circles."""
+PAGES = 200  # Pages that are followed, so that a platform cannot lead round in circles.
 LONGEST = 30.0
 """Seconds for all pages together: a lecturer waits for them, and a thread of everybody's courses."""
 

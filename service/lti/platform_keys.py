@@ -14,10 +14,8 @@ from kinematics.errors import Fault
 from service.lti.fetching import Fetcher
 from service.lti.launch_errors import LaunchError, PlatformError, unreachable
 
-SHORTEST, LONGEST = 600.0, 3600.0
-"""Bounds of how long a key set is cached [s], whatever Cache-Control says."""
-REFETCHED_AFTER = 30.0
-"""An unknown key fetches the set again at most so often [s]."""
+SHORTEST, LONGEST = 600.0, 3600.0  # Bounds of how long a key set is cached [s], whatever Cache-Control says.
+REFETCHED_AFTER = 30.0  # An unknown key fetches the set again at most so often [s].
 UNANSWERED = 10.0
 """A set that could not be fetched is not asked for again for so long [s]: whoever launches meanwhile takes no
 thread from those who come from other platforms."""

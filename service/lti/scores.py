@@ -13,17 +13,14 @@ from service.lti.fetching import FetchedAnswer
 from service.lti.launch_errors import PlatformError, unreachable
 from service.lti.services import Services
 
-PAGES = 20
-"""Pages that are followed, so that a platform cannot lead round in circles."""
+PAGES = 20  # Pages that are followed, so that a platform cannot lead round in circles.
 _CLOSE = 1e-6
 """Share of the maximum within which a score that is read back is the one that was sent: it was rounded on
 the way."""
 LONGEST_LABEL = 100
 """Characters of a column's title that every gradebook keeps; Open edX refuses longer ones."""
-_NONE = 404
-"""Answer of platforms that have no line item yet."""
-_UNLINKED = (400, 404, 412, 422)
-"""Answers of platforms whose links take no line item of ours."""
+_NONE = 404  # Answer of platforms that have no line item yet.
+_UNLINKED = (400, 404, 412, 422)  # Answers of platforms whose links take no line item of ours.
 
 
 class Delivery(StrEnum):

@@ -15,10 +15,8 @@ from service.lti.fetching import FetchedAnswer, Fetcher
 from service.lti.launch_errors import unreachable
 from service.lti.signing_keys import signed
 
-ASSERTION_LIFE = 60
-"""Seconds for which the assertion that asks for a token is valid: it is used at once."""
-RENEWED_BEFORE = 60.0
-"""A token is used until so long before its end [s]."""
+ASSERTION_LIFE = 60  # Seconds for which the assertion that asks for a token is valid: it is used at once.
+RENEWED_BEFORE = 60.0  # A token is used until so long before its end [s].
 _UNAUTHORIZED = 401
 _ASSERTION = "urn:ietf:params:oauth:client-assertion-type:jwt-bearer"
 

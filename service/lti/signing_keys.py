@@ -14,15 +14,12 @@ from courses.people.platforms import StoredKey
 ALGORITHM = "RS256"
 PUBLISHED_BEFORE = timedelta(days=2)
 """Platforms keep key sets for a day: a new key is published so long before it signs."""
-PUBLISHED_AFTER = timedelta(days=1)
-"""An old key stays published so long after its successor signs."""
-BITS = 2048
-"""The least that RFC 7518 §3.3 allows for RS256, and what every platform takes."""
+PUBLISHED_AFTER = timedelta(days=1)  # An old key stays published so long after its successor signs.
+BITS = 2048  # The least that RFC 7518 §3.3 allows for RS256, and what every platform takes.
 
 PUBLIC = ("kty", "kid", "use", "alg", "n", "e")
 """Members of a JWK that are no secret (RFC 7518 §6.3.1, RFC 7517 §4)."""
-_CACHED_KEYS = 4
-"""Private keys in the cache: one signs, and its predecessor did."""
+_CACHED_KEYS = 4  # Private keys in the cache: one signs, and its predecessor did.
 
 
 def new_private_key() -> tuple[str, str]:

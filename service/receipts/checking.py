@@ -11,12 +11,10 @@ from service.http.problems import RequestError
 from service.receipts.keys import ReceiptKeys
 from service.receipts.receipt import Receipt, verify
 
-_START = "eyJhbGciOiJFZERTQSI"
-"""How every receipt begins: `{"alg":"EdDSA"` in base64url."""
+_START = "eyJhbGciOiJFZERTQSI"  # How every receipt begins: `{"alg":"EdDSA"` in base64url.
 _RECEIPT = re.compile(r"[\w-]+\.[\w-]+\.[\w-]{86}", re.ASCII)
 """Header, payload, and an Ed25519 signature of 64 bytes."""
-_SHOWN = 200
-"""Characters of what is no receipt that are shown."""
+_SHOWN = 200  # Characters of what is no receipt that are shown.
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -24,8 +24,7 @@ from service.settings import Settings
 
 ALGORITHM = "EdDSA"
 _PURPOSE = b"framewise receipts, Ed25519, 1"
-_SEED_BYTES = 32
-"""Bytes of an Ed25519 private key (RFC 8032 §5.1.5)."""
+_SEED_BYTES = 32  # Bytes of an Ed25519 private key (RFC 8032 §5.1.5).
 
 
 def _registry() -> jws.JWSRegistry:

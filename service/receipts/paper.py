@@ -15,16 +15,13 @@ from typing import Any
 import pymupdf_fonts
 from pypdfium2 import raw
 
-WIDTH, HEIGHT = 210 / 25.4 * 72, 297 / 25.4 * 72
-"""A4 [pt]."""
-Colour = tuple[float, float, float, float]
-"""Red, green, blue and opacity, from 0 to 1."""
+WIDTH, HEIGHT = 210 / 25.4 * 72, 297 / 25.4 * 72  # A4 [pt].
+Colour = tuple[float, float, float, float]  # Red, green, blue and opacity, from 0 to 1.
 BLACK: Colour = (0.0, 0.0, 0.0, 1.0)
 _ONE_AT_A_TIME = threading.Lock()
 _NO_FILL = 0
 _ROUND = 1
-_END = b"startxref"
-"""What follows the last thing in a file whose place is written down."""
+_END = b"startxref"  # What follows the last thing in a file whose place is written down.
 
 
 class Face(StrEnum):

@@ -16,10 +16,8 @@ from service.http.problems import RequestError
 from service.receipts.keys import ALGORITHM, REGISTRY, ReceiptKeys
 
 TYPE = "framewise-receipt+jwt"
-LONGEST = 8192
-"""Characters of a receipt; one with all parts and a long name takes a quarter of it."""
-LONGEST_NAME = 200
-"""Characters of a name."""
+LONGEST = 8192  # Characters of a receipt; one with all parts and a long name takes a quarter of it.
+LONGEST_NAME = 200  # Characters of a name.
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

@@ -10,14 +10,12 @@ _MM = 72 / 25.4
 _MARGIN = 18 * _MM
 _LEFT, _RIGHT, _TOP, _BOTTOM = _MARGIN, WIDTH - _MARGIN, _MARGIN, HEIGHT - _MARGIN
 _SIZE = 10.5
-_LINE = 1.35
-"""Distance of lines in sizes of their letters."""
+_LINE = 1.35  # Distance of lines in sizes of their letters.
 _CODE = 65 * _MM
 _GUTTER = 8 * _MM
 _INSET = 4.0
 _ROUNDING = 0.01
-_QUIET = 4
-"""Modules that stay white around a QR code (ISO/IEC 18004, 6.3.8)."""
+_QUIET = 4  # Modules that stay white around a QR code (ISO/IEC 18004, 6.3.8).
 _GREY: Colour = (0.3, 0.3, 0.3, 1.0)
 _RULE: Colour = (0.6, 0.6, 0.6, 1.0)
 

@@ -48,8 +48,7 @@ validated in a millisecond whatever they are. What a list means usually sets a n
 _FEW, _MANY = CHOICE + "few", CHOICE + "many"
 _Item = TypeVar("_Item")
 
-OneOf: TypeAlias = Annotated[_Item, Field(strict=False)]
-"""An enumeration, given by its value."""
+OneOf: TypeAlias = Annotated[_Item, Field(strict=False)]  # An enumeration, given by its value.
 
 
 def by_size(items: int, wide: int) -> Discriminator:

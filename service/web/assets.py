@@ -12,8 +12,7 @@ from pathlib import Path
 
 from service.http.negotiation import weighted
 
-SCAN_INTERVAL = 2.0
-"""Seconds for which a listing of the folder is trusted."""
+SCAN_INTERVAL = 2.0  # Seconds for which a listing of the folder is trusted.
 
 MEDIA_TYPES = {
     ".js": "text/javascript; charset=utf-8",

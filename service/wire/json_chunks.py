@@ -11,8 +11,7 @@ import numpy as np
 import orjson
 from numpy.typing import NDArray
 
-ROWS = 4096
-"""Rows that are written together, so that a long answer is never in memory as a whole."""
+ROWS = 4096  # Rows that are written together, so that a long answer is never in memory as a whole.
 
 
 def blocks(count: int, size: int) -> Iterator[tuple[int, int]]:

@@ -8,8 +8,7 @@ _Item = TypeVar("_Item")
 _Result = TypeVar("_Result")
 
 
-AGAIN = 0.05
-"""Processor time [s] after which a task that did not end is left once more."""
+AGAIN = 0.05  # Processor time [s] after which a task that did not end is left once more.
 
 
 class _AllottedTimeOver(BaseException):

@@ -16,8 +16,7 @@ from typing import Generic, TypeVar
 
 from service.http.problems import busy
 
-MOST = 64
-"""Items in a batch: beyond some dozens each costs no less, and all wait for the last."""
+MOST = 64  # Items in a batch: beyond some dozens each costs no less, and all wait for the last.
 
 _Item = TypeVar("_Item")
 _Result = TypeVar("_Result")

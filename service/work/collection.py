@@ -19,8 +19,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from typing import Any, TypeVar
 
-YOUNG = 2_000
-"""Net new objects between two collections: a millisecond of work."""
+YOUNG = 2_000  # Net new objects between two collections: a millisecond of work.
 ROUNDS = 5
 """Collections of the youngest after which those that outlived one are looked at again: 10 000 at most."""
 OLD_ROUNDS = 4
@@ -29,17 +28,13 @@ LOOK_SECONDS = 0.1
 """Time between two looks at what is new [s]: what is made in it is looked at in some milliseconds."""
 LOOKS = 4
 """Looks after which what is left is put aside: what a request held meanwhile is gone, nearly always."""
-GROWN = 1.25
-"""Times the memory held when all objects were looked at, beyond which all are looked at again."""
-IDLE_SECONDS = 5.0
-"""Least time that nobody has asked for anything before all objects are looked at [s]."""
+GROWN = 1.25  # Times the memory held when all objects were looked at, beyond which all are looked at again.
+IDLE_SECONDS = 5.0  # Least time that nobody has asked for anything before all objects are looked at [s].
 IDLE_TIMES = 100.0
 """How many times as long as the last such look took nobody must have asked: then about one look in a hundred
 delays a request."""
-DOUBLED = 2.0
-"""Times the memory held at the last look, beyond which the least time is enough."""
-USUAL_LOOK = 0.2
-"""How long a look at all objects takes, as far as is known before one has been taken [s]."""
+DOUBLED = 2.0  # Times the memory held at the last look, beyond which the least time is enough.
+USUAL_LOOK = 0.2  # How long a look at all objects takes, as far as is known before one has been taken [s].
 _OLDEST = 2
 _Result = TypeVar("_Result")
 

@@ -25,16 +25,12 @@ from service.wire.exercises.figure_files import draw_ahead
 from service.work.shared_answers import SharedAnswers
 from service.work.threads import BackgroundThread
 
-FIRST = 1.0
-"""Time from the start to the first look at the links [s]."""
-AGAIN = 60.0
-"""Time from one look to the next [s]: a link is made longer before its class comes."""
-LINKS = 200
-"""Links that are looked at, the newest."""
+FIRST = 1.0  # Time from the start to the first look at the links [s].
+AGAIN = 60.0  # Time from one look to the next [s]: a link is made longer before its class comes.
+LINKS = 200  # Links that are looked at, the newest.
 MOST = 1000
 """Sets of values of an exercise that are drawn ahead: where there are more, hardly two students share one."""
-BUSY = 0.05
-"""Time that others are left to themselves before it is looked whether somebody waits [s]."""
+BUSY = 0.05  # Time that others are left to themselves before it is looked whether somebody waits [s].
 
 _log = logging.getLogger("framewise.drawing")
 

@@ -38,17 +38,14 @@ class Proven:
 
 Name: TypeAlias = str | Proven
 """Whom use is counted for: who has proved who they are, else the address that a request comes from."""
-Client: TypeAlias = tuple[Name, int]
-"""Who asks, and the port of their connection."""
+Client: TypeAlias = tuple[Name, int]  # Who asks, and the port of their connection.
 
-HALF_LIFE = 10.0
-"""Seconds after which use counts half: long beside one task, short beside a lecture."""
+HALF_LIFE = 10.0  # Seconds after which use counts half: long beside one task, short beside a lecture.
 AHEAD = 0.02
 """Seconds of use by which a newcomer is ahead of those who are being served: the cost of some answers."""
 FIRST = 0.1
 """Seconds of use up to which what a person hands in goes before what all look at and type: some answers."""
-CLIENTS = 4096
-"""Clients whose use is stored; the one that was idle longest is dropped first."""
+CLIENTS = 4096  # Clients whose use is stored; the one that was idle longest is dropped first.
 
 ROUND = 0.001
 """Seconds for which the event loop goes from one request to the next without a look at its connections."""

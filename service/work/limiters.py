@@ -11,16 +11,12 @@ from service.settings import Settings
 from service.work.fair_queue import FairQueue, Slot
 from service.work.threads import in_thread
 
-COURSE_THREADS = 16
-"""Requests that wait for the database, or for a platform, at the same time."""
-DONE = 512
-"""Questions that count as answered before; fewer than what they follow from is kept for."""
+COURSE_THREADS = 16  # Requests that wait for the database, or for a platform, at the same time.
+DONE = 512  # Questions that count as answered before; fewer than what they follow from is kept for.
 LIGHT = 0.004
 """Work of a kind that takes no longer [s] is done in the event loop: a thread costs half a millisecond."""
-TRIED = 3
-"""So many times work of a kind is done in a thread before it is known how long it takes."""
-FADING = 0.9
-"""What a kind of work took at the most counts so much less each time."""
+TRIED = 3  # So many times work of a kind is done in a thread before it is known how long it takes.
+FADING = 0.9  # What a kind of work took at the most counts so much less each time.
 DRAWN_WITHIN = 300.0
 """Time that a request may wait for a drawing [s]: about as long as browsers do, which do not ask again for a
 picture that was refused."""

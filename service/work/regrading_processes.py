@@ -17,16 +17,12 @@ from service.work.processes import Confinement, ProcessDiedError, UnansweredErro
 from service.work.session_grading import UNREAD, Grader
 from service.work.worker_process import WorkOutcome
 
-CHUNK = 8
-"""Answers that travel to a process together, as when a class is graded from files."""
-FEW = 32
-"""So few answers are judged here before a process would have started."""
+CHUNK = 8  # Answers that travel to a process together, as when a class is graded from files.
+FEW = 32  # So few answers are judged here before a process would have started.
 CACHED_ANSWERS = 4096
 """Answers that are known again when another student hands in the same; one takes a few kilobytes."""
-NICENESS = 10
-"""Students who hand in meanwhile come first."""
-PATIENCE = 300.0
-"""A process that has not answered for so long [s] is given up; its answers are judged here."""
+NICENESS = 10  # Students who hand in meanwhile come first.
+PATIENCE = 300.0  # A process that has not answered for so long [s] is given up; its answers are judged here.
 
 
 class RegradingProcesses:

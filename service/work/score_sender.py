@@ -34,18 +34,13 @@ from service.lti.launch_errors import PlatformError, unreachable
 from service.lti.scores import Delivery, DeliveryReport, ScoreMessage, has_result, line_item_for, post_score
 from service.work.threads import BackgroundThread
 
-PAUSE = 1.0
-"""Time between two looks at the outbox [s]."""
-LOOKS = 60
-"""So many looks apart, what the clock has put off is looked for."""
+PAUSE = 1.0  # Time between two looks at the outbox [s].
+LOOKS = 60  # So many looks apart, what the clock has put off is looked for.
 SIMULTANEOUS = 8
 """Scores that a process sends at a time: a platform that takes 0.2 s for each then gets 40 a second."""
-LONGEST_WAIT = 3600.0
-"""Seconds between two tries, at most."""
-MOST_TRIES = 40
-"""A platform that answers nothing useful for days is given up."""
-STALE_TRIES = 6
-"""Tries after which a score that the platform calls outdated is given up."""
+LONGEST_WAIT = 3600.0  # Seconds between two tries, at most.
+MOST_TRIES = 40  # A platform that answers nothing useful for days is given up.
+STALE_TRIES = 6  # Tries after which a score that the platform calls outdated is given up.
 
 PATIENCE = 3.0
 SILENCE = 15.0
@@ -55,8 +50,7 @@ thousands of scores that wait for it each take the time of a time-out from other
 _log = logging.getLogger("framewise.scores")
 
 
-_Gradebook: TypeAlias = tuple[int, str]
-"""A platform, and one of its hosts."""
+_Gradebook: TypeAlias = tuple[int, str]  # A platform, and one of its hosts.
 
 
 class ScoreSender(BackgroundThread):

@@ -10,10 +10,8 @@ from courses.teaching.settling import settle, unsettled
 from service.course_resources import now
 from service.work.threads import BackgroundThread
 
-AGAIN = 60.0
-"""Time from one look to the next [s]."""
-PATIENCE = timedelta(minutes=5)
-"""So long a request has to itself; the largest classes take a minute or two."""
+AGAIN = 60.0  # Time from one look to the next [s].
+PATIENCE = timedelta(minutes=5)  # So long a request has to itself; the largest classes take a minute or two.
 
 _log = logging.getLogger("framewise.settling")
 

@@ -18,8 +18,7 @@ from service.course_resources import now
 from service.wire.answer_cache import AnswerCache
 from service.work.threads import BackgroundThread
 
-PAUSE = 1.0
-"""So long new answers are gathered before they are written down [s]: they share a transaction."""
+PAUSE = 1.0  # So long new answers are gathered before they are written down [s]: they share a transaction.
 WAITING_BYTES = 8 * 1024 * 1024
 """What waits to be written down; beyond it an answer stays in its own process."""
 

@@ -92,8 +92,7 @@ class CheckInverseKinematicsAnswer(Units):
 router = CallRouter("kinematics")
 
 
-ROUNDED = 2e-3
-"""How far a target may be from a rigid motion: three decimals."""
+ROUNDED = 2e-3  # How far a target may be from a rigid motion: three decimals.
 
 
 class _Asked(NamedTuple):

@@ -34,8 +34,7 @@ router = course_router()
 
 _REQUIRED = ("issuer", "client_id", "authorization_endpoint", "token_endpoint", "jwks_uri")
 _ADDRESSES = ("authorization_endpoint", "token_endpoint", "jwks_uri")
-_LONGEST = 2000
-"""Characters of a field of a form; addresses of platforms are the longest."""
+_LONGEST = 2000  # Characters of a field of a form; addresses of platforms are the longest.
 _Result = TypeVar("_Result")
 
 

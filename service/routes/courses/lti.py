@@ -40,10 +40,8 @@ router = APIRouter(include_in_schema=False)
 COOKIE = "__Host-framewise-login-"
 CODE_LIFE = timedelta(seconds=60)
 """How long a code for a session in the address may be exchanged: the page does it at once."""
-PENDING_LIFE = timedelta(seconds=120)
-"""How long a launch waits for the browser to bring its stored state."""
-CHOICE_LIFE = timedelta(hours=2)
-"""How long a lecturer may take to choose an exercise."""
+PENDING_LIFE = timedelta(seconds=120)  # How long a launch waits for the browser to bring its stored state.
+CHOICE_LIFE = timedelta(hours=2)  # How long a lecturer may take to choose an exercise.
 
 
 @router.api_route("/lti/login", methods=["GET", "POST"])

@@ -39,8 +39,7 @@ ZIP = "application/zip"
 _BINARY: dict[int | str, dict[str, Any]] = {
     200: {"content": {ZIP: {"schema": {"type": "string", "format": "binary"}}}}
 }
-LARGEST_BODY = 2 * LARGEST_ARCHIVE
-"""Of an archive in base64, with what is around it."""
+LARGEST_BODY = 2 * LARGEST_ARCHIVE  # Of an archive in base64, with what is around it.
 
 
 @router.call("/author/start", "Start an exercise", answer=wire.StartAnswer)

@@ -18,8 +18,7 @@ from service.wire.kinematics.written_tables import table_in_units_of
 
 router = CallRouter("exercises")
 
-MOST_TABLES = 10
-"""As many as an author is shown of right answers that look different."""
+MOST_TABLES = 10  # As many as an author is shown of right answers that look different.
 
 
 class CompareTablesRequest(Wire):

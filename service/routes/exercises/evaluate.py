@@ -30,8 +30,7 @@ from service.schemas.tables import Table
 router = APIRouter(tags=["evaluation"], include_in_schema=False)
 """µEd describes its calls itself; they are no part of our own document."""
 
-_TOLD = 20
-"""Faults of a body that are told."""
+_TOLD = 20  # Faults of a body that are told.
 _LOCATOR = {
     "type": "object",
     "required": ["type", "row"],

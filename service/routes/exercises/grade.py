@@ -28,8 +28,7 @@ from service.work.batches import BatchResponse
 
 router = api_router("exercises", route_class=DirectRoute)
 
-MOST_SUBMISSIONS = 1000
-"""Submissions in one request: a course's."""
+MOST_SUBMISSIONS = 1000  # Submissions in one request: a course's.
 
 
 class KeyQuestion(Wire):
@@ -70,8 +69,7 @@ ManyVerdicts = create_model(
     "ManyVerdicts", __base__=Wire, __doc__="Verdicts in the order of the submissions.", **_VERDICTS
 )
 
-LONG_CELL = 48
-"""Characters of a cell that no book prints: sixteen terms at most."""
+LONG_CELL = 48  # Characters of a cell that no book prints: sixteen terms at most.
 
 NDJSON = "application/x-ndjson"
 

@@ -19,8 +19,7 @@ from service.schemas.base import Real, Wire
 
 router = api_router("receipts")
 
-MOST_RECEIPTS = 1000
-"""Receipts that one call verifies."""
+MOST_RECEIPTS = 1000  # Receipts that one call verifies.
 
 
 class VerifyRequest(Wire):

@@ -58,8 +58,7 @@ class IssuedReceipt(Wire):
 
 _PDF = "application/pdf"
 _LETTERS = {"theta": "θ", "d": "d", "a": "a", "alpha": "α"}
-_OUTSIDE = {"name", "seed", "help", "attempt"}
-"""Members of a request that are no part of the answer."""
+_OUTSIDE = {"name", "seed", "help", "attempt"}  # Members of a request that are no part of the answer.
 
 
 @router.post(

@@ -19,8 +19,7 @@ from service.schemas.exercises.verdicts import Help
 from service.secret import installation_secret
 from service.wire.exercises.ungraded import known_exercise
 
-MOST_DAYS = 3660
-"""Ten years: longer than any course."""
+MOST_DAYS = 3660  # Ten years: longer than any course.
 
 Switched = OneOf[Tool]
 

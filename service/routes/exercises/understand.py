@@ -49,8 +49,7 @@ router = api_router("kinematics", route_class=OneRobotRoute)
 
 Place = tuple[int, str]
 MATHML = "http://www.w3.org/1998/Math/MathML"
-WRITTEN = 512
-"""Entries that are kept as written, each as long as a cell may be."""
+WRITTEN = 512  # Entries that are kept as written, each as long as a cell may be.
 
 
 @router.post("/understand", summary="What a table means, cell by cell, while it is being typed")

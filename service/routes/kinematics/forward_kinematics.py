@@ -33,8 +33,7 @@ from service.wire.kinematics.robot_questions import QuestionReader, ReadQuestion
 
 router = api_router("kinematics", route_class=DirectRoute)
 
-MOST_MAPPED = 64
-"""Points of links in a request, as many as a table may have rows."""
+MOST_MAPPED = 64  # Points of links in a request, as many as a table may have rows.
 
 
 class LinkPoint(Wire):

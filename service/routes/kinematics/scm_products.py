@@ -28,8 +28,7 @@ from service.work.workers import Lane
 router = CallRouter("scm", route_class=OneRobotRoute)
 
 MOST_PRODUCTS = 8
-MOST_FACTORS = 32
-"""Products in a request and factors in each; all of them are multiplied in symbols."""
+MOST_FACTORS = 32  # Products in a request and factors in each; all of them are multiplied in symbols.
 _ROW = {"type": "array", "items": SHORT_CELL, "minItems": 4, "maxItems": 4}
 
 

@@ -16,8 +16,7 @@ from service.wire.fault_pointers import traced
 from service.wire.kinematics.joint_values import values_in_radians
 from service.wire.kinematics.prepared_robots import PreparedRobot
 
-MOST_INSTANTS = 1000
-"""Instants of one motion: finer than a plot or an animation of some seconds shows."""
+MOST_INSTANTS = 1000  # Instants of one motion: finer than a plot or an animation of some seconds shows.
 
 JointRows = list[list[Real]]
 

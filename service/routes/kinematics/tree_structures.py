@@ -26,8 +26,7 @@ from service.wire.kinematics.joint_values import values_in_radians
 from service.wire.kinematics.prepared_robots import robot_of
 from service.wire.kinematics.written_tables import TableWriter
 
-MOST_ROWS = 64
-"""Frames of a tree, as many as a table may have rows."""
+MOST_ROWS = 64  # Frames of a tree, as many as a table may have rows.
 
 
 class TreeRowModel(Wire):

@@ -28,8 +28,7 @@ from service.wire.kinematics.pose_matrices import base_and_tool, placed_matrix
 from service.wire.kinematics.prepared_robots import PreparedRobot, listed_robot
 from service.work.workers import Lane
 
-MOST_POINTS = 20_000
-"""Points of a cloud: more than a plot of the page can tell apart."""
+MOST_POINTS = 20_000  # Points of a cloud: more than a plot of the page can tell apart.
 
 
 class PlaneModel(Wire):

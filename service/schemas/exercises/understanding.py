@@ -9,8 +9,7 @@ from kinematics.table import JointType
 from service.schemas.base import LONGEST_LIST, FaultEntry, Listed, Matrix4, OneOf, Real, Wire
 from service.schemas.tables import Row, Table
 
-MOST_MATRICES = 66
-"""A link matrix for each of the rows that a table may have, and two poses."""
+MOST_MATRICES = 66  # A link matrix for each of the rows that a table may have, and two poses.
 MatrixRow = Annotated[list[Annotated[str, Field(max_length=2000)]], Field(min_length=4, max_length=4)]
 MatrixCells = Annotated[list[MatrixRow], Field(min_length=4, max_length=4)]
 

@@ -95,8 +95,7 @@ NamedPose: TypeAlias = Annotated[
 
 SOURCES = ("poe", "robot", "scm", "table", "urdf")
 _NO_URDF = {"not": {"const": "urdf"}}
-OPTIONS_OF_ROWS = ("base", "tool", "parameters")
-"""Options of the sources that are written in rows of cells."""
+OPTIONS_OF_ROWS = ("base", "tool", "parameters")  # Options of the sources that are written in rows of cells.
 
 
 class ConvertRequest(Wire):

@@ -17,8 +17,7 @@ from service.schemas.kinematics.robot_question import (
 )
 from service.schemas.tables import Units
 
-MOST_TARGETS = 1000
-"""Targets of one request; an arm of six joints answers a thousand within a second."""
+MOST_TARGETS = 1000  # Targets of one request; an arm of six joints answers a thousand within a second.
 
 
 class NumericInverseKinematicsRequest(PlacedRobotQuestion):

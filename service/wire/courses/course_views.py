@@ -24,10 +24,8 @@ COLUMNS = (
     "correct",
     "codes",
 )
-PLACES = 6
-"""Decimals of scores and points: what floating-point arithmetic leaves behind them is not shown."""
-_BLOCK = 65_536
-"""Bytes that are sent at a time: a thread is asked for every block."""
+PLACES = 6  # Decimals of scores and points: what floating-point arithmetic leaves behind them is not shown.
+_BLOCK = 65_536  # Bytes that are sent at a time: a thread is asked for every block.
 
 
 def attempt_record(found: ExportedAttempt) -> dict[str, Any]:

@@ -13,10 +13,8 @@ from service.lti.claims import HISTORY, HISTORY_VARIABLE
 from service.lti.launch import Launch
 
 EXERCISE, SETTINGS = "exercise", "settings"
-LONGEST_SETTINGS = 2000
-"""Characters of the settings that a link carries."""
-_COPIES = 20
-"""Links that a link was copied from, one after another, that are looked for."""
+LONGEST_SETTINGS = 2000  # Characters of the settings that a link carries.
+_COPIES = 20  # Links that a link was copied from, one after another, that are looked for.
 
 
 def custom_of(exercise_id: str, settings: Mapping[str, Any]) -> dict[str, str]:

@@ -29,8 +29,7 @@ from service.wire.exercises.exercise_views import exercise_view
 from service.wire.exercises.figure_files import figure_file
 from service.wire.exercises.verdicts import record_body
 
-CACHED_DRAFTS = 64
-"""Drafts in the cache, as read: an author looks at one again and again."""
+CACHED_DRAFTS = 64  # Drafts in the cache, as read: an author looks at one again and again.
 
 
 @contextmanager

@@ -21,8 +21,7 @@ from service.http.link_context import LinkContext
 from service.messages import in_sentence, languages, sentence
 from service.schemas.exercises.exercises import TASK_FIELDS
 
-FRAMED = (TABLE, "frames", "screws")
-"""Kinds of part that are held to the rules on frames."""
+FRAMED = (TABLE, "frames", "screws")  # Kinds of part that are held to the rules on frames.
 CACHED_TEXTS = 512
 """Exercises whose dimensions have been looked through; in each language their statements, rules and fields of
 forms."""

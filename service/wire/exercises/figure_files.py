@@ -23,14 +23,11 @@ from service.revision import revision
 from service.wire.exercises.exercise_views import figure_description
 from service.work.shared_answers import SharedAnswers, address_of
 
-CACHED_DIGESTS = 256
-"""Exercises whose digest is in the cache."""
+CACHED_DIGESTS = 256  # Exercises whose digest is in the cache.
 CACHED_ADDRESSES = 2048
 """Addresses of figures in the cache: the page, the exercise and the figure itself each ask for it."""
-LEVEL = 4
-"""Level of compression: the higher ones take twice as long and save three bytes in a hundred."""
-_RAW = -zlib.MAX_WBITS
-"""Has zlib write neither header nor checksum."""
+LEVEL = 4  # Level of compression: the higher ones take twice as long and save three bytes in a hundred.
+_RAW = -zlib.MAX_WBITS  # Has zlib write neither header nor checksum.
 _GZIP = b"\x1f\x8b\x08\0\0\0\0\0\0\xff"
 """The header of a gzip file (RFC 1952 §2.3): deflated, without a name and a time."""
 

@@ -32,8 +32,7 @@ from service.wire.kinematics.joint_values import values_in_radians
 from service.wire.kinematics.prepared_robots import joint_units, listed_robot
 from service.wire.kinematics.symbolic_forms import FormTask
 
-QUICK_JOINTS = 3
-"""Joints up to which equations of motion take some milliseconds."""
+QUICK_JOINTS = 3  # Joints up to which equations of motion take some milliseconds.
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)

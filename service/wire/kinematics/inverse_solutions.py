@@ -36,8 +36,7 @@ from service.work.workers import Lane, Workers
 
 Matrix: TypeAlias = Any
 
-InUnits: TypeAlias = PreparedRobot | PreparedChain
-"""What knows the units of the request that it came with."""
+InUnits: TypeAlias = PreparedRobot | PreparedChain  # What knows the units of the request that it came with.
 ALLOTTED = 0.8
 """Part of a task's processor time in which many targets are answered: what is left is for the kernel's own
 time, and for sending."""

@@ -28,10 +28,8 @@ Matrix = Sequence[Sequence[float]]
 LinkPoint = tuple[int, Sequence[float]]
 
 JSON_BLOCK = 256
-NPY_BLOCK = 16384
-"""Poses that are computed and written at a time, as JSON and as bytes: memory stays flat."""
-_SAFE_REACH = 1e150
-"""Lengths below it can be squared and summed within a double's range."""
+NPY_BLOCK = 16384  # Poses that are computed and written at a time, as JSON and as bytes: memory stays flat.
+_SAFE_REACH = 1e150  # Lengths below it can be squared and summed within a double's range.
 _QUATERNION, _RPY, _XYZABC, _AXIS, _ANGLE = slice(0, 4), slice(4, 7), slice(7, 13), slice(13, 16), 16
 _POSITION = slice(7, 10)
 

@@ -22,8 +22,7 @@ from service.wire.kinematics.prepared_robots import PreparedRobot, RobotCache
 from service.work.batches import BatchResponse
 from service.work.limiters import WorkKind
 
-_SMALL = 64
-"""Configurations that the event loop reads itself; more are read by a thread."""
+_SMALL = 64  # Configurations that the event loop reads itself; more are read by a thread.
 _PLAIN = {"table", "robot", "parameters", "joints"}
 
 

@@ -21,8 +21,7 @@ WireTable: TypeAlias = dict[str, Any]
 Spellings: TypeAlias = Mapping[tuple[ParameterKind, Expression], WireCell]
 
 _HALF_TURN = 180
-_ROUNDING = 1e-15
-"""What a few roundings leave of an angle between −π and π [rad]."""
+_ROUNDING = 1e-15  # What a few roundings leave of an angle between −π and π [rad].
 _TOO_LONG = re.compile(rf"(?<![\w.])[\d.]{{{DEFAULT.digits + 2},}}(?:e-\d+)?")
 """A decimal in an expression that has more digits than a cell can hold, such as a sum of two doubles."""
 CELL_KINDS = {

@@ -34,8 +34,7 @@ from kinematics.symbolic import Matrix
 from service.http.problems import located, moved
 from service.schemas.kinematics.conversion import ConvertRequest, has_names
 
-_ROUNDING = 1e-15
-"""What a double leaves of the sine and cosine of a multiple of 15°."""
+_ROUNDING = 1e-15  # What a double leaves of the sine and cosine of a multiple of 15°.
 
 
 def with_names(
