@@ -44,24 +44,24 @@ class HalfTurn(Node):
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Operation(Node):
+class Unary(Node):
     """What is done to one value."""
 
     operand: Node
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Degrees(Operation):
+class Degrees(Unary):
     """A value marked with the degree sign."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Parenthesized(Operation):
+class Parenthesized(Unary):
     """A value in parentheses."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Negation(Operation):
+class Negation(Unary):
     """A value with a minus sign before it."""
 
 
@@ -80,12 +80,12 @@ class Multiplication(Node):
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Reciprocal(Operation):
+class Reciprocal(Unary):
     """One over a value."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Raised(Operation):
+class Raised(Unary):
     """A power."""
 
     exponent: Node
@@ -106,7 +106,7 @@ def children(node: Node) -> tuple[Node, ...]:
             return parts
         case Raised(operand=base, exponent=exponent):
             return (base, exponent)
-        case Operation(operand=part):
+        case Unary(operand=part):
             return (part,)
     return ()
 
