@@ -5,10 +5,11 @@
  * `table` (as it goes to the API) is what /symbolic is asked about when symbols are shown.
  */
 
-import { Latest, Problem } from "./api.js";
+import { Latest } from "./api.js";
 import { el, fill, segmented, uniqueId } from "./dom.js";
 import { t } from "./i18n.js";
 import { copyButtons, matrixSource } from "./clipboard.js";
+import { problemNotice } from "./problem.js";
 import { numericMatrix, transformName, typeset } from "./typeset.js";
 
 const SOURCES = ["latex", "python", "c", "matlab"];
@@ -126,8 +127,7 @@ export class MatrixPanel extends HTMLElement {
         this.#symbolic = { asked, ...answer.value };
       } catch (error) {
         this.#wait(false);
-        const text = error instanceof Problem ? error.message : t("form-unreachable");
-        if (this.#mode === "symbols") fill(this.#body, el("p", { class: "notice notice-problem", text }));
+        if (this.#mode === "symbols") fill(this.#body, problemNotice(error));
         return;
       }
     }

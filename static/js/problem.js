@@ -12,7 +12,8 @@ const GREEK = { alpha: "α", theta: "θ" };
  * @param {unknown} error @param {(pointer: string) => string} placeOf @returns {string[]}
  */
 function sentencesOf(error, placeOf) {
-  if (!(error instanceof Problem)) return [t("form-unreachable")];
+  const isOurs = error instanceof Problem && (error.code || !error.passing); // a gateway's 502 has no sentence
+  if (!isOurs) return [t("form-unreachable")];
   return error.faults.map(({ pointer, detail }) => {
     const [, grid, row, cell] = /\/(rows|joints)\/(\d+)\/(\w+)$/.exec(pointer ?? "") ?? [];
     const place = placeOf(pointer ?? "");

@@ -5,7 +5,7 @@ import re
 from typing import Any
 
 import pytest
-from playwright.sync_api import Locator, Page, Request, expect
+from playwright.sync_api import Locator, Page, Request, Route, expect
 
 from tests.web.conftest import OpenPage, Watch
 from tests.web.driving import (
@@ -392,10 +392,20 @@ def test_a_seed_gives_a_students_own_values(open_page: OpenPage) -> None:
     expect(one.locator("#verdict")).to_contain_text("Your table describes this robot.")
 
 
-def test_the_service_may_be_away_for_a_while(open_page: OpenPage, watch: Watch) -> None:
+@pytest.mark.parametrize("by_gateway", [False, True])
+def test_the_service_may_be_away_for_a_while(open_page: OpenPage, watch: Watch, by_gateway: bool) -> None:
+    """Also behind a gateway, whose page says so in no language: “HTTP 502” stood there."""
     watch.allow("ERR_INTERNET_DISCONNECTED")
+    watch.allow("502")
     page = open_page("/exercises/scara")
-    page.context.route("**/api/**", lambda route: route.abort("internetdisconnected"))
+
+    def fail(route: Route) -> None:
+        if by_gateway:
+            route.fulfill(status=502, content_type="text/html", body="<h1>Bad Gateway</h1>")
+        else:
+            route.abort("internetdisconnected")
+
+    page.context.route("**/api/**", fail)
     put_table(page, SCARA)
     expect(page.locator("#own")).to_contain_text("The service cannot be reached.")
     page.locator("button[type=submit].primary").click()
