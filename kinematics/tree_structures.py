@@ -171,7 +171,12 @@ def fault_in_tree(fault: Fault) -> Fault:
     """Return a fault of the table with two rows a frame at its place in the branching table."""
     match fault.where:
         case ("rows", int(k), str(cell)):
-            return replace(fault, where=("rows", k // 2, cell if k % 2 else _BRANCH_CELLS.get(cell, cell)))
+            if k % 2:
+                return replace(fault, where=("rows", k // 2, cell))
+            cell = _BRANCH_CELLS.get(cell, cell)
+            if fault.code == "variable_in_fixed_row":  # the row is no fixed one to who wrote it
+                return Fault.at("variable_in_constant_cell", "rows", k // 2, cell, cell=cell, **fault.params)
+            return replace(fault, where=("rows", k // 2, cell))
         case ("rows", int(k)):
             return replace(fault, where=("rows", k // 2))
     return fault

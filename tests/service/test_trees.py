@@ -154,6 +154,8 @@ SLIDES = [{"after": i, "alpha": 0, "a": 0, "theta": 0, "d": f"q{i + 1}"} for i i
         ([ROWS[0], {**ROWS[1], "after": 2}], {}, "tree_after_unknown", "/tree/rows/1/after"),
         ([{**ROWS[0], "gamma": "1/0"}], {}, None, "/tree/rows/0/gamma"),
         ([ROWS[0], {**ROWS[1], "b": "w +"}], {}, None, "/tree/rows/1/b"),
+        ([ROWS[0], {**ROWS[1], "b": "q2"}], {}, "variable_in_constant_cell", "/tree/rows/1/b"),
+        ([{**ROWS[0], "gamma": "q1"}], {}, "variable_in_constant_cell", "/tree/rows/0/gamma"),
         ([ROWS[0], {**ROWS[1], "a": "w*"}], {}, None, "/tree/rows/1/a"),
         (ROWS, {"ends": [7]}, "frame_unknown", "/ends/0"),
         (ROWS, {"joints": [1, 2]}, "joints_wrong_length", "/joints"),
