@@ -9,7 +9,7 @@ fixed rows or prismatic joints stand between, or axes are parallel only nearly, 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from typing import NamedTuple, TypeAlias
@@ -93,7 +93,7 @@ class LegibleFacts(NamedTuple):
         )
 
     def leave_wrong(
-        self, change: Change, rows: Sequence[NumericRow], before: Sequence[LegibleFact], most: int
+        self, change: Change, rows: Sequence[NumericRow], before: Iterable[LegibleFact], most: int
     ) -> bool:
         """Return whether a change leaves too many facts wrong, but for those of cells yet to be solved for.
 
@@ -102,7 +102,7 @@ class LegibleFacts(NamedTuple):
         Args:
             change: the change.
             rows: the rows that it is made in.
-            before: the facts that are wrong in these without it.
+            before: the facts that are wrong in these without it; asked for once where no cell is changed.
             most: how many may be.
         """
         changed = {(row, cell): value for row, cell, value in change.cells}
@@ -140,25 +140,28 @@ class Sieve:
         """
         self._work, self._rows, self._most = work, work.table.rows, most
         self._known = work.invariants, work.n_facts
-        self._seen: dict[int, tuple[LegibleFacts, Sequence[LegibleFact], NumericTable]] = {}
+        self._wrong_in: dict[int, tuple[Sequence[LegibleFact], NumericTable]] = {}
         self.wrong: Sequence[LegibleFact] = ()
         if work.has_the_joints():
-            self._entries, self.wrong, _ = self._of(work.table)
+            self._entries = self._of(work.table)
+            self.wrong = self._entries.wrong(self._rows)
 
-    def _of(self, table: NumericTable) -> tuple[LegibleFacts, Sequence[LegibleFact], NumericTable]:
-        """What is seen in a table with the key's joints, what of it is wrong, and the table."""
-        found = self._seen.get(id(table))
-        if found is None:
-            joints = tuple(row.joint for row in table.rows)
-            facts = legible_facts(*self._known, table.convention, joints)
-            found = self._seen[id(table)] = facts, facts.wrong(table.rows), table
-        return found
+    def _of(self, table: NumericTable) -> LegibleFacts:
+        joints = tuple(row.joint for row in table.rows)
+        return legible_facts(*self._known, table.convention, joints)
 
     def holds_back(self, change: Change) -> bool:
         """Return whether too much is seen to be wrong after a change that leads to the key's joints."""
-        table = self._work.table if change.table is None else change.table
-        facts, wrong, _ = self._of(table)
-        return facts.leave_wrong(change, table.rows, wrong, self._most)
+        table = change.table
+        if table is None:
+            return self._entries.leave_wrong(change, self._rows, self.wrong, self._most)
+        facts, rows = self._of(table), table.rows
+        if not change.cells:  # seldom is all of it asked for
+            wrong = (fact for fact in facts.facts if fact.is_wrong(facts.bounds, rows, {}))
+            return facts.leave_wrong(change, rows, wrong, self._most)
+        if id(table) not in self._wrong_in:  # the same with another row put in, of which each α is tried
+            self._wrong_in[id(table)] = facts.wrong(rows), table
+        return facts.leave_wrong(change, rows, self._wrong_in[id(table)][0], self._most)
 
     def _leaves_wrong(self, places: Collection[Place], becomes: Callable[[int, str], float]) -> bool:
         """Whether the first of what is wrong is left so; see `Work`."""
