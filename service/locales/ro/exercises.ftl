@@ -240,7 +240,7 @@ error-point_without_form = Un punct se dă prin frame și at; prin between și r
 error-joint_off_axis = Punctul { $point } nu se află pe axa cuplei { $joint }.
 error-dimension_disagrees = Punctele cotei { $name } se află la { $length } unul de altul, dar { $name } este { $value }.
 error-dimension_too_short = { $name } este { $length }, prea puțin pentru a fi arătată în figură: este sub o milionime din mărimea robotului. Dați-i altă valoare sau scrieți 0 în locul ei.
-error-posture_not_zero = Cu zero = figure, studenții sunt informați că în poziția din figură toate variabilele cuplelor sunt zero: desenați robotul în acea poziție (posture 0 pentru fiecare cuplă) sau lăsați zerourile libere.
+error-posture_not_zero = Cu zero = figure, studenții sunt informați că în configurația din figură toate variabilele cuplelor sunt zero: desenați robotul în acea configurație (posture 0 pentru fiecare cuplă) sau lăsați zerourile libere.
 error-tool_point_unmarked = Cu tool = point, ultima origine trebuie să fie într-un punct marcat, dar niciunul dintre punctele marcate nu este ultima origine a rezolvării de referință. Marcați originea sistemului { $last }.
 error-gripper_without_direction = Prehensorul și punctul de la care pornește direcția lui coincid.
 error-jaws_along_gripper = Fălcile stau una lângă alta, perpendicular pe prehensor.
