@@ -28,6 +28,7 @@ from kinematics.answers.screw_answers import (
     ScrewFrame,
     ScrewMistake,
     ScrewOrder,
+    ScrewVerdict,
     adjoint,
     judge_screws,
 )
@@ -128,7 +129,7 @@ class ScrewsPart(PartType[Part, ScrewsCells, ByName[ScrewAnswer]]):
             return judged(part, 1.0, Credit.KEY, feedback=(Feedback(code="screws_right"),))
         off = {pair.second - 1 for pair in found.pairs if not pair.alike}
         facts = [fact(i not in off, "screws", i) for i in range(1, len(answer.screws))]
-        feedback = [Feedback(code="screws_wrong" if found.broken is None else "screws_right_robot")]
+        feedback = [Feedback(code=_code(found))]
         feedback += [Feedback(code=rule_broken(rule, context.policy)) for rule in found.broken or ()]
         feedback += [
             Feedback(code=f"screw_{mistake.value}", params={"joint": joint or 0})
@@ -157,8 +158,14 @@ class ScrewsPart(PartType[Part, ScrewsCells, ByName[ScrewAnswer]]):
             longer[rng.choice(turning)] *= 2
             yield "screw_not_unit", _cells(replace(right, screws=longer))
         body = replace(right, screws=right.screws @ adjoint(inverse_transform(right.home)).T)
-        if not judge_screws(key_numbers(context.instance), body, context.policy).right:
-            yield "screws_wrong", _cells(body)
+        found = judge_screws(key_numbers(context.instance), body, context.policy)
+        if not found.right:
+            yield _code(found), _cells(body)
+
+
+def _code(found: ScrewVerdict) -> str:
+    """Return what is said of a wrong answer as a whole."""
+    return "screws_wrong" if found.broken is None else "screws_right_robot"
 
 
 def _key(context: Context) -> ScrewAnswer:

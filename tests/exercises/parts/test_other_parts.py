@@ -1,6 +1,7 @@
 """The structure, the numeric pose and the workspace."""
 
 import math
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -10,17 +11,20 @@ from hypothesis import strategies as st
 
 from exercises.grading import Finding, HelpLevel
 from exercises.instance import generate
+from exercises.loader import load_exercise
 from exercises.parts.forward.reach import reach
 from exercises.parts.forward.schematic import AxisRelation, Schematic, schematic_of
 from exercises.parts.forward.workspace import RadiiCells
 from exercises.parts.motion.screws import ScrewsCells
 from exercises.parts.report import Credit
+from exercises.selftest.checks import check
 from kinematics import catalogue
 from kinematics.answers.screw_answers import ScrewFrame, ScrewOrder
 from kinematics.cells import bind_parameters
 from kinematics.forward import forward_kinematics
 from kinematics.table import Convention, DHRow, DHTable, JointType, NumericTable
 from tests.exercises.answering import SCARA, codes, judged, part, table
+from tests.exercises.folders import changed, folder
 from tests.exercises.packaged import exercise
 
 R, P = JointType.REVOLUTE, JointType.PRISMATIC
@@ -328,6 +332,14 @@ def test_screws_of_the_right_robot_are_told_the_rule_that_they_break() -> None:
     found = screws("scara", turn, apart, slide, (0, -0.7, 0, 0, 0, 1))
     assert codes(found)[:2] == ["screws_right_robot", "tool_point_missed"]
     assert 0 < found.score < 1
+
+
+def test_strict_screws_pass_their_own_tests(tmp_path: Path) -> None:
+    """Screws of the tool's frame called screws of the fixed one describe this arm with another rule."""
+    rules = 'base = "frame"\ntool = "frame"\nzero = "figure"\ndirection = "figure"'
+    text = changed('kind = "table"', 'kind = "screws"')
+    found = load_exercise(folder(tmp_path, changed("[[parts]]", f"[policy]\n{rules}\n[[parts]]", text)))
+    assert not check(found, 1).failures
 
 
 def test_radii_in_another_unit() -> None:
