@@ -44,24 +44,24 @@ class HalfTurn(Node):
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Unary(Node):
+class UnaryNode(Node):
     """What is done to one value."""
 
     operand: Node
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Degrees(Unary):
+class Degrees(UnaryNode):
     """A value marked with the degree sign."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Parenthesized(Unary):
+class Parenthesized(UnaryNode):
     """A value in parentheses."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Negation(Unary):
+class Negation(UnaryNode):
     """A value with a minus sign before it."""
 
 
@@ -80,12 +80,12 @@ class Multiplication(Node):
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Reciprocal(Unary):
+class Reciprocal(UnaryNode):
     """One over a value."""
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
-class Raised(Unary):
+class Raised(UnaryNode):
     """A power."""
 
     exponent: Node
@@ -106,7 +106,7 @@ def children(node: Node) -> tuple[Node, ...]:
             return parts
         case Raised(operand=base, exponent=exponent):
             return (base, exponent)
-        case Unary(operand=part):
+        case UnaryNode(operand=part):
             return (part,)
     return ()
 
