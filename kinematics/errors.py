@@ -13,8 +13,6 @@ An error carries one or more faults, so that a caller sees all of them at once. 
 "not the same robot" are results, never errors. No error knows an HTTP status.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
@@ -36,7 +34,7 @@ class Fault:
     params: Mapping[str, ParamValue] = field(default_factory=dict)
 
     @classmethod
-    def at(cls, code: str, /, *where: str | int, **params: ParamValue) -> Fault:
+    def at(cls, code: str, /, *where: str | int, **params: ParamValue) -> "Fault":
         """Return a fault at a place, with the values that its sentence mentions."""
         return cls(code=code, where=where, params=params)
 
@@ -46,7 +44,7 @@ class Fault:
         values = ", ".join(f"{name}={value}" for name, value in self.params.items())
         return f"{self.code}{place}" + (f" ({values})" if values else "")
 
-    def within(self, *prefix: str | int) -> Fault:
+    def within(self, *prefix: str | int) -> "Fault":
         """Return the same fault, placed in an enclosing object that contains the read one at `prefix`."""
         return Fault(code=self.code, where=(*prefix, *self.where), params=self.params)
 
@@ -58,7 +56,7 @@ class FaultyError(Exception):
         self.faults: tuple[Fault, ...] = (faults,) if isinstance(faults, Fault) else tuple(faults)
         super().__init__("; ".join(map(str, self.faults)))
 
-    def __reduce__(self) -> tuple[type[FaultyError], tuple[tuple[Fault, ...]]]:
+    def __reduce__(self) -> "tuple[type[FaultyError], tuple[tuple[Fault, ...]]]":
         """Errors travel from worker processes with their faults."""
         return type(self), (self.faults,)
 

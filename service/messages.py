@@ -1,7 +1,5 @@
 """Sentences in the caller's language, from the Fluent files in `locales/<language>/*.ftl`."""
 
-from __future__ import annotations
-
 import logging
 import re
 from collections.abc import Callable, Mapping
@@ -54,7 +52,7 @@ _BEGIN = re.compile(r"^([a-zA-Z][\w-]*) *=", re.MULTILINE)
 _REFERENCE = re.compile(r"\{\s*([a-zA-Z][\w-]*)\s*[}.]")
 
 
-def _time(moment: str) -> FluentType:
+def _time(moment: str) -> "FluentType":
     """Print an ISO 8601 time in UTC as the language writes dates and hours."""
     from fluent.runtime.types import fluent_date
 
@@ -63,11 +61,11 @@ def _time(moment: str) -> FluentType:
     return told
 
 
-FUNCTIONS: dict[str, Callable[[Any], FluentType]] = {"TIME": _time}  # What messages may call.
+FUNCTIONS: "dict[str, Callable[[Any], FluentType]]" = {"TIME": _time}  # What messages may call.
 
 
 @lru_cache(maxsize=32)
-def _bundle(language: str) -> FluentBundle:
+def _bundle(language: str) -> "FluentBundle":
     from fluent.runtime import FluentBundle
 
     locales = [REGIONS.get(name, name) for name in (language, DEFAULT_LANGUAGE)]
@@ -82,7 +80,7 @@ def _read(language: str, identifier: str) -> ast.Message | None:
     return entry if isinstance(entry, ast.Message) else None
 
 
-def _bundle_with(language: str, identifier: str) -> FluentBundle:
+def _bundle_with(language: str, identifier: str) -> "FluentBundle":
     """The language's messages with this one, and those that it refers to, among them."""
     messages, read = _bundle(language), _read(language, identifier)
     if read is not None and not messages.has_message(identifier):

@@ -3,8 +3,6 @@
 Nothing here names a person: routes are counted by their templates, refusals by their codes.
 """
 
-from __future__ import annotations
-
 import os
 import tempfile
 import threading
@@ -48,7 +46,9 @@ Occupancy = Mapping[str, tuple[int, int]]  # Tasks that run and that wait, by th
 class Metrics:
     """The metrics of one application."""
 
-    def __init__(self, occupancy: Callable[[], Occupancy], outbox: Callable[[], OutboxState] | None) -> None:
+    def __init__(
+        self, occupancy: Callable[[], Occupancy], outbox: "Callable[[], OutboxState] | None"
+    ) -> None:
         """Make them; without storage there is no outbox."""
         disable_created_metrics()  # type: ignore[no-untyped-call]
         self._occupancy = occupancy
@@ -125,7 +125,7 @@ class Metrics:
 class OutboxCollector(Collector):
     """Asks the database, when it is asked."""
 
-    def __init__(self, ask: Callable[[], OutboxState]) -> None:
+    def __init__(self, ask: "Callable[[], OutboxState]") -> None:
         self._ask = ask
         self._lock = threading.Lock()
         self._found: OutboxState | None = None
@@ -144,7 +144,7 @@ class OutboxCollector(Collector):
             oldest = "How long ago the oldest attempt whose score waits was handed in"
             yield GaugeMetricFamily("framewise_outbox_oldest_seconds", oldest, value=found.oldest)
 
-    def _state(self) -> OutboxState | None:
+    def _state(self) -> "OutboxState | None":
         with self._lock:
             if time.monotonic() >= self._until:
                 try:

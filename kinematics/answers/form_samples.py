@@ -1,7 +1,5 @@
 """Points at which closed forms about a robot are compared: nobody knows them before the answer is written."""
 
-from __future__ import annotations
-
 import random
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
@@ -86,7 +84,7 @@ class FormSamples:
         found = [values_at(entry, self.parameters, self.joints) for entry in entries]
         return np.array(found).reshape(len(found), self.joints.shape[1])
 
-    def at(self, k: int) -> FormSamples:
+    def at(self, k: int) -> "FormSamples":
         """Return one of the points."""
         parameters = {name: values[k : k + 1] for name, values in self.parameters.items()}
         return FormSamples(parameters=parameters, joints=self.joints[:, k : k + 1])

@@ -4,8 +4,6 @@ Zeros of a function are looked for along lines through the joint space, so that 
 times.
 """
 
-from __future__ import annotations
-
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 
@@ -172,7 +170,7 @@ class SingularArm(ValuedRobot):
                 low, high = np.where(left, low, low + third), np.where(left, high - third, high)
         return at(0.5 * (low + high))
 
-    def other(self) -> SingularArm:
+    def other(self) -> "SingularArm":
         """Return the same arm with other lengths, no two of them equal: what was longer stays longer."""
         rng = np.random.default_rng(11)
         names = sorted(self.values, key=self.values.__getitem__)

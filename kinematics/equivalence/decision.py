@@ -9,8 +9,6 @@ which is so exactly when motions g_0, …, g_n exist with g_{i-1} S_i^s = σ_i S
 g_{i-1}. docs/checker.md gives the argument; the modules beside this one are its steps.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from contextlib import nullcontext
 from dataclasses import replace

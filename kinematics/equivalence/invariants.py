@@ -8,8 +8,6 @@ Their sizes are necessary for equivalence, not sufficient; with their signs, and
 suits best (`exercises.grading.facts`), hardly anything wrong is left.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -104,11 +102,11 @@ class Invariants:
         """(2, q, k) which measured values fit, and which would if one of their axes were turned round."""
         return np.abs(np.array((found, self.reversed(found))) - self.values) <= self.slacks
 
-    def some(self, which: Sequence[int]) -> Invariants:
+    def some(self, which: Sequence[int]) -> "Invariants":
         """Return some of them."""
         return Invariants(tuple(self.shapes[i] for i in which), self.values[which], self.slacks[which])
 
-    def beside(self, others: Invariants) -> Invariants:
+    def beside(self, others: "Invariants") -> "Invariants":
         """These, and others after them."""
         if not others.shapes:
             return self
@@ -118,7 +116,7 @@ class Invariants:
             np.concatenate((self.slacks, others.slacks)),
         )
 
-    def held_to(self, slacks: Floats) -> Invariants:
+    def held_to(self, slacks: Floats) -> "Invariants":
         """Return the same with other slacks, (q, 1), where these are smaller."""
         return replace(self, slacks=np.minimum(self.slacks, slacks))
 

@@ -1,7 +1,5 @@
 """A reference table, prepared once for all the submissions that are compared with it."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -65,7 +63,7 @@ class Reference:
     _plans: dict[tuple[BaseRule, ZeroRule, Nearness], tuple[Plan, ...]] = field(default_factory=dict)
     _nearnesses: dict[Tolerance, tuple[Nearness, ...]] = field(default_factory=dict)
     _levels: dict[tuple[BaseRule, ZeroRule, Tolerance], tuple[int, ...]] = field(default_factory=dict)
-    ends: dict[tuple[int, ToolRule, Nearness], tuple[Plan, tuple[ToolChoice, ...]]] = field(
+    ends: "dict[tuple[int, ToolRule, Nearness], tuple[Plan, tuple[ToolChoice, ...]]]" = field(
         default_factory=dict
     )
 
@@ -88,14 +86,14 @@ class Reference:
             joints[i] *= self.size if axis.prismatic else np.pi
         return joints, self.chain.poses(joints.T)
 
-    def beside(self, submission: Chain) -> Reference:
+    def beside(self, submission: Chain) -> "Reference":
         """Return the reference at the size of a submission, if it has none of its own."""
         if not self.scaleless:
             return self
         size = submission.extent if submission.extent > NO_LENGTH else 1.0
         return Reference(table=self.table, chain=self.chain, size=size, scaleless=True)
 
-    def sampled_at(self, joints: NDArray[np.float64]) -> Reference:
+    def sampled_at(self, joints: NDArray[np.float64]) -> "Reference":
         """Return the reference with more configurations, (n, k), among the samples."""
         more = np.concatenate([self.joints, joints], axis=1)
         poses = np.concatenate([self.poses, self.chain.poses(joints.T)])

@@ -1,7 +1,5 @@
 """Equations one after another: as text, LaTeX and trees, and as a function in programming languages."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any, NamedTuple
@@ -122,11 +120,11 @@ class _RoundedRoots(SympyNodes):
         radicands: those found, each by the symbol that stands for it.
     """
 
-    def __init__(self, atoms: Callable[[Expression], sympy.Expr | None]) -> None:
+    def __init__(self, atoms: "Callable[[Expression], sympy.Expr | None]") -> None:
         super().__init__(atoms=atoms)
         self.radicands: dict[str, sympy.Expr] = {}
 
-    def _converted(self, node: Expression) -> sympy.Expr:
+    def _converted(self, node: Expression) -> "sympy.Expr":
         import sympy
 
         if not isinstance(node, Call) or node.function is not Function.SQRT:
@@ -155,7 +153,7 @@ class _ProgramSteps:
         self._known.add(symbol)
         self._steps.append(ProgramStep(symbol, word, converted))
 
-    def converted(self, value: Expression) -> sympy.Expr:
+    def converted(self, value: Expression) -> "sympy.Expr":
         """Return a value in SymPy's nodes; new sines, cosines and radicands in it become steps."""
         import sympy
 
@@ -180,7 +178,7 @@ class _ProgramSteps:
         """Return what the symbols stand for that no step defines."""
         return {symbol: node for symbol, node in self._atoms.known.items() if symbol not in self._known}
 
-    def needed(self, entries: Sequence[Sequence[sympy.Expr]]) -> list[ProgramStep]:
+    def needed(self, entries: "Sequence[Sequence[sympy.Expr]]") -> list[ProgramStep]:
         """Return the steps that entries rest on."""
         used = {symbol.name for row in entries for entry in row for symbol in entry.free_symbols}
         kept: list[ProgramStep] = []

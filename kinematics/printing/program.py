@@ -1,7 +1,5 @@
 """Functions in programming languages: SymPy finds what is repeated, and prints it."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import count
@@ -46,7 +44,7 @@ class ProgramStep(NamedTuple):
 
     symbol: str
     word: str
-    value: sympy.Expr
+    value: "sympy.Expr"
 
 
 @dataclass(frozen=True, kw_only=True, slots=True)
@@ -69,7 +67,7 @@ class Program:
     variables: tuple[str, ...]
     atoms: dict[str, Expression]
     steps: list[ProgramStep]
-    entries: list[list[sympy.Expr]]
+    entries: "list[list[sympy.Expr]]"
 
 
 def program(
@@ -134,7 +132,7 @@ class SourceAtoms:
         self.circular: dict[str, Call] = {}
         self._places: dict[Call, str] = {}
 
-    def symbol(self, node: Expression) -> sympy.Expr | None:
+    def symbol(self, node: Expression) -> "sympy.Expr | None":
         """Return the symbol that stands for a node, if one does."""
         import sympy
 

@@ -1,7 +1,5 @@
 """An SCM chain as it is handed in, and as it is read."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass
 from fractions import Fraction

@@ -6,8 +6,6 @@ a product, and two products are compared as functions of whatever stands in them
 Source: seed 001 §2, eq. 2.1 to 2.5 (motions), 2.10 to 2.12 (products), 3.24 (H2J), table 1 (the toolbox).
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TypeAlias

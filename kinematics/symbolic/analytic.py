@@ -10,8 +10,6 @@ About fixed axes the first and the last change places. The other triple of the s
 Source: B. Siciliano, L. Sciavicco, L. Villani, G. Oriolo, Robotics (2009), section 3.6.
 """
 
-from __future__ import annotations
-
 from contextlib import suppress
 from functools import lru_cache
 

@@ -1,7 +1,5 @@
 """Angles that are sums of joint variables, parameters and constants, and their cosines and sines."""
 
-from __future__ import annotations
-
 from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import lru_cache
@@ -66,7 +64,7 @@ class Angle:
     def __hash__(self) -> int:
         return self._hash
 
-    def plus(self, other: Angle, sign: int = 1) -> Angle:
+    def plus(self, other: "Angle", sign: int = 1) -> "Angle":
         """Return the sum, or difference, of two angles."""
         return _sum(self, other, sign)
 

@@ -9,8 +9,6 @@ over ℚ, which SymPy factors; cos(q_i/2) is a factor besides where it vanishes 
 Source: D. E. Whitney (1969) for the columns; K. Weierstraß for the substitution.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from enum import StrEnum
 from functools import lru_cache

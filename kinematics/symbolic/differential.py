@@ -1,7 +1,5 @@
 """Columns of Jacobians: what a joint's motion does to the end of its chain."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise

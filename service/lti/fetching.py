@@ -4,8 +4,6 @@ A host is resolved once, and the address that was checked is the one that is con
 cannot point inside the network after it was looked at. Origins that the operator trusts may be anything.
 """
 
-from __future__ import annotations
-
 import ipaddress
 import re
 import socket
@@ -66,7 +64,7 @@ class FetchedAnswer:
         """Whether the platform did what it was asked."""
         return self.status // 100 == 2
 
-    def succeeded(self) -> FetchedAnswer:
+    def succeeded(self) -> "FetchedAnswer":
         """Return this answer, if the platform did what it was asked.
 
         Raises:
@@ -108,7 +106,7 @@ class Fetcher:
         self._resolve = resolve or _resolve
 
     @cached_property
-    def _client(self) -> httpx.Client:
+    def _client(self) -> "httpx.Client":
         import httpx
 
         return httpx.Client(
@@ -116,7 +114,7 @@ class Fetcher:
         )
 
     @cached_property
-    def _transport(self) -> BoundedTransport:
+    def _transport(self) -> "BoundedTransport":
         from service.lti.bounded_connections import BoundedTransport
 
         return BoundedTransport()
@@ -170,7 +168,7 @@ class Fetcher:
         answer = self.send("GET", address).succeeded()
         return answer.json(), answer
 
-    def _checked(self, address: str) -> tuple[httpx.URL, dict[str, Any], str]:
+    def _checked(self, address: str) -> "tuple[httpx.URL, dict[str, Any], str]":
         """The address to connect to, with the host's name for TLS, and the Host field."""
         import httpx
 
