@@ -1,7 +1,7 @@
 """An SCM chain as it is handed in, and as it is read."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from types import MappingProxyType
 
@@ -67,8 +67,8 @@ class ReadChain:
 def read_chain(raw: RawChain, limits: Limits = DEFAULT) -> ReadChain:
     """Return the exact chain that a chain as handed in means.
 
-    In row i the variable is written q_i or θ_i, or as the source writes it: a_i among the angles, d_i among
-    the lengths of a row whose angles hold no variable. Everywhere else such names are parameters.
+    In row i the variable is written q_i or θ_i, or in a row without these as the source writes it: a_i among
+    the angles, d_i among the lengths of a row whose angles hold no variable. Other such names are parameters.
 
     Raises:
         DescriptionError: every fault at once, at ("joints", i, entry), ("final", entry) or ("tool", entry).
@@ -112,9 +112,11 @@ class _ChainReader:
 
     def row(self, i: int, cells: RawPlacement) -> ChainRow:
         before = len(self.faults)
-        turns = {e: self._entry(e, cells, i, f"a{i + 1}") for e in Entry if e.is_turn}
+        trial = replace(self, faults=[], kinds={}, typed={})
+        named = any(i + 1 in joint_variables_in(trial._entry(e, cells, i, None)) for e in Entry)
+        turns = {e: self._entry(e, cells, i, None if named else f"a{i + 1}") for e in Entry if e.is_turn}
         turning = any(joint_variables_in(expression) for expression in turns.values())
-        own = None if turning else f"d{i + 1}"
+        own = None if named or turning else f"d{i + 1}"
         entries = {**{e: self._entry(e, cells, i, own) for e in Entry if not e.is_turn}, **turns}
         holding = [entry for entry in Entry if joint_variables_in(entries[entry])]
         variable, sign = Entry.A, 1

@@ -53,6 +53,13 @@ def test_text_of_a_chain_is_bounded():
     assert refusal.value.code == "scm_chain_too_long"
 
 
+def test_beside_a_variable_q_the_documents_names_are_lengths_and_angles():
+    """As in the chain of a table whose length d1 lies before its slide q1."""
+    read = chain_of(("d1", 0, "-q1", 0, 0, "a1"))
+    assert (read.chain.rows[0].variable, read.chain.rows[0].sign) == (Entry.Z, -1)
+    assert read.parameters == {"d1": ParameterKind.LENGTH, "a1": ParameterKind.ANGLE}
+
+
 def test_variables_as_the_document_writes_them():
     read = chain_of(*STANFORD)
     assert [row.variable for row in read.chain.rows] == [Entry.A, Entry.B, Entry.Z, Entry.A, Entry.B, Entry.A]
