@@ -29,11 +29,11 @@ def without_marks(tokens: list[Token]) -> list[Token]:
         if token.type == "NAME":
             token, position = _unmarked(token, tokens, position)
         found.append(token)
-        # a power of ten is a factor
+        # a power of ten is a factor, and ** is a program's
         if token.type == "NUMBER" and not (found[-1:] == ["10"] and _types(found[-2:], 0, 1) == ("STAR",)):
             for mark in _RAISED_ZERO:
                 raised = tokens[position : position + len(mark)]
-                if tuple(part.type for part in raised) == mark and "0" in raised:
+                if tuple(part.type for part in raised) == mark and "0" in raised and "**" not in raised:
                     found.append(Token("DEGREE", "°", column=raised[0].column))
                     position += len(mark)
                     break
