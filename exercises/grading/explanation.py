@@ -110,12 +110,12 @@ def diagnosis(
         weights: what facts and slips are worth.
     """
     decision, comparison, known = refused
-    work = work_on(comparison, tables, policy)
+    work, meter = work_on(comparison, tables, policy), Meter(MOST_WORK)
     repairs: tuple[Repaired, ...] = known or ()
     score = 0.0
     try:
         if decision is not IMPRECISE and known is None:
-            repairs = find_repairs(replace(work, meter=Meter(MOST_WORK)))
+            repairs = find_repairs(replace(work, meter=meter))
     except Exception:
         _LOG.exception("no repairs")
     try:
@@ -131,23 +131,23 @@ def diagnosis(
     if repairs or decision.same_robot or lacks_precision(decision):
         return found
     try:
-        return _beside_throughout(found, tables, policy, weights)
+        return _beside_throughout(found, tables, policy, weights, Meter(min(meter.left, MOST_WORK // 2)))
     except Exception:
         _LOG.exception("it is not known what is wrong throughout")
         return found
 
 
 def _beside_throughout(
-    found: Diagnosis, tables: tuple[ReadTable, ReadTable], policy: Policy, weights: Weights
+    found: Diagnosis, tables: tuple[ReadTable, ReadTable], policy: Policy, weights: Weights, meter: Meter
 ) -> Diagnosis:
-    """What is wrong throughout, a unit or too few digits, and what is found beside it; else the same."""
+    """What is wrong throughout, a unit or too few digits, and what is found beside it, by the work left."""
     seen = seen_throughout(found.work)
     if seen is None:
         return found
     change, comparison = seen
     rest, score = work_on(comparison, tables, policy), found.score
     decision = found.decision if rest.excess else diagnosed(comparison, policy)
-    repairs = find_repairs(replace(rest, meter=Meter(MOST_WORK // 2)))
+    repairs = find_repairs(replace(rest, meter=meter))
     if change.code == ROUNDED:
         digits = weights.sign / standard_of(rest.reference, policy, weights).nothing
         score = max(score, round(score_of(decision, repairs, rest, weights) - digits, DECIMALS))

@@ -5,7 +5,9 @@ from itertools import combinations
 
 import pytest
 
-from exercises.grading import Policy, ToolRule, Verdict, grade
+from exercises.grading import Policy, ToolRule, Verdict, explanation, grade
+from exercises.grading.edits.repairs import Repaired, find_repairs
+from exercises.grading.edits.work import Work
 from exercises.grading.judging.name_values import FREE_ATTEMPTS, Values, drawn_value
 from exercises.grading.judging.typed import meant_in_radians
 from kinematics.cells.binding import ParameterKind
@@ -157,3 +159,25 @@ def test_a_unit_throughout_is_told_in_names_and_beside_wrong_joints_too(
 def test_no_unit_is_told_that_is_not_wrong(rows: Rows) -> None:
     verdict = grade(KEY, read("standard", rows), USUAL, VALUES)
     assert not [entry for entry in verdict.feedback if entry.code.endswith("_throughout")]
+
+
+def test_what_is_wrong_beside_a_unit_is_searched_by_the_work_that_is_left(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Two searches together cost what one may: the second had half as much again."""
+    granted: list[int] = []
+    left: list[int] = []
+
+    def counted(work: Work) -> tuple[Repaired, ...]:
+        granted.append(work.meter.left)
+        found = find_repairs(work)
+        left.append(work.meter.left)
+        return found
+
+    monkeypatch.setattr(explanation, "find_repairs", counted)
+    monkeypatch.setattr(explanation, "MOST_WORK", 1500)
+    rows = in_degrees(with_cells(THREE_WRONG, (5, 2, "d4")))
+    verdict = grade(KEY, read("standard", rows), USUAL, VALUES)
+    assert "angles_throughout" in [entry.code for entry in verdict.feedback]
+    assert granted == [1500, left[0]]
+    assert left[0] < 750
