@@ -95,8 +95,6 @@ def sentence(language: str, identifier: str, params: Mapping[str, object] | None
     told = {name: _argument(value) for name, value in (params or {}).items()}
     if identifier.startswith("error-"):
         told = {name: _GREEK.sub(_greek, v) if isinstance(v, str) else v for name, v in told.items()}
-    if told.get("unit") == "in":  # “lengths in in” is no English
-        told["unit"] = _formatted(language, "unit-in", ()) or "in"
     return _formatted(language, identifier, tuple(told.items()))
 
 

@@ -219,12 +219,17 @@ def test_a_dimension_too_short_is_told_without_a_number_that_nobody_chose(langua
     assert not re.search("3[.,]39", said)
 
 
-@pytest.mark.parametrize("message", ["task-screws", "task-frame-chain", "task-workspace-axis"])
-def test_lengths_are_not_asked_for_in_in(message: str) -> None:
-    told = {"n": 2, "start": 0, "end": 1, "point": "P", "limits": "none"}
-    for language in languages():
-        word = sentence(language, "unit-in")
-        assert sentence(language, message, {**told, "unit": "in"}) == sentence(
-            language, message, {**told, "unit": word}
-        )
-    assert sentence("en", "unit-in") != "in"
+INCHES = {"en": "inches", "es": "pulgadas", "fr": "pouces", "pt": "polegadas", "ro": "inci", "uk": "дюймах"}
+
+
+@pytest.mark.parametrize("language", languages())
+def test_a_unit_is_a_word_after_in_and_a_symbol_after_a_number(language: str) -> None:
+    """“Lengths in in” is no English; “1 inches” is none, either."""
+    told = {"n": 2, "start": 0, "end": 1, "point": "P", "limits": "none", "name": "L1", "length": "1"}
+    told |= {"course": "vertical", "row": 1}
+    for message in ["task-screws", "task-frame-chain", "task-workspace-axis", "form-frames-hint"]:
+        assert f" {INCHES[language]}" in (sentence(language, message, {**told, "unit": "in"}) or "")
+        assert " mm" in (sentence(language, message, {**told, "unit": "mm"}) or "")
+    symbols = {"figure-dimension": " 1 in", "given-link-weights": " in²", "form-cell-label": "[in]"}
+    for message, symbol in symbols.items():
+        assert symbol in (sentence(language, message, {**told, "unit": "in"}) or "")

@@ -12,6 +12,7 @@ ROOM = r"(?:form|playground|receipts|trainer)"
 OTHERWISE = r"(?<!class: )(?<!id: )(?<!Event\()(?<!Listener\()(?<!add\()"
 QUOTED = re.compile(rf"""{OTHERWISE}["'`]({ROOM}-[a-z0-9]+(?:-[a-z0-9]+)*)["'`]""")
 STEM = re.compile(rf"""`({ROOM}-(?:[a-z0-9]+-)*)\$\{{""")
+REFERENCE = re.compile(r"\{ ([a-z][a-z-]+) \}")
 FIELD = re.compile(r'say\("([a-z][a-z0-9-]*)"\)')
 
 
@@ -82,6 +83,8 @@ def test_what_scripts_and_templates_say_exists_and_what_exists_is_said() -> None
     for path in (ROOT / "service" / "routes").rglob("*.py"):
         text = path.read_text(encoding="utf-8")
         said |= set(re.findall(rf'(?:title=|say\()"({ROOM}-[a-z0-9-]+)"', text))
+    for room in ROOMS:
+        said |= set(REFERENCE.findall((LOCALES / "en" / f"{room}.ftl").read_text(encoding="utf-8")))
     assert not {f"{room}-" for room in ROOMS} & stems, "any message would do"
     assert sorted(name for name in said - known if name.split("-")[0] in ROOMS) == []
     assert sorted(name for name in known - said if not any(name.startswith(stem) for stem in stems)) == []

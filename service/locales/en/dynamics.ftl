@@ -12,7 +12,7 @@ error-body_varies = The mass of a link and its place in the link do not change w
 error-dynamics_not_finite = The masses, lengths or rates are so large that the result is not a number.
 
 task-equations-of-motion =
-    You are given the robot’s table and the body that moves with each frame i. Write the terms of M q̈ + C q̇ + g = τ that are asked for as functions of q1, q2, …, their rates dq1, dq2, … and the given symbols; lengths in { $unit }, per radian. { $skew ->
+    You are given the robot’s table and the body that moves with each frame i. Write the terms of M q̈ + C q̇ + g = τ that are asked for as functions of q1, q2, …, their rates dq1, dq2, … and the given symbols; lengths in { unit-word }, per radian. { $skew ->
         [yes] Any C that gives the right C q̇ is right; in addition, Ṁ − 2C has to be skew-symmetric.
        *[no] Any C that gives the right C q̇ is right.
     }

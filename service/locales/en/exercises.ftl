@@ -6,7 +6,7 @@ figure-title = { $title }: joints, axes and dimensions
 figure-coordinates = { $joints ->
     [one] A robot with one joint.
    *[other] A robot with { $joints } joints, one behind the other, counted from the base.
-} Positions are given in { $unit } as (X; Y; Z). { figure-place }
+} Positions are given in { unit-word } as (X; Y; Z). { figure-place }
 figure-place = X points { $x ->
     [back] to the back, Y to the left
     [left] to the left, Y to the front
@@ -52,7 +52,6 @@ figure-not-to-scale = The drawing is not to scale: in it, { $names } { $count ->
     [one] is not as long as it is
    *[other] are not as long as they are
 } here.
-unit-in = inches
 figure-note = not to scale
 
 ## What is free and what is fixed
@@ -79,15 +78,15 @@ task-schematic = Describe the structure: the type of each joint, and how the axi
 task-table = Choose frames and write the DH table. The cells may hold { $names }, numbers and the joint variables q1 to q{ $n }.
 task-link-matrices = For each row of your table, write its link matrix, the pose of frame i in frame i−1. You may shorten cos(q1) to c1 and sin(q1 + q2) to s12.
 task-transform = Write ⁰T, the pose of the last frame in frame 0, in closed form.
-task-pose = Evaluate your ⁰T for { $joints } and the dimensions given here, lengths in { $unit }.
+task-pose = Evaluate your ⁰T for { $joints } and the dimensions given here, lengths in { unit-word }.
 task-workspace-axis = How near to the axis of joint 1 can { $point } be brought, and how far from it? { $limits ->
     [none] Every joint may take any value.
    *[some] The joints keep to their limits.
-} Give both radii in { $unit }.
+} Give both radii in { unit-word }.
 task-workspace-point = What are the least and the greatest distance of { $point } from { $origin }? { $limits ->
     [none] Every joint may take any value.
    *[some] The joints keep to their limits.
-} Give both radii in { $unit }.
+} Give both radii in { unit-word }.
 
 ## Feedback on the parts
 
@@ -140,7 +139,7 @@ feedback-workspace_inner_wrong = The inner radius is not right.
 feedback-workspace_outer_wrong = The outer radius is not right.
 feedback-workspace_swapped = The inner and the outer radius are swapped.
 feedback-workspace_diameters = These are diameters; the radii are asked for.
-feedback-workspace_other_length_unit = The radii are right in another unit; they are asked for in { $unit }.
+feedback-workspace_other_length_unit = The radii are right in another unit; they are asked for in { unit-word }.
 
 ## Why an answer cannot be graded
 
@@ -243,7 +242,7 @@ error-attempts_used_up = You have used { $limit ->
    *[other] all { $limit } attempts
 }.
 error-ladder_falls = Each attempt may be told as much as the one before it or more, never less.
-task-frames = Place frames 0 to { $n } on the robot as the figure shows it: for each frame its origin, in { $unit } and in the coordinates of the figure, and the directions of x and z. { figure-place }
+task-frames = Place frames 0 to { $n } on the robot as the figure shows it: for each frame its origin, in { unit-word } and in the coordinates of the figure, and the directions of x and z. { figure-place }
 error-frames_count = There are frames 0 to N: { $expected } are needed, and { $given } were given.
 error-convention_not_asked = The exercise asks for the { $asked } convention.
 error-weight_out_of_range = The weight of { $name } is a number from 0 to { $most }.

@@ -59,7 +59,7 @@ form-joint-fixed = fixed
 form-joint-of-row = Joint type, row { $row }
 form-joint-turn = Joint angle { $name }
 form-joint-slide = Joint displacement { $name }
-form-joint-value = { $name } in { $unit }
+form-joint-value = { $name } in { unit-word }
 form-joints-reset = Reset the joints
 
 form-convention = Convention
@@ -71,9 +71,13 @@ form-angle-unit = Unit of angles
 form-degrees = degrees
 form-radians = radians
 form-length-unit = Unit of lengths
+unit-word = { $unit ->
+    [in] inches
+   *[other] { $unit }
+}
 form-unit-now-deg = Numbers in the angle columns are now read as degrees.
 form-unit-now-rad = Numbers in the angle columns are now read as radians.
-form-unit-now-length = Numbers in the length columns are now read in { $unit }.
+form-unit-now-length = Numbers in the length columns are now read in { unit-word }.
 form-unit-doubt-deg = { $value } rad is more than a whole turn. Are these angles in degrees?
 form-unit-doubt-rad = { $value }° is a very small angle. Are these angles in radians?
 form-unit-read-deg = Read them as degrees
@@ -377,7 +381,7 @@ form-receipt-qr = Receipt as a QR code
 form-receipt-pdf = Page to print (PDF)
 
 form-part-frames = Frames
-form-frames-hint = Lengths in { $unit }. A direction may have any length.
+form-frames-hint = Lengths in { unit-word }. A direction may have any length.
 form-frames-scene = The robot with your frames
 form-frames-drawn = Frames drawn: { $drawn } of { $all }.
 form-frames-frame = Frame { $frame }

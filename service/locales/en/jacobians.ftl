@@ -5,7 +5,7 @@ task-jacobian-analytic =
     } Write the analytic Jacobian: the velocity of the last origin in frame 0, then the rates of the three angles about the { $turning ->
             [fixed] fixed
            *[current] current
-        } axes { $axes }, in their order. Numbers, lengths in { $unit }, per radian.
+        } axes { $axes }, in their order. Numbers, lengths in { unit-word }, per radian.
 
 task-jacobian-form =
     { $variables ->

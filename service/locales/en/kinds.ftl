@@ -47,7 +47,7 @@ task-orientation =
        *[none] {""}
     }
 task-rotation-check = Is this matrix a rotation? If not, say which property of a rotation it lacks.
-task-frame-chain = The poses below are known. Write the pose of frame { $end } in frame { $start } as a 4×4 matrix, lengths in { $unit }.
+task-frame-chain = The poses below are known. Write the pose of frame { $end } in frame { $start } as a 4×4 matrix, lengths in { unit-word }.
 feedback-orientation_right = Every notation describes the given orientation.
 feedback-orientation_wrong =
     { $notation ->
@@ -141,8 +141,8 @@ task-inverse-kinematics =
         [one] One solution is enough.
        *[all] Give all of them; full turns do not count.
     } { $reach ->
-        [position] Only the position of the last origin matters, in { $unit }.
-       *[pose] The position, in { $unit }, and the orientation both matter.
+        [position] Only the position of the last origin matters, in { unit-word }.
+       *[pose] The position, in { unit-word }, and the orientation both matter.
     }
 
 feedback-joints_right = The answer is right: everything that was asked for is there.
@@ -299,7 +299,7 @@ option-body = the tool’s frame at the zero position (body)
 option-linear_first = v, ω: linear part first
 option-angular_first = ω, v: angular part first
 
-task-screws = Write the robot as a product of exponentials: the screws of joints 1 to { $n } and the home pose M, lengths in { $unit }. Choose the frame, the zero position and the sense of each axis within the rules.
+task-screws = Write the robot as a product of exponentials: the screws of joints 1 to { $n } and the home pose M, lengths in { unit-word }. Choose the frame, the zero position and the sense of each axis within the rules.
 
 feedback-screws_right = The screws and the home pose describe this robot.
 feedback-screws_right_robot = This product of exponentials describes the right robot, but does not meet all the requirements of the exercise.
@@ -342,9 +342,9 @@ task-jacobian =
         [own] Take your own table and your own joint variables at these values.
        *[given] The table of the robot and a configuration are given.
     } { $ask ->
-        [jacobian] Write the geometric Jacobian of the last origin, lengths in { $unit }, per radian.
-        [forces] Which joint torques and forces, τ = Jᵀ(f, m), belong to the force and moment at the last origin, lengths in { $unit }?
-       *[both] Write the geometric Jacobian of the last origin, lengths in { $unit }, per radian, and the joint torques and forces τ = Jᵀ(f, m).
+        [jacobian] Write the geometric Jacobian of the last origin, lengths in { unit-word }, per radian.
+        [forces] Which joint torques and forces, τ = Jᵀ(f, m), belong to the force and moment at the last origin, lengths in { unit-word }?
+       *[both] Write the geometric Jacobian of the last origin, lengths in { unit-word }, per radian, and the joint torques and forces τ = Jᵀ(f, m).
     } { $frame ->
         [end] All vectors are in the axes of the last frame.
        *[base] All vectors are in the axes of frame 0.

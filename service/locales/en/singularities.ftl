@@ -6,7 +6,7 @@ task-singularities =
         [translation] where does the Jacobian of the last origin’s velocity have less than its usual rank?
        *[twist] where does the Jacobian have less than its usual rank?
     } Write one condition in each row: a function that vanishes there (sin(q3)) or an equation (q3 = 0, π). Only the set of configurations counts, however you write it.{ $lost ->
-        [yes] {" "}For the given configuration, write a vector λ ≠ 0 in the axes of frame 0 with λ · J q̇ = 0 whatever the joints do, at the last origin, lengths in { $unit }: the motion that is lost.
+        [yes] {" "}For the given configuration, write a vector λ ≠ 0 in the axes of frame 0 with λ · J q̇ = 0 whatever the joints do, at the last origin, lengths in { unit-word }: the motion that is lost.
        *[no] {""}
     }
 

@@ -12,7 +12,7 @@ error-body_varies = La masa de un eslabón y su lugar en él no cambian con las 
 error-dynamics_not_finite = Las masas, longitudes o velocidades son tan grandes que el resultado no es un número.
 
 task-equations-of-motion =
-    Se dan la tabla del robot y el cuerpo que se mueve con cada sistema i. Escriba los términos de M q̈ + C q̇ + g = τ que se piden, como funciones de q1, q2, …, sus velocidades dq1, dq2, … y los símbolos dados; longitudes en { $unit }, por radián. { $skew ->
+    Se dan la tabla del robot y el cuerpo que se mueve con cada sistema i. Escriba los términos de M q̈ + C q̇ + g = τ que se piden, como funciones de q1, q2, …, sus velocidades dq1, dq2, … y los símbolos dados; longitudes en { unit-word }, por radián. { $skew ->
         [yes] Es correcta toda C con el C q̇ correcto; además, Ṁ − 2C debe ser antisimétrica.
        *[no] Es correcta toda C con el C q̇ correcto.
     }

@@ -6,7 +6,7 @@ figure-title = { $title }: articulaciones, ejes y cotas
 figure-coordinates = { $joints ->
     [one] Un robot con una articulación.
    *[other] Un robot con { $joints } articulaciones, una tras otra, contadas desde la base.
-} Las posiciones se dan en { $unit } como (X; Y; Z). { figure-place }
+} Las posiciones se dan en { unit-word } como (X; Y; Z). { figure-place }
 figure-place = X apunta { $x ->
     [back] hacia atrás, Y hacia la izquierda
     [left] hacia la izquierda, Y hacia delante
@@ -52,7 +52,6 @@ figure-not-to-scale = El dibujo no está a escala: en él, { $names } { $count -
     [one] no tiene la longitud que se da
    *[other] no tienen las longitudes que se dan
 } aquí.
-unit-in = pulgadas
 figure-note = no está a escala
 
 ## Qué es libre y qué está fijado
@@ -79,15 +78,15 @@ task-schematic = Describa la estructura: el tipo de cada articulación y cómo e
 task-table = Elija los sistemas de referencia y escriba la tabla DH. Las celdas pueden contener { $names }, números y las variables articulares q1 a q{ $n }.
 task-link-matrices = Para cada fila de su tabla, escriba la matriz del eslabón: la pose del sistema i en el sistema i−1. Puede abreviar cos(q1) como c1 y sin(q1 + q2) como s12.
 task-transform = Escriba en forma cerrada ⁰T, la pose del último sistema en el sistema 0.
-task-pose = Evalúe su ⁰T para { $joints } y para las dimensiones dadas aquí, con las longitudes en { $unit }.
+task-pose = Evalúe su ⁰T para { $joints } y para las dimensiones dadas aquí, con las longitudes en { unit-word }.
 task-workspace-axis = ¿A qué distancia mínima y a qué distancia máxima del eje de la articulación 1 se puede llevar { $point }? { $limits ->
     [none] Cada articulación puede tomar cualquier valor.
    *[some] Las articulaciones respetan sus límites.
-} Dé los dos radios en { $unit }.
+} Dé los dos radios en { unit-word }.
 task-workspace-point = ¿Cuáles son la menor y la mayor distancia entre { $point } y { $origin }? { $limits ->
     [none] Cada articulación puede tomar cualquier valor.
    *[some] Las articulaciones respetan sus límites.
-} Dé los dos radios en { $unit }.
+} Dé los dos radios en { unit-word }.
 
 ## Comentarios sobre las partes
 
@@ -140,7 +139,7 @@ feedback-workspace_inner_wrong = El radio interior no es correcto.
 feedback-workspace_outer_wrong = El radio exterior no es correcto.
 feedback-workspace_swapped = El radio interior y el exterior están intercambiados.
 feedback-workspace_diameters = Estos son diámetros; se piden los radios.
-feedback-workspace_other_length_unit = Los radios son correctos en otra unidad; se piden en { $unit }.
+feedback-workspace_other_length_unit = Los radios son correctos en otra unidad; se piden en { unit-word }.
 
 ## Por qué no se puede calificar una respuesta
 
@@ -243,7 +242,7 @@ error-attempts_used_up = { $limit ->
    *[other] Ya se han hecho los { $limit } intentos que permite este ejercicio.
 }
 error-ladder_falls = A cada intento se le puede decir tanto como al anterior o más, nunca menos.
-task-frames = Coloque los sistemas 0 a { $n } en el robot tal como lo muestra la figura: de cada uno, su origen, en { $unit } y en las coordenadas de la figura, y las direcciones de x y z. { figure-place }
+task-frames = Coloque los sistemas 0 a { $n } en el robot tal como lo muestra la figura: de cada uno, su origen, en { unit-word } y en las coordenadas de la figura, y las direcciones de x y z. { figure-place }
 error-frames_count = Hay sistemas de 0 a N: se necesitan { $expected } y se han dado { $given }.
 error-convention_not_asked = El ejercicio pide la convención { $asked ->
     [modified] modificada

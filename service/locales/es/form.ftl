@@ -59,7 +59,7 @@ form-joint-fixed = fija
 form-joint-of-row = Tipo de articulación, fila { $row }
 form-joint-turn = Ángulo de la articulación { $name }
 form-joint-slide = Desplazamiento de la articulación { $name }
-form-joint-value = { $name } en { $unit }
+form-joint-value = { $name } en { unit-word }
 form-joints-reset = Restablecer las articulaciones
 
 form-convention = Convención
@@ -71,9 +71,13 @@ form-angle-unit = Unidad de los ángulos
 form-degrees = grados
 form-radians = radianes
 form-length-unit = Unidad de las longitudes
+unit-word = { $unit ->
+    [in] pulgadas
+   *[other] { $unit }
+}
 form-unit-now-deg = Los números de las columnas de ángulos se leen ahora en grados.
 form-unit-now-rad = Los números de las columnas de ángulos se leen ahora en radianes.
-form-unit-now-length = Los números de las columnas de longitudes se leen ahora en { $unit }.
+form-unit-now-length = Los números de las columnas de longitudes se leen ahora en { unit-word }.
 form-unit-doubt-deg = { $value } rad es más de una vuelta. ¿Están estos ángulos en grados?
 form-unit-doubt-rad = { $value }° es un ángulo muy pequeño. ¿Están estos ángulos en radianes?
 form-unit-read-deg = Leerlos en grados
@@ -377,7 +381,7 @@ form-receipt-qr = Comprobante como código QR
 form-receipt-pdf = Página para imprimir (PDF)
 
 form-part-frames = Sistemas de referencia
-form-frames-hint = Longitudes en { $unit }. Una dirección puede tener cualquier longitud.
+form-frames-hint = Longitudes en { unit-word }. Una dirección puede tener cualquier longitud.
 form-frames-scene = El robot con sus sistemas
 form-frames-drawn = Sistemas dibujados: { $drawn } de { $all }.
 form-frames-frame = Sistema { $frame }

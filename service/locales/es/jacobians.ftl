@@ -5,7 +5,7 @@ task-jacobian-analytic =
     } Escriba la jacobiana analítica: la velocidad del último origen en el sistema 0 y después las derivadas temporales de los tres ángulos en torno a los ejes { $turning ->
             [fixed] fijos
            *[current] móviles
-        } { $axes }, en su orden. En números, con las longitudes en { $unit }, por radián.
+        } { $axes }, en su orden. En números, con las longitudes en { unit-word }, por radián.
 
 task-jacobian-form =
     { $variables ->

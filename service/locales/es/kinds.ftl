@@ -47,7 +47,7 @@ task-orientation =
        *[none] {""}
     }
 task-rotation-check = ¿Es esta matriz una rotación? Si no lo es, diga qué propiedad de las rotaciones falla.
-task-frame-chain = Se conocen las poses siguientes. Escriba la pose del sistema { $end } en el sistema { $start } como matriz 4×4, con las longitudes en { $unit }.
+task-frame-chain = Se conocen las poses siguientes. Escriba la pose del sistema { $end } en el sistema { $start } como matriz 4×4, con las longitudes en { unit-word }.
 feedback-orientation_right = Todas las notaciones describen la orientación dada.
 feedback-orientation_wrong =
     { $notation ->
@@ -141,8 +141,8 @@ task-inverse-kinematics =
         [one] Basta una solución.
        *[all] Dé todas; las vueltas completas no cuentan.
     } { $reach ->
-        [position] Solo importa la posición del último origen, en { $unit }.
-       *[pose] Importan la posición, en { $unit }, y la orientación.
+        [position] Solo importa la posición del último origen, en { unit-word }.
+       *[pose] Importan la posición, en { unit-word }, y la orientación.
     }
 
 feedback-joints_right = La respuesta es correcta: contiene todo lo que se pide.
@@ -299,7 +299,7 @@ option-body = el sistema de la herramienta en la posición cero (cuerpo)
 option-linear_first = v, ω: la parte lineal primero
 option-angular_first = ω, v: la parte angular primero
 
-task-screws = Escriba el robot como producto de exponenciales: los tornillos de las articulaciones 1 a { $n } y la pose inicial M, con las longitudes en { $unit }. Elija el sistema, la posición cero y el sentido de cada eje dentro de las reglas.
+task-screws = Escriba el robot como producto de exponenciales: los tornillos de las articulaciones 1 a { $n } y la pose inicial M, con las longitudes en { unit-word }. Elija el sistema, la posición cero y el sentido de cada eje dentro de las reglas.
 
 feedback-screws_right = Los tornillos y la pose inicial describen este robot.
 feedback-screws_right_robot = Este producto de exponenciales describe el robot correcto, pero no cumple todo lo que pide el ejercicio.
@@ -342,9 +342,9 @@ task-jacobian =
         [own] Tome su propia tabla y sus propias variables articulares con estos valores.
        *[given] Se dan la tabla del robot y una configuración.
     } { $ask ->
-        [jacobian] Escriba la jacobiana geométrica del último origen, con las longitudes en { $unit }, por radián.
-        [forces] ¿Qué pares y fuerzas articulares, τ = Jᵀ(f, m), corresponden a la fuerza y al momento en el último origen, con las longitudes en { $unit }?
-       *[both] Escriba la jacobiana geométrica del último origen, con las longitudes en { $unit }, por radián, y los pares y fuerzas articulares τ = Jᵀ(f, m).
+        [jacobian] Escriba la jacobiana geométrica del último origen, con las longitudes en { unit-word }, por radián.
+        [forces] ¿Qué pares y fuerzas articulares, τ = Jᵀ(f, m), corresponden a la fuerza y al momento en el último origen, con las longitudes en { unit-word }?
+       *[both] Escriba la jacobiana geométrica del último origen, con las longitudes en { unit-word }, por radián, y los pares y fuerzas articulares τ = Jᵀ(f, m).
     } { $frame ->
         [end] Todos los vectores están en los ejes del último sistema.
        *[base] Todos los vectores están en los ejes del sistema 0.

@@ -6,7 +6,7 @@ task-singularities =
         [translation] dónde tiene la jacobiana de la velocidad del último origen un rango menor que el habitual?
        *[twist] dónde tiene la jacobiana un rango menor que el habitual?
     } Escriba una condición en cada fila: una función que se anula allí (sin(q3)) o una ecuación (q3 = 0, π). Solo cuenta el conjunto de configuraciones, sea cual sea la forma de escribirlo.{ $lost ->
-        [yes] {" "}Para la configuración dada, escriba un vector λ ≠ 0 en los ejes del sistema 0 tal que λ · J q̇ = 0 hagan lo que hagan las articulaciones, en el último origen, con las longitudes en { $unit }: el movimiento que se pierde.
+        [yes] {" "}Para la configuración dada, escriba un vector λ ≠ 0 en los ejes del sistema 0 tal que λ · J q̇ = 0 hagan lo que hagan las articulaciones, en el último origen, con las longitudes en { unit-word }: el movimiento que se pierde.
        *[no] {""}
     }
 

@@ -12,7 +12,7 @@ error-body_varies = La masse d’un segment et sa place dans celui-ci ne dépend
 error-dynamics_not_finite = Les masses, longueurs ou vitesses sont si grandes que le résultat n’est pas un nombre.
 
 task-equations-of-motion =
-    Le tableau du robot est donné, ainsi que le corps qui se meut avec chaque repère i. Écrivez les termes demandés de M q̈ + C q̇ + g = τ en fonction de q1, q2, …, de leurs vitesses dq1, dq2, … et des symboles donnés ; longueurs en { $unit }, par radian. { $skew ->
+    Le tableau du robot est donné, ainsi que le corps qui se meut avec chaque repère i. Écrivez les termes demandés de M q̈ + C q̇ + g = τ en fonction de q1, q2, …, de leurs vitesses dq1, dq2, … et des symboles donnés ; longueurs en { unit-word }, par radian. { $skew ->
         [yes] Toute C donnant le bon C q̇ est juste ; de plus, Ṁ − 2C doit être antisymétrique.
        *[no] Toute C donnant le bon C q̇ est juste.
     }

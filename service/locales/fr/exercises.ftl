@@ -6,7 +6,7 @@ figure-title = { $title } : articulations, axes et cotes
 figure-coordinates = { $joints ->
     [1] Un robot à une articulation.
    *[other] Un robot à { $joints } articulations, l’une après l’autre, comptées depuis la base.
-} Les positions sont données en { $unit } sous la forme (X ; Y ; Z). { figure-place }
+} Les positions sont données en { unit-word } sous la forme (X ; Y ; Z). { figure-place }
 figure-place = X pointe { $x ->
     [back] vers l’arrière, Y vers la gauche
     [left] vers la gauche, Y vers l’avant
@@ -52,7 +52,6 @@ figure-not-to-scale = Le dessin n’est pas à l’échelle : { $names } { $cou
     [1] n’y a pas la longueur donnée
    *[other] n’y ont pas les longueurs données
 } ici.
-unit-in = pouces
 figure-note = sans échelle
 
 ## Ce qui est libre et ce qui est imposé
@@ -79,15 +78,15 @@ task-schematic = Décrivez la structure : le type de chaque articulation, et co
 task-table = Choisissez les repères et écrivez le tableau DH. Les cellules peuvent contenir { $names }, des nombres et les variables articulaires q1 à q{ $n }.
 task-link-matrices = Pour chaque ligne de votre tableau, écrivez la matrice de passage, c’est-à-dire la pose du repère i dans le repère i−1. Vous pouvez abréger cos(q1) en c1 et sin(q1 + q2) en s12.
 task-transform = Écrivez sous forme littérale ⁰T, la pose du dernier repère dans le repère 0.
-task-pose = Évaluez votre ⁰T pour { $joints } et pour les cotes données ici, les longueurs en { $unit }.
+task-pose = Évaluez votre ⁰T pour { $joints } et pour les cotes données ici, les longueurs en { unit-word }.
 task-workspace-axis = À quelle distance minimale et à quelle distance maximale de l’axe de l’articulation 1 peut-on amener { $point } ? { $limits ->
     [none] Chaque articulation peut prendre toute valeur.
    *[some] Les articulations respectent leurs limites.
-} Donnez les deux rayons en { $unit }.
+} Donnez les deux rayons en { unit-word }.
 task-workspace-point = Quelles sont la plus petite et la plus grande distance entre { $point } et { $origin } ? { $limits ->
     [none] Chaque articulation peut prendre toute valeur.
    *[some] Les articulations respectent leurs limites.
-} Donnez les deux rayons en { $unit }.
+} Donnez les deux rayons en { unit-word }.
 
 ## Remarques sur les parties
 
@@ -140,7 +139,7 @@ feedback-workspace_inner_wrong = Le rayon intérieur n’est pas juste.
 feedback-workspace_outer_wrong = Le rayon extérieur n’est pas juste.
 feedback-workspace_swapped = Le rayon intérieur et le rayon extérieur sont échangés.
 feedback-workspace_diameters = Ce sont des diamètres ; on demande les rayons.
-feedback-workspace_other_length_unit = Les rayons sont justes dans une autre unité ; on les demande en { $unit }.
+feedback-workspace_other_length_unit = Les rayons sont justes dans une autre unité ; on les demande en { unit-word }.
 
 ## Pourquoi une réponse ne peut pas être notée
 
@@ -243,7 +242,7 @@ error-attempts_used_up = { $limit ->
    *[other] Les { $limit } essais que permet cet exercice ont tous été faits.
 }
 error-ladder_falls = À chaque essai, on peut en dire autant qu’à l’essai précédent ou plus, jamais moins.
-task-frames = Placez les repères 0 à { $n } sur le robot tel que le montre la figure : pour chacun son origine, en { $unit } et dans les coordonnées de la figure, et les directions de x et de z. { figure-place }
+task-frames = Placez les repères 0 à { $n } sur le robot tel que le montre la figure : pour chacun son origine, en { unit-word } et dans les coordonnées de la figure, et les directions de x et de z. { figure-place }
 error-frames_count = Il y a les repères 0 à N : il en faut { $expected }, { $given } ont été donnés.
 error-convention_not_asked = L’exercice demande la convention { $asked ->
     [modified] modifiée

@@ -59,7 +59,7 @@ form-joint-fixed = fixe
 form-joint-of-row = Type d’articulation, ligne { $row }
 form-joint-turn = Angle articulaire { $name }
 form-joint-slide = Déplacement articulaire { $name }
-form-joint-value = { $name } en { $unit }
+form-joint-value = { $name } en { unit-word }
 form-joints-reset = Remettre les articulations en place
 
 form-convention = Convention
@@ -71,9 +71,13 @@ form-angle-unit = Unité des angles
 form-degrees = degrés
 form-radians = radians
 form-length-unit = Unité des longueurs
+unit-word = { $unit ->
+    [in] pouces
+   *[other] { $unit }
+}
 form-unit-now-deg = Les nombres des colonnes d’angles se lisent maintenant en degrés.
 form-unit-now-rad = Les nombres des colonnes d’angles se lisent maintenant en radians.
-form-unit-now-length = Les nombres des colonnes de longueurs se lisent maintenant en { $unit }.
+form-unit-now-length = Les nombres des colonnes de longueurs se lisent maintenant en { unit-word }.
 form-unit-doubt-deg = { $value } rad, c’est plus d’un tour. Ces angles sont-ils en degrés ?
 form-unit-doubt-rad = { $value }° est un très petit angle. Ces angles sont-ils en radians ?
 form-unit-read-deg = Les lire en degrés
@@ -377,7 +381,7 @@ form-receipt-qr = Reçu sous forme de code QR
 form-receipt-pdf = Page à imprimer (PDF)
 
 form-part-frames = Repères
-form-frames-hint = Longueurs en { $unit }. Une direction peut avoir n’importe quelle longueur.
+form-frames-hint = Longueurs en { unit-word }. Une direction peut avoir n’importe quelle longueur.
 form-frames-scene = Le robot avec vos repères
 form-frames-drawn = Repères dessinés : { $drawn } sur { $all }.
 form-frames-frame = Repère { $frame }

@@ -5,7 +5,7 @@ task-jacobian-analytic =
     } Écrivez la jacobienne analytique : la vitesse de la dernière origine dans le repère 0, puis les dérivées temporelles des trois angles autour des axes { $turning ->
             [fixed] fixes
            *[current] courants
-        } { $axes }, dans leur ordre. Donnez des nombres, longueurs en { $unit }, par radian.
+        } { $axes }, dans leur ordre. Donnez des nombres, longueurs en { unit-word }, par radian.
 
 task-jacobian-form =
     { $variables ->

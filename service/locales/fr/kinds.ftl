@@ -47,7 +47,7 @@ task-orientation =
        *[none] {""}
     }
 task-rotation-check = Cette matrice est-elle une rotation ? Sinon, dites quelle propriété des rotations n’est pas satisfaite.
-task-frame-chain = Les poses ci-dessous sont connues. Écrivez la pose du repère { $end } dans le repère { $start } sous forme de matrice 4×4, longueurs en { $unit }.
+task-frame-chain = Les poses ci-dessous sont connues. Écrivez la pose du repère { $end } dans le repère { $start } sous forme de matrice 4×4, longueurs en { unit-word }.
 feedback-orientation_right = Toutes les notations décrivent l’orientation donnée.
 feedback-orientation_wrong =
     { $notation ->
@@ -141,8 +141,8 @@ task-inverse-kinematics =
         [one] Une solution suffit.
        *[all] Donnez-les toutes ; les tours complets ne comptent pas.
     } { $reach ->
-        [position] Seule compte la position de la dernière origine, en { $unit }.
-       *[pose] Comptent la position, en { $unit }, et l’orientation.
+        [position] Seule compte la position de la dernière origine, en { unit-word }.
+       *[pose] Comptent la position, en { unit-word }, et l’orientation.
     }
 
 feedback-joints_right = La réponse est juste : elle contient tout ce qui est demandé.
@@ -299,7 +299,7 @@ option-body = le repère de l’outil à la position zéro (corps)
 option-linear_first = v, ω : la partie linéaire d’abord
 option-angular_first = ω, v : la partie angulaire d’abord
 
-task-screws = Écrivez le robot comme produit d’exponentielles : les torseurs des articulations 1 à { $n } et la pose initiale M, longueurs en { $unit }. Choisissez le repère, la position zéro et le sens de chaque axe dans le cadre des règles.
+task-screws = Écrivez le robot comme produit d’exponentielles : les torseurs des articulations 1 à { $n } et la pose initiale M, longueurs en { unit-word }. Choisissez le repère, la position zéro et le sens de chaque axe dans le cadre des règles.
 
 feedback-screws_right = Les torseurs et la pose initiale décrivent ce robot.
 feedback-screws_right_robot = Ce produit d’exponentielles décrit le bon robot, mais ne respecte pas tout ce que l’exercice demande.
@@ -342,9 +342,9 @@ task-jacobian =
         [own] Prenez votre propre tableau et vos propres variables articulaires à ces valeurs.
        *[given] Le tableau du robot et une configuration sont donnés.
     } { $ask ->
-        [jacobian] Écrivez la jacobienne géométrique de la dernière origine, longueurs en { $unit }, par radian.
-        [forces] Quels couples et forces articulaires, τ = Jᵀ(f, m), correspondent à la force et au moment à la dernière origine, longueurs en { $unit } ?
-       *[both] Écrivez la jacobienne géométrique de la dernière origine, longueurs en { $unit }, par radian, et les couples et forces articulaires τ = Jᵀ(f, m).
+        [jacobian] Écrivez la jacobienne géométrique de la dernière origine, longueurs en { unit-word }, par radian.
+        [forces] Quels couples et forces articulaires, τ = Jᵀ(f, m), correspondent à la force et au moment à la dernière origine, longueurs en { unit-word } ?
+       *[both] Écrivez la jacobienne géométrique de la dernière origine, longueurs en { unit-word }, par radian, et les couples et forces articulaires τ = Jᵀ(f, m).
     } { $frame ->
         [end] Tous les vecteurs sont dans les axes du dernier repère.
        *[base] Tous les vecteurs sont dans les axes du repère 0.

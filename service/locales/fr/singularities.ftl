@@ -6,7 +6,7 @@ task-singularities =
         [translation] où le rang de la jacobienne de la vitesse de la dernière origine est-il inférieur à son rang ordinaire ?
        *[twist] où le rang de la jacobienne est-il inférieur à son rang ordinaire ?
     } Écrivez une condition par ligne : une fonction qui s’y annule (sin(q3)) ou une équation (q3 = 0, π). Seul compte l’ensemble des configurations, quelle que soit l’écriture.{ $lost ->
-        [yes] {" "}Pour la configuration donnée, écrivez un vecteur λ ≠ 0 dans les axes du repère 0 tel que λ · J q̇ = 0 quoi que fassent les articulations, à la dernière origine, longueurs en { $unit } : le mouvement perdu.
+        [yes] {" "}Pour la configuration donnée, écrivez un vecteur λ ≠ 0 dans les axes du repère 0 tel que λ · J q̇ = 0 quoi que fassent les articulations, à la dernière origine, longueurs en { unit-word } : le mouvement perdu.
        *[no] {""}
     }
 

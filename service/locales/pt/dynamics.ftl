@@ -12,7 +12,7 @@ error-body_varies = A massa de um elo e o seu lugar nele não mudam com as vari�
 error-dynamics_not_finite = As massas, os comprimentos ou as velocidades são tão grandes que o resultado não é um número.
 
 task-equations-of-motion =
-    São dadas a tabela do robô e o corpo que se move com cada referencial i. Escreva os termos pedidos de M q̈ + C q̇ + g = τ como funções de q1, q2, …, das suas velocidades dq1, dq2, … e dos símbolos dados; comprimentos em { $unit }, por radiano. { $skew ->
+    São dadas a tabela do robô e o corpo que se move com cada referencial i. Escreva os termos pedidos de M q̈ + C q̇ + g = τ como funções de q1, q2, …, das suas velocidades dq1, dq2, … e dos símbolos dados; comprimentos em { unit-word }, por radiano. { $skew ->
         [yes] Está certa qualquer C que dê o C q̇ certo; além disso, Ṁ − 2C deve ser antissimétrica.
        *[no] Está certa qualquer C que dê o C q̇ certo.
     }

@@ -6,7 +6,7 @@ figure-title = { $title }: juntas, eixos e cotas
 figure-coordinates = { $joints ->
     [one] Um robô com uma junta.
    *[other] Um robô com { $joints } juntas, uma após a outra, contadas a partir da base.
-} As posições são dadas em { $unit } como (X; Y; Z). { figure-place }
+} As posições são dadas em { unit-word } como (X; Y; Z). { figure-place }
 figure-place = X aponta { $x ->
     [back] para trás, Y para a esquerda
     [left] para a esquerda, Y para a frente
@@ -52,7 +52,6 @@ figure-not-to-scale = O desenho não está à escala: nele, { $names } { $count 
     [one] não tem o comprimento dado
    *[other] não têm os comprimentos dados
 } aqui.
-unit-in = polegadas
 figure-note = não está à escala
 
 ## O que é livre e o que é fixado
@@ -79,15 +78,15 @@ task-schematic = Descreva a estrutura: o tipo de cada junta e como o eixo de cad
 task-table = Escolha os referenciais e escreva a tabela DH. As células podem conter { $names }, números e as variáveis das juntas q1 a q{ $n }.
 task-link-matrices = Para cada linha da sua tabela, escreva a matriz do referencial i para o referencial i−1. Pode abreviar cos(q1) como c1 e sin(q1 + q2) como s12.
 task-transform = Escreva ⁰T, a matriz do último referencial para o referencial 0, em forma fechada.
-task-pose = Calcule a sua ⁰T para { $joints } e para as dimensões dadas aqui, com os comprimentos em { $unit }.
+task-pose = Calcule a sua ⁰T para { $joints } e para as dimensões dadas aqui, com os comprimentos em { unit-word }.
 task-workspace-axis = Até que distância mínima e até que distância máxima do eixo da junta 1 se pode levar { $point }? { $limits ->
     [none] Cada junta pode tomar qualquer valor.
    *[some] As juntas respeitam os seus limites.
-} Dê os dois raios em { $unit }.
+} Dê os dois raios em { unit-word }.
 task-workspace-point = Quais são a menor e a maior distância entre { $point } e { $origin }? { $limits ->
     [none] Cada junta pode tomar qualquer valor.
    *[some] As juntas respeitam os seus limites.
-} Dê os dois raios em { $unit }.
+} Dê os dois raios em { unit-word }.
 
 ## Comentários sobre as partes
 
@@ -140,7 +139,7 @@ feedback-workspace_inner_wrong = O raio interior não está certo.
 feedback-workspace_outer_wrong = O raio exterior não está certo.
 feedback-workspace_swapped = O raio interior e o exterior estão trocados.
 feedback-workspace_diameters = Estes são diâmetros; pedem-se os raios.
-feedback-workspace_other_length_unit = Os raios estão certos noutra unidade; pedem-se em { $unit }.
+feedback-workspace_other_length_unit = Os raios estão certos noutra unidade; pedem-se em { unit-word }.
 
 ## Por que uma resposta não pode ser avaliada
 
@@ -243,7 +242,7 @@ error-attempts_used_up = { $limit ->
    *[other] Já foram feitas as { $limit } tentativas que este exercício permite.
 }
 error-ladder_falls = A cada tentativa pode dizer-se tanto como à anterior ou mais, nunca menos.
-task-frames = Coloque os referenciais 0 a { $n } no robô tal como a figura o mostra: de cada um, a origem, em { $unit } e nas coordenadas da figura, e as direções de x e z. { figure-place }
+task-frames = Coloque os referenciais 0 a { $n } no robô tal como a figura o mostra: de cada um, a origem, em { unit-word } e nas coordenadas da figura, e as direções de x e z. { figure-place }
 error-frames_count = Há referenciais de 0 a N: são precisos { $expected } e foram dados { $given }.
 error-convention_not_asked = O exercício pede a convenção { $asked ->
     [modified] modificada

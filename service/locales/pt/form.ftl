@@ -59,7 +59,7 @@ form-joint-fixed = fixa
 form-joint-of-row = Tipo de junta, linha { $row }
 form-joint-turn = Ângulo da junta { $name }
 form-joint-slide = Deslocamento da junta { $name }
-form-joint-value = { $name } em { $unit }
+form-joint-value = { $name } em { unit-word }
 form-joints-reset = Repor as juntas
 
 form-convention = Convenção
@@ -71,9 +71,13 @@ form-angle-unit = Unidade dos ângulos
 form-degrees = graus
 form-radians = radianos
 form-length-unit = Unidade dos comprimentos
+unit-word = { $unit ->
+    [in] polegadas
+   *[other] { $unit }
+}
 form-unit-now-deg = Os números das colunas de ângulos leem-se agora em graus.
 form-unit-now-rad = Os números das colunas de ângulos leem-se agora em radianos.
-form-unit-now-length = Os números das colunas de comprimentos leem-se agora em { $unit }.
+form-unit-now-length = Os números das colunas de comprimentos leem-se agora em { unit-word }.
 form-unit-doubt-deg = { $value } rad é mais de uma volta. Estes ângulos estão em graus?
 form-unit-doubt-rad = { $value }° é um ângulo muito pequeno. Estes ângulos estão em radianos?
 form-unit-read-deg = Lê-los em graus
@@ -377,7 +381,7 @@ form-receipt-qr = Comprovativo como código QR
 form-receipt-pdf = Página para imprimir (PDF)
 
 form-part-frames = Referenciais
-form-frames-hint = Comprimentos em { $unit }. Uma direção pode ter qualquer comprimento.
+form-frames-hint = Comprimentos em { unit-word }. Uma direção pode ter qualquer comprimento.
 form-frames-scene = O robô com os seus referenciais
 form-frames-drawn = { $drawn } de { $all } referenciais estão desenhados.
 form-frames-frame = Referencial { $frame }

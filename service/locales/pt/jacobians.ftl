@@ -5,7 +5,7 @@ task-jacobian-analytic =
     } Escreva a jacobiana analítica: a velocidade da última origem no referencial 0 e depois as derivadas temporais dos três ângulos em torno dos eixos { $turning ->
             [fixed] fixos
            *[current] correntes
-        } { $axes }, pela sua ordem. Em números, comprimentos em { $unit }, por radiano.
+        } { $axes }, pela sua ordem. Em números, comprimentos em { unit-word }, por radiano.
 
 task-jacobian-form =
     { $variables ->

@@ -47,7 +47,7 @@ task-orientation =
        *[none] {""}
     }
 task-rotation-check = Esta matriz é uma rotação? Se não for, diga que propriedade das rotações falha.
-task-frame-chain = Conhecem-se as poses seguintes. Escreva a pose do referencial { $end } no referencial { $start } como matriz 4×4, comprimentos em { $unit }.
+task-frame-chain = Conhecem-se as poses seguintes. Escreva a pose do referencial { $end } no referencial { $start } como matriz 4×4, comprimentos em { unit-word }.
 feedback-orientation_right = Todas as notações descrevem a orientação dada.
 feedback-orientation_wrong =
     { $notation ->
@@ -141,8 +141,8 @@ task-inverse-kinematics =
         [one] Basta uma solução.
        *[all] Dê todas; voltas completas não contam.
     } { $reach ->
-        [position] Só importa a posição da última origem, em { $unit }.
-       *[pose] Importam a posição, em { $unit }, e a orientação.
+        [position] Só importa a posição da última origem, em { unit-word }.
+       *[pose] Importam a posição, em { unit-word }, e a orientação.
     }
 
 feedback-joints_right = A resposta está certa: contém tudo o que se pede.
@@ -299,7 +299,7 @@ option-body = referencial da ferramenta na posição zero (corpo)
 option-linear_first = v, ω: a parte linear primeiro
 option-angular_first = ω, v: a parte angular primeiro
 
-task-screws = Escreva o robô como produto de exponenciais: os helicoides das juntas 1 a { $n } e a pose inicial M, comprimentos em { $unit }. Escolha o referencial, a posição zero e o sentido de cada eixo dentro das regras.
+task-screws = Escreva o robô como produto de exponenciais: os helicoides das juntas 1 a { $n } e a pose inicial M, comprimentos em { unit-word }. Escolha o referencial, a posição zero e o sentido de cada eixo dentro das regras.
 
 feedback-screws_right = Os helicoides e a pose inicial descrevem este robô.
 feedback-screws_right_robot = Este produto de exponenciais descreve o robô certo, mas não cumpre tudo o que o exercício pede.
@@ -343,9 +343,9 @@ task-jacobian =
         [own] Tome a sua própria tabela e as suas próprias variáveis das juntas nestes valores.
        *[given] São dadas a tabela do robô e uma configuração.
     } { $ask ->
-        [jacobian] Escreva a jacobiana geométrica da última origem, comprimentos em { $unit }, por radiano.
-        [forces] Que binários e forças nas juntas, τ = Jᵀ(f, m), correspondem à força e ao momento na última origem, comprimentos em { $unit }?
-       *[both] Escreva a jacobiana geométrica da última origem, comprimentos em { $unit }, por radiano, e os binários e forças nas juntas τ = Jᵀ(f, m).
+        [jacobian] Escreva a jacobiana geométrica da última origem, comprimentos em { unit-word }, por radiano.
+        [forces] Que binários e forças nas juntas, τ = Jᵀ(f, m), correspondem à força e ao momento na última origem, comprimentos em { unit-word }?
+       *[both] Escreva a jacobiana geométrica da última origem, comprimentos em { unit-word }, por radiano, e os binários e forças nas juntas τ = Jᵀ(f, m).
     } { $frame ->
         [end] Todos os vetores estão nos eixos do último referencial.
        *[base] Todos os vetores estão nos eixos do referencial 0.

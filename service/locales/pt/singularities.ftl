@@ -6,7 +6,7 @@ task-singularities =
         [translation] onde o posto da jacobiana da velocidade da última origem é menor do que o habitual?
        *[twist] onde o posto da jacobiana é menor do que o habitual?
     } Escreva uma condição em cada linha: uma função que ali se anula (sin(q3)) ou uma equação (q3 = 0, π). Conta o conjunto, seja qual for a forma de o escrever.{ $lost ->
-        [yes] {" "}Para a configuração dada, escreva um vetor λ ≠ 0 nos eixos do referencial 0 com λ · J q̇ = 0 façam o que fizerem as juntas, na última origem, comprimentos em { $unit }: o movimento perdido.
+        [yes] {" "}Para a configuração dada, escreva um vetor λ ≠ 0 nos eixos do referencial 0 com λ · J q̇ = 0 façam o que fizerem as juntas, na última origem, comprimentos em { unit-word }: o movimento perdido.
        *[no] {""}
     }
 

@@ -12,7 +12,7 @@ error-body_varies = Masa unui element și locul ei în acesta nu depind de varia
 error-dynamics_not_finite = Masele, lungimile sau vitezele sunt atât de mari, încât rezultatul nu este un număr.
 
 task-equations-of-motion =
-    Sunt date tabelul robotului și corpul care se mișcă împreună cu fiecare sistem i. Scrieți termenii ceruți din M q̈ + C q̇ + g = τ ca funcții de q1, q2, …, de vitezele lor dq1, dq2, … și de simbolurile date; lungimi în { $unit }, pe radian. { $skew ->
+    Sunt date tabelul robotului și corpul care se mișcă împreună cu fiecare sistem i. Scrieți termenii ceruți din M q̈ + C q̇ + g = τ ca funcții de q1, q2, …, de vitezele lor dq1, dq2, … și de simbolurile date; lungimi în { unit-word }, pe radian. { $skew ->
         [yes] Este corectă orice matrice C care dă C q̇ corect; în plus, Ṁ − 2C trebuie să fie antisimetrică.
        *[no] Este corectă orice matrice C care dă C q̇ corect.
     }

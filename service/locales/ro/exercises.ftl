@@ -7,7 +7,7 @@ figure-coordinates = { $joints ->
     [one] Un robot cu o singură cuplă.
     [few] Un robot cu { $joints } cuple, una după alta, numărate de la bază.
    *[other] Un robot cu { $joints } de cuple, una după alta, numărate de la bază.
-} Pozițiile sunt date în { $unit } sub forma (X; Y; Z). { figure-place }
+} Pozițiile sunt date în { unit-word } sub forma (X; Y; Z). { figure-place }
 figure-place = X arată { $x ->
     [back] în spate, Y la stânga
     [left] la stânga, Y în față
@@ -53,7 +53,6 @@ figure-not-to-scale = Desenul nu este la scară: în el, { $names } { $count ->
     [one] nu are lungimea dată
    *[other] nu au lungimile date
 } aici.
-unit-in = inci
 figure-note = nu este la scară
 
 ## Ce este liber și ce este impus
@@ -80,15 +79,15 @@ task-schematic = Descrieți structura: tipul fiecărei cuple și cum este așeza
 task-table = Alegeți sistemele de coordonate și scrieți tabelul DH. Celulele pot conține { $names }, numere și variabilele cuplelor q1 … q{ $n }.
 task-link-matrices = Pentru fiecare rând al tabelului, scrieți matricea de la sistemul i la sistemul i−1. Puteți prescurta cos(q1) ca c1 și sin(q1 + q2) ca s12.
 task-transform = Scrieți ⁰T, matricea de la ultimul sistem la sistemul 0, în formă închisă.
-task-pose = Evaluați ⁰T pentru { $joints } și pentru cotele date aici, cu lungimile în { $unit }.
+task-pose = Evaluați ⁰T pentru { $joints } și pentru cotele date aici, cu lungimile în { unit-word }.
 task-workspace-axis = Cât de aproape de axa cuplei 1 poate fi adus { $point } și cât de departe de ea? { $limits ->
     [none] Fiecare cuplă poate lua orice valoare.
    *[some] Cuplele își respectă limitele.
-} Dați ambele raze în { $unit }.
+} Dați ambele raze în { unit-word }.
 task-workspace-point = Care sunt distanța minimă și cea maximă de la { $point } la { $origin }? { $limits ->
     [none] Fiecare cuplă poate lua orice valoare.
    *[some] Cuplele își respectă limitele.
-} Dați ambele raze în { $unit }.
+} Dați ambele raze în { unit-word }.
 
 ## Comentarii la părți
 
@@ -142,7 +141,7 @@ feedback-workspace_inner_wrong = Raza interioară nu este corectă.
 feedback-workspace_outer_wrong = Raza exterioară nu este corectă.
 feedback-workspace_swapped = Raza interioară și cea exterioară au fost schimbate între ele.
 feedback-workspace_diameters = Acestea sunt diametre; se cer razele.
-feedback-workspace_other_length_unit = Razele sunt corecte în altă unitate; se cer în { $unit }.
+feedback-workspace_other_length_unit = Razele sunt corecte în altă unitate; se cer în { unit-word }.
 
 ## De ce nu poate fi notat un răspuns
 
@@ -268,7 +267,7 @@ error-attempts_used_up =
        *[other] Toate cele { $limit } de încercări au fost folosite.
     }
 error-ladder_falls = La fiecare încercare se poate spune cel puțin cât la cea dinainte, niciodată mai puțin.
-task-frames = Așezați sistemele 0 până la { $n } pe robotul din figură: pentru fiecare originea, în { $unit } și în coordonatele figurii, și direcțiile axelor x și z. { figure-place }
+task-frames = Așezați sistemele 0 până la { $n } pe robotul din figură: pentru fiecare originea, în { unit-word } și în coordonatele figurii, și direcțiile axelor x și z. { figure-place }
 error-frames_count = Există sistemele 0 până la N: sunt necesare { $expected }, au fost date { $given }.
 error-convention_not_asked = Exercițiul cere convenția { $asked ->
     [modified] modificată

@@ -61,7 +61,7 @@ form-joint-fixed = fixă
 form-joint-of-row = Tipul cuplei, rândul { $row }
 form-joint-turn = Unghiul cuplei { $name }
 form-joint-slide = Deplasarea cuplei { $name }
-form-joint-value = { $name } în { $unit }
+form-joint-value = { $name } în { unit-word }
 form-joints-reset = Readu cuplele în poziția inițială
 
 form-convention = Convenție
@@ -73,9 +73,13 @@ form-angle-unit = Unitatea unghiurilor
 form-degrees = grade
 form-radians = radiani
 form-length-unit = Unitatea lungimilor
+unit-word = { $unit ->
+    [in] inci
+   *[other] { $unit }
+}
 form-unit-now-deg = Numerele din coloanele de unghiuri se citesc acum în grade.
 form-unit-now-rad = Numerele din coloanele de unghiuri se citesc acum în radiani.
-form-unit-now-length = Numerele din coloanele de lungimi se citesc acum în { $unit }.
+form-unit-now-length = Numerele din coloanele de lungimi se citesc acum în { unit-word }.
 form-unit-doubt-deg = { $value } rad înseamnă mai mult de o rotație completă. Unghiurile sunt în grade?
 form-unit-doubt-rad = { $value }° este un unghi foarte mic. Unghiurile sunt în radiani?
 form-unit-read-deg = Citește-le în grade
@@ -388,7 +392,7 @@ form-receipt-qr = Recipisa ca un cod QR
 form-receipt-pdf = Pagină de tipărit (PDF)
 
 form-part-frames = Sisteme de coordonate
-form-frames-hint = Lungimi în { $unit }. O direcție poate avea orice lungime.
+form-frames-hint = Lungimi în { unit-word }. O direcție poate avea orice lungime.
 form-frames-scene = Robotul cu sistemele dumneavoastră
 form-frames-drawn = Sunt desenate { $drawn } din { $all } sisteme.
 form-frames-frame = Sistemul { $frame }

@@ -5,7 +5,7 @@ task-jacobian-analytic =
     } Scrieți jacobianul analitic: viteza ultimei origini în sistemul 0, apoi derivatele în raport cu timpul ale celor trei unghiuri în jurul axelor { $turning ->
             [fixed] fixe
            *[current] curente
-        } { $axes }, în ordinea lor. În numere, lungimile în { $unit }, pe radian.
+        } { $axes }, în ordinea lor. În numere, lungimile în { unit-word }, pe radian.
 
 task-jacobian-form =
     { $variables ->

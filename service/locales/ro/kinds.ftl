@@ -47,7 +47,7 @@ task-orientation =
        *[none] {""}
     }
 task-rotation-check = Este această matrice o rotație? Dacă nu, spuneți ce proprietate a rotațiilor nu este îndeplinită.
-task-frame-chain = Situările de mai jos sunt cunoscute. Scrieți situarea sistemului { $end } în sistemul { $start } ca matrice 4×4, lungimile în { $unit }.
+task-frame-chain = Situările de mai jos sunt cunoscute. Scrieți situarea sistemului { $end } în sistemul { $start } ca matrice 4×4, lungimile în { unit-word }.
 feedback-orientation_right = Toate notațiile descriu orientarea dată.
 feedback-orientation_wrong =
     { $notation ->
@@ -141,8 +141,8 @@ task-inverse-kinematics =
         [one] Este suficientă o soluție.
        *[all] Dați-le pe toate; rotațiile complete nu contează.
     } { $reach ->
-        [position] Contează numai poziția ultimei origini, în { $unit }.
-       *[pose] Contează și poziția, în { $unit }, și orientarea.
+        [position] Contează numai poziția ultimei origini, în { unit-word }.
+       *[pose] Contează și poziția, în { unit-word }, și orientarea.
     }
 
 feedback-joints_right = Răspunsul este corect: conține tot ce s-a cerut.
@@ -300,7 +300,7 @@ option-body = sistemul sculei în poziția zero (corp)
 option-linear_first = v, ω: partea liniară întâi
 option-angular_first = ω, v: partea unghiulară întâi
 
-task-screws = Scrieți robotul ca produs de exponențiale: torsorii cuplelor 1 până la { $n } și situarea inițială M, lungimile în { $unit }. Alegeți sistemul, poziția zero și sensul fiecărei axe în limitele regulilor.
+task-screws = Scrieți robotul ca produs de exponențiale: torsorii cuplelor 1 până la { $n } și situarea inițială M, lungimile în { unit-word }. Alegeți sistemul, poziția zero și sensul fiecărei axe în limitele regulilor.
 
 feedback-screws_right = Torsorii și situarea inițială descriu acest robot.
 feedback-screws_right_robot = Acest produs de exponențiale descrie robotul potrivit, dar nu respectă tot ce cere exercițiul.
@@ -346,9 +346,9 @@ task-jacobian =
         [own] Luați propriul tabel și propriile variabile ale cuplelor la aceste valori.
        *[given] Sunt date tabelul robotului și o configurație.
     } { $ask ->
-        [jacobian] Scrieți jacobianul geometric al ultimei origini, lungimile în { $unit }, pe radian.
-        [forces] Ce momente și forțe din cuple, τ = Jᵀ(f, m), corespund forței și momentului din ultima origine, lungimile în { $unit }?
-       *[both] Scrieți jacobianul geometric al ultimei origini, lungimile în { $unit }, pe radian, și momentele și forțele din cuple τ = Jᵀ(f, m).
+        [jacobian] Scrieți jacobianul geometric al ultimei origini, lungimile în { unit-word }, pe radian.
+        [forces] Ce momente și forțe din cuple, τ = Jᵀ(f, m), corespund forței și momentului din ultima origine, lungimile în { unit-word }?
+       *[both] Scrieți jacobianul geometric al ultimei origini, lungimile în { unit-word }, pe radian, și momentele și forțele din cuple τ = Jᵀ(f, m).
     } { $frame ->
         [end] Toți vectorii sunt în axele ultimului sistem.
        *[base] Toți vectorii sunt în axele sistemului 0.

@@ -6,7 +6,7 @@ task-singularities =
         [translation] unde are jacobianul vitezei ultimei origini un rang mai mic decât cel obișnuit?
        *[twist] unde are jacobianul un rang mai mic decât cel obișnuit?
     } Scrieți câte o condiție pe rând: o funcție care se anulează acolo (sin(q3)) sau o ecuație (q3 = 0, π). Contează mulțimea, oricum ar fi scrisă.{ $lost ->
-        [yes] {" "}Pentru configurația dată, scrieți un vector λ ≠ 0 în axele sistemului 0 cu λ · J q̇ = 0 orice ar face cuplele, în ultima origine, lungimile în { $unit }: mișcarea pierdută.
+        [yes] {" "}Pentru configurația dată, scrieți un vector λ ≠ 0 în axele sistemului 0 cu λ · J q̇ = 0 orice ar face cuplele, în ultima origine, lungimile în { unit-word }: mișcarea pierdută.
        *[no] {""}
     }
 

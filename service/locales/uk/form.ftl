@@ -61,7 +61,7 @@ form-joint-fixed = нерухоме
 form-joint-of-row = Тип зчленування, рядок { $row }
 form-joint-turn = Кут зчленування { $name }
 form-joint-slide = Переміщення в зчленуванні { $name }
-form-joint-value = { $name }, { $unit }
+form-joint-value = { $name }, { unit-word.alone }
 form-joints-reset = Повернути зчленування на місце
 
 form-convention = Угода
@@ -73,9 +73,17 @@ form-angle-unit = Одиниця кутів
 form-degrees = градуси
 form-radians = радіани
 form-length-unit = Одиниця довжин
+unit-word = { $unit ->
+    [in] дюймах
+   *[other] { $unit }
+}
+    .alone = { $unit ->
+        [in] дюйми
+       *[other] { $unit }
+    }
 form-unit-now-deg = Числа в стовпцях кутів тепер читаються в градусах.
 form-unit-now-rad = Числа в стовпцях кутів тепер читаються в радіанах.
-form-unit-now-length = Числа в стовпцях довжин тепер читаються в одиницях: { $unit }.
+form-unit-now-length = Числа в стовпцях довжин тепер читаються в { unit-word }.
 form-unit-doubt-deg = { $value } rad — це більше ніж повний оберт. Ці кути в градусах?
 form-unit-doubt-rad = { $value }° — дуже малий кут. Ці кути в радіанах?
 form-unit-read-deg = Читати їх у градусах
@@ -394,7 +402,7 @@ form-receipt-qr = Квитанція QR-кодом
 form-receipt-pdf = Сторінка для друку (PDF)
 
 form-part-frames = Системи координат
-form-frames-hint = Довжини в { $unit }. Напрям може мати будь-яку довжину.
+form-frames-hint = Довжини в { unit-word }. Напрям може мати будь-яку довжину.
 form-frames-scene = Робот із вашими системами координат
 form-frames-drawn = Намальовано { $drawn } з { $all } систем координат.
 form-frames-frame = Система { $frame }
