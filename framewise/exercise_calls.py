@@ -249,7 +249,7 @@ class ExerciseCalls(KinematicsCalls[Answer, Content, Answers]):
         return self.post("author/right-answers", draft=dict(draft), **options)
 
     def author_mistakes(self, draft: Draft, **options: Any) -> Answer:
-        """Return the commonest wrong answers with their marks (POST /author/mistakes)."""
+        """Return the commonest wrong answers with their points (POST /author/mistakes)."""
         return self.post("author/mistakes", draft=dict(draft), **options)
 
     def author_grade(self, draft: Draft, answer: Mapping[str, Any], **options: Any) -> Answer:

@@ -38,7 +38,7 @@ def add(subparsers: Subparsers) -> None:
     parser.add_argument("--for", dest="host", choices=tuple(HOSTS), help="speak an autograder's protocol")
     parser.add_argument("--points", type=float, help="what the assignment is worth, with --for")
     parser.add_argument("--format", choices=(*map(str, GradebookFormat), _JSON), default=GradebookFormat.CSV)
-    parser.add_argument("--output", type=Path, help="file of marks; standard output, if it is not named")
+    parser.add_argument("--output", type=Path, help="file of grades; standard output, if it is not named")
     parser.add_argument("--jobs", type=count, help="processes (all cores)")
     parser.add_argument(
         "--per-student", action="store_true", help="the student's name is the seed of the values"

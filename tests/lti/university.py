@@ -233,7 +233,7 @@ def report(students: int, habits: Habits, costs: Costs) -> str:
         f"{peak[0]:.1f} cores, PostgreSQL {peak[1]:.1f}.",
         "",
         "| cores of the service | in use in the busiest minute | longest wait | wait at the deadline"
-        " | last mark after the deadline |",
+        " | last score after the deadline |",
         "|--:|--:|--:|--:|--:|",
     ]
     for cores in CORES:
@@ -261,13 +261,13 @@ def _first(peak: list[float]) -> list[str]:
     needed = {
         "the service's processors": service,
         "PostgreSQL's processor": database,
-        "the delivery of marks": submissions / MARKS_A_SECOND,
+        "the delivery of scores": submissions / MARKS_A_SECOND,
     }
     first, second, third = sorted(needed, key=lambda name: -needed[name])
     return [
         f"What saturates first is {first} ({needed[first]:.1f} cores or processes in the",
         f"busiest minute), then {second} ({needed[second]:.1f}), then {third}",
-        f"({needed[third]:.1f}). Each process sends {SIMULTANEOUS} marks at a time,",
+        f"({needed[third]:.1f}). Each process sends {SIMULTANEOUS} scores at a time,",
         f"{MARKS_A_SECOND:.0f} a second to a platform that takes 0.2 s for one; what waits is not lost.",
     ]
 

@@ -82,7 +82,7 @@ async def right_answers_of_draft(body: wire.RightAnswersRequest, request: ApiReq
     return await _rehearsed(request, rehearsed_right, body.draft, body.count)
 
 
-@router.call("/author/mistakes", "The commonest wrong answers and their marks", answer=wire.RehearsalAnswer)
+@router.call("/author/mistakes", "The commonest wrong answers and their points", answer=wire.RehearsalAnswer)
 async def mistakes_of_draft(body: wire.DraftRequest, request: ApiRequest) -> Response:
     """Return every misconception about the draft's robot, made in the key.
 

@@ -184,7 +184,7 @@ async def grade_answer(request: ApiRequest) -> Response:
     """Return the verdict on the table, and the feedback on every other part that was handed in.
 
     Every valid choice of frames is accepted. A part that follows correctly from a wrong table earns its
-    marks. A request that cannot be graded is refused and costs no attempt.
+    points. A request that cannot be graded is refused and costs no attempt.
     """
     language = language_of(request)
     with answer_refused():

@@ -1,4 +1,4 @@
-"""Otter tests of question 1: all the marks for a right table, some for one that has facts of the robot right."""
+"""Otter tests of question 1: all the points for a right table, some for one that has facts of the robot right."""
 
 from otter.test_files import test_case
 
