@@ -212,7 +212,7 @@ class PartType(ABC, Generic[P, Raw, Read]):
         raw: how an answer is written, as an annotation; records are described by their docstrings.
         meaning: what an answer says, for the documentation of the API.
         given: the record that `task` shows beside its sentence, if there is one.
-        follows_table: an answer that follows from the student's own wrong table earns its marks.
+        follows_table: an answer that follows from the student's own wrong table earns its points.
         gives_away: kinds that cannot be asked beside it, because it shows their answer.
         disclosures: by feedback code from which help level on it is told; what is not listed always is.
     """

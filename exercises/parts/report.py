@@ -43,7 +43,7 @@ class PartReport:
     Attributes:
         kind: which part.
         correct: the answer is right for the robot.
-        score: 0 … 1, what it earns; an answer that follows from a wrong table earns its marks, too.
+        score: 0 … 1, what it earns; an answer that follows from a wrong table earns its points, too.
         points: score times what the part is worth.
         max_points: what the part is worth.
         credit: what the marks rest on.

@@ -76,6 +76,7 @@ TERMS: dict[str, dict[str, str]] = {
         r"\bcount(?:s|ed)? (?:positive|against|the \w* ?way)": "is positive, increases",
         r"\b(?:link|hand|frame) against\b": "relative to",
         r"\b(?:its|their|no|the) marks?\b": "points are earned; grades are recorded",
+        r"\b[Pp]osition (?:shown )?(?:in|of) the figure": "configuration",
     },
     "es": {
         r"[Ff]orma literal": "forma cerrada",
@@ -87,6 +88,7 @@ TERMS: dict[str, dict[str, str]] = {
         r"[Mm]atriz del sistema|\bmuestras\b": "pose de un sistema en otro; ejemplos",
         r"\b[Nn]otas?\b": "puntos; calificación",
         r"cuentan? (?:en sentido|al revés)|[Ss]e cuenta (?:en|al)": "crece, se mide",
+        r"posición de la figura": "configuración",
     },
     "fr": {
         r"[Tt]ables? DH|[Ff]orme (?:fermée|close)": "tableau DH; forme littérale",
@@ -110,7 +112,7 @@ TERMS: dict[str, dict[str, str]] = {
         r"(?<!\w)(?:Sua|Seu|Suas|Seus) \w+": "an article stands before a possessive",
         r"\bcontam? (?:no sentido|ao contrário)": "a variable cresce",
         r"\bnoutr[oa] \w+ que (?!não\b)": "num … diferente do …",
-        r"\b[Nn]otas?\b": "classificação",
+        r"\b[Nn]otas?\b|posição da figura": "classificação; configuração",
     },
     "ro": {
         r"[Ff]orm\w+ (?:literal|analitic)\w+": "formă închisă",
@@ -131,7 +133,8 @@ TERMS: dict[str, dict[str, str]] = {
         r"[Оо]бернен\w+ (?:кінематик|задач\w+(?! кінематики))": "обернена задача кінематики",
         r"[Оо]бмежен\w+ зчленуван\w*|[Тт]іл(?:о|а|ом) зчленуван\w*": "межі зчленування; корпус зчленування",
         r"[Зз]наченн\w* зчленуван\w*|[Зз]аокругл\w*": "значення у зчленуваннях; округлити",
-        r"\b[Зз]апиту(?:ється|ва\w+)\b": "потрібно подати",
+        r"\b[Зз]апит(?:ується|ува\w+|ан(?:о|і|их|ий|а))\b": "потрібно подати",
+        r"[Пп]оложенн\w на рисунку": "конфігурація на рисунку",
         r"зустріча\w+ (?:вісь|осі)|[Пп]ри \d": "перетинає вісь; якщо … дорівнює",
     },
 }

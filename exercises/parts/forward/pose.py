@@ -1,7 +1,7 @@
 """⁰T_N in numbers, at given values of the joint variables.
 
 Where a table's variables are zero and which way they count is the student's choice (unless the policy fixes
-both), so the pose is the one of the student's own table. It earns its marks if it follows from that table,
+both), so the pose is the one of the student's own table. It earns its points if it follows from that table,
 right or wrong.
 """
 

@@ -68,7 +68,7 @@ rule-tool-point = The origin of the last frame lies at the marked point { $point
 rule-tool-axis = The z axis of the last frame lies on the axis of the last joint, either way round; its origin may lie anywhere on it.
 rule-tool-frame = The last frame is prescribed; the figure shows it.
 rule-zero-free = You choose where each joint variable is zero.
-rule-zero-figure = In the position shown in the figure, all joint variables are zero.
+rule-zero-figure = In the configuration shown in the figure, all joint variables are zero.
 rule-direction-free = You choose which way each axis points.
 rule-direction-figure = The joint variables are positive in the direction of the arrows in the figure.
 
@@ -216,7 +216,7 @@ error-point_without_form = A point is given by frame and at; by between and rati
 error-joint_off_axis = The point { $point } does not lie on the axis of joint { $joint }.
 error-dimension_disagrees = The points of { $name } lie { $length } apart, but { $name } is { $value }.
 error-dimension_too_short = { $name } is { $length }, too short to be shown in the figure: it is less than a millionth of the robot’s size. Give it another value, or write 0 in its place.
-error-posture_not_zero = With zero = figure students are told that all joint variables are zero in the position of the figure: draw the robot there (posture 0 for each joint), or leave the zeros free.
+error-posture_not_zero = With zero = figure students are told that all joint variables are zero in the configuration of the figure: draw the robot there (posture 0 for each joint), or leave the zeros free.
 error-tool_point_unmarked = With tool = point the last origin belongs at a marked point, but none of the marked points is the key’s last origin. Mark the origin of frame { $last }.
 error-gripper_without_direction = The gripper and the point that it points away from are the same.
 error-jaws_along_gripper = The jaws lie side by side, perpendicular to the gripper.
@@ -228,7 +228,7 @@ error-name_unknown = { $name } is none of the dimensions of this exercise.{ $uni
     [0] {""}
    *[one] {" "}Did you mean { $close }?
 } Known names: { $known }.
-error-need_unmet = No answer needs { $name } under this policy: students may choose frames in which it does not appear. Fix the base (origin or frame), the tool (point or frame) or, if it lies along a prismatic joint, the zeros (figure).
+error-need_unmet = No answer needs { $name } under this policy: students may choose frames in which it does not appear. Fix the base (origin or frame), the tool (point or frame) or, if { $name } lies along a prismatic joint, the zeros (figure).
 error-need_unknown = { $name } is not a dimension of the table. Its dimensions: { $known }.
 error-alias_taken = { $name } already has a meaning.
 error-title_missing = A title in one language at least is needed: [title] with en = "…".

@@ -94,7 +94,7 @@ error-variable_in_wrong_cell =
        *[revolute] de rotación
     } va en { $expected }.
 error-variable_twice = En el carácter { $column }: { $name } aparece por segunda vez. Cada variable articular figura en la tabla una sola vez.
-error-variable_of_other_row = En el carácter { $column }: { $name } no es la variable de esta fila, sino { $expected }. Si los accionamientos de dos articulaciones están acoplados, como en { $expected } + { $name }, escriba solo { $expected } y dé la suma como su valor.
+error-variable_of_other_row = En el carácter { $column }: la variable de esta fila no es { $name }, sino { $expected }. Si los accionamientos de dos articulaciones están acoplados, como en { $expected } + { $name }, escriba solo { $expected } y dele como valor la suma.
 error-variable_numbering_mixed = En el carácter { $column }: { $name } está numerada por fila y otras por articulación. Numérelas de q1 a q{ $joints } en el orden de las articulaciones.
 
 error-table_empty = La tabla no tiene filas; hace falta al menos una.

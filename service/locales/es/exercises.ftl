@@ -62,11 +62,11 @@ rule-convention-modified = Escriba la tabla en la convención modificada.
 rule-base-free = El sistema 0 puede estar en cualquier lugar de la base.
 rule-base-axis = El eje z del sistema 0 está sobre el eje de la articulación 1, en cualquiera de los dos sentidos.
 rule-base-origin = El origen del sistema 0 es el punto marcado O0; sus direcciones las elige usted.
-rule-base-frame = El sistema 0 está prescrito; está dibujado en la figura.
+rule-base-frame = El sistema 0 está prescrito; la figura lo muestra.
 rule-tool-free = El último sistema puede estar en cualquier lugar del último eslabón.
 rule-tool-point = El origen del último sistema está en el punto marcado { $points }.
 rule-tool-axis = El eje z del último sistema está sobre el eje de la última articulación, en cualquiera de los dos sentidos; su origen puede estar en cualquier punto de él.
-rule-tool-frame = El último sistema está prescrito; está dibujado en la figura.
+rule-tool-frame = El último sistema está prescrito; la figura lo muestra.
 rule-zero-free = Usted elige dónde es cero cada variable articular.
 rule-zero-figure = En la configuración de la figura, todas las variables articulares son cero.
 rule-direction-free = Usted elige hacia dónde apunta cada eje.
@@ -216,7 +216,7 @@ error-point_without_form = Un punto se da con frame y at; con between y ratio; c
 error-joint_off_axis = El punto { $point } no está sobre el eje de la articulación { $joint }.
 error-dimension_disagrees = Los puntos de { $name } distan { $length }, pero { $name } mide { $value }.
 error-dimension_too_short = { $name } mide { $length }, demasiado poco para mostrarla en la figura: es menos de una millonésima del tamaño del robot. Dele otro valor o escriba 0 en su lugar.
-error-posture_not_zero = Con zero = figure se dice a los estudiantes que en la posición de la figura todas las variables articulares son cero: dibuje el robot en esa posición (posture 0 en cada articulación) o deje libres los ceros.
+error-posture_not_zero = Con zero = figure se dice a los estudiantes que en la configuración de la figura todas las variables articulares son cero: dibuje el robot en esa configuración (posture 0 en cada articulación) o deje libres los ceros.
 error-tool_point_unmarked = Con tool = point el último origen debe estar en un punto marcado, pero ninguno de los puntos marcados es el último origen de la solución de referencia. Marque el origen del sistema { $last }.
 error-gripper_without_direction = La pinza y el punto del que se aleja son el mismo.
 error-jaws_along_gripper = Los dedos están uno al lado del otro, perpendiculares a la pinza.
@@ -228,7 +228,7 @@ error-name_unknown = { $name } no es ninguna de las dimensiones de este ejercici
     [0] {""}
    *[one] {" "}¿Quería decir { $close }?
 } Las dimensiones son { $known }.
-error-need_unmet = Con estas reglas ninguna respuesta necesita { $name }: se pueden elegir sistemas en los que no aparece. Fije la base (origin o frame), la herramienta (point o frame) o, si está a lo largo de una articulación prismática, los ceros (figure).
+error-need_unmet = Con estas reglas ninguna respuesta necesita { $name }: se pueden elegir sistemas en los que no aparece. Fije la base (origin o frame), la herramienta (point o frame) o, si { $name } está a lo largo de una articulación prismática, los ceros (figure).
 error-need_unknown = { $name } no es ninguna dimensión de la tabla. Sus dimensiones: { $known }.
 error-alias_taken = { $name } ya tiene un significado.
 error-title_missing = Hace falta un título al menos en un idioma: [title] con en = "…".

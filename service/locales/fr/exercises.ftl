@@ -62,11 +62,11 @@ rule-convention-modified = Écrivez le tableau dans la convention modifiée.
 rule-base-free = Le repère 0 peut être placé n’importe où sur la base.
 rule-base-axis = L’axe z du repère 0 est porté par l’axe de l’articulation 1, dans un sens ou dans l’autre.
 rule-base-origin = L’origine du repère 0 est le point marqué O0 ; vous choisissez ses directions.
-rule-base-frame = Le repère 0 est imposé ; il est dessiné sur la figure.
+rule-base-frame = Le repère 0 est imposé ; la figure le montre.
 rule-tool-free = Le dernier repère peut être placé n’importe où sur le dernier segment.
 rule-tool-point = L’origine du dernier repère se trouve au point marqué { $points }.
 rule-tool-axis = L’axe z du dernier repère est porté par l’axe de la dernière articulation, dans un sens ou dans l’autre ; son origine peut être n’importe où sur cet axe.
-rule-tool-frame = Le dernier repère est imposé ; il est dessiné sur la figure.
+rule-tool-frame = Le dernier repère est imposé ; la figure le montre.
 rule-zero-free = Vous choisissez où chaque variable articulaire est nulle.
 rule-zero-figure = Dans la configuration de la figure, toutes les variables articulaires sont nulles.
 rule-direction-free = Vous choisissez le sens de chaque axe.
@@ -228,7 +228,7 @@ error-name_unknown = { $name } n’est aucune des cotes de cet exercice.{ $unit 
     [0] {""}
    *[one] {" "}Vouliez-vous dire { $close } ?
 } Cotes connues : { $known }.
-error-need_unmet = Avec ces règles, aucune réponse n’a besoin de { $name } : on peut choisir des repères où cette cote n’apparaît pas. Fixez la base (origin ou frame), l’outil (point ou frame) ou, si elle est le long d’une articulation prismatique, les zéros (figure).
+error-need_unmet = Avec ces règles, aucune réponse n’a besoin de { $name } : on peut choisir des repères où cette cote n’apparaît pas. Fixez la base (origin ou frame), l’outil (point ou frame) ou, si { $name } est le long d’une articulation prismatique, les zéros (figure).
 error-need_unknown = { $name } n’est pas une cote du tableau. Ses cotes : { $known }.
 error-alias_taken = { $name } a déjà un sens.
 error-title_missing = Il faut un titre dans une langue au moins : [title] avec en = "…".

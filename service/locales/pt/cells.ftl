@@ -94,7 +94,7 @@ error-variable_in_wrong_cell =
        *[revolute] rotativa
     } fica em { $expected }.
 error-variable_twice = No carácter { $column }: { $name } aparece pela segunda vez. Cada variável de junta aparece na tabela uma só vez.
-error-variable_of_other_row = No carácter { $column }: { $name } não é a variável desta linha, mas sim { $expected }. Se os acionamentos de duas juntas estiverem acoplados, como em { $expected } + { $name }, escreva só { $expected } e dê a soma como o seu valor.
+error-variable_of_other_row = No carácter { $column }: a variável desta linha não é { $name }, mas sim { $expected }. Se os acionamentos de duas juntas estiverem acoplados, como em { $expected } + { $name }, escreva só { $expected } e dê-lhe a soma como valor.
 error-variable_numbering_mixed = No carácter { $column }: { $name } está numerada por linha e outras por junta. Numere-as de q1 a q{ $joints }, na ordem das juntas.
 
 error-table_empty = A tabela não tem linhas; é preciso pelo menos uma.

@@ -62,11 +62,11 @@ rule-convention-modified = Escreva a tabela na convenção modificada.
 rule-base-free = O referencial 0 pode ficar em qualquer lugar da base.
 rule-base-axis = O eixo z do referencial 0 está sobre o eixo da junta 1, em qualquer dos sentidos.
 rule-base-origin = A origem do referencial 0 é o ponto marcado O0; as direções são à sua escolha.
-rule-base-frame = O referencial 0 é prescrito; está desenhado na figura.
+rule-base-frame = O referencial 0 é prescrito; a figura mostra-o.
 rule-tool-free = O último referencial pode ficar em qualquer lugar do último elo.
 rule-tool-point = A origem do último referencial está no ponto marcado { $points }.
 rule-tool-axis = O eixo z do último referencial está sobre o eixo da última junta, em qualquer dos sentidos; a sua origem pode ficar em qualquer ponto dele.
-rule-tool-frame = O último referencial é prescrito; está desenhado na figura.
+rule-tool-frame = O último referencial é prescrito; a figura mostra-o.
 rule-zero-free = Cabe-lhe escolher onde cada variável das juntas é zero.
 rule-zero-figure = Na configuração da figura, todas as variáveis das juntas são zero.
 rule-direction-free = Cabe-lhe escolher o sentido de cada eixo.
@@ -216,8 +216,8 @@ error-point_without_form = Um ponto é dado por frame e at; por between e ratio;
 error-joint_off_axis = O ponto { $point } não está sobre o eixo da junta { $joint }.
 error-dimension_disagrees = Os pontos de { $name } distam { $length }, mas { $name } é { $value }.
 error-dimension_too_short = { $name } é { $length }, demasiado curta para ser mostrada na figura: é menos de um milionésimo do tamanho do robô. Dê-lhe outro valor ou escreva 0 no seu lugar.
-error-posture_not_zero = Com zero = figure diz-se aos estudantes que na posição da figura todas as variáveis das juntas são zero: desenhe o robô nessa posição (posture 0 para cada junta) ou deixe os zeros livres.
-error-tool_point_unmarked = Com tool = point a última origem fica num ponto marcado, mas nenhum dos pontos marcados é a última origem da solução de referência. Marque a origem do referencial { $last }.
+error-posture_not_zero = Com zero = figure diz-se aos estudantes que na configuração da figura todas as variáveis das juntas são zero: desenhe o robô nessa configuração (posture 0 para cada junta) ou deixe os zeros livres.
+error-tool_point_unmarked = Com tool = point a última origem deve ficar num ponto marcado, mas nenhum dos pontos marcados é a última origem da solução de referência. Marque a origem do referencial { $last }.
 error-gripper_without_direction = A garra e o ponto do qual ela se afasta são o mesmo.
 error-jaws_along_gripper = Os dedos ficam um ao lado do outro, perpendiculares à garra.
 
@@ -228,7 +228,7 @@ error-name_unknown = { $name } não é nenhuma das dimensões deste exercício.{
     [0] {""}
    *[one] {" "}Queria dizer { $close }?
 } Conhecem-se { $known }.
-error-need_unmet = Com estas regras nenhuma resposta precisa de { $name }: podem escolher-se referenciais em que não aparece. Fixe a base (origin ou frame), a ferramenta (point ou frame) ou, se estiver ao longo de uma junta prismática, os zeros (figure).
+error-need_unmet = Com estas regras nenhuma resposta precisa de { $name }: podem escolher-se referenciais em que não aparece. Fixe a base (origin ou frame), a ferramenta (point ou frame) ou, se { $name } estiver ao longo de uma junta prismática, os zeros (figure).
 error-need_unknown = { $name } não é nenhuma dimensão da tabela. As suas dimensões: { $known }.
 error-alias_taken = { $name } já tem um significado.
 error-title_missing = É preciso um título pelo menos numa língua: [title] com en = "…".

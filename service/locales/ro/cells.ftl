@@ -119,7 +119,7 @@ error-variable_in_wrong_cell =
        *[revolute] rotație
     } stă la { $expected }.
 error-variable_twice = La caracterul { $column }: { $name } apare a doua oară. Fiecare variabilă apare în tabel o singură dată.
-error-variable_of_other_row = La caracterul { $column }: { $name } nu este variabila acestui rând, ci { $expected }. Dacă acționările a două cuple sunt legate între ele, ca în { $expected } + { $name }, scrieți doar { $expected }; valoarea ei este suma.
+error-variable_of_other_row = La caracterul { $column }: variabila acestui rând nu este { $name }, ci { $expected }. Dacă acționările a două cuple sunt legate între ele, ca în { $expected } + { $name }, scrieți doar { $expected }; valoarea ei este suma.
 error-variable_numbering_mixed = La caracterul { $column }: { $name } este numerotată după rând, iar altele după cuplă. Numerotați-le de la q1 la q{ $joints }, în ordinea cuplelor.
 
 error-table_empty = Tabelul nu are niciun rând; este nevoie de cel puțin unul.

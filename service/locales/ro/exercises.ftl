@@ -63,11 +63,11 @@ rule-convention-modified = Scrieți tabelul în convenția modificată.
 rule-base-free = Sistemul 0 poate fi plasat oriunde pe bază.
 rule-base-axis = Axa z a sistemului 0 este pe axa cuplei 1, în oricare dintre sensuri.
 rule-base-origin = Originea sistemului 0 este punctul marcat O0; direcțiile lui le alegeți dumneavoastră.
-rule-base-frame = Sistemul 0 este impus; este desenat în figură.
+rule-base-frame = Sistemul 0 este impus; figura îl arată.
 rule-tool-free = Ultimul sistem poate fi plasat oriunde pe ultimul element.
 rule-tool-point = Originea ultimului sistem se află în punctul marcat { $points }.
 rule-tool-axis = Axa z a ultimului sistem este pe axa ultimei cuple, în oricare dintre sensuri; originea lui poate fi oriunde pe ea.
-rule-tool-frame = Ultimul sistem este impus; este desenat în figură.
+rule-tool-frame = Ultimul sistem este impus; figura îl arată.
 rule-zero-free = Alegeți dumneavoastră unde este zero fiecare variabilă a cuplelor.
 rule-zero-figure = În configurația din figură, toate variabilele cuplelor sunt zero.
 rule-direction-free = Alegeți dumneavoastră sensul fiecărei axe.
@@ -251,7 +251,7 @@ error-name_unknown = { $name } nu este niciuna dintre cotele acestui exercițiu.
     [0] {""}
    *[one] {" "}Ați vrut să scrieți { $close }?
 } Se cunosc { $known }.
-error-need_unmet = Cu aceste reguli niciun răspuns nu are nevoie de { $name }: se pot alege sisteme în care nu apare. Fixați baza (origin sau frame), scula (point sau frame) ori, dacă se află de-a lungul unei cuple de translație, zerourile (figure).
+error-need_unmet = Cu aceste reguli niciun răspuns nu are nevoie de { $name }: se pot alege sisteme în care nu apare. Fixați baza (origin sau frame), scula (point sau frame) ori, dacă { $name } se află de-a lungul unei cuple de translație, zerourile (figure).
 error-need_unknown = { $name } nu este o cotă a tabelului. Cotele lui: { $known }.
 error-alias_taken = { $name } are deja un înțeles.
 error-title_missing = Este nevoie de un titlu în cel puțin o limbă: [title] cu en = "…".

@@ -115,7 +115,7 @@ error-variable_in_wrong_cell =
        *[revolute] обертального
     } зчленування стоїть у стовпці { $expected }.
 error-variable_twice = Символ { $column }: { $name } трапляється вдруге. Кожна змінна стоїть у таблиці один раз.
-error-variable_of_other_row = Символ { $column }: { $name } не є змінною цього рядка; його змінна — { $expected }. Якщо приводи двох зчленувань пов’язані, як у { $expected } + { $name }, пишіть лише { $expected } і надавайте їй значення суми.
+error-variable_of_other_row = Символ { $column }: { $name } не є змінною цього рядка; його змінна — { $expected }. Якщо приводи двох зчленувань пов’язані, як у { $expected } + { $name }, пишіть лише { $expected }, а значенням цієї змінної беріть суму.
 error-variable_numbering_mixed = Символ { $column }: { $name } пронумеровано за рядком, а інші — за зчленуванням. Нумеруйте їх від q1 до q{ $joints } у порядку зчленувань.
 
 error-table_empty = У таблиці немає рядків; потрібен щонайменше один.

@@ -1,4 +1,4 @@
-"""What follows from a wrong table earns its marks, unless the table says next to nothing."""
+"""What follows from a wrong table earns its points, unless the table says next to nothing."""
 
 import pytest
 
