@@ -17,7 +17,7 @@ from kinematics.errors import Fault, KinematicsError
 from kinematics.printing import SOURCES, Notation
 from service.cli.commands import FAILED
 from service.cli.environment import Subparsers, count_up_to, settings_of_environment
-from service.http.problems import NotFoundError
+from service.http.problems import NotFoundError, RequestError
 from service.messages import languages, sentence
 from service.resources import Resources
 from service.routes.kinematics.symbolic import SymbolicRequest, symbolic_task
@@ -49,7 +49,7 @@ def add(subparsers: Subparsers) -> None:
     parser.add_argument(
         "--variants",
         type=count_up_to(MOST_VARIANTS, "variants are shared out"),
-        help="variants of an exercise that names no number of them itself",
+        help="variants of an exercise that sets no number of them itself; not for a course",
     )
     parser.add_argument("--untested", action="store_true", help="draw only: the variants were tested before")
     parser.set_defaults(run=_warm)
@@ -71,16 +71,20 @@ def _asked(resources: Resources, what: str, variants: int | None) -> Iterator[Pr
     """An exercise by its id, else every link of the courses that are called so."""
     if what in resources.exercises.ids:
         exercise = resources.exercises.exercise(what)
+        if variants is not None and exercise.access.variants not in (None, variants):
+            raise RequestError(Fault.at("variants_set", name=what))
         yield _of(exercise, variants, None)
         return
     links = links_of_course(resources.courses.store, what) if resources.courses is not None else []
     if not links:
         raise NotFoundError(Fault.at("nothing_to_warm", name=what))
+    if variants is not None:
+        raise RequestError(Fault.at("variants_set", name=what))
     for settings, seeds in links:
         if settings.exercise_id is None:
             continue
         exercise = resources.exercises.exercise(settings.exercise_id)
-        yield _of(exercise, settings.variants or variants, settings, seeds)
+        yield _of(exercise, settings.variants, settings, seeds)
 
 
 def _of(

@@ -15,6 +15,8 @@ from service.course_resources import now
 from service.settings import Settings
 from service.wire.exercises import figure_files
 from tests.courses.classroom import platform
+from tests.exercises.folders import TWO_LINKS
+from tests.exercises.folders import folder as exercise_folder
 from tests.live_service import running
 
 STUDENTS = 12
@@ -86,3 +88,14 @@ def test_variants_of_an_exercise_are_drawn_in_every_language(
 def test_what_does_not_exist_is_told(folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
     assert main(["warm", "nothing"]) == 2
     assert "[nothing_to_warm]" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("what", ["Robotics 1", "shared"])
+def test_a_number_of_variants_that_is_set_elsewhere_is_refused(
+    what: str, folder: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    _class(folder, LinkSettings(exercise_id="twolink", per_student=True, language="en"))
+    exercise_folder(folder / "own", f"{TWO_LINKS}\n[access]\nvariants = 3\n", name="shared")
+    monkeypatch.setenv("FRAMEWISE_EXERCISE_FOLDERS", str(folder / "own"))
+    assert main(["warm", what, "--variants", "4"]) == 2
+    assert "[variants_set]" in capsys.readouterr().err

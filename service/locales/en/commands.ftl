@@ -38,3 +38,4 @@ warm-counts = { $exercise }: { $values ->
    *[other] { $forms } closed forms
 }, { $failed } failed, { $seconds } s
 error-nothing_to_warm = There is no exercise, and no course with links, called { $name }.
+error-variants_set = How many variants { $name } has is set in the exercise, or in the rules of the course’s links. Leave out --variants.

@@ -41,3 +41,4 @@ warm-counts = { $exercise }: { $values ->
    *[other] { $failed } fallos
 }, { $seconds } s
 error-nothing_to_warm = No hay ningún ejercicio, ni ningún curso con enlaces, llamado { $name }.
+error-variants_set = El número de variantes de { $name } está fijado en el ejercicio o en las reglas de los enlaces del curso. Omita --variants.

@@ -41,3 +41,4 @@ warm-counts = { $exercise } : { $values ->
    *[other] { $failed } échecs
 }, { $seconds } s
 error-nothing_to_warm = Il n’y a ni exercice ni cours avec des liens nommé { $name }.
+error-variants_set = Le nombre de variantes de { $name } est fixé dans l’exercice ou dans les règles des liens du cours. Omettez --variants.

@@ -32,3 +32,4 @@ check-nothing_earned = Nenhuma tabela errada recebe pontos: nada do que uma tabe
 check-asked_as_shown = A parte { $kind } mostra o que pede. Peça outra coisa ou mostre-a noutra forma.
 warm-counts = { $exercise }: conjuntos de valores verificados e desenhados: { $values }, figuras: { $figures }, formas fechadas: { $forms }, falhas: { $failed }, { $seconds } s
 error-nothing_to_warm = Não há exercício, nem disciplina com ligações, chamado { $name }.
+error-variants_set = O número de variantes de { $name } está definido no exercício ou nas regras das ligações da disciplina. Omita --variants.

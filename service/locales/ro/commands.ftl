@@ -35,3 +35,4 @@ check-nothing_earned = Niciun tabel greșit nu primește puncte: nimic din ce de
 check-asked_as_shown = Partea { $kind } arată chiar ceea ce cere. Cereți altceva sau arătați-l în altă formă.
 warm-counts = { $exercise }: seturi de valori verificate și desenate: { $values }, figuri: { $figures }, forme închise: { $forms }, eșecuri: { $failed }, { $seconds } s
 error-nothing_to_warm = Nu există niciun exercițiu și niciun curs cu legături numit { $name }.
+error-variants_set = Numărul de variante pentru { $name } este stabilit în exercițiu sau în regulile legăturilor cursului. Omiteți --variants.
