@@ -170,8 +170,8 @@ async def _judged(request: ApiRequest, begun: datetime) -> Response:
     shown = Shown(attempt.shown)
     report = masked(told or stored_report(attempt.report, language), shown) or {}
     later = is_new and shown is Shown.ALL and grader.is_crowded() and tells_departure_later(found)
-    told_more = {"attempt": attempt.number, "shown": shown.value, "departure_later": later}
-    answer = json_response({**report, **told_more})
+    told_more = {"attempt": attempt.number, "shown": shown.value}
+    answer = json_response({**report, **told_more, **({"departure_later": True} if later else {})})
     if not is_new:
         answer.headers[REPLAYED] = "true"
     return answer
