@@ -4,6 +4,7 @@ Links run along the table's own common normals: O_{i-1} → foot → O_i. Bodies
 would stand in one another (a wrist) move apart along their axes.
 """
 
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from fractions import Fraction
@@ -222,4 +223,5 @@ def _name(value: Expression) -> str:
     size = rational_value(value)
     if size is not None:
         return f"{abs(float(size)):.6g}"
-    return min(expression_text(value), expression_text(negate(value)), key=len).replace("*", "")
+    text = min(expression_text(value), expression_text(negate(value)), key=len)
+    return re.sub(r"(?<![\w.])([0-9.]+)\*", r"\1", text).replace("*", "·")  # Lpi would be another name

@@ -6,6 +6,7 @@ may set both. As a file of its own (`<img>`) it follows the reader's light or da
 attributes alone give a readable black and white figure where style sheets are not allowed.
 """
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
@@ -63,10 +64,13 @@ class Canvas:
 SUBSCRIPT = 0.7  # Size of a subscript beside its letter, about that of TeX.
 
 
+_INDEXED = re.compile(r"([^ ]*(?:[^\W\d_]|\w(?=_)))_*([0-9]+)")
+
+
 def split_name(name: str) -> tuple[str, str]:
-    """Return the letters of a name and the index behind them: ("L", "1") of L1 or L_1; a sum has no index."""
-    stem = "" if " " in name else name.rstrip("0123456789")
-    return (stem.rstrip("_") or name, name[len(stem) :]) if stem else (name, "")
+    """Return the letters of a name and the index behind them: ("L", "1") of L1; 0.5 and 3L/4 have none."""
+    indexed = _INDEXED.fullmatch(name)
+    return (indexed[1], indexed[2]) if indexed else (name, "")
 
 
 def text_width(name: str, size: float) -> float:

@@ -10,10 +10,13 @@ import pytest
 from exercises.definition import Exercise
 from exercises.drawings import end_marks, figure_drawing, figure_geometry, figure_sentences
 from exercises.errors import DefinitionError
+from exercises.figures.skeleton import usual_dimensions
+from exercises.figures.svg import split_name
 from exercises.instance import generate
 from exercises.loader import load_exercise
 from exercises.selftest.checks import check
 from tests.exercises.folders import TWO_LINKS, changed, folder
+from tests.exercises.grading.written import read
 
 RPPR = """
 version = 1
@@ -119,6 +122,32 @@ def test_a_dimension_is_named_as_its_length_is_written(tmp_path: Path) -> None:
     ]
     assert lengths == [("H + 2w", 0.84), ("2w", 0.24), ("0.5", 0.005), ("w", 0.12)]  # -w back: the same one
     assert {"H + 2w", "2w", "0.5", "w"} <= words(found)
+
+
+@pytest.mark.parametrize(
+    ("written", "name", "index"),
+    [
+        ("L1", "L", "1"),
+        ("L_12", "L", "12"),
+        ("L1_2", "L1", "2"),
+        ("0.45", "0.45", ""),
+        ("3L/4", "3L/4", ""),
+        ("L1^2", "L1^2", ""),
+        ("H + L2", "H + L2", ""),
+    ],
+)
+def test_only_digits_behind_a_letter_are_an_index(written: str, name: str, index: str) -> None:
+    """A length of 0.45 was drawn with its decimals as an index."""
+    assert split_name(written) == (name, index)
+
+
+@pytest.mark.parametrize(
+    ("written", "name"),
+    [("2*w", "2w"), ("L*pi", "L·pi"), ("L1*L2/L3", "L1·L2/L3"), ("L*3^(1/2)", "L·sqrt(3)")],
+)
+def test_a_dimension_runs_no_names_together(written: str, name: str) -> None:
+    table = read("standard", [(0, written, 0, "q1")]).table
+    assert [mark.name for mark in usual_dimensions(table)] == [name]
 
 
 def test_the_ground_lies_at_frame_0_where_the_column_rises_from_it(tmp_path: Path) -> None:
