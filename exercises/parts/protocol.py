@@ -245,9 +245,9 @@ class PartType(ABC, Generic[P, Raw, Read]):
         """Return what does not fit the rest of the exercise; places inside the part's entry."""
         return ()
 
-    def shows_answer(self, part: P) -> bool:
-        """Return whether the task shows what it asks for."""
-        return False
+    def warnings(self, part: P, exercise: Exercise) -> Iterable[str]:
+        """Return what the author should know although nothing breaks on it: codes of `check-<code>`."""
+        return ()
 
     def draw(self, part: P, exercise: Exercise, picker: Picker) -> Any:
         """Return what is drawn for one student beside the robot's dimensions; None if nothing is."""

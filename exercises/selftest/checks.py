@@ -77,8 +77,8 @@ def check_values(
         for name, value in values_of_other_structure(exercise):
             findings.fail("drawn_structure", name=name, value=fraction_as_decimal(value) or value)
         for part in exercise.parts:
-            if part_type(part.kind).shows_answer(part):
-                findings.warn("asked_as_shown", kind=part.kind)
+            for code in part_type(part.kind).warnings(part, exercise):
+                findings.warn(code, kind=part.kind)
         if with_table:
             _check_invalid(findings, exercise)
             _check_samples(findings, exercise)

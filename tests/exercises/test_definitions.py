@@ -11,6 +11,7 @@ from exercises.definition import LANGUAGES
 from exercises.errors import DefinitionError
 from exercises.grading import ToolRule
 from exercises.loader import load_exercise
+from exercises.parts.registry import part_type
 from exercises.selftest.checks import check
 from exercises.statements import names_in
 from kinematics import catalogue
@@ -188,6 +189,48 @@ def test_an_author_is_warned_of_a_task_that_shows_what_it_asks_for(
     found = check(load_exercise(folder(tmp_path, asking_only(part))), 1)
     assert found.failures == []
     assert ("asked_as_shown" in {one.check for one in found.warnings}) is told
+
+
+WEIGHED = 'kind = "equations_of_motion"\nask = ["gravity"]\nlinks = [{ mass = 0 }, { mass = 2 }]\n'
+SLIDER = changed(
+    '"revolute", theta = "q2", d = 0, a = "L2"',
+    '"prismatic", theta = 0, d = "q2", a = 0',
+    changed("L2.value = 0.3\n", ""),
+)
+
+
+@pytest.mark.parametrize(
+    ("gravity", "upright", "told"),
+    [
+        ("[0, 0, 0]", "0", False),
+        ("[0, 0, -9.81]", "0", False),
+        ("[0, 0, 9.81]", "0", True),
+        ("[0, -9.81, 0]", "0", True),
+        ("[0, -9.81, 0]", "90", False),
+        ("[0, -9.81, 0]", "-90", True),
+    ],
+)
+def test_an_author_is_warned_of_gravity_that_does_not_point_down_in_the_figure(
+    gravity: str, upright: str, told: bool, tmp_path: Path
+) -> None:
+    text = asking_only(f"{WEIGHED}gravity = {gravity}\n") + f"[figure]\nupright = {{ roll = {upright} }}\n"
+    found = check(load_exercise(folder(tmp_path, text)), 0)
+    assert ("gravity_not_down" in {one.check for one in found.warnings}) is told
+
+
+@pytest.mark.parametrize(("q2", "told"), [(0, True), (0.2, False)])
+def test_an_author_is_warned_of_frames_that_coincide_in_the_figure(
+    q2: float, told: bool, tmp_path: Path
+) -> None:
+    text = asking_only('kind = "frame_mistake"\n', SLIDER) + f"[figure]\nposture = [30, {q2}]\n"
+    found = check(load_exercise(folder(tmp_path, text, statement="Link *L1*.")), 0)
+    assert ("frames_coincide" in {one.check for one in found.warnings}) is told
+
+
+def test_no_shipped_exercise_warns_of_its_parts() -> None:
+    for name in exercise_ids:
+        found = exercise(name)
+        assert not [code for part in found.parts for code in part_type(part.kind).warnings(part, found)], name
 
 
 @pytest.mark.parametrize("kind", ["transform", "link_matrices"])

@@ -4,7 +4,7 @@ Whatever obeys the rules mends it: the frame of the key, or any other that the c
 right if the frame there was mended.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import lru_cache
@@ -13,6 +13,8 @@ from typing import Annotated, Any, ClassVar
 from exercises.definition import Exercise
 from exercises.draws import Picker
 from exercises.errors import DefinitionError
+from exercises.figures.geometry import close
+from exercises.figures.points import frames_in_figure
 from exercises.instance import Instance, generate
 from exercises.parts.cells.by_name import ByName, read_by_name
 from exercises.parts.context import Context
@@ -42,7 +44,8 @@ from kinematics.frames.wrong_frames import (
     mends,
     plantable_in_frames,
 )
-from kinematics.se3 import Vector
+from kinematics.se3 import Vector, position
+from kinematics.table import JointType
 
 ThreeCells = Annotated[tuple[Cell, ...], Length(least=3, most=3)]
 MENDED = ("mended_origin", "mended_x", "mended_y", "mended_z")  # The fields of the frame as it should be.
@@ -100,6 +103,13 @@ class FrameMistakeType(MistakeType[MistakePart, FoundFrameMistakeCells, ByName[F
             able = _ways(generate(exercise))
             if not any(code in able for code in part.mistakes):
                 yield Fault.at("frame_mistakes_not_shown", "mistakes", known=", ".join(able))
+
+    def warnings(self, part: MistakePart, exercise: Exercise) -> Iterable[str]:
+        """Return a code where a slider is drawn at zero, so that the frames before and behind it coincide."""
+        key = exercise.reference.table
+        at = [position(pose) for pose in frames_in_figure(exercise.figure, key, generate(exercise).values)]
+        slides = (i for i, row in enumerate(key.rows) if row.joint is JointType.PRISMATIC)
+        return ("frames_coincide",) if any(close(at[i], at[i + 1]) for i in slides) else ()
 
     def draw(self, part: MistakePart, exercise: Exercise, picker: Picker) -> tuple[str, str]:
         """Return what decides the student's mistake; the frames follow from the student's dimensions."""

@@ -4,7 +4,8 @@ The robot's table is given, with names and values for what its links weigh. Ever
 right; whether Ṁ − 2C is skew-symmetric is asked for separately (`kinematics.answers.dynamics_answers`).
 """
 
-from collections.abc import Iterator, Mapping
+import math
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 from enum import StrEnum
 from fractions import Fraction
@@ -15,7 +16,7 @@ from typing import ClassVar
 from exercises.definition import DrawnParameter, Exercise, Part
 from exercises.draws import Picker
 from exercises.grading import Feedback, Finding, HelpLevel
-from exercises.instance import Instance
+from exercises.instance import Instance, generate
 from exercises.parts.cells.matrix_cells import write_matrix
 from exercises.parts.context import Context
 from exercises.parts.first_values import Start, joint_names
@@ -44,12 +45,14 @@ from kinematics.dynamics import rate_name
 from kinematics.dynamics.equations import Derivation
 from kinematics.dynamics.reading import RawBody, ReadBodies, read_bodies
 from kinematics.errors import Fault, KinematicsError
-from kinematics.expressions import ZERO
+from kinematics.expressions import ZERO, evaluate
+from kinematics.poses import transform_from_rpy
 from kinematics.symbolic import Matrix
 from kinematics.table import JointType
 
 MOST_OF_WRONG = 0.8
 """Of a matrix with a wrong entry no more than this is earned, however many entries are right."""
+DOWN = 0.999  # Cosine of how far from the vertical gravity may point in the figure: 2.6°.
 
 
 class MotionAsk(StrEnum):
@@ -132,6 +135,14 @@ class MotionType(PartType[MotionPart, MotionCells, EquationsAnswer]):
         for joint in range(1, exercise.reference.table.n_joints + 1):
             if rate_name(joint) in bodies.kinds:
                 yield Fault.at("name_of_rate", "links", name=rate_name(joint))
+
+    def warnings(self, part: MotionPart, exercise: Exercise) -> Iterable[str]:
+        """Return a code where things do not fall down in the figure."""
+        values = {weight.name: float(weight.value) for weight in part.weights}
+        bodies = _bodies(part, exercise.reference)
+        fall = [evaluate(entry, generate(exercise).values | values) for entry in bodies.gravity]
+        x, y, z = transform_from_rpy(exercise.figure.upright)[:3, :3] @ fall
+        return ("gravity_not_down",) if -z < DOWN * math.hypot(x, y, z) else ()
 
     def draw(self, part: MotionPart, exercise: Exercise, picker: Picker) -> Mapping[str, Fraction]:
         """Return the student's values of what the links weigh."""

@@ -4,7 +4,7 @@ The frames are those of the key, at joint values that are drawn; what is known a
 them. There is one right matrix: both frames are named.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from random import Random
@@ -111,9 +111,9 @@ class FrameChainType(PartType[FrameChainPart, FrameChainCells, ByName[Matrices]]
             if not all(0 <= frame <= last for frame in pair):
                 yield Fault.at("unknown_frame", *where, last=last)
 
-    def shows_answer(self, part: FrameChainPart) -> bool:
-        """Return whether the asked pose is a known one."""
-        return part.asked in part.known
+    def warnings(self, part: FrameChainPart, exercise: Exercise) -> Iterable[str]:
+        """Return a code where the asked pose is a known one."""
+        return ("asked_as_shown",) if part.asked in part.known else ()
 
     def draw(self, part: FrameChainPart, exercise: Exercise, picker: Picker) -> tuple[Fraction, ...]:
         """Return the student's joint values [the exercise's units]."""

@@ -5,7 +5,7 @@ What is right is decided by meaning (`kinematics.rotations.orientation_answers`)
 asked. Each notation that is asked earns marks of its own.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from fractions import Fraction
 from random import Random
@@ -105,11 +105,12 @@ class OrientationPartType(PartType[OrientationPart, OrientationCells, Orientatio
             tolerance=reader.tolerance("tolerance", USUAL_TOLERANCE),
         )
 
-    def shows_answer(self, part: OrientationPart) -> bool:
-        """Return whether a notation is asked in which the orientation is shown."""
+    def warnings(self, part: OrientationPart, exercise: Exercise) -> Iterable[str]:
+        """Return a code where a notation is asked in which the orientation is shown."""
         angles = part.given in (OrientationNotation.ANGLES, OrientationNotation.EVERY_TRIPLE)
         shown = OrientationNotation.ANGLES if angles else part.given
-        return shown in part.ask and not (angles and part.asked_sequence != part.sequence)
+        same = shown in part.ask and not (angles and part.asked_sequence != part.sequence)
+        return ("asked_as_shown",) if same else ()
 
     def start(self, robot: RobotFacts) -> Start:
         """Return an orientation in roll, pitch and yaw, of which the matrix is asked."""

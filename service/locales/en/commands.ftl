@@ -27,6 +27,8 @@ check-alike = Some students may swap the numbers of { $name } and { $other } wit
 check-no_joints = The robot has no joint: there is nothing to describe. Give a row of the table a joint.
 check-nothing_earned = No wrong table earns anything: nothing that a table of zeros gets wrong about this robot carries any weight. Set other weights, or fix more in the policy.
 check-asked_as_shown = The part { $kind } shows what it asks for. Ask for something else, or show it in another form.
+check-gravity_not_down = In the figure, gravity as part { $kind } gives it does not point down. Turn frame 0 with upright, or change gravity.
+check-frames_coincide = In the figure of part { $kind }, two frames have the same origin because a prismatic joint between them is drawn at zero. Give it another value in posture.
 warm-counts = { $exercise }: { $values ->
     [one] { $values } set of values
    *[other] { $values } sets of values

@@ -27,6 +27,8 @@ check-alike = Algunos estudiantes pueden intercambiar los valores de { $name } y
 check-no_joints = El robot no tiene ninguna articulación: no hay nada que describir. Ponga una en alguna fila de la tabla.
 check-nothing_earned = Ninguna tabla incorrecta obtiene puntos: no tiene peso nada de lo que una tabla de ceros describe mal en este robot. Cambie los pesos o fije más reglas.
 check-asked_as_shown = La parte { $kind } muestra lo que pide. Pida otra cosa o muéstrelo en otra forma.
+check-gravity_not_down = En la figura, la gravedad que da la parte { $kind } no apunta hacia abajo. Gire el sistema 0 con upright o cambie gravity.
+check-frames_coincide = En la figura de la parte { $kind }, dos sistemas de referencia tienen el mismo origen porque una articulación prismática entre ellos está dibujada en cero. Dele otro valor en posture.
 warm-counts = { $exercise }: { $values ->
     [one] { $values } juego de valores comprobado y dibujado
    *[other] { $values } juegos de valores comprobados y dibujados
