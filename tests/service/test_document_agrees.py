@@ -1,6 +1,7 @@
 """What the document allows is accepted, and what it forbids is refused: schemathesis draws both."""
 
 import re
+import time
 from collections.abc import Iterator
 from itertools import chain, combinations
 from pathlib import Path
@@ -88,6 +89,13 @@ CONNECTED.trust_env = False
 def disconnected_at_the_end() -> Iterator[None]:
     yield
     CONNECTED.close()
+
+
+@pytest.fixture(scope="module", autouse=True)
+def ready(base_url: str) -> None:
+    """Wait until the service has started whole, or /readyz is right to say that it has not."""
+    while CONNECTED.get(f"{base_url}/readyz", timeout=120).status_code != 200:
+        time.sleep(0.1)
 
 
 @pytest.fixture
