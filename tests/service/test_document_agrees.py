@@ -94,7 +94,9 @@ def disconnected_at_the_end() -> Iterator[None]:
 @pytest.fixture(scope="module", autouse=True)
 def ready(base_url: str) -> None:
     """Wait until the service has started whole, or /readyz is right to say that it has not."""
-    while CONNECTED.get(f"{base_url}/readyz", timeout=120).status_code != 200:
+    for _ in range(600):
+        if CONNECTED.get(f"{base_url}/readyz", timeout=120).status_code == 200:
+            return
         time.sleep(0.1)
 
 
