@@ -202,12 +202,12 @@ export class LiveRobot extends EventTarget {
 
   /** @param {number} wait seconds that the service asked for */
   #askLater(wait) {
-    this.#failures += 1;
+    if (!this.#timer) this.#failures += 1; // what was typed while it waits says nothing new of the service
     const pause = pauseAfter(this.#failures, wait);
     this.#after = wait ? Date.now() + pause : 0;
     clearTimeout(this.#timer);
     this.#timer = setTimeout(() => {
-      this.#after = 0;
+      this.#timer = this.#after = 0;
       void this.#look();
     }, pause);
   }

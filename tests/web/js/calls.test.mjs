@@ -125,6 +125,17 @@ test("a robot whose service is away asks less and less often, and at once what i
   assert.equal(asked.times, times + 1);
 });
 
+test("what is typed while a service is away does not put off when it is asked again", async (context) => {
+  const { robot, asked, pass } = failing(context, new Error("unreachable"));
+  for (let typed = 0; typed < 8; typed += 1) {
+    robot.take({ rows: [typed] }, { now: true });
+    await pass(0);
+  }
+  const { times } = asked;
+  await pass(5000);
+  assert.equal(asked.times, times + 1);
+});
+
 test("an answer is sent again not sooner than the service asked for", async (context) => {
   context.mock.timers.enable({ apis: ["setTimeout"] });
   context.mock.method(Math, "random", () => 0.5);
