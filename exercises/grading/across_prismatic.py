@@ -1,7 +1,5 @@
 """Which facts say how the axes on both sides of some prismatic joints lie to each other."""
 
-from __future__ import annotations
-
 from functools import lru_cache
 from itertools import pairwise
 

@@ -4,8 +4,6 @@ With a row goes a joint and one of the links beside it, so what is matched is li
 distance; between two of them stands a joint of the answer for one or more of the key, or the reverse.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from functools import lru_cache
 from itertools import chain, combinations, islice, pairwise

@@ -1,7 +1,5 @@
 """Answers that are right as far as they were typed, but rounded more than the exercise allows."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import replace
 

@@ -6,8 +6,6 @@ neighbours, the best choice is found exactly, joint by joint. Joints too many or
 that leaves the most facts right.
 """
 
-from __future__ import annotations
-
 from collections.abc import Collection, Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
@@ -122,7 +120,7 @@ class Facts:
         kept, unseen = zip(*(seen[joints] for joints in other), strict=True)
         return self._least(_Compared(np.array(kept), fits, np.logical_or(*fits), np.hstack(unseen)))
 
-    def _least(self, compared: _Compared) -> Floats:
+    def _least(self, compared: "_Compared") -> Floats:
         """(k,) the least weight over the directions of all axes, with what the joints take."""
         kept, fits, has, unseen = compared
         worth = np.where(has, self.sign, 1.0) * self.worth[:, None]
@@ -141,7 +139,7 @@ class Facts:
         """
         return np.asarray(self._compared(axes, found).has.any(axis=1), dtype=np.bool_)
 
-    def _compared(self, axes: Sequence[Axis], found: Floats | None) -> _Compared:
+    def _compared(self, axes: Sequence[Axis], found: Floats | None) -> "_Compared":
         """An answer compared with the key, its links beside the key's in k ways."""
         shift = len(self.axes) - len(axes)
         ours, theirs = (tuple(axis.prismatic for axis in some) for some in (self.axes, axes))
@@ -169,7 +167,7 @@ class Facts:
 
     def _compared_one_by_one(
         self, axes: Sequence[Axis], found: Floats | None, others: Sequence[int]
-    ) -> _Compared:
+    ) -> "_Compared":
         """An answer with the key's number of joints, of which some are of another type.
 
         Such a joint is read as one of the key's type, on the line on which it was drawn. What its variable

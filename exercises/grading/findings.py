@@ -1,7 +1,5 @@
 """What to say of a wrong answer: what is wrong, and what the help level lets through."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Sequence
 
 from exercises.grading.edits.accused import Accused

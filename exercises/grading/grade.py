@@ -1,7 +1,5 @@
 """From two tables and a policy to a verdict."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from functools import lru_cache

@@ -1,7 +1,5 @@
 """How much of a wrong answer is right."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
 

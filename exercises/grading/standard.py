@@ -1,7 +1,5 @@
 """What answers are measured by: the facts of a key, and what those weigh that an answer has wrong."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from dataclasses import replace
 from functools import lru_cache

@@ -3,8 +3,6 @@
 Everything here is plain data (strings, numbers, tuples, mappings), so a caller may write it out as it stands.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
@@ -29,7 +27,7 @@ class HelpLevel(StrEnum):
     KIND = "kind"
     REPAIR = "repair"
 
-    def includes(self, needed: HelpLevel) -> bool:
+    def includes(self, needed: "HelpLevel") -> bool:
         """Return whether this level tells what is told from another one on."""
         return LEVELS.index(self) >= LEVELS.index(needed)
 

@@ -1,7 +1,5 @@
 """A verdict as a notebook shows it: the score, what was found row by row, and the codes of the feedback."""
 
-from __future__ import annotations
-
 from dataclasses import asdict
 from html import escape
 from typing import TYPE_CHECKING
@@ -13,7 +11,7 @@ _MARKS = {"ok": "✓", "wrong": "✗", "missing": "∅", "unknown": "?", "hidden
 _COLUMNS = ("row", "length", "twist", "offset", "joint")
 
 
-def verdict_html(verdict: Verdict) -> str:
+def verdict_html(verdict: "Verdict") -> str:
     """Return a verdict as HTML; its fields are the words, for sentences belong to a language."""
     sign = "✓" if verdict.correct else "✗"
     summary = f"<p><b>{sign} {verdict.score:.2f}</b> ({escape(verdict.basis.value)})</p>"

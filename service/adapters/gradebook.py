@@ -1,7 +1,5 @@
 """Marks as the gradebooks of Moodle and Canvas import them, and as a plain CSV file."""
 
-from __future__ import annotations
-
 import csv
 import re
 from collections.abc import Iterable, Iterator

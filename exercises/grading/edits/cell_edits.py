@@ -1,7 +1,5 @@
 """Misconceptions about one cell."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 from dataclasses import replace

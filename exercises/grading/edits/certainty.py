@@ -6,8 +6,6 @@ which is the zero of a variable. Where all of them are the key's, with their sig
 arithmetic, equation (1) of docs/checker.md holds. Fixed points and lines at the ends count as further axes.
 """
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from itertools import pairwise
 from math import sin

@@ -1,7 +1,5 @@
 """What several equally small repairs have in common, where none is likelier than the others."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 
 from exercises.grading.verdict import Feedback, Repair

@@ -1,7 +1,5 @@
 """Where along the chain a joint may have been left out, or be one too many."""
 
-from __future__ import annotations
-
 from collections.abc import Sequence
 from functools import lru_cache
 

@@ -5,8 +5,6 @@ The order is that of likelihood; if several edits explain a wrong answer, the ea
 so it is one list, however long.
 """
 
-from __future__ import annotations
-
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 

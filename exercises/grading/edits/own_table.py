@@ -1,7 +1,5 @@
 """Whether an answer is the key's own table, in whichever convention, or a length is one of its."""
 
-from __future__ import annotations
-
 import math
 from typing import NamedTuple
 
@@ -17,11 +15,11 @@ class _Link(NamedTuple):
     a: float
     d: float
 
-    def either_way(self) -> _Link:
+    def either_way(self) -> "_Link":
         """Return it as it is however the axes of the frames point."""
         return _Link(self.joint, abs(math.remainder(self.alpha, math.pi)), abs(self.a), abs(self.d))
 
-    def is_nearly(self, other: _Link) -> bool:
+    def is_nearly(self, other: "_Link") -> bool:
         """Return whether it is another to within a per cent."""
         return (
             self.joint is other.joint

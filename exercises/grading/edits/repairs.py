@@ -3,8 +3,6 @@
 Three only where the number of joints is wrong, and one of them is the convention, which spoils all facts.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace

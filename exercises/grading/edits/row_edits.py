@@ -1,7 +1,5 @@
 """Misconceptions about whole rows."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import replace

@@ -1,7 +1,5 @@
 """Every edit of the catalogue tried on a table, all at once, against what no choice of frames changes."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Collection, Iterator, Sequence
 from dataclasses import replace
 from functools import cached_property
@@ -133,7 +131,7 @@ def _batches(
     sieves: Sequence[Sieve],
     *,
     finishing: bool,
-) -> Iterator[_Batch]:
+) -> "Iterator[_Batch]":
     """The edits of a catalogue; then those in which one more of their unsolved cells has a value."""
     fits = _fits(works)
     made = [

@@ -1,7 +1,5 @@
 """Which changes of the catalogue are worth trying on a table."""
 
-from __future__ import annotations
-
 from collections.abc import Iterator
 
 from exercises.grading.edits.changes import Change

@@ -1,7 +1,5 @@
 """A wrong answer under repair: the table on which edits are tried, and what they are tried against."""
 
-from __future__ import annotations
-
 from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -123,7 +121,7 @@ class Work:
         """What is fixed at the ends as the invariants are measured."""
         return lines_at_ends(self.policy, self.lines) if self.lines else self.policy
 
-    def for_lines(self, *, to_the_letter: bool = False) -> Work | None:
+    def for_lines(self, *, to_the_letter: bool = False) -> "Work | None":
         """Return the table as one in which the key's lines at the ends are looked for.
 
         None where it keeps the rule `axis` at both ends, or no key's line is meant but the joint's axis.
@@ -233,7 +231,7 @@ class Work:
             (*longer[:k], *longer[k + 1 :]) == shorter for k in range(len(longer))
         )
 
-    def at(self, draw: int) -> Work:
+    def at(self, draw: int) -> "Work":
         """Return the answer at another draw."""
         table = self.comparison.meant[draw]
         known: dict[str, object] = {
@@ -253,7 +251,7 @@ class Work:
         angular: bool,
         off: Off,
         kept: frozenset[Place],
-    ) -> Work:
+    ) -> "Work":
         """Return the table with an edit made, and what another has to do with then."""
         known: dict[str, object] = {"reach": reach, "angular": angular, "lacking": frozenset(), "off": off}
         known["is_left_wrong"] = _nothing_is_known

@@ -1,7 +1,5 @@
 """The certificate as the verdict shows it: in the submission's units, and in closed form if it was proved."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping, Sequence
 

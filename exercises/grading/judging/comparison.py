@@ -5,8 +5,6 @@ of two dimensions being equal. Where the exercise gives its parameters values, a
 instead, or in numbers here and names there.
 """
 
-from __future__ import annotations
-
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property, lru_cache
@@ -115,13 +113,13 @@ class Comparison:
         """Whether no entry was rounded."""
         return self.drawn[0].meant is self.drawn[0].submission
 
-    def declared(self, convention: Convention) -> Comparison:
+    def declared(self, convention: Convention) -> "Comparison":
         """Return the same, with the answer declared in a convention."""
         drawn = (one._replace(meant=replace(one.meant, convention=convention)) for one in self.drawn)
         table = replace(self.meant_table, convention=convention)
         return replace(self, drawn=tuple(drawn), meant_table=table)
 
-    def with_first(self, draw: int) -> Comparison:
+    def with_first(self, draw: int) -> "Comparison":
         """Return the same, with a draw (its number, from 0) moved to the front."""
         if not draw:
             return self

@@ -5,8 +5,6 @@ unchecked. So every length and angle that no choice of frames changes is held to
 or to a per cent of itself if that is more.
 """
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import replace
 from functools import lru_cache

@@ -5,8 +5,6 @@ or on the key's z_0 (`kinematics/equivalence/policy.py`): each length and angle 
 explained.
 """
 
-from __future__ import annotations
-
 from collections.abc import Collection, Iterator, Mapping
 from dataclasses import replace
 

@@ -1,7 +1,5 @@
 """Exact expressions as text that a table's cell would accept."""
 
-from __future__ import annotations
-
 from fractions import Fraction
 from functools import lru_cache
 

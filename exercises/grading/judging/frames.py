@@ -1,7 +1,5 @@
 """How the frames of a right answer differ from the key's, so that a right answer teaches, too."""
 
-from __future__ import annotations
-
 import math
 import re
 from collections.abc import Iterator
@@ -72,7 +70,7 @@ class _Noticed:
     length: float
 
     @classmethod
-    def beside(cls, key: NumericTable, answer: NumericTable, certificate: Certificate) -> _Noticed:
+    def beside(cls, key: NumericTable, answer: NumericTable, certificate: Certificate) -> "_Noticed":
         share = NOTICED if certificate.residual <= ROUNDED else NOTICED_IF_ROUNDED
         return cls(share, share * prepared_for(key, answer).size)
 

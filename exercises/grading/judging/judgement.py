@@ -1,7 +1,5 @@
 """Whether an answer is right, in one way in which it may be meant."""
 
-from __future__ import annotations
-
 from collections.abc import Mapping
 from dataclasses import replace
 

@@ -1,7 +1,5 @@
 """Values of the names in two tables: those that an exercise gives, and random ones."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass

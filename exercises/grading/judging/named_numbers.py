@@ -1,7 +1,5 @@
 """Numbers in an answer that stand for names: those that are the values of some."""
 
-from __future__ import annotations
-
 import math
 from collections.abc import Iterator
 from dataclasses import replace

@@ -4,8 +4,6 @@ A decimal is right within half a unit of its last place. A name, a fraction, a m
 15° are exact. A decimal that is, within its digits, a multiple of π/12 or a value of the key stands for that.
 """
 
-from __future__ import annotations
-
 import math
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, replace

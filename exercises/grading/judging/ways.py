@@ -1,7 +1,5 @@
 """The ways in which an answer may be meant: in names, in numbers, in names here and numbers there."""
 
-from __future__ import annotations
-
 from collections.abc import Iterable, Iterator
 from functools import lru_cache
 
